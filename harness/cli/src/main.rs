@@ -1,0 +1,3 @@
+//! The conformance suite and fuzzer for IEC 61131-3 Structured Text.
+
+fn main() {}

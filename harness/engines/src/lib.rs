@@ -1,0 +1,1 @@
+//! The Engine trait, the reference as an engine, and the wire protocol.

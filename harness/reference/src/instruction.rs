@@ -1,0 +1,259 @@
+//! The checked program: what the checker lowers a source text to, and what the machine runs.
+//!
+//! Memory is one array of 64-bit cells. Every variable has a fixed place, because recursion is forbidden
+//! (P4005): programs, globals and function frames lie at absolute addresses, the variables of a function block
+//! at offsets from its instance (`this`). Arrays and structures lie flat. A text variable's cell holds the
+//! index of its entry in the machine's text store. A VAR_IN_OUT cell holds the address of its argument.
+//!
+//! A cell holds a value's *raw* form as `stickler_types` defines it: signed integers sign-extended, unsigned
+//! integers and bit strings zero-extended, BOOL 0 or 1, REAL and LREAL their IEC 60559 bits, durations, dates
+//! and times of day as signed nanoseconds, characters their code unit.
+
+use crate::conversion::Conversion;
+use stickler_types::ElementaryType;
+
+/// An index into the memory.
+pub type Address = u32;
+/// An index into [`Program::code`].
+pub type Label = u32;
+/// An index into [`Program::routines`].
+pub type RoutineId = u32;
+
+/// A checked program, ready to run.
+#[derive(Debug, Default)]
+pub struct Program {
+    /// All code, routine after routine.
+    pub code: Vec<Instruction>,
+    /// The 1-based source line of each instruction, for faults; as long as `code`.
+    pub lines: Vec<u32>,
+    /// Where each routine's code begins. A routine ends with [`Instruction::Return`].
+    pub routines: Vec<Label>,
+    /// Run once before the first scan: initial values of globals and program instances.
+    pub startup: RoutineId,
+    /// Run once a scan: all program instances in order.
+    pub scan: RoutineId,
+    /// How many cells the program needs.
+    pub memory: u32,
+    /// The text variables: their cells and capacities. Cells not named here are plain.
+    pub texts: Vec<TextCell>,
+    /// Text constants, in code units.
+    pub text_constants: Vec<Box<[u16]>>,
+}
+
+/// A text variable.
+#[derive(Clone, Copy, Debug)]
+pub struct TextCell {
+    /// Its cell.
+    pub address: Address,
+    /// The declared maximum length in code units; a longer text is cut when stored.
+    pub capacity: u32,
+}
+
+/// One step of the stack machine. "Pops a, b" means that b lies on top. Numbers and addresses share one
+/// stack; texts have a stack of their own.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Instruction {
+    /// Pushes a raw value.
+    Push(u64),
+    /// Pushes a text constant on the text stack.
+    PushText(u32),
+    /// Drops the top of the stack.
+    Drop,
+    /// Drops the top of the text stack.
+    DropText,
+
+    /// Pushes an absolute address.
+    Address(Address),
+    /// Pushes `this` plus an offset.
+    InstanceAddress(u32),
+    /// Pops an address and pushes the content of that cell, itself an address (VAR_IN_OUT).
+    Dereference,
+    /// Adds a constant to the address on top.
+    Offset(u32),
+    /// Pops an address and a subscript; pushes `address + (subscript - low) * stride`. Faults with
+    /// subscript-range where the subscript lies outside `low..=high`.
+    Subscript {
+        /// The lowest subscript.
+        low: i64,
+        /// The highest subscript.
+        high: i64,
+        /// Cells an element takes.
+        stride: u32,
+        /// The subscript's raw form is unsigned.
+        unsigned: bool,
+    },
+
+    /// Pushes the content of an absolute cell.
+    Load(Address),
+    /// Pops an address, pushes the cell's content.
+    LoadIndirect,
+    /// Pops a value, stores it in an absolute cell.
+    Store(Address),
+    /// Pops an address and a value, stores the value there.
+    StoreIndirect,
+    /// Pops an address, pushes its text on the text stack.
+    LoadText,
+    /// Pops an address, and a text from the text stack, and stores the text, cut to the cell's capacity.
+    StoreText,
+    /// Pops a destination and a source address; copies that many cells, texts by content.
+    Copy(u32),
+    /// Pops an address: copies the `stride` cells there to the `count - 1` places behind them.
+    Replicate {
+        /// Cells an element takes.
+        stride: u32,
+        /// How many elements there are, the first included.
+        count: u32,
+    },
+    /// Pops an address: sets that many cells to zero and their texts to empty.
+    Clear(u32),
+
+    /// Pops a value, pushes its bit `n` as BOOL.
+    Bit(u8),
+    /// Pops an address and a BOOL; sets bit `n` of the cell, and brings it back to the raw form of its type.
+    StoreBit {
+        /// The bit's index.
+        bit: u8,
+        /// The cell's type.
+        of: ElementaryType,
+    },
+
+    /// Converts the top of the stack; text operands and results are on the text stack.
+    Convert(Conversion),
+    /// Pops two values of the type, pushes the result, wrapped to the type's width.
+    Arithmetic(ArithmeticOperator, ElementaryType),
+    /// Pops a duration (or for `Divide` first a duration) and a number of the type; pushes the duration.
+    ScaleDuration(ArithmeticOperator, ElementaryType),
+    /// Pops base and exponent; pushes base raised to exponent in the base's type.
+    Power {
+        /// The type of the base and of the result.
+        base: ElementaryType,
+        /// The type of the exponent.
+        exponent: ElementaryType,
+    },
+    /// Pops two values of the type, pushes a BOOL.
+    Compare(ComparisonOperator, ElementaryType),
+    /// Pops two texts, pushes a BOOL.
+    CompareText(ComparisonOperator),
+    /// Pops two values, pushes AND, OR or XOR of their bits.
+    Logic(LogicOperator),
+    /// Inverts the top within the type's width.
+    Not(ElementaryType),
+    /// Negates the top in the type.
+    Negate(ElementaryType),
+    /// Faults with `subrange` unless the top, a signed or unsigned integer, lies in the range; leaves it.
+    CheckRange {
+        /// The lower limit.
+        low: i64,
+        /// The upper limit, as bits of the base type's raw form.
+        high: u64,
+        /// The base type is unsigned.
+        unsigned: bool,
+    },
+    /// A standard function over plain values; see [`StandardFunction`] for what it pops.
+    Standard {
+        /// Which one.
+        function: StandardFunction,
+        /// The type of its values.
+        of: ElementaryType,
+        /// How many values it takes besides a selector.
+        count: u16,
+    },
+
+    /// Goes on elsewhere.
+    Jump(Label),
+    /// Pops a BOOL; goes on elsewhere where it is FALSE.
+    JumpIfFalse(Label),
+    /// Calls a routine that has no instance; `this` stays as it is for the caller.
+    Call(RoutineId),
+    /// Pops an address, which becomes `this` of the called routine.
+    CallInstance(RoutineId),
+    /// Ends the routine.
+    Return,
+}
+
+/// Arithmetic on two values of one type.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ArithmeticOperator {
+    /// `+`.
+    Add,
+    /// `-`.
+    Subtract,
+    /// `*`.
+    Multiply,
+    /// `/`: integers toward zero; zero as an integer divisor faults with division-by-zero.
+    Divide,
+    /// `MOD`: the remainder has the dividend's sign; zero as the divisor faults.
+    Modulo,
+}
+
+/// Comparison of two values of one type. REAL and LREAL follow IEC 60559: NaN is unequal to everything.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ComparisonOperator {
+    /// `=`.
+    Equal,
+    /// `<>`.
+    NotEqual,
+    /// `<`.
+    Less,
+    /// `<=`.
+    LessOrEqual,
+    /// `>`.
+    Greater,
+    /// `>=`.
+    GreaterOrEqual,
+}
+
+/// Bitwise operators.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LogicOperator {
+    /// AND.
+    And,
+    /// OR.
+    Or,
+    /// XOR.
+    Xor,
+}
+
+/// The standard functions that are no conversions. `of` is the common type of the values; for a text type
+/// values and results are on the text stack.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum StandardFunction {
+    /// ABS: pops one value; wraps for the least integer.
+    Abs,
+    /// SEL: pops a BOOL and two values (the BOOL lies deepest).
+    Sel,
+    /// MUX: pops a selector as an i64 (deepest) and `count` values; a selector outside the range faults with
+    /// subscript-range.
+    Mux,
+    /// MIN: pops `count` values.
+    Min,
+    /// MAX: pops `count` values.
+    Max,
+    /// LIMIT: pops minimum, value, maximum; `MIN(MAX(value, minimum), maximum)`.
+    Limit,
+    /// SHL: pops a value and a count as an i64; zeros come in; a count below 0 or past the width gives 0.
+    Shl,
+    /// SHR.
+    Shr,
+    /// ROL: the count is taken modulo the width.
+    Rol,
+    /// ROR.
+    Ror,
+    /// LEN: pops a text; pushes its length in code units as INT.
+    Len,
+    /// CONCAT: pops `count` texts, pushes them joined.
+    Concat,
+}
+
+/// Why a run ended early.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FaultKind {
+    /// An integer was divided by zero.
+    DivisionByZero,
+    /// A subscript outside its dimension.
+    SubscriptRange,
+    /// A value outside its subrange.
+    Subrange,
+    /// More steps than the run was given.
+    StepLimit,
+}

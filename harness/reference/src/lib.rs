@@ -1,0 +1,1 @@
+//! The reference implementation of Structured Text that Stickler judges its own cases with.

@@ -1,0 +1,1 @@
+//! Projections of the event stream: terminal, JSON, JUnit, Markdown.

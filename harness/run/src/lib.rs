@@ -1,0 +1,1 @@
+//! Schedules cases over engines, judges outcomes, emits one stream of events.

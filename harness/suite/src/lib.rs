@@ -1,0 +1,1 @@
+//! The conformance case format: read, lint and expand case files.

@@ -1,0 +1,1 @@
+//! Elementary data types, typed values, IEC literals, dialect names and diagnostic codes.
