@@ -1,0 +1,387 @@
+//! The elementary data types: names, families, widths, ranges, and the raw form in which their values are held.
+
+/// An elementary data type of either edition of the standard.
+///
+/// # Raw form
+///
+/// Every value except a text is held as one `u64`, its *raw form*:
+///
+/// | types | raw form |
+/// |---|---|
+/// | `BOOL` | 0 or 1 |
+/// | `SINT` … `LINT` | two's complement, sign-extended to 64 bits |
+/// | `USINT` … `ULINT`, `BYTE` … `LWORD` | zero-extended |
+/// | `REAL`, `LREAL` | the bits of the `f32` (zero-extended) or the `f64` |
+/// | `TIME`, `LTIME` | nanoseconds, as an `i64` |
+/// | `DATE`, `LDATE`, `DT`, `LDT` | nanoseconds since 1970-01-01-00:00:00, as an `i64`; dates are whole days |
+/// | `TOD`, `LTOD` | nanoseconds since midnight |
+/// | `CHAR`, `WCHAR` | the code unit |
+///
+/// Basis: iec-61131-3: Table 10 (elementary data types); the resolution of times and dates is the implementer's to choose, and
+/// the raw form gives the short types the resolution and range of the long ones.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum ElementaryType {
+    /// `BOOL`, one bit.
+    Bool,
+    /// `SINT`, a signed integer of 8 bits.
+    Sint,
+    /// `INT`, a signed integer of 16 bits.
+    Int,
+    /// `DINT`, a signed integer of 32 bits.
+    Dint,
+    /// `LINT`, a signed integer of 64 bits.
+    Lint,
+    /// `USINT`, an unsigned integer of 8 bits.
+    Usint,
+    /// `UINT`, an unsigned integer of 16 bits.
+    Uint,
+    /// `UDINT`, an unsigned integer of 32 bits.
+    Udint,
+    /// `ULINT`, an unsigned integer of 64 bits.
+    Ulint,
+    /// `REAL`, binary32 of IEC 60559.
+    Real,
+    /// `LREAL`, binary64 of IEC 60559.
+    Lreal,
+    /// `BYTE`, a bit string of 8 bits.
+    Byte,
+    /// `WORD`, a bit string of 16 bits.
+    Word,
+    /// `DWORD`, a bit string of 32 bits.
+    Dword,
+    /// `LWORD`, a bit string of 64 bits.
+    Lword,
+    /// `TIME`, a duration.
+    Time,
+    /// `LTIME`, a duration of the third edition.
+    Ltime,
+    /// `DATE`, a calendar day.
+    Date,
+    /// `LDATE`, a calendar day of the third edition.
+    Ldate,
+    /// `TOD` or `TIME_OF_DAY`.
+    Tod,
+    /// `LTOD` or `LTIME_OF_DAY`, of the third edition.
+    Ltod,
+    /// `DT` or `DATE_AND_TIME`.
+    Dt,
+    /// `LDT` or `LDATE_AND_TIME`, of the third edition.
+    Ldt,
+    /// `STRING`, of single-byte characters.
+    String,
+    /// `WSTRING`, of double-byte characters.
+    Wstring,
+    /// `CHAR`, one single-byte character, of the third edition.
+    Char,
+    /// `WCHAR`, one double-byte character, of the third edition.
+    Wchar,
+}
+
+/// What kind of values a type holds; types of one family differ in width or range only.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Family {
+    /// `BOOL`.
+    Boolean,
+    /// `SINT` … `LINT`.
+    Signed,
+    /// `USINT` … `ULINT`.
+    Unsigned,
+    /// `BYTE` … `LWORD`.
+    BitString,
+    /// `REAL` and `LREAL`.
+    Real,
+    /// `TIME` and `LTIME`.
+    Duration,
+    /// `DATE` and `LDATE`.
+    Date,
+    /// `TOD` and `LTOD`.
+    TimeOfDay,
+    /// `DT` and `LDT`.
+    DateAndTime,
+    /// `STRING` and `WSTRING`.
+    Text,
+    /// `CHAR` and `WCHAR`.
+    Character,
+}
+
+use ElementaryType as E;
+
+/// One row of the table of elementary types.
+struct Row {
+    name: &'static str,
+    bits: u32,
+    family: Family,
+    third_edition: bool,
+}
+
+const fn row(name: &'static str, bits: u32, family: Family) -> Row {
+    Row {
+        name,
+        bits,
+        family,
+        third_edition: false,
+    }
+}
+
+const fn later(name: &'static str, bits: u32, family: Family) -> Row {
+    Row {
+        name,
+        bits,
+        family,
+        third_edition: true,
+    }
+}
+
+/// The one table of elementary types, in the order of the declaration.
+const TABLE: [Row; 27] = [
+    row("BOOL", 1, Family::Boolean),
+    row("SINT", 8, Family::Signed),
+    row("INT", 16, Family::Signed),
+    row("DINT", 32, Family::Signed),
+    row("LINT", 64, Family::Signed),
+    row("USINT", 8, Family::Unsigned),
+    row("UINT", 16, Family::Unsigned),
+    row("UDINT", 32, Family::Unsigned),
+    row("ULINT", 64, Family::Unsigned),
+    row("REAL", 32, Family::Real),
+    row("LREAL", 64, Family::Real),
+    row("BYTE", 8, Family::BitString),
+    row("WORD", 16, Family::BitString),
+    row("DWORD", 32, Family::BitString),
+    row("LWORD", 64, Family::BitString),
+    row("TIME", 64, Family::Duration),
+    later("LTIME", 64, Family::Duration),
+    row("DATE", 64, Family::Date),
+    later("LDATE", 64, Family::Date),
+    row("TOD", 64, Family::TimeOfDay),
+    later("LTOD", 64, Family::TimeOfDay),
+    row("DT", 64, Family::DateAndTime),
+    later("LDT", 64, Family::DateAndTime),
+    row("STRING", 0, Family::Text),
+    row("WSTRING", 0, Family::Text),
+    later("CHAR", 8, Family::Character),
+    later("WCHAR", 16, Family::Character),
+];
+
+impl ElementaryType {
+    /// Every type, in the order of the declaration.
+    pub const ALL: [ElementaryType; 27] = [
+        E::Bool,
+        E::Sint,
+        E::Int,
+        E::Dint,
+        E::Lint,
+        E::Usint,
+        E::Uint,
+        E::Udint,
+        E::Ulint,
+        E::Real,
+        E::Lreal,
+        E::Byte,
+        E::Word,
+        E::Dword,
+        E::Lword,
+        E::Time,
+        E::Ltime,
+        E::Date,
+        E::Ldate,
+        E::Tod,
+        E::Ltod,
+        E::Dt,
+        E::Ldt,
+        E::String,
+        E::Wstring,
+        E::Char,
+        E::Wchar,
+    ];
+
+    const fn row(self) -> &'static Row {
+        &TABLE[self as usize]
+    }
+
+    /// The keyword in upper case, the short one where there are two: `INT`, `TOD`, `DT`.
+    pub const fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// The type that a keyword names, in any case; `TIME_OF_DAY` and its like are read too.
+    ///
+    /// The prefixes `T`, `LT`, `D` and `LD` are no keywords: see [`ElementaryType::from_literal_prefix`].
+    pub fn from_name(name: &str) -> Option<ElementaryType> {
+        let bytes = name.as_bytes();
+        // The parser asks this of every identifier, so most are to be turned away at once.
+        if !(2..=14).contains(&bytes.len()) {
+            return None;
+        }
+        let mut upper = [0_u8; 14];
+        let upper = &mut upper[..bytes.len()];
+        upper.copy_from_slice(bytes);
+        upper.make_ascii_uppercase();
+        Some(match &*upper {
+            b"DT" => E::Dt,
+            b"INT" => E::Int,
+            b"TOD" => E::Tod,
+            b"LDT" => E::Ldt,
+            b"BOOL" => E::Bool,
+            b"SINT" => E::Sint,
+            b"DINT" => E::Dint,
+            b"LINT" => E::Lint,
+            b"UINT" => E::Uint,
+            b"REAL" => E::Real,
+            b"BYTE" => E::Byte,
+            b"WORD" => E::Word,
+            b"TIME" => E::Time,
+            b"DATE" => E::Date,
+            b"LTOD" => E::Ltod,
+            b"CHAR" => E::Char,
+            b"USINT" => E::Usint,
+            b"UDINT" => E::Udint,
+            b"ULINT" => E::Ulint,
+            b"LREAL" => E::Lreal,
+            b"DWORD" => E::Dword,
+            b"LWORD" => E::Lword,
+            b"LTIME" => E::Ltime,
+            b"LDATE" => E::Ldate,
+            b"WCHAR" => E::Wchar,
+            b"STRING" => E::String,
+            b"WSTRING" => E::Wstring,
+            b"TIME_OF_DAY" => E::Tod,
+            b"LTIME_OF_DAY" => E::Ltod,
+            b"DATE_AND_TIME" => E::Dt,
+            b"LDATE_AND_TIME" => E::Ldt,
+            _ => return None,
+        })
+    }
+
+    /// The type that the prefix of a typed literal names: its keyword, or `T`, `LT`, `D`, `LD`; in any case.
+    ///
+    /// Basis: iec-61131-3: Tables 8 and 9 (duration, date and time of day literals).
+    pub fn from_literal_prefix(prefix: &str) -> Option<ElementaryType> {
+        match prefix.as_bytes() {
+            b"T" | b"t" => Some(E::Time),
+            b"D" | b"d" => Some(E::Date),
+            [b'L' | b'l', b'T' | b't'] => Some(E::Ltime),
+            [b'L' | b'l', b'D' | b'd'] => Some(E::Ldate),
+            _ => ElementaryType::from_name(prefix),
+        }
+    }
+
+    /// How many bits a value has: 1 for `BOOL`, 8 for `CHAR`, 64 for every duration and date, 0 for the texts.
+    pub const fn bits(self) -> u32 {
+        self.row().bits
+    }
+
+    /// The family that the type belongs to.
+    pub const fn family(self) -> Family {
+        self.row().family
+    }
+
+    /// Whether this is a signed or unsigned integer, `ANY_INT` of the standard.
+    pub const fn is_integer(self) -> bool {
+        matches!(self.family(), Family::Signed | Family::Unsigned)
+    }
+
+    /// Whether this is `SINT`, `INT`, `DINT` or `LINT`.
+    pub const fn is_signed(self) -> bool {
+        matches!(self.family(), Family::Signed)
+    }
+
+    /// Whether this is `USINT`, `UINT`, `UDINT` or `ULINT`; bit strings are no integers.
+    pub const fn is_unsigned(self) -> bool {
+        matches!(self.family(), Family::Unsigned)
+    }
+
+    /// Whether this is `BYTE`, `WORD`, `DWORD` or `LWORD`; unlike `ANY_BIT` of the standard, without `BOOL`.
+    pub const fn is_bit_string(self) -> bool {
+        matches!(self.family(), Family::BitString)
+    }
+
+    /// Whether this is `REAL` or `LREAL`.
+    pub const fn is_real(self) -> bool {
+        matches!(self.family(), Family::Real)
+    }
+
+    /// Whether this is `TIME` or `LTIME`.
+    pub const fn is_duration(self) -> bool {
+        matches!(self.family(), Family::Duration)
+    }
+
+    /// Whether this is a date, a time of day, or both together, short or long: `ANY_DATE` of the standard.
+    pub const fn is_date_or_time(self) -> bool {
+        matches!(
+            self.family(),
+            Family::Date | Family::TimeOfDay | Family::DateAndTime
+        )
+    }
+
+    /// Whether this is `STRING` or `WSTRING`.
+    pub const fn is_text(self) -> bool {
+        matches!(self.family(), Family::Text)
+    }
+
+    /// Whether this is `CHAR` or `WCHAR`.
+    pub const fn is_character(self) -> bool {
+        matches!(self.family(), Family::Character)
+    }
+
+    /// Whether only the third edition of the standard has this type.
+    ///
+    /// Basis: iec-61131-3: Annex B of the third edition lists the types that it added.
+    pub const fn is_third_edition(self) -> bool {
+        self.row().third_edition
+    }
+
+    /// The long form of a duration, date or time of day: `TIME` → `LTIME`, `DATE` → `LDATE` …; nothing for any other type.
+    pub const fn long_form(self) -> Option<ElementaryType> {
+        match self {
+            E::Time => Some(E::Ltime),
+            E::Date => Some(E::Ldate),
+            E::Tod => Some(E::Ltod),
+            E::Dt => Some(E::Ldt),
+            _ => None,
+        }
+    }
+
+    /// The least and greatest value of an integer or bit string, and of `BOOL` (0 and 1); nothing for any other type.
+    ///
+    /// Basis: iec-61131-3: Table 10 and its notes.
+    pub const fn integer_range(self) -> Option<(i128, i128)> {
+        let bits = self.bits();
+        match self.family() {
+            Family::Signed => Some((-(1 << (bits - 1)), (1 << (bits - 1)) - 1)),
+            Family::Unsigned | Family::BitString | Family::Boolean => Some((0, (1 << bits) - 1)),
+            _ => None,
+        }
+    }
+
+    /// The raw form of a number modulo 2^bits: what an integer, bit string or `BOOL` keeps of it.
+    ///
+    /// Of a number for `BOOL` that is its lowest bit. Other types keep as many low bits as they have, without a meaning.
+    pub const fn wrap(self, value: i128) -> u64 {
+        let spare = match self.bits() {
+            0 => return 0,
+            bits => 64 - bits,
+        };
+        let low = (value as u64) << spare;
+        match self.family() {
+            Family::Signed => ((low as i64) >> spare) as u64,
+            _ => low >> spare,
+        }
+    }
+
+    /// The number that the raw form of an integer, bit string or `BOOL` stands for: the inverse of [`ElementaryType::wrap`].
+    ///
+    /// Durations and dates give their nanoseconds, characters their code unit; of reals and texts it has no meaning.
+    pub const fn integer_value(self, raw: u64) -> i128 {
+        match self.family() {
+            Family::Signed | Family::Duration | Family::Date | Family::DateAndTime => raw as i64 as i128,
+            _ => raw as i128,
+        }
+    }
+}
+
+impl std::fmt::Display for ElementaryType {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
+    }
+}

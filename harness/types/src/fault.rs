@@ -1,0 +1,88 @@
+//! The faults that stop an execution.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// Why an execution stopped before its end.
+///
+/// Basis: Stickler's wire protocol; the standard leaves run-time errors to the implementer.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Fault {
+    /// An integer division, or a modulo, by zero.
+    DivisionByZero,
+    /// An array subscript outside its declared bounds.
+    SubscriptRange,
+    /// A value outside the limits of the subrange that was to hold it.
+    Subrange,
+    /// The program did not come to an end within the permitted number of steps.
+    StepLimit,
+}
+
+impl Fault {
+    /// Every fault, in the order of the declaration.
+    pub const ALL: [Fault; 4] = [
+        Fault::DivisionByZero,
+        Fault::SubscriptRange,
+        Fault::Subrange,
+        Fault::StepLimit,
+    ];
+
+    /// The word by which cases and the wire protocol name the fault, such as `division-by-zero`.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Fault::DivisionByZero => "division-by-zero",
+            Fault::SubscriptRange => "subscript-range",
+            Fault::Subrange => "subrange",
+            Fault::StepLimit => "step-limit",
+        }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.as_str())
+    }
+}
+
+/// A word that names no [`Fault`].
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error(
+    "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange` and `step-limit`"
+)]
+pub struct UnknownFault(pub String);
+
+impl FromStr for Fault {
+    type Err = UnknownFault;
+
+    /// Reads exactly what [`Fault::as_str`] gives.
+    fn from_str(text: &str) -> Result<Fault, UnknownFault> {
+        Fault::ALL
+            .into_iter()
+            .find(|fault| fault.as_str() == text)
+            .ok_or_else(|| UnknownFault(text.to_owned()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_fault_is_read_back_from_its_word() {
+        for fault in Fault::ALL {
+            assert_eq!(fault.to_string().parse(), Ok(fault));
+        }
+    }
+
+    #[test]
+    fn the_error_for_an_unknown_word_lists_every_fault() {
+        let message = "overflow".parse::<Fault>().unwrap_err().to_string();
+        assert!(message.contains("`overflow`"), "{message}");
+        for fault in Fault::ALL {
+            assert!(
+                message.contains(&format!("`{fault}`")),
+                "{message} does not name {fault}"
+            );
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! What can be wrong with a literal.
+
+/// Why a text is no literal of the type that was asked for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
+pub enum LiteralError {
+    /// The text does not follow the grammar of the literal.
+    #[error("expected {expected} at byte {at}")]
+    Malformed {
+        /// The byte offset at which reading stopped.
+        at: usize,
+        /// What could have stood there.
+        expected: &'static str,
+    },
+    /// The literal is well formed, but its type has no such value.
+    #[error("the value at byte {at} is outside the range of {range}")]
+    Overflow {
+        /// The byte offset at which the value begins.
+        at: usize,
+        /// What the value had to fit.
+        range: &'static str,
+    },
+    /// A `$` in a character string begins no escape of the standard's.
+    #[error("unknown escape at byte {at}")]
+    Escape {
+        /// The byte offset of the `$`.
+        at: usize,
+    },
+    /// A character is too wide for a string of single-byte characters.
+    #[error("the character at byte {at} does not fit a single byte")]
+    Character {
+        /// The byte offset of the character.
+        at: usize,
+    },
+}
+
+impl LiteralError {
+    pub(crate) const fn malformed(at: usize, expected: &'static str) -> LiteralError {
+        LiteralError::Malformed { at, expected }
+    }
+
+    pub(crate) const fn overflow(at: usize, range: &'static str) -> LiteralError {
+        LiteralError::Overflow { at, range }
+    }
+
+    /// The byte offset at which the literal is wrong.
+    pub const fn offset(&self) -> usize {
+        match *self {
+            LiteralError::Malformed { at, .. }
+            | LiteralError::Overflow { at, .. }
+            | LiteralError::Escape { at }
+            | LiteralError::Character { at } => at,
+        }
+    }
+
+    /// The same error in a text which has `by` more bytes in front.
+    #[must_use]
+    pub const fn shifted(self, by: usize) -> LiteralError {
+        match self {
+            LiteralError::Malformed { at, expected } => LiteralError::Malformed {
+                at: at + by,
+                expected,
+            },
+            LiteralError::Overflow { at, range } => LiteralError::Overflow { at: at + by, range },
+            LiteralError::Escape { at } => LiteralError::Escape { at: at + by },
+            LiteralError::Character { at } => LiteralError::Character { at: at + by },
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! Readers and canonical writers of the standard's literals: what stands behind the `#` of a typed literal.
+//!
+//! All readers take time linear in the length of their text, never panic, and set no limit to that length. All writers give the
+//! one canonical spelling; each reader reads what the writer of the same file writes. Offsets in errors count bytes from the
+//! start of the text that the reader was given.
+
+pub mod date;
+pub mod duration;
+mod error;
+pub mod number;
+pub mod text;
+
+pub use date::{date, date_and_time, time_of_day, write_date, write_date_and_time, write_time_of_day};
+pub use duration::{duration, write_milliseconds, write_nanoseconds};
+pub use error::LiteralError;
+pub use number::{integer, real, unsigned_integer, write_real};
+pub use text::{text, write_text};
