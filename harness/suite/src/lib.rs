@@ -1,1 +1,19 @@
-//! The conformance case format: read, lint and expand case files.
+//! The conformance case format: case files are read, checked, and expanded into cases.
+//!
+//! A case file is an annotated program (`.st`) or a table (`.toml`); `conformance-cases/README.md` explains both.
+//! [`Suite::load`] reads a folder of them. Whatever stands in a file, the rest of the suite still loads: mistakes are
+//! [`CaseFileError`]s, with file, line, key and a hint.
+//!
+//! This crate must not know the reference: what a case expects comes from its file, or from exact arithmetic in
+//! this crate, never from running anything.
+
+mod error;
+mod model;
+mod suite;
+
+pub use error::CaseFileError;
+pub use model::{
+    Acceptance, Case, ClockSetting, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText,
+    ExpectedValue, MatrixCell, Observe, VariableSetting, WithdrawnCase, Word,
+};
+pub use suite::{Suite, load_file};

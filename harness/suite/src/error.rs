@@ -1,0 +1,80 @@
+//! What is wrong in a case file, and where.
+
+use std::fmt;
+
+/// One mistake in one case file. The rest of the suite still loads.
+///
+/// Messages are lower-case fragments, for `file:line: message`.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, thiserror::Error)]
+pub struct CaseFileError {
+    /// The file, relative to the suite's parent folder, with forward slashes.
+    pub file: String,
+    /// The 1-based line; 1 where the whole file is meant.
+    pub line: u32,
+    /// The key that is wrong, where there is one: `probe.values`.
+    pub key: Option<String>,
+    /// What is wrong.
+    pub message: String,
+    /// What to do about it, where that can be said.
+    pub hint: Option<String>,
+}
+
+impl fmt::Display for CaseFileError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}:{}: ", self.file, self.line)?;
+        if let Some(key) = &self.key {
+            write!(formatter, "`{key}`: ")?;
+        }
+        formatter.write_str(&self.message)?;
+        match &self.hint {
+            Some(hint) => write!(formatter, " ({hint})"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A mistake whose file is not said yet: what the readers of parts of a file give back.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct Mistake {
+    pub(crate) line: u32,
+    pub(crate) key: Option<String>,
+    pub(crate) message: String,
+    pub(crate) hint: Option<String>,
+}
+
+impl Mistake {
+    pub(crate) fn new(line: u32, message: impl Into<String>) -> Self {
+        Mistake {
+            line,
+            key: None,
+            message: message.into(),
+            hint: None,
+        }
+    }
+
+    pub(crate) fn key(mut self, key: impl Into<String>) -> Self {
+        self.key = Some(key.into());
+        self
+    }
+
+    pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.hint = Some(hint.into());
+        self
+    }
+
+    pub(crate) fn in_file(self, file: &str) -> CaseFileError {
+        let Mistake {
+            line,
+            key,
+            message,
+            hint,
+        } = self;
+        CaseFileError {
+            file: file.to_owned(),
+            line,
+            key,
+            message,
+            hint,
+        }
+    }
+}

@@ -1,0 +1,206 @@
+//! What the rest of the harness sees of a case: the program, the dialect, and what must happen.
+//!
+//! The texts are shared (`Arc<str>`), because sixty thousand cases of one table have most of theirs in common.
+
+use std::sync::Arc;
+
+use stickler_types::{Code, DialectName, Fault, Value};
+
+/// One program in one dialect, with one expectation.
+///
+/// Keyed by [`Case::id`] and [`Case::dialect`]; [`Case::key`] writes both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Case {
+    /// The stable id: ASCII, without spaces, `folder/file` or `folder/file::probe(ROW,COLUMN,VALUE)`.
+    pub id: Arc<str>,
+    /// The dialect in which the program is read.
+    pub dialect: DialectName,
+    /// One line for a person.
+    pub title: Arc<str>,
+    /// The document and section that the expectation comes from, `source: section`.
+    pub basis: Arc<str>,
+    /// A paragraph for a person, where the file gives one.
+    pub summary: Option<Arc<str>>,
+    /// The case file, relative to the suite's parent folder, with forward slashes.
+    pub file: Arc<str>,
+    /// The first folder below the suite's root: `widening`, `bit-access`, …
+    pub area: Arc<str>,
+    /// The 1-based line in [`Case::file`] that the case stands on: line 1 of a program, the row of a table.
+    pub line: u32,
+    /// The program, marks and all: they are comments, so lines stay what they are in the file.
+    pub source: Arc<str>,
+    /// How many scans the program runs; at least 1.
+    pub scans: u32,
+    /// Words to select cases by.
+    pub tags: Arc<[Arc<str>]>,
+    /// The edition of the standard that the construct comes from, where the file says so.
+    pub edition: Option<u8>,
+    /// The simulated time before certain scans, ordered by scan.
+    pub clock: Arc<[ClockSetting]>,
+    /// Variables that are written before certain scans, ordered by scan.
+    pub set: Arc<[VariableSetting]>,
+    /// What must happen.
+    pub expectation: Arc<Expectation>,
+    /// All variables whose values an engine has to give back, each once: those asserted and those only recorded.
+    pub observe: Arc<[Observe]>,
+    /// The cell of the matrix, for a case that comes from one.
+    pub cell: Option<Arc<MatrixCell>>,
+}
+
+impl Case {
+    /// The key of results: `id@dialect`.
+    pub fn key(&self) -> String {
+        format!("{}@{}", self.id, self.dialect)
+    }
+}
+
+/// What must happen when an engine is given a case's program.
+///
+/// Basis: stickler-design §3.1.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Expectation {
+    /// Whether the program must be accepted.
+    pub accepted: Acceptance,
+    /// The diagnostics that must be there, ordered by line; empty unless [`Acceptance::Rejected`].
+    pub diagnostics: Vec<ExpectedDiagnostic>,
+    /// Lines of the program that no diagnostic may name (`ok` marks), ascending.
+    pub clean_lines: Vec<u32>,
+    /// The values that variables must have.
+    pub values: Vec<ExpectedValue>,
+    /// The fault that must end the run.
+    pub fault: Option<ExpectedFault>,
+    /// What the renderer must give back for the bodies of the POUs.
+    pub rendered: Option<ExpectedText>,
+}
+
+/// Whether a program must be accepted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Acceptance {
+    /// No diagnostic at all may be given.
+    #[default]
+    Required,
+    /// The program must be rejected, with the diagnostics that the expectation lists and no others.
+    Rejected,
+    /// No document says: accepted or rejected is recorded, nothing is asserted.
+    Observed,
+}
+
+/// A diagnostic that must be there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ExpectedDiagnostic {
+    /// The 1-based line of the program.
+    pub line: u32,
+    /// The code.
+    pub code: Code,
+}
+
+/// A value that a variable must have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExpectedValue {
+    /// The variable or path: `a[1]`, `rec.field`.
+    pub name: Arc<str>,
+    /// The 1-based scan after which it must hold; the last one where there is none.
+    pub after: Option<u32>,
+    /// The value, compared exactly.
+    pub value: Value,
+    /// The 1-based line of the case file that asserts it.
+    pub line: u32,
+}
+
+/// The fault that must end the run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ExpectedFault {
+    /// The kind of fault.
+    pub fault: Fault,
+    /// The 1-based line of the program on which execution stops.
+    pub line: u32,
+}
+
+/// What the renderer must give back.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ExpectedText {
+    /// The lines of the POUs' bodies, trimmed, without empty lines at the start and the end.
+    pub lines: Vec<Box<str>>,
+    /// The 1-based line of the program on which the mark stands.
+    pub line: u32,
+}
+
+/// A variable whose value an engine has to give back.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Observe {
+    /// The variable or path.
+    pub name: Arc<str>,
+    /// The name of its type: `INT`, `STRING`, `COLOR`.
+    pub ty: Arc<str>,
+    /// The 1-based scan after which it is read; the last one where there is none.
+    pub after: Option<u32>,
+}
+
+/// A variable that is written before a scan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VariableSetting {
+    /// The 1-based scan.
+    pub before: u32,
+    /// The variable or path.
+    pub name: Arc<str>,
+    /// What it is set to.
+    pub value: Value,
+}
+
+/// The simulated time before a scan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClockSetting {
+    /// The 1-based scan.
+    pub before: u32,
+    /// The time since the start, a `TIME` or `LTIME`.
+    pub value: Value,
+}
+
+/// The cell of a matrix that a case comes from.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct MatrixCell {
+    /// The probe's name: `assignment`.
+    pub probe: Arc<str>,
+    /// The row's name, the source type: `INT`.
+    pub row: Arc<str>,
+    /// The column's name, the target type: `DINT`.
+    pub column: Arc<str>,
+    /// What the cell says.
+    pub word: Word,
+}
+
+/// What a matrix says of one pair of types.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Word {
+    /// `yes`: accepted, and the value arrives unchanged.
+    Yes,
+    /// `=`: the same type; treated like `yes`.
+    Same,
+    /// `no`: rejected.
+    No,
+    /// `open`: no document says; what happens is recorded.
+    Open,
+}
+
+impl Word {
+    /// The word as a matrix writes it.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Word::Yes => "yes",
+            Word::Same => "=",
+            Word::No => "no",
+            Word::Open => "open",
+        }
+    }
+}
+
+/// A case that was withdrawn: it keeps its id, is listed, and is not run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WithdrawnCase {
+    /// The case as it stands in the file.
+    pub case: Case,
+    /// Why it was withdrawn.
+    pub reason: Arc<str>,
+    /// The day on which it was withdrawn, `2026-09-01`.
+    pub date: Arc<str>,
+}
