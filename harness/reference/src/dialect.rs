@@ -1,6 +1,7 @@
 //! The one place where a dialect's name becomes behaviour.
 
-use stickler_types::DialectName;
+use crate::conversion::Rounding;
+use stickler_types::{DialectName, ElementaryType};
 
 /// The language rules of one documented system. Each field names a choice that the sources make differently
 /// (section 8 of the design, which names the basis of each); nothing else in this crate asks for a dialect's
@@ -30,7 +31,7 @@ pub struct Dialect {
     pub third_edition_types: bool,
     /// ROUND, CEIL, CEILING, FLOOR are not known.
     pub only_standard_rounding: bool,
-    /// TRUNC_INT, TRUNC_LINT, TRUNC_DINT, BCD_TO_INT and so on as the ForgeIEC page documents them.
+    /// How REAL becomes an integer in a conversion function that is not TRUNC.
     pub real_to_integer: RealToInteger,
 }
 
@@ -63,4 +64,130 @@ pub enum PartialAccess {
     Disabled,
     /// P0002 for every form.
     SyntaxError,
+}
+
+impl Dialect {
+    /// The rules of the dialect of this name.
+    #[must_use]
+    pub const fn of(name: DialectName) -> Dialect {
+        match name {
+            DialectName::IronplcEd2 => Dialect::ironplc_ed2(),
+            DialectName::IronplcEd3 => Dialect::ironplc_ed3(),
+            DialectName::IronplcRusty => Dialect::ironplc_rusty(),
+            DialectName::Matiec => Dialect::matiec(),
+            DialectName::Plcnext => Dialect::plcnext(),
+        }
+    }
+
+    /// IronPLC with the second edition, its default.
+    ///
+    /// Basis: ironplc-type-conversions; ironplc-bit-access: Edition 3 Partial-Access Syntax (off here).
+    #[must_use]
+    pub const fn ironplc_ed2() -> Dialect {
+        Dialect {
+            name: DialectName::IronplcEd2,
+            widening: Widening::Ironplc,
+            cross_family_widening: false,
+            integer_literal_as_real: true,
+            integer_literal_as_bit_string: false,
+            bit_access: true,
+            partial_access: PartialAccess::Disabled,
+            line_comments: false,
+            nested_comments: false,
+            third_edition_types: false,
+            only_standard_rounding: false,
+            real_to_integer: RealToInteger::Truncate,
+        }
+    }
+
+    /// IronPLC with the third edition: the second, and its types, nested comments and `.%Xn`.
+    ///
+    /// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax; iec-61131-3: third edition, Table 3
+    /// (nested comments), Table 10 (types).
+    #[must_use]
+    pub const fn ironplc_ed3() -> Dialect {
+        Dialect {
+            name: DialectName::IronplcEd3,
+            partial_access: PartialAccess::BitsOnly,
+            nested_comments: true,
+            third_edition_types: true,
+            ..Dialect::ironplc_ed2()
+        }
+    }
+
+    /// IronPLC's rusty dialect: the second edition and the vendor extensions that RuSTy has.
+    ///
+    /// Basis: ironplc-type-conversions: Cross-family widening (on, integer literals too); ironplc-bit-access:
+    /// Edition 3 Partial-Access Syntax (on).
+    #[must_use]
+    pub const fn ironplc_rusty() -> Dialect {
+        Dialect {
+            name: DialectName::IronplcRusty,
+            cross_family_widening: true,
+            integer_literal_as_bit_string: true,
+            partial_access: PartialAccess::BitsOnly,
+            line_comments: true,
+            third_edition_types: true,
+            ..Dialect::ironplc_ed2()
+        }
+    }
+
+    /// matiec as the ForgeIEC page documents it; where that page is silent, as measured.
+    ///
+    /// Basis: forgeiec-conversion-functions: matiec conformance (no automatic widening), TRUNC vs. ROUND;
+    /// stickler-design: §8 (literals, bit access, measured).
+    #[must_use]
+    pub const fn matiec() -> Dialect {
+        Dialect {
+            name: DialectName::Matiec,
+            widening: Widening::None,
+            cross_family_widening: false,
+            integer_literal_as_real: false,
+            integer_literal_as_bit_string: true,
+            bit_access: false,
+            partial_access: PartialAccess::SyntaxError,
+            line_comments: false,
+            nested_comments: false,
+            third_edition_types: false,
+            only_standard_rounding: true,
+            real_to_integer: RealToInteger::Truncate,
+        }
+    }
+
+    /// PLCnext Engineer by its table of implicit conversions; what that leaves open is accepted, and computed
+    /// as IEC 60559 and two's complement suggest.
+    ///
+    /// Basis: implicit-conversion-table; implicit-conversion-rules; stickler-design: §8 (*open*).
+    #[must_use]
+    pub const fn plcnext() -> Dialect {
+        Dialect {
+            name: DialectName::Plcnext,
+            widening: Widening::Plcnext,
+            cross_family_widening: false,
+            integer_literal_as_real: true,
+            integer_literal_as_bit_string: true,
+            bit_access: true,
+            partial_access: PartialAccess::BitsOnly,
+            line_comments: true,
+            nested_comments: true,
+            third_edition_types: true,
+            only_standard_rounding: false,
+            real_to_integer: RealToInteger::HalfToEven,
+        }
+    }
+
+    /// Whether the dialect has this elementary type.
+    #[must_use]
+    pub const fn has(&self, ty: ElementaryType) -> bool {
+        self.third_edition_types || !ty.is_third_edition()
+    }
+}
+
+impl From<RealToInteger> for Rounding {
+    fn from(choice: RealToInteger) -> Rounding {
+        match choice {
+            RealToInteger::Truncate => Rounding::TowardZero,
+            RealToInteger::HalfToEven => Rounding::HalfToEven,
+        }
+    }
 }

@@ -64,7 +64,7 @@ pub struct Pou<'s> {
     /// The variable sections.
     pub blocks: Vec<VariableBlock<'s>>,
     /// The statements.
-    pub body: Vec<Statement<'s>>,
+    pub body: Vec<Statement>,
     /// From the first keyword to the last.
     pub span: Span,
     /// The closing keyword.
@@ -171,6 +171,9 @@ pub enum TypeSpecificationKind<'s> {
     },
     /// `STRUCT … END_STRUCT`.
     Structure(Vec<VariableGroup<'s>>),
+    /// Where the text could not be read, or names something that is not implemented; a diagnostic has been
+    /// given, and nothing more is said about what is declared with it.
+    Error,
 }
 
 /// An initial value.
@@ -204,16 +207,16 @@ pub struct ArrayElement<'s> {
 
 /// A statement.
 #[derive(Debug)]
-pub struct Statement<'s> {
+pub struct Statement {
     /// What it does.
-    pub kind: StatementKind<'s>,
+    pub kind: StatementKind,
     /// From its first token to its last, the semicolon left out.
     pub span: Span,
 }
 
 /// The statements of ST.
 #[derive(Debug)]
-pub enum StatementKind<'s> {
+pub enum StatementKind {
     /// `target := value`.
     Assignment {
         /// The variable written.
@@ -226,18 +229,18 @@ pub enum StatementKind<'s> {
     /// IF … ELSIF … ELSE … END_IF.
     If {
         /// Conditions and what they guard.
-        branches: Vec<(ExpressionId, Vec<Statement<'s>>)>,
+        branches: Vec<(ExpressionId, Vec<Statement>)>,
         /// The ELSE branch.
-        otherwise: Option<Vec<Statement<'s>>>,
+        otherwise: Option<Vec<Statement>>,
     },
     /// CASE … OF … END_CASE.
     Case {
         /// The selector.
         selector: ExpressionId,
         /// The branches.
-        branches: Vec<CaseBranch<'s>>,
+        branches: Vec<CaseBranch>,
         /// The ELSE branch.
-        otherwise: Option<Vec<Statement<'s>>>,
+        otherwise: Option<Vec<Statement>>,
     },
     /// FOR … END_FOR.
     For {
@@ -250,19 +253,19 @@ pub enum StatementKind<'s> {
         /// The increment.
         by: Option<ExpressionId>,
         /// The body.
-        body: Vec<Statement<'s>>,
+        body: Vec<Statement>,
     },
     /// WHILE … END_WHILE.
     While {
         /// Tested before each turn.
         condition: ExpressionId,
         /// The body.
-        body: Vec<Statement<'s>>,
+        body: Vec<Statement>,
     },
     /// REPEAT … UNTIL … END_REPEAT.
     Repeat {
         /// The body.
-        body: Vec<Statement<'s>>,
+        body: Vec<Statement>,
         /// Tested after each turn; true ends the loop.
         until: ExpressionId,
     },
@@ -278,11 +281,11 @@ pub enum StatementKind<'s> {
 
 /// One branch of a CASE statement.
 #[derive(Debug)]
-pub struct CaseBranch<'s> {
+pub struct CaseBranch {
     /// The labels.
     pub labels: Vec<CaseLabel>,
     /// The statements.
-    pub body: Vec<Statement<'s>>,
+    pub body: Vec<Statement>,
 }
 
 /// A label of a CASE branch.

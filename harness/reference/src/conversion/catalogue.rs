@@ -1,0 +1,327 @@
+//! The catalogue of type conversion functions, generated from pairs of types and a few rules.
+//!
+//! Basis: forgeiec-conversion-functions: The naming pattern; ironplc-type-conversions: Explicit Conversion
+//! Functions ("for all type pairs … `<SOURCE>_TO_<TARGET>`").
+
+use super::{Conversion, ConversionRule, Rounding};
+use crate::dialect::Dialect;
+use std::sync::LazyLock;
+use stickler_types::ElementaryType;
+
+/// What a conversion function takes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Parameter {
+    /// One type; an argument may widen to it.
+    Exactly(ElementaryType),
+    /// Any of several types, as they come; nothing widens to them.
+    AnyOf {
+        /// The types.
+        allowed: &'static [ElementaryType],
+        /// The type that an untyped literal takes where it fits; otherwise it takes DINT or LREAL as ever.
+        default: ElementaryType,
+    },
+}
+
+/// What a conversion function gives.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ResultType {
+    /// One type.
+    Exactly(ElementaryType),
+    /// The type of its target where that is one of several, otherwise the default.
+    OfTarget {
+        /// The types.
+        allowed: &'static [ElementaryType],
+        /// The type where there is no target, or where the target is of another type.
+        default: ElementaryType,
+    },
+    /// DINT for REAL, LINT for LREAL (ROUND and its kin).
+    OfArgument,
+}
+
+/// A type conversion function.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ConversionFunction {
+    /// Its one parameter, which named arguments call `IN`.
+    pub parameter: Parameter,
+    /// Its result.
+    pub result: ResultType,
+    meaning: Meaning,
+}
+
+/// How the rule is found once both types are known.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Meaning {
+    /// By the pair of types.
+    Pair(Rounding),
+    /// [`ConversionRule::FromBcd`].
+    FromBcd,
+    /// [`ConversionRule::ToBcd`].
+    ToBcd,
+}
+
+const BITS: &[ElementaryType] = &[
+    ElementaryType::Byte,
+    ElementaryType::Word,
+    ElementaryType::Dword,
+    ElementaryType::Lword,
+];
+const UNSIGNED: &[ElementaryType] = &[
+    ElementaryType::Usint,
+    ElementaryType::Uint,
+    ElementaryType::Udint,
+    ElementaryType::Ulint,
+];
+const REALS: &[ElementaryType] = &[ElementaryType::Real, ElementaryType::Lreal];
+/// What the ForgeIEC page lists for BCD_TO_INT and INT_TO_BCD.
+const BCD_BITS: &[ElementaryType] = &[ElementaryType::Byte, ElementaryType::Word];
+const BCD_INTEGERS: &[ElementaryType] = &[ElementaryType::Int, ElementaryType::Dint];
+
+/// For each target, in the order of [`ElementaryType::ALL`], the types that the overloaded `TO_<DST>` takes.
+static SOURCES: LazyLock<[Vec<ElementaryType>; ElementaryType::ALL.len()]> =
+    LazyLock::new(|| ElementaryType::ALL.map(sources_of));
+
+fn sources_of(to: ElementaryType) -> Vec<ElementaryType> {
+    ElementaryType::ALL
+        .into_iter()
+        .filter(|&from| has_meaning(from, to))
+        .collect()
+}
+
+fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
+    ConversionRule::between(from, to, Rounding::TowardZero).is_some()
+}
+
+impl ConversionFunction {
+    /// Whether the function takes an argument of exactly this type.
+    #[must_use]
+    pub fn accepts(&self, argument: ElementaryType) -> bool {
+        match self.parameter {
+            Parameter::Exactly(ty) => ty == argument,
+            Parameter::AnyOf { allowed, .. } => allowed.contains(&argument),
+        }
+    }
+
+    /// The type of the result for an argument's type and, where the call has one, its target's type.
+    #[must_use]
+    pub fn result_type(&self, argument: ElementaryType, target: Option<ElementaryType>) -> ElementaryType {
+        match self.result {
+            ResultType::Exactly(ty) => ty,
+            ResultType::OfTarget { allowed, default } => {
+                target.filter(|ty| allowed.contains(ty)).unwrap_or(default)
+            }
+            ResultType::OfArgument if argument == ElementaryType::Lreal => ElementaryType::Lint,
+            ResultType::OfArgument => ElementaryType::Dint,
+        }
+    }
+
+    /// The conversion that a call performs. Takes the argument's type, which [`Self::accepts`] must allow, and
+    /// the result's type as [`Self::result_type`] gives it; for other types it keeps the raw form.
+    #[must_use]
+    pub fn conversion(&self, argument: ElementaryType, result: ElementaryType) -> Conversion {
+        let rule = match self.meaning {
+            Meaning::Pair(rounding) => ConversionRule::between(argument, result, rounding),
+            Meaning::FromBcd => Some(ConversionRule::FromBcd),
+            Meaning::ToBcd => Some(ConversionRule::ToBcd),
+        };
+        Conversion {
+            from: argument,
+            to: result,
+            rule: rule.unwrap_or(ConversionRule::Keep),
+        }
+    }
+}
+
+/// The conversion function of this name, in any ASCII case; `None` where the dialect has none.
+///
+/// | name | takes | gives |
+/// |---|---|---|
+/// | `<SRC>_TO_<DST>` | SRC | DST |
+/// | `TO_<DST>` | any type that converts | DST |
+/// | `TRUNC` | REAL, LREAL | DINT |
+/// | `TRUNC_<INTEGER>` | REAL, LREAL | the integer |
+/// | `<REAL>_TRUNC_<INTEGER>` | REAL or LREAL | the integer |
+/// | `BCD_TO_INT` | BYTE, WORD | INT or DINT, by the target |
+/// | `INT_TO_BCD` | INT, DINT | BYTE or WORD, by the target |
+/// | `<BITS>_BCD_TO_<UNSIGNED>`, `BCD_TO_<UNSIGNED>` | a bit string | the integer |
+/// | `<UNSIGNED>_TO_BCD_<BITS>`, `TO_BCD_<BITS>` | an unsigned integer | the bit string |
+/// | `ROUND`, `CEIL`, `CEILING`, `FLOOR` | REAL, LREAL | DINT, LINT |
+///
+/// Basis: forgeiec-conversion-functions: The naming pattern; for the overloaded and BCD names of the third
+/// edition iec-61131-3: data type conversion functions; for ROUND and its kin, which the ForgeIEC page says
+/// do not exist, no source: they are open elsewhere, and round to even.
+#[must_use]
+pub fn function(name: &str, dialect: &Dialect) -> Option<ConversionFunction> {
+    // No name of the catalogue is longer; a hostile one is not worth upper-casing.
+    const LONGEST: usize = "LDATE_AND_TIME_TO_LTIME_OF_DAY".len();
+    let mut buffer = [0; LONGEST];
+    let upper = buffer.get_mut(..name.len())?;
+    upper.copy_from_slice(name.as_bytes());
+    upper.make_ascii_uppercase();
+    by_upper_case_name(str::from_utf8(upper).ok()?, dialect)
+}
+
+fn by_upper_case_name(name: &str, dialect: &Dialect) -> Option<ConversionFunction> {
+    if let Some(found) = rounding_function(name, dialect) {
+        return Some(found);
+    }
+    if let Some((from, to)) = name.split_once("_TRUNC_") {
+        return truncation(
+            Parameter::Exactly(elementary(from, dialect)?),
+            elementary(to, dialect)?,
+        );
+    }
+    if let Some(to) = name.strip_prefix("TO_") {
+        return overloaded(to, dialect);
+    }
+    let (from, to) = name.split_once("_TO_")?;
+    bcd(from, to).or_else(|| pair(elementary(from, dialect)?, elementary(to, dialect)?, dialect))
+}
+
+/// The elementary type of this name where the dialect has it.
+fn elementary(name: &str, dialect: &Dialect) -> Option<ElementaryType> {
+    ElementaryType::from_name(name).filter(|ty| dialect.has(*ty))
+}
+
+/// `<SRC>_TO_<DST>`.
+fn pair(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<ConversionFunction> {
+    (from != to && has_meaning(from, to)).then(|| ConversionFunction {
+        parameter: Parameter::Exactly(from),
+        result: ResultType::Exactly(to),
+        meaning: Meaning::Pair(dialect.real_to_integer.into()),
+    })
+}
+
+/// `TO_<DST>`, `TO_BCD_<BITS>`.
+fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
+    if let Some(bits) = to.strip_prefix("BCD_") {
+        return any_to_bcd(one_of(BITS, bits)?);
+    }
+    let to = elementary(to, dialect)?;
+    let allowed = SOURCES.get(to as usize)?;
+    Some(ConversionFunction {
+        parameter: Parameter::AnyOf {
+            allowed,
+            default: ElementaryType::Dint,
+        },
+        result: ResultType::Exactly(to),
+        meaning: Meaning::Pair(dialect.real_to_integer.into()),
+    })
+}
+
+/// TRUNC and its kin, ROUND and its kin.
+fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction> {
+    let any_real = Parameter::AnyOf {
+        allowed: REALS,
+        default: ElementaryType::Real,
+    };
+    if name == "TRUNC" {
+        return truncation(any_real, ElementaryType::Dint);
+    }
+    if let Some(to) = name.strip_prefix("TRUNC_") {
+        return truncation(any_real, elementary(to, dialect)?);
+    }
+    let rounding = match name {
+        "ROUND" => Rounding::HalfToEven,
+        "CEIL" | "CEILING" => Rounding::Up,
+        "FLOOR" => Rounding::Down,
+        _ => return None,
+    };
+    (!dialect.only_standard_rounding).then_some(ConversionFunction {
+        parameter: any_real,
+        result: ResultType::OfArgument,
+        meaning: Meaning::Pair(rounding),
+    })
+}
+
+fn truncation(parameter: Parameter, to: ElementaryType) -> Option<ConversionFunction> {
+    let takes_real = match parameter {
+        Parameter::Exactly(from) => from.is_real(),
+        Parameter::AnyOf { .. } => true,
+    };
+    (takes_real && to.is_integer()).then_some(ConversionFunction {
+        parameter,
+        result: ResultType::Exactly(to),
+        meaning: Meaning::Pair(Rounding::TowardZero),
+    })
+}
+
+/// The names with BCD in them, the overloaded `TO_BCD_<BITS>` aside.
+fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
+    match (from, to) {
+        ("BCD", "INT") => Some(ConversionFunction {
+            parameter: Parameter::AnyOf {
+                allowed: BCD_BITS,
+                default: ElementaryType::Word,
+            },
+            result: ResultType::OfTarget {
+                allowed: BCD_INTEGERS,
+                default: ElementaryType::Int,
+            },
+            meaning: Meaning::FromBcd,
+        }),
+        ("INT", "BCD") => Some(ConversionFunction {
+            parameter: Parameter::AnyOf {
+                allowed: BCD_INTEGERS,
+                default: ElementaryType::Int,
+            },
+            result: ResultType::OfTarget {
+                allowed: BCD_BITS,
+                default: ElementaryType::Word,
+            },
+            meaning: Meaning::ToBcd,
+        }),
+        ("BCD", to) => Some(ConversionFunction {
+            parameter: Parameter::AnyOf {
+                allowed: BITS,
+                default: ElementaryType::Word,
+            },
+            result: ResultType::Exactly(one_of(UNSIGNED, to)?),
+            meaning: Meaning::FromBcd,
+        }),
+        _ => bcd_of_pair(from, to),
+    }
+}
+
+fn bcd_of_pair(from: &str, to: &str) -> Option<ConversionFunction> {
+    let (parameter, result, meaning) = if let Some(bits) = from.strip_suffix("_BCD") {
+        (one_of(BITS, bits)?, one_of(UNSIGNED, to)?, Meaning::FromBcd)
+    } else {
+        (
+            one_of(UNSIGNED, from)?,
+            one_of(BITS, to.strip_prefix("BCD_")?)?,
+            Meaning::ToBcd,
+        )
+    };
+    Some(ConversionFunction {
+        parameter: Parameter::Exactly(parameter),
+        result: ResultType::Exactly(result),
+        meaning,
+    })
+}
+
+fn any_to_bcd(to: ElementaryType) -> Option<ConversionFunction> {
+    Some(ConversionFunction {
+        parameter: Parameter::AnyOf {
+            allowed: UNSIGNED,
+            default: ElementaryType::Uint,
+        },
+        result: ResultType::Exactly(to),
+        meaning: Meaning::ToBcd,
+    })
+}
+
+fn one_of(types: &[ElementaryType], name: &str) -> Option<ElementaryType> {
+    ElementaryType::from_name(name).filter(|ty| types.contains(ty))
+}
+
+/// The name of the function that converts one type to another, for suggestions (`INT_TO_DINT`); `None` where
+/// the dialect has none.
+#[must_use]
+pub fn conversion_function_name(
+    from: ElementaryType,
+    to: ElementaryType,
+    dialect: &Dialect,
+) -> Option<String> {
+    pair(from, to, dialect).filter(|_| dialect.has(from) && dialect.has(to))?;
+    Some(format!("{}_TO_{}", from.name(), to.name()))
+}

@@ -1,0 +1,88 @@
+//! Durations, dates and times of day as numbers, and back.
+//!
+//! A duration counts in milliseconds. Basis: forgeiec-conversion-functions: The naming pattern (`TIME_TO_DINT`
+//! "returns ms"). No source says what the others count in: here LTIME and times of day count in milliseconds
+//! too, dates and dates with a time in seconds since 1970-01-01, as CODESYS has it.
+
+use super::real::{self, Exact};
+use stickler_types::{ElementaryType, Family};
+
+const DAY: i64 = 86_400_000_000_000;
+
+/// Nanoseconds in the unit that a type is counted in.
+const fn unit(ty: ElementaryType) -> i64 {
+    match ty.family() {
+        Family::Date | Family::DateAndTime => 1_000_000_000,
+        _ => 1_000_000,
+    }
+}
+
+/// The number of whole units, the fraction dropped.
+#[inline]
+#[must_use]
+pub fn to_units(raw: u64, from: ElementaryType) -> u64 {
+    (raw.cast_signed() / unit(from)).cast_unsigned()
+}
+
+/// The number of units as REAL or LREAL, rounded once.
+#[must_use]
+pub fn to_real_units(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+    let nanoseconds = raw.cast_signed();
+    let magnitude = nanoseconds.unsigned_abs().into();
+    Exact::quotient(nanoseconds < 0, magnitude, unit(from).unsigned_abs(), 0).to_real(to)
+}
+
+/// That many units, modulo 2^64 nanoseconds. A bit string, BOOL and an unsigned integer count as such: their
+/// product modulo 2^64 is the same.
+#[inline]
+#[must_use]
+pub fn from_units(raw: u64, to: ElementaryType) -> u64 {
+    whole(raw.cast_signed().wrapping_mul(unit(to)), to)
+}
+
+/// That many units, rounded to the nearest nanosecond, ties to even, modulo 2^64 nanoseconds; NaN and the
+/// infinities give 0.
+#[must_use]
+pub fn from_real_units(value: f64, to: ElementaryType) -> u64 {
+    if !value.is_finite() {
+        return 0;
+    }
+    let (significand, exponent) = real::parts(value);
+    let magnitude = u128::from(significand) * u128::from(unit(to).unsigned_abs());
+    let exact = Exact {
+        negative: value.is_sign_negative(),
+        magnitude,
+        inexact: false,
+        exponent,
+    };
+    whole(exact.to_integer().cast_signed(), to)
+}
+
+/// Nanoseconds as the type holds them: a date is a whole day, a time of day less than one.
+fn whole(nanoseconds: i64, to: ElementaryType) -> u64 {
+    let bits = nanoseconds.cast_unsigned();
+    match to.family() {
+        Family::Date => day(bits),
+        Family::TimeOfDay => time_of_day(bits),
+        _ => bits,
+    }
+}
+
+/// The day on which a moment lies. The first moments that 64 bits reach belong to a day that began before
+/// them; they give the day after it, the first that can be written.
+#[must_use]
+pub fn day(raw: u64) -> u64 {
+    let moment = raw.cast_signed();
+    let days = moment.div_euclid(DAY);
+    days.checked_mul(DAY)
+        .or_else(|| (days + 1).checked_mul(DAY))
+        .unwrap_or(moment)
+        .cast_unsigned()
+}
+
+/// The time since midnight of a moment.
+#[inline]
+#[must_use]
+pub const fn time_of_day(raw: u64) -> u64 {
+    raw.cast_signed().rem_euclid(DAY).cast_unsigned()
+}

@@ -1,0 +1,190 @@
+//! Exact arithmetic between integers and IEC 60559 numbers: every result is rounded at most once.
+
+use super::Rounding;
+use stickler_types::ElementaryType;
+
+/// The number that a REAL or LREAL raw form stands for; exact, since LREAL holds every REAL.
+#[inline]
+#[must_use]
+pub fn decode(raw: u64, ty: ElementaryType) -> f64 {
+    if ty == ElementaryType::Real {
+        f64::from(single(raw))
+    } else {
+        f64::from_bits(raw)
+    }
+}
+
+/// The REAL of a raw form.
+#[inline]
+#[must_use]
+pub const fn single(raw: u64) -> f32 {
+    // A REAL's raw form is zero-extended, so nothing is lost.
+    f32::from_bits(raw as u32)
+}
+
+/// The raw form of a REAL.
+#[inline]
+#[must_use]
+pub fn of_single(value: f32) -> u64 {
+    value.to_bits().into()
+}
+
+/// Whether a raw form stands for something other than zero; only for reals is that not whether it is 0.
+#[inline]
+#[must_use]
+pub fn is_nonzero(raw: u64, ty: ElementaryType) -> bool {
+    if ty.is_real() {
+        decode(raw, ty) != 0.0
+    } else {
+        raw != 0
+    }
+}
+
+/// The REAL or LREAL next to the value of an integer's raw form, ties to even. REAL is rounded from the integer
+/// itself, not by way of LREAL, which would round twice.
+#[inline]
+#[must_use]
+pub fn from_integer(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+    match (from.is_signed(), to == ElementaryType::Real) {
+        (true, true) => of_single(raw.cast_signed() as f32),
+        (false, true) => of_single(raw as f32),
+        (true, false) => (raw.cast_signed() as f64).to_bits(),
+        (false, false) => (raw as f64).to_bits(),
+    }
+}
+
+/// REAL to LREAL or back.
+#[inline]
+#[must_use]
+pub fn between(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+    encode(decode(raw, from), to)
+}
+
+/// The raw form of a number as REAL (rounded to nearest, ties to even) or LREAL.
+#[inline]
+#[must_use]
+pub fn encode(value: f64, to: ElementaryType) -> u64 {
+    if to == ElementaryType::Real {
+        of_single(value as f32)
+    } else {
+        value.to_bits()
+    }
+}
+
+/// The number rounded to an integer, modulo 2^64; NaN and the infinities give 0.
+#[inline]
+#[must_use]
+pub fn to_integer(value: f64, rounding: Rounding) -> u64 {
+    let integral = match rounding {
+        Rounding::TowardZero => value,
+        Rounding::HalfToEven => value.round_ties_even(),
+        Rounding::Up => value.ceil(),
+        Rounding::Down => value.floor(),
+    };
+    if integral.abs() < 9.2e18 {
+        (integral as i64).cast_unsigned()
+    } else {
+        wrapped(integral)
+    }
+}
+
+/// A number of 2^62 or more, which has no fraction, modulo 2^64.
+#[cold]
+fn wrapped(value: f64) -> u64 {
+    if !value.is_finite() {
+        return 0;
+    }
+    let (magnitude, exponent) = parts(value);
+    let bits = magnitude.checked_shl(exponent.unsigned_abs()).unwrap_or(0);
+    if value.is_sign_negative() {
+        bits.wrapping_neg()
+    } else {
+        bits
+    }
+}
+
+/// A finite number's magnitude as `significand * 2^exponent`.
+#[must_use]
+pub const fn parts(value: f64) -> (u64, i32) {
+    let bits = value.to_bits();
+    let fraction = bits & ((1 << 52) - 1);
+    match ((bits >> 52) & 0x7FF) as i32 {
+        0 => (fraction, -1074),
+        exponent => (fraction | (1 << 52), exponent - 1075),
+    }
+}
+
+/// A real number that is known exactly but for a rest: `(magnitude + rest) * 2^exponent` with
+/// `0 <= rest < 1`. What is computed in this form is rounded only once, when it is taken out.
+#[derive(Clone, Copy, Debug)]
+pub struct Exact {
+    /// The sign.
+    pub negative: bool,
+    /// The leading bits.
+    pub magnitude: u128,
+    /// The rest is not zero.
+    pub inexact: bool,
+    /// The power of two.
+    pub exponent: i32,
+}
+
+impl Exact {
+    /// `numerator / denominator * 2^exponent`, with at least 63 leading bits known; the denominator, which
+    /// must not be 0, has less than 64.
+    #[must_use]
+    pub fn quotient(negative: bool, numerator: u128, denominator: u64, exponent: i32) -> Exact {
+        let shift = numerator.leading_zeros().min(127);
+        let numerator = numerator << shift;
+        let denominator = u128::from(denominator.max(1));
+        Exact {
+            negative,
+            magnitude: numerator / denominator,
+            inexact: numerator % denominator != 0,
+            exponent: exponent.saturating_sub(shift.cast_signed()),
+        }
+    }
+
+    /// Rounded to the nearest integer, ties to even, modulo 2^64. Where the rest is not known and the exponent
+    /// is positive the low bits are lost; callers keep out of there.
+    #[must_use]
+    pub fn to_integer(self) -> u64 {
+        let bits = if self.exponent >= 0 {
+            self.magnitude
+                .checked_shl(self.exponent.unsigned_abs())
+                .unwrap_or(0)
+        } else {
+            self.rounded_right_shift()
+        };
+        // The low 64 bits are the value modulo 2^64.
+        let bits = bits as u64;
+        if self.negative { bits.wrapping_neg() } else { bits }
+    }
+
+    fn rounded_right_shift(self) -> u128 {
+        let shift = self.exponent.unsigned_abs();
+        if shift > 128 {
+            return 0;
+        }
+        let floor = self.magnitude.checked_shr(shift).unwrap_or(0);
+        let below = self.magnitude ^ floor.checked_shl(shift).unwrap_or(0);
+        let half = 1_u128 << (shift - 1);
+        let up = below > half || (below == half && (self.inexact || floor & 1 == 1));
+        floor + u128::from(up)
+    }
+
+    /// Rounded to the nearest REAL or LREAL, ties to even; the value must lie well within their exponents and
+    /// be known to 63 bits, or exactly.
+    #[must_use]
+    pub fn to_real(self, ty: ElementaryType) -> u64 {
+        // The last bit lies far below the rounding position, so it can stand for all that comes after it.
+        let magnitude = self.magnitude | u128::from(self.inexact);
+        let sign = if self.negative { -1.0 } else { 1.0 };
+        // Scaling by a power of two is exact here; a REAL is scaled as LREAL, where no exponent is too small.
+        let scale = 2_f64.powi(self.exponent) * sign;
+        if ty == ElementaryType::Real {
+            of_single((f64::from(magnitude as f32) * scale) as f32)
+        } else {
+            (magnitude as f64 * scale).to_bits()
+        }
+    }
+}

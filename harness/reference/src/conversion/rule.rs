@@ -1,0 +1,214 @@
+//! What a conversion does to a value: one small rule a pair of types, said once for the implicit rule and for
+//! the catalogue of functions alike.
+
+use super::{moment, real, text};
+use crate::raw;
+use stickler_types::{ElementaryType, Family};
+
+/// A conversion from one elementary type to another.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Conversion {
+    /// The type of the operand.
+    pub from: ElementaryType,
+    /// The type of the result.
+    pub to: ElementaryType,
+    /// What happens to the value.
+    pub rule: ConversionRule,
+}
+
+/// How a real number becomes an integer.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Rounding {
+    /// The fraction is dropped.
+    TowardZero,
+    /// To nearest, ties to even (IEC 60559, roundTiesToEven).
+    HalfToEven,
+    /// To the least integer not below the number.
+    Up,
+    /// To the greatest integer not above the number.
+    Down,
+}
+
+/// What a conversion does to the value.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ConversionRule {
+    /// The raw form stays as it is: the same type, and pairs that share a raw form (TIME and LTIME, DATE and DT).
+    Keep,
+    /// Integers, bit strings, BOOL and characters: the value modulo 2^n of the target; a bit string and a
+    /// character count as unsigned.
+    /// Basis: stickler-design: §8 (arithmetic rules); forgeiec-conversion-functions: Range and precision.
+    Wrap,
+    /// Zero is FALSE, all else TRUE; -0.0 is zero, and a NaN is not.
+    /// Basis: forgeiec-conversion-functions: The naming pattern ("0 → FALSE, anything else → TRUE").
+    NonZero,
+    /// The number that an integer or a bit string stands for, rounded to nearest, ties to even, once.
+    /// Basis: stickler-design: §8 (arithmetic rules).
+    ToReal,
+    /// REAL to LREAL exactly, LREAL to REAL rounded to nearest, ties to even.
+    /// Basis: forgeiec-conversion-functions: Range and precision (`LREAL_TO_REAL`).
+    BetweenReals,
+    /// Rounded to an integer, which is taken modulo 2^n of the target; NaN and the infinities give 0.
+    /// Basis: stickler-design: §8 (arithmetic rules).
+    FromReal(Rounding),
+    /// A duration, date or time of day as the number of its units, the fraction dropped, modulo 2^n.
+    /// Basis: forgeiec-conversion-functions: The naming pattern (TIME in ms); dates and times of day are open.
+    ToUnits,
+    /// The same as a real number, rounded once.
+    ToRealUnits,
+    /// A number of units as a duration, date or time of day.
+    /// Basis: forgeiec-conversion-functions: The naming pattern (`DINT_TO_TIME` "interprets as ms").
+    FromUnits,
+    /// The same from a real number, rounded to the nearest nanosecond, ties to even.
+    FromRealUnits,
+    /// The day of a date and time, also before 1970.
+    /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_DATE`).
+    Day,
+    /// The time since midnight of a date and time, also before 1970.
+    /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_TOD`).
+    TimeOfDay,
+    /// A character of the other width; one that CHAR does not have becomes `?`.
+    /// Basis: iec-61131-3: conversion of character types (the replacement is left to the implementer).
+    Character,
+    /// Binary-coded decimal digits to the number they spell, modulo 2^n. A digit above 9 counts with its value.
+    /// Basis: forgeiec-conversion-functions: BCD encoding; wrong digits are open.
+    FromBcd,
+    /// A number as decimal digits, four bits a digit, as many as the target holds: the number modulo 10^n.
+    /// Basis: forgeiec-conversion-functions: BCD encoding; numbers that do not fit are open.
+    ToBcd,
+    /// A text read as a literal of the target.
+    /// Basis: forgeiec-conversion-functions: matiec conformance (0 where the text cannot be read).
+    ReadText,
+    /// A value written as text.
+    /// Basis: forgeiec-conversion-functions: The naming pattern; the form is open.
+    WriteText,
+    /// STRING to WSTRING and back, character by character.
+    BetweenTexts,
+    /// The first character of a text; the character with code 0 where the text is empty.
+    FirstCharacter,
+    /// A text of one character.
+    CharacterToText,
+}
+
+impl ConversionRule {
+    /// The meaning of a conversion from one type to another, `rounding` being how a real number becomes an
+    /// integer; `None` where the pair has none.
+    #[must_use]
+    pub const fn between(
+        from: ElementaryType,
+        to: ElementaryType,
+        rounding: Rounding,
+    ) -> Option<ConversionRule> {
+        use Family::{
+            BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, Text, TimeOfDay,
+            Unsigned,
+        };
+        Some(match (from.family(), to.family()) {
+            (Boolean | Signed | Unsigned | BitString, Signed | Unsigned | BitString)
+            | (Boolean, Boolean)
+            | (Character, Signed | Unsigned | BitString)
+            | (Signed | Unsigned | BitString, Character) => ConversionRule::Wrap,
+            (Signed | Unsigned | BitString | Real | Duration | Date | TimeOfDay | DateAndTime, Boolean) => {
+                ConversionRule::NonZero
+            }
+            (Boolean | Signed | Unsigned | BitString, Real) => ConversionRule::ToReal,
+            (Real, Real) => ConversionRule::BetweenReals,
+            (Real, Signed | Unsigned | BitString) => ConversionRule::FromReal(rounding),
+            (Duration, Duration)
+            | (Date, Date | DateAndTime)
+            | (TimeOfDay, TimeOfDay)
+            | (DateAndTime, DateAndTime) => ConversionRule::Keep,
+            (Duration | Date | TimeOfDay | DateAndTime, Signed | Unsigned | BitString) => {
+                ConversionRule::ToUnits
+            }
+            (Duration | Date | TimeOfDay | DateAndTime, Real) => ConversionRule::ToRealUnits,
+            (Boolean | Signed | Unsigned | BitString, Duration | Date | TimeOfDay | DateAndTime) => {
+                ConversionRule::FromUnits
+            }
+            (Real, Duration | Date | TimeOfDay | DateAndTime) => ConversionRule::FromRealUnits,
+            (DateAndTime, Date) => ConversionRule::Day,
+            (DateAndTime, TimeOfDay) => ConversionRule::TimeOfDay,
+            (Character, Character) => ConversionRule::Character,
+            (Character, Text) => ConversionRule::CharacterToText,
+            (Text, Character) => ConversionRule::FirstCharacter,
+            (Text, Text) => ConversionRule::BetweenTexts,
+            (Text, _) => ConversionRule::ReadText,
+            (_, Text) => ConversionRule::WriteText,
+            (Duration, Date | TimeOfDay | DateAndTime)
+            | (Date, Duration | TimeOfDay)
+            | (TimeOfDay, Duration | Date | DateAndTime)
+            | (DateAndTime, Duration)
+            | (Character, Boolean | Real | Duration | Date | TimeOfDay | DateAndTime)
+            | (Boolean | Real | Duration | Date | TimeOfDay | DateAndTime, Character) => return None,
+        })
+    }
+}
+
+impl Conversion {
+    /// The conversion that changes nothing.
+    #[must_use]
+    pub const fn identity(ty: ElementaryType) -> Conversion {
+        Conversion {
+            from: ty,
+            to: ty,
+            rule: ConversionRule::Keep,
+        }
+    }
+
+    /// The raw form of the result for the raw form of the operand, where neither is a text. A rule that needs
+    /// a text gives 0; the checker never asks for that.
+    #[inline]
+    #[must_use]
+    pub fn apply(self, value: u64) -> u64 {
+        match self.rule {
+            ConversionRule::Keep => value,
+            ConversionRule::Wrap => raw::narrow(value, self.to),
+            ConversionRule::NonZero => u64::from(real::is_nonzero(value, self.from)),
+            ConversionRule::ToReal => real::from_integer(value, self.from, self.to),
+            ConversionRule::BetweenReals => real::between(value, self.from, self.to),
+            ConversionRule::FromReal(rounding) => raw::narrow(
+                real::to_integer(real::decode(value, self.from), rounding),
+                self.to,
+            ),
+            ConversionRule::ToUnits => raw::narrow(moment::to_units(value, self.from), self.to),
+            ConversionRule::ToRealUnits => moment::to_real_units(value, self.from, self.to),
+            ConversionRule::FromUnits => moment::from_units(value, self.to),
+            ConversionRule::FromRealUnits => moment::from_real_units(real::decode(value, self.from), self.to),
+            ConversionRule::Day => moment::day(value),
+            ConversionRule::TimeOfDay => moment::time_of_day(value),
+            ConversionRule::Character => text::character(value, self.to),
+            ConversionRule::FromBcd => raw::narrow(super::bcd::decode(value), self.to),
+            ConversionRule::ToBcd => super::bcd::encode(value, self.from, self.to),
+            ConversionRule::ReadText
+            | ConversionRule::WriteText
+            | ConversionRule::BetweenTexts
+            | ConversionRule::FirstCharacter
+            | ConversionRule::CharacterToText => 0,
+        }
+    }
+
+    /// The raw form of the result for a text operand, in code units.
+    #[must_use]
+    pub fn apply_from_text(self, units: &[u16]) -> u64 {
+        match self.rule {
+            ConversionRule::FirstCharacter => {
+                text::character(units.first().copied().unwrap_or(0).into(), self.to)
+            }
+            _ => text::read(units, self.to),
+        }
+    }
+
+    /// The text, in code units, for the raw form of the operand.
+    #[must_use]
+    pub fn apply_to_text(self, value: u64) -> Vec<u16> {
+        match self.rule {
+            ConversionRule::CharacterToText => text::of_character(value, self.to),
+            _ => text::write(value, self.from),
+        }
+    }
+
+    /// The text for a text operand.
+    #[must_use]
+    pub fn text_to_text(self, units: &[u16]) -> Vec<u16> {
+        text::between(units, self.to)
+    }
+}

@@ -1,0 +1,1 @@
+//! Name and type checking; lowers the syntax tree to a program for the stack machine.
