@@ -61,6 +61,8 @@ pub enum Instruction {
     Drop,
     /// Drops the top of the text stack.
     DropText,
+    /// Exchanges the two topmost values of the stack.
+    Swap,
 
     /// Pushes an absolute address.
     Address(Address),
@@ -95,7 +97,9 @@ pub enum Instruction {
     LoadText,
     /// Pops an address, and a text from the text stack, and stores the text, cut to the cell's capacity.
     StoreText,
-    /// Pops a destination and a source address; copies that many cells, texts by content.
+    /// Pops a destination and a source address; copies that many cells, texts by content. The two may
+    /// overlap. Like `Replicate` and `Clear` it costs steps by the number of cells, lest the step limit fail to
+    /// bound a run.
     Copy(u32),
     /// Pops an address: copies the `stride` cells there to the `count - 1` places behind them.
     Replicate {
@@ -119,7 +123,9 @@ pub enum Instruction {
 
     /// Converts the top of the stack; text operands and results are on the text stack.
     Convert(Conversion),
-    /// Pops two values of the type, pushes the result, wrapped to the type's width.
+    /// Pops two values of the type, pushes the result, wrapped to the type's width. Addition and subtraction
+    /// also come with durations, and with dates and times, of nanoseconds: 64 bits wrap, and TOD and LTOD are
+    /// taken modulo a day. (The difference of two dates is a subtraction of type TIME.)
     Arithmetic(ArithmeticOperator, ElementaryType),
     /// Pops a duration (or for `Divide` first a duration) and a number of the type; pushes the duration.
     ScaleDuration(ArithmeticOperator, ElementaryType),
@@ -149,6 +155,13 @@ pub enum Instruction {
         /// The base type is unsigned.
         unsigned: bool,
     },
+    /// Pops the control value, the limit and the step of a FOR loop (the step on top), integers in the raw
+    /// forms of the types that `LoopTypes` names; pushes TRUE where the control value has not passed the limit:
+    /// control <= limit for a step of 0 or more, control >= limit for a negative one, as numbers of any size.
+    LoopTest(LoopTypes),
+    /// Pops the same three; pushes control + step, wrapped to the control's type, and above it TRUE where the
+    /// exact sum fits that type and has not passed the limit.
+    LoopStep(LoopTypes),
     /// A standard function over plain values; see [`StandardFunction`] for what it pops.
     Standard {
         /// Which one.
@@ -169,6 +182,17 @@ pub enum Instruction {
     CallInstance(RoutineId),
     /// Ends the routine.
     Return,
+}
+
+/// The integer types of a FOR loop's three numbers, which may differ: bounds are taken by value.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct LoopTypes {
+    /// The control variable's.
+    pub control: ElementaryType,
+    /// The limit's.
+    pub limit: ElementaryType,
+    /// The step's.
+    pub step: ElementaryType,
 }
 
 /// Arithmetic on two values of one type.
