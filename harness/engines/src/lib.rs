@@ -1,1 +1,18 @@
-//! The Engine trait, the reference as an engine, and the wire protocol.
+//! Engines: whatever can take an ST program and say what it does, and the wire protocol they speak.
+//!
+//! An engine is handed a program and what to observe, never an expectation; what it answers is an [`Outcome`].
+//! This crate knows neither cases nor verdicts nor reports.
+#![forbid(unsafe_code)]
+
+mod engine;
+mod guard;
+mod outcome;
+pub mod protocol;
+mod reference;
+
+pub use engine::{
+    Ability, ClockStep, Engine, EngineError, Identity, Observation, RunRequest, Session, Setting,
+};
+pub use guard::guard;
+pub use outcome::{Diagnostic, NamedValue, Outcome};
+pub use reference::Reference;

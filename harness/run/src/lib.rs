@@ -1,1 +1,26 @@
-//! Schedules cases over engines, judges outcomes, emits one stream of events.
+//! Runs cases on engines, judges what they answer, and emits one stream of [`Event`]s.
+//!
+//! The way of a case: [`select`](select()) picks it, a worker of the [`schedule`](run()) asks an engine and gets
+//! [`Answers`], [`judge`](judge()) holds them against the expectation, and the [`Judgement`] goes out as a
+//! [`CaseEvent`]. This crate does not know how events are shown.
+#![forbid(unsafe_code)]
+
+mod answers;
+mod event;
+mod filter;
+mod judge;
+mod plan;
+mod reorder;
+mod schedule;
+mod select;
+mod shard;
+
+pub use answers::{Answers, Desk, Rendering};
+pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed};
+pub use event::{Grade, Totals, Verdict};
+pub use filter::Filter;
+pub use judge::{Judgement, judge, rendered_bodies};
+pub use plan::{Plan, RunError, Summary};
+pub use schedule::run;
+pub use select::select;
+pub use shard::{Shard, ShardError};

@@ -1,0 +1,181 @@
+//! What an engine is: an identity, and sessions that answer requests.
+
+use crate::Outcome;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use stickler_types::{DialectName, Value};
+
+/// Something that can run programs: the reference, or a real compiler behind an adapter.
+///
+/// An engine is shared by all workers; what changes while it works lives in its sessions.
+pub trait Engine: Send + Sync {
+    /// Who this engine is and what it can do. The same for as long as the engine lives.
+    fn identity(&self) -> &Identity;
+
+    /// Opens a session; a runner opens one a worker and keeps it for many requests.
+    ///
+    /// # Errors
+    /// [`EngineError`] where the engine cannot be started (exit code 3 of the command line).
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError>;
+}
+
+/// One conversation with an engine. Requests are independent: none may see what an earlier one left behind.
+pub trait Session {
+    /// Executes a program and gives the values asked for: [`Outcome::Executed`], `Rejected`, `Faulted`, or, from
+    /// an engine that can only check, [`Outcome::Accepted`].
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome;
+
+    /// Checks a program without executing it: [`Outcome::Accepted`] or `Rejected`.
+    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome;
+
+    /// Gives a program back as normalised source: [`Outcome::Rendered`] or `Rejected`.
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome;
+}
+
+/// Who an engine is and what it can do.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Identity {
+    /// A short name, such as `reference`; unique within a run.
+    pub name: String,
+    /// The version, in the engine's own words.
+    pub version: String,
+    /// The dialects it documents itself to speak.
+    pub dialects: Vec<DialectName>,
+    /// What it can do.
+    pub abilities: Vec<Ability>,
+}
+
+impl Identity {
+    /// Whether the engine has this ability.
+    #[must_use]
+    pub fn can(&self, ability: Ability) -> bool {
+        self.abilities.contains(&ability)
+    }
+
+    /// Whether the engine speaks this dialect.
+    #[must_use]
+    pub fn speaks(&self, dialect: DialectName) -> bool {
+        self.dialects.contains(&dialect)
+    }
+}
+
+/// Something that an engine can do. Basis: design, section 4.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Ability {
+    /// It says whether a program is accepted, and why not.
+    Check,
+    /// It executes programs and tells values.
+    Execute,
+    /// It gives normalised source back.
+    Render,
+    /// It executes several scans, with a clock and inputs set between them, and observes after each.
+    Scans,
+}
+
+impl fmt::Display for Ability {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Ability::Check => "check",
+            Ability::Execute => "execute",
+            Ability::Render => "render",
+            Ability::Scans => "scans",
+        })
+    }
+}
+
+/// A program to execute and what to observe of it. It carries no expectation (design, section 2, rule 1).
+#[derive(Clone, Copy, Debug)]
+pub struct RunRequest<'a> {
+    /// The language rules to follow.
+    pub dialect: DialectName,
+    /// The whole source text.
+    pub source: &'a str,
+    /// How many scans to run; 0 runs the start-up only.
+    pub scans: u32,
+    /// The variables whose values are wanted.
+    pub observe: &'a [Observation<'a>],
+    /// Simulated time since the start, by scan; ascending.
+    pub clock: &'a [ClockStep],
+    /// Variables written between scans.
+    pub set: &'a [Setting<'a>],
+}
+
+impl RunRequest<'_> {
+    /// Whether answering this needs the ability [`Ability::Scans`].
+    #[must_use]
+    pub fn needs_scans(&self) -> bool {
+        self.scans != 1
+            || !self.clock.is_empty()
+            || !self.set.is_empty()
+            || self.observe.iter().any(|observation| observation.after.is_some())
+    }
+}
+
+/// One variable to observe.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Observation<'a> {
+    /// The variable, or a path to an elementary value: `a[1]`, `rec.field[2].x`.
+    pub name: &'a str,
+    /// Its type's name, for engines that must be told; empty where nobody said.
+    pub type_name: &'a str,
+    /// The scan (from 1) after which to look; `None` is after the last.
+    pub after: Option<u32>,
+}
+
+impl Observation<'_> {
+    /// The name under which the value comes back: `q`, or `q@3` where it was asked for after the third scan.
+    #[must_use]
+    pub fn key(&self) -> String {
+        match self.after {
+            Some(scan) => format!("{}@{scan}", self.name),
+            None => self.name.to_owned(),
+        }
+    }
+
+    /// Whether `key` is what [`Observation::key`] would give, without building it.
+    #[must_use]
+    pub fn is_key(&self, key: &str) -> bool {
+        match (self.after, key.strip_prefix(self.name)) {
+            (None, Some(rest)) => rest.is_empty(),
+            (Some(scan), Some(rest)) => rest
+                .strip_prefix('@')
+                .is_some_and(|digits| digits == scan.to_string()),
+            (_, None) => false,
+        }
+    }
+}
+
+/// Where the clock stands before a scan.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ClockStep {
+    /// The scan (from 1).
+    pub before: u32,
+    /// Nanoseconds since the start of the program.
+    pub nanoseconds: i64,
+}
+
+/// A variable written before a scan.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting<'a> {
+    /// The scan (from 1).
+    pub before: u32,
+    /// The variable or path.
+    pub name: &'a str,
+    /// What it becomes.
+    pub value: &'a Value,
+}
+
+/// An engine that cannot be used at all. Exit code 3 of the command line.
+#[derive(Debug, thiserror::Error)]
+pub enum EngineError {
+    /// It could not be started.
+    #[error("engine {engine} could not be started: {reason}")]
+    NotStarted {
+        /// The engine's name.
+        engine: String,
+        /// Why, as a fragment.
+        reason: String,
+    },
+}

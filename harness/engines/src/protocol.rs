@@ -1,0 +1,26 @@
+//! The wire protocol: JSON Lines over stdin and stdout, one request, one reply, in order.
+//!
+//! [`Request`] and [`Reply`] are the two directions, [`serve`] answers requests with any [`Engine`](crate::Engine),
+//! and [`schemas`] gives the JSON Schemas that are published in `harness/engines/schemas/`.
+//! Basis: design, section 4.
+
+mod answer;
+mod lines;
+mod reply;
+mod request;
+mod schema;
+mod server;
+
+pub use reply::{DiagnosticMessage, ErrorReply, ExecutedReply, FaultedReply, HelloReply, IdReply};
+pub use reply::{RejectedReply, RenderedReply, Reply, UnsupportedReply};
+pub use request::{
+    ClockMessage, HelloRequest, ObserveMessage, ProgramRequest, Request, RunMessage, SetMessage,
+};
+pub use schema::{Schema, schemas};
+pub use server::serve;
+
+/// The version of the protocol that this crate speaks.
+pub const PROTOCOL: u32 = 1;
+
+/// The longest request line that is read, in bytes; a longer one is skipped and answered by an error.
+pub const MAX_LINE: usize = 64 << 20;

@@ -1,0 +1,107 @@
+//! Lines of bounded length from a byte stream.
+
+use std::io::{self, BufRead};
+
+/// What the next line turned out to be.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Line {
+    /// The buffer holds the line, without its line feed.
+    Whole,
+    /// The line was longer than the limit and is gone.
+    TooLong,
+    /// There is no further line.
+    End,
+}
+
+/// Reads the next line into `buffer`, keeping at most `limit` bytes whatever the other side sends. A last line without
+/// a line feed counts.
+///
+/// # Errors
+/// Those of `input`.
+pub(super) fn next_line(input: &mut impl BufRead, buffer: &mut Vec<u8>, limit: usize) -> io::Result<Line> {
+    buffer.clear();
+    let mut too_long = false;
+    let mut anything = false;
+    loop {
+        let available = match input.fill_buf() {
+            Ok(available) => available,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            Err(error) => return Err(error),
+        };
+        if available.is_empty() {
+            return Ok(kind(anything, too_long));
+        }
+        anything = true;
+        let feed = available.iter().position(|&byte| byte == b'\n');
+        let piece = &available[..feed.unwrap_or(available.len())];
+        too_long |= buffer.len() + piece.len() > limit;
+        if too_long {
+            // Gives the memory back: an engine must not keep 64 MiB because of one bad line.
+            *buffer = Vec::new();
+        } else {
+            buffer.extend_from_slice(piece);
+        }
+        let used = piece.len() + usize::from(feed.is_some());
+        input.consume(used);
+        if feed.is_some() {
+            return Ok(kind(true, too_long));
+        }
+    }
+}
+
+fn kind(anything: bool, too_long: bool) -> Line {
+    match (anything, too_long) {
+        (_, true) => Line::TooLong,
+        (true, false) => Line::Whole,
+        (false, false) => Line::End,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::BufReader;
+
+    fn lines(text: &[u8], limit: usize, chunk: usize) -> Vec<(Line, Vec<u8>)> {
+        let mut input = BufReader::with_capacity(chunk, text);
+        let mut buffer = Vec::new();
+        let mut found = Vec::new();
+        loop {
+            let line = next_line(&mut input, &mut buffer, limit).unwrap();
+            if line == Line::End {
+                return found;
+            }
+            found.push((line, buffer.clone()));
+        }
+    }
+
+    #[test]
+    fn lines_are_read_whole_across_chunks_and_without_a_last_feed() {
+        let expected = vec![
+            (Line::Whole, b"abcdef".to_vec()),
+            (Line::Whole, Vec::new()),
+            (Line::Whole, b"g".to_vec()),
+        ];
+        for chunk in 1..10 {
+            assert_eq!(lines(b"abcdef\n\ng", 6, chunk), expected, "chunk {chunk}");
+        }
+    }
+
+    #[test]
+    fn a_line_over_the_limit_is_skipped_and_the_next_one_is_read() {
+        for chunk in 1..10 {
+            let found = lines(b"abcdefg\nxy\n", 6, chunk);
+            assert_eq!(
+                found,
+                vec![(Line::TooLong, Vec::new()), (Line::Whole, b"xy".to_vec())],
+                "chunk {chunk}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_last_line_over_the_limit_is_reported_before_the_end() {
+        assert_eq!(lines(b"abcdefg", 6, 3), vec![(Line::TooLong, Vec::new())]);
+        assert_eq!(lines(b"", 6, 3), vec![]);
+    }
+}

@@ -1,0 +1,213 @@
+//! What an engine sends back.
+
+use crate::{Ability, Diagnostic, NamedValue, Outcome};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// One line from an engine.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "type", rename_all = "lowercase")]
+pub enum Reply {
+    /// Answers `hello`.
+    Hello(HelloReply),
+    /// The program is accepted; nothing was executed.
+    Accepted(IdReply),
+    /// The program ran to the end of its last scan.
+    Executed(ExecutedReply),
+    /// The program is rejected.
+    Rejected(RejectedReply),
+    /// The program stopped at a run-time fault.
+    Faulted(FaultedReply),
+    /// The program as normalised source.
+    Rendered(RenderedReply),
+    /// The engine cannot answer this request.
+    Unsupported(UnsupportedReply),
+    /// The request could not be understood; the engine lives on.
+    Error(ErrorReply),
+}
+
+/// Who the engine is.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct HelloReply {
+    /// The version of the protocol that the engine speaks.
+    pub protocol: u32,
+    /// The engine's name.
+    pub name: String,
+    /// The engine's version.
+    pub version: String,
+    /// The dialects it speaks.
+    pub dialects: Vec<String>,
+    /// What it can do.
+    pub abilities: Vec<Ability>,
+}
+
+/// A reply that carries nothing but the request's id.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct IdReply {
+    /// The request's id.
+    pub id: u64,
+}
+
+/// The values of an execution.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct ExecutedReply {
+    /// The request's id.
+    pub id: u64,
+    /// Each value under the name by which it was asked for, as a typed literal in its canonical spelling.
+    pub values: BTreeMap<String, String>,
+}
+
+/// The reasons of a rejection.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct RejectedReply {
+    /// The request's id.
+    pub id: u64,
+    /// Sorted by line, column, code; everything that a person would want at once.
+    pub diagnostics: Vec<DiagnosticMessage>,
+}
+
+/// Something wrong with a program. A foreign engine leaves out what it does not know.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct DiagnosticMessage {
+    /// A code of Stickler's registry, or the engine's own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub code: Option<String>,
+    /// The line, from 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub line: Option<u32>,
+    /// The column, from 1, in Unicode scalar values.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub column: Option<u32>,
+    /// The line on which it ends.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub end_line: Option<u32>,
+    /// The column after its last character.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub end_column: Option<u32>,
+    /// What is wrong, for a person.
+    #[serde(default)]
+    pub message: String,
+    /// Text that replaces exactly the span and makes the program acceptable.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub suggestion: Option<String>,
+}
+
+/// A run-time fault.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct FaultedReply {
+    /// The request's id.
+    pub id: u64,
+    /// What kind of fault.
+    #[schemars(extend("enum" = ["division-by-zero", "subscript-range", "subrange", "step-limit"]))]
+    pub fault: String,
+    /// The line, from 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub line: Option<u32>,
+    /// The values observed so far.
+    #[serde(default)]
+    pub values: BTreeMap<String, String>,
+}
+
+/// Normalised source.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct RenderedReply {
+    /// The request's id.
+    pub id: u64,
+    /// The whole source.
+    pub text: String,
+}
+
+/// A request that the engine cannot answer.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct UnsupportedReply {
+    /// The request's id.
+    pub id: u64,
+    /// Why.
+    pub reason: String,
+}
+
+/// A request that the engine did not understand.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct ErrorReply {
+    /// The request's id, where it could be read.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub id: Option<u64>,
+    /// What is wrong with the request.
+    pub message: String,
+}
+
+impl Reply {
+    /// An error about the request with this id.
+    pub(super) fn error(id: Option<u64>, message: impl Into<String>) -> Reply {
+        Reply::Error(ErrorReply {
+            id,
+            message: message.into(),
+        })
+    }
+
+    /// The reply that tells this outcome. The protocol has no words for a crash or a time limit, since a dead engine
+    /// cannot speak: where an engine survives one, the reply is an error.
+    #[must_use]
+    pub fn from_outcome(id: u64, outcome: Outcome) -> Reply {
+        match outcome {
+            Outcome::Accepted => Reply::Accepted(IdReply { id }),
+            Outcome::Executed { values } => Reply::Executed(ExecutedReply {
+                id,
+                values: literals(values),
+            }),
+            Outcome::Rejected { diagnostics } => {
+                let diagnostics = diagnostics.into_iter().map(DiagnosticMessage::from).collect();
+                Reply::Rejected(RejectedReply { id, diagnostics })
+            }
+            Outcome::Faulted { fault, line, values } => Reply::Faulted(FaultedReply {
+                id,
+                fault: fault.as_str().to_owned(),
+                line,
+                values: literals(values),
+            }),
+            Outcome::Rendered { text } => Reply::Rendered(RenderedReply { id, text }),
+            Outcome::Unsupported { reason } => Reply::Unsupported(UnsupportedReply { id, reason }),
+            Outcome::Crashed { reason } => Reply::error(Some(id), format!("the engine crashed: {reason}")),
+            Outcome::TimedOut { after_ms } => {
+                Reply::error(Some(id), format!("no answer within {after_ms} ms"))
+            }
+            Outcome::Error { message } => Reply::error(Some(id), message),
+        }
+    }
+}
+
+impl From<Diagnostic> for DiagnosticMessage {
+    fn from(diagnostic: Diagnostic) -> DiagnosticMessage {
+        let Diagnostic {
+            code,
+            line,
+            column,
+            end_line,
+            end_column,
+            message,
+            suggestion,
+        } = diagnostic;
+        DiagnosticMessage {
+            code,
+            line,
+            column,
+            end_line,
+            end_column,
+            message,
+            suggestion,
+        }
+    }
+}
+
+fn literals(values: Vec<NamedValue>) -> BTreeMap<String, String> {
+    values
+        .into_iter()
+        .map(|(name, value)| (name, value.to_string()))
+        .collect()
+}

@@ -1,0 +1,102 @@
+//! What is sent to an engine.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// One line to an engine.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "type", rename_all = "lowercase")]
+pub enum Request {
+    /// Opens a conversation; answered by `hello`.
+    Hello(HelloRequest),
+    /// Executes a program; answered by `executed`, `rejected`, `faulted`, `unsupported`, `error`, or, by an engine
+    /// that can only check, `accepted`.
+    Run(RunMessage),
+    /// Checks a program; answered by `accepted`, `rejected`, `unsupported` or `error`.
+    Check(ProgramRequest),
+    /// Asks for normalised source; answered by `rendered`, `rejected`, `unsupported` or `error`.
+    Render(ProgramRequest),
+    /// Ends the conversation; not answered.
+    Bye,
+}
+
+/// The opening of a conversation.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct HelloRequest {
+    /// The version of the protocol that the caller speaks.
+    pub protocol: u32,
+}
+
+/// A program to check or to render.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct ProgramRequest {
+    /// Repeated by the reply.
+    pub id: u64,
+    /// The dialect's name.
+    pub dialect: String,
+    /// The whole source text.
+    pub source: String,
+}
+
+/// A program to execute.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct RunMessage {
+    /// Repeated by the reply.
+    pub id: u64,
+    /// The dialect's name.
+    pub dialect: String,
+    /// The whole source text.
+    pub source: String,
+    /// How many scans to run; 1 where nothing is said.
+    #[serde(default = "one_scan")]
+    pub scans: u32,
+    /// The variables whose values are wanted.
+    #[serde(default)]
+    pub observe: Vec<ObserveMessage>,
+    /// Simulated time.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub clock: Vec<ClockMessage>,
+    /// Variables written between scans.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub set: Vec<SetMessage>,
+}
+
+/// A variable to observe.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct ObserveMessage {
+    /// The variable, or a path to an elementary value (`a[1]`, `rec.field[2].x`).
+    pub name: String,
+    /// The name of its type, a help for engines that must declare something.
+    #[serde(rename = "type", default, skip_serializing_if = "String::is_empty")]
+    pub type_name: String,
+    /// The scan (from 1) after which to look, otherwise after the last; the reply then names it `q@3`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub after: Option<u32>,
+}
+
+/// Where the clock stands before a scan.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct ClockMessage {
+    /// The scan (from 1).
+    #[schemars(range(min = 1))]
+    pub before: u32,
+    /// The time since the start, as a TIME or LTIME literal.
+    pub value: String,
+}
+
+/// A variable written before a scan.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+pub struct SetMessage {
+    /// The scan (from 1).
+    #[schemars(range(min = 1))]
+    pub before: u32,
+    /// The variable or path.
+    pub name: String,
+    /// What it becomes, as a typed literal.
+    pub value: String,
+}
+
+fn one_scan() -> u32 {
+    1
+}

@@ -1,0 +1,123 @@
+//! Serving an engine over the wire: each line is answered in order, and no line ends the conversation but `bye`.
+
+use super::lines::{Line, next_line};
+use super::{MAX_LINE, ProgramRequest, Reply, Request, RunMessage, answer};
+use crate::{Engine, Outcome, Session, guard};
+use std::io::{self, BufRead, Write};
+
+/// Answers requests until `bye` or the end of the input. Every reply is flushed as it is written; a malformed line is
+/// answered by an error (with the request's `id` where it can be read); blank lines are passed over; memory is bounded
+/// by [`MAX_LINE`] and what the engine needs for one program. Basis: design, section 4.
+///
+/// # Errors
+/// Those of `input` and `output`, and an engine of which no session can be opened.
+pub fn serve(engine: &dyn Engine, input: impl BufRead, output: impl Write) -> io::Result<()> {
+    serve_lines(engine, input, output, MAX_LINE)
+}
+
+fn serve_lines(
+    engine: &dyn Engine,
+    mut input: impl BufRead,
+    mut output: impl Write,
+    limit: usize,
+) -> io::Result<()> {
+    let mut buffer = Vec::new();
+    let mut server = Server {
+        engine,
+        session: open(engine)?,
+    };
+    loop {
+        let answer = match next_line(&mut input, &mut buffer, limit)? {
+            Line::End => return Ok(()),
+            Line::TooLong => Answer::Reply(Reply::error(
+                None,
+                format!("the line is longer than {limit} bytes"),
+            )),
+            Line::Whole => server.answer(&buffer)?,
+        };
+        match answer {
+            Answer::Nothing => {}
+            Answer::Farewell => return Ok(()),
+            Answer::Reply(reply) => send(&mut output, &reply)?,
+        }
+    }
+}
+
+enum Answer {
+    Nothing,
+    Farewell,
+    Reply(Reply),
+}
+
+struct Server<'e> {
+    engine: &'e dyn Engine,
+    session: Box<dyn Session + 'e>,
+}
+
+impl Server<'_> {
+    fn answer(&mut self, line: &[u8]) -> io::Result<Answer> {
+        // Some shells put a byte-order mark in front of what they pipe.
+        let line = line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line).trim_ascii();
+        if line.is_empty() {
+            return Ok(Answer::Nothing);
+        }
+        let reply = match serde_json::from_slice::<Request>(line) {
+            Ok(Request::Bye) => return Ok(Answer::Farewell),
+            Ok(Request::Hello(request)) => answer::hello(self.engine.identity(), &request),
+            Ok(Request::Run(request)) => self.run(&request)?,
+            Ok(Request::Check(request)) => self.program(&request, |session, r| {
+                answer::program(r, |d, s| session.check(d, s))
+            })?,
+            Ok(Request::Render(request)) => self.program(&request, |session, r| {
+                answer::program(r, |d, s| session.render(d, s))
+            })?,
+            Err(error) => Reply::error(readable_id(line), error.to_string()),
+        };
+        Ok(Answer::Reply(reply))
+    }
+
+    fn run(&mut self, request: &RunMessage) -> io::Result<Reply> {
+        let outcome = guard(|| flatten(answer::run(self.session.as_mut(), request)));
+        self.reply(request.id, outcome)
+    }
+
+    fn program(
+        &mut self,
+        request: &ProgramRequest,
+        ask: impl FnOnce(&mut dyn Session, &ProgramRequest) -> Result<Outcome, String>,
+    ) -> io::Result<Reply> {
+        let outcome = guard(|| flatten(ask(self.session.as_mut(), request)));
+        self.reply(request.id, outcome)
+    }
+
+    fn reply(&mut self, id: u64, outcome: Outcome) -> io::Result<Reply> {
+        if let Outcome::Crashed { .. } = outcome {
+            // What a panic left behind is not to be trusted.
+            self.session = open(self.engine)?;
+        }
+        Ok(Reply::from_outcome(id, outcome))
+    }
+}
+
+fn flatten(answer: Result<Outcome, String>) -> Outcome {
+    answer.unwrap_or_else(|message| Outcome::Error { message })
+}
+
+fn open(engine: &dyn Engine) -> io::Result<Box<dyn Session + '_>> {
+    engine.session().map_err(io::Error::other)
+}
+
+fn send(output: &mut impl Write, reply: &Reply) -> io::Result<()> {
+    let mut line = serde_json::to_vec(reply)?;
+    line.push(b'\n');
+    output.write_all(&line)?;
+    output.flush()
+}
+
+/// The `id` of a line that is no request but a JSON object all the same.
+fn readable_id(line: &[u8]) -> Option<u64> {
+    serde_json::from_slice::<serde_json::Value>(line)
+        .ok()?
+        .get("id")?
+        .as_u64()
+}

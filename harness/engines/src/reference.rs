@@ -1,0 +1,137 @@
+//! The reference implementation as an engine.
+
+use crate::{Ability, Diagnostic, Engine, EngineError, Identity, NamedValue, Outcome, RunRequest, Session};
+use stickler_reference as reference;
+use stickler_types::DialectName;
+
+/// The reference implementation: every dialect, every ability, in this process.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    identity: Identity,
+}
+
+impl Reference {
+    /// The reference under the name `reference`, with the version of this workspace.
+    #[must_use]
+    pub fn new() -> Reference {
+        let identity = Identity {
+            name: "reference".to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            dialects: DialectName::ALL.to_vec(),
+            abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
+        };
+        Reference { identity }
+    }
+}
+
+impl Default for Reference {
+    fn default() -> Reference {
+        Reference::new()
+    }
+}
+
+impl Engine for Reference {
+    fn identity(&self) -> &Identity {
+        &self.identity
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        Ok(Box::new(ReferenceSession))
+    }
+}
+
+/// The reference keeps nothing between requests.
+struct ReferenceSession;
+
+impl Session for ReferenceSession {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        let observe: Vec<_> = request
+            .observe
+            .iter()
+            .map(|asked| reference::Observation {
+                name: asked.name,
+                after: asked.after,
+            })
+            .collect();
+        let clock: Vec<_> = request
+            .clock
+            .iter()
+            .map(|step| reference::ClockSetting {
+                before: step.before,
+                nanoseconds: step.nanoseconds,
+            })
+            .collect();
+        let set: Vec<_> = request
+            .set
+            .iter()
+            .map(|setting| reference::ValueSetting {
+                before: setting.before,
+                name: setting.name,
+                value: setting.value,
+            })
+            .collect();
+        let answer = reference::run(&reference::Request {
+            dialect: request.dialect,
+            source: request.source,
+            scans: request.scans,
+            observe: &observe,
+            clock: &clock,
+            set: &set,
+            limits: reference::Limits::default(),
+        });
+        match answer {
+            Ok(reference::Outcome::Executed { values }) => Outcome::Executed {
+                values: named(request, values),
+            },
+            Ok(reference::Outcome::Rejected(diagnostics)) => rejected(diagnostics),
+            Ok(reference::Outcome::Faulted { fault, line, values }) => Outcome::Faulted {
+                fault,
+                line: Some(line),
+                values: named(request, values),
+            },
+            Err(error) => Outcome::Error {
+                message: error.to_string(),
+            },
+        }
+    }
+
+    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        let diagnostics = reference::check(source, dialect);
+        if diagnostics.is_empty() {
+            Outcome::Accepted
+        } else {
+            rejected(diagnostics)
+        }
+    }
+
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        match reference::render(source, dialect) {
+            Ok(text) => Outcome::Rendered { text },
+            Err(diagnostics) => rejected(diagnostics),
+        }
+    }
+}
+
+fn named(_: &RunRequest<'_>, values: Vec<NamedValue>) -> Vec<NamedValue> {
+    values
+}
+
+fn rejected(diagnostics: Vec<reference::LocatedDiagnostic>) -> Outcome {
+    Outcome::Rejected {
+        diagnostics: diagnostics.into_iter().map(Diagnostic::from).collect(),
+    }
+}
+
+impl From<reference::LocatedDiagnostic> for Diagnostic {
+    fn from(located: reference::LocatedDiagnostic) -> Diagnostic {
+        Diagnostic {
+            code: Some(located.code.as_str().to_owned()),
+            line: Some(located.line),
+            column: Some(located.column),
+            end_line: Some(located.end_line),
+            end_column: Some(located.end_column),
+            message: located.message,
+            suggestion: located.suggestion,
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! The events of a run: a header, one event a case, a footer. Every report is a projection of them and has no facts of
+//! its own; a stream without its footer is a truncated run. Basis: design, section 5.
+
+mod totals;
+mod verdict;
+
+pub use totals::Totals;
+pub use verdict::{Grade, Verdict};
+
+use serde::{Deserialize, Serialize};
+
+/// The version of the event format.
+pub const FORMAT: u32 = 1;
+
+/// One event; as JSON, one object on one line, tagged by `type`.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(tag = "type", rename_all = "lowercase")]
+pub enum Event {
+    /// The first event.
+    Header(Header),
+    /// A case on an engine, in the order of the suite.
+    Case(CaseEvent),
+    /// The last event of a run that was not cut short.
+    Footer(Footer),
+}
+
+/// What is known before the first case.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct Header {
+    /// The version of this format, [`FORMAT`].
+    pub format: u32,
+    /// The version of Stickler.
+    pub stickler: String,
+    /// The version of the suite.
+    pub suite: String,
+    /// When the run began, as the caller writes it.
+    pub started: String,
+    /// The command that was run, as the caller writes it.
+    pub command: String,
+    /// The engines that take part, in their order.
+    pub engines: Vec<EngineHeader>,
+    /// How many case events follow in a run that is not cut short.
+    pub cases: u64,
+    /// The part of a divided run, `2/4`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shard: Option<String>,
+    /// The case files that could not be read: file, line, key and what is wrong.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub broken_files: Vec<String>,
+}
+
+/// An engine that takes part in a run.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct EngineHeader {
+    /// Its name.
+    pub name: String,
+    /// Its version.
+    pub version: String,
+    /// The dialects it speaks.
+    pub dialects: Vec<String>,
+}
+
+/// A case on an engine.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct CaseEvent {
+    /// The case's id; with the dialect and the engine it is unique in a run.
+    pub id: String,
+    /// The dialect.
+    pub dialect: String,
+    /// The engine's name.
+    pub engine: String,
+    /// What came of it.
+    pub verdict: Verdict,
+    /// How exactly a rejection or a fault was right; `None` where neither was expected or neither came.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grade: Option<Grade>,
+    /// The claim: document and section.
+    pub basis: String,
+    /// The case file.
+    pub file: String,
+    /// The line in the case file at which the case stands.
+    pub line: u32,
+    /// The folder of the case, the first part of its id.
+    pub area: String,
+    /// The case's title.
+    pub title: String,
+    /// What had to happen: one expectation a line, in a fixed order.
+    pub expected: String,
+    /// What happened, line by line beside `expected`; the two are equal where all went as expected, so that a diff of
+    /// them shows what did not.
+    pub got: String,
+    /// How long the engine took, in microseconds.
+    pub duration_us: u64,
+    /// The exact command that runs this case again.
+    pub rerun: String,
+    /// What was recorded and not judged.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub observations: Vec<Observed>,
+}
+
+/// Something recorded and not judged.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Observed {
+    /// The variable (`q`, `a[1]`, `q@3`), `acceptance`, or `fault`.
+    pub name: String,
+    /// Its value as a typed literal; `accepted` or `rejected`; the fault.
+    pub value: String,
+}
+
+/// What is known after the last case.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct Footer {
+    /// The verdicts of the whole run, counted.
+    pub totals: Totals,
+    /// The verdicts by engine, in the header's order.
+    pub engines: Vec<EngineTotals>,
+    /// How long the run took, in milliseconds.
+    pub duration_ms: u64,
+}
+
+/// The verdicts of one engine, counted.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct EngineTotals {
+    /// The engine's name.
+    pub name: String,
+    /// Its verdicts.
+    pub totals: Totals,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_event_is_one_line_of_json_tagged_by_its_type() {
+        let event = Event::Footer(Footer {
+            duration_ms: 3,
+            ..Footer::default()
+        });
+        let line = serde_json::to_string(&event).unwrap();
+        assert!(
+            line.starts_with(r#"{"type":"footer","totals":{"pass":0,"#),
+            "{line}"
+        );
+        assert_eq!(serde_json::from_str::<Event>(&line).unwrap(), event);
+    }
+
+    #[test]
+    fn a_header_of_a_later_version_with_more_keys_is_read() {
+        let line = r#"{"type":"header","format":1,"stickler":"9","suite":"1","started":"","command":"","engines":[],
+            "cases":4,"weather":"fine"}"#;
+        let Event::Header(header) = serde_json::from_str(line).unwrap() else {
+            panic!("no header")
+        };
+        assert_eq!(
+            (header.stickler.as_str(), header.cases, header.shard),
+            ("9", 4, None)
+        );
+    }
+}

@@ -1,0 +1,101 @@
+//! Verdicts, counted.
+
+use super::Verdict;
+use serde::{Deserialize, Serialize};
+use std::ops::AddAssign;
+
+/// How often each verdict came.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct Totals {
+    /// [`Verdict::Pass`].
+    pub pass: u64,
+    /// [`Verdict::Fail`].
+    pub fail: u64,
+    /// [`Verdict::Xfail`].
+    pub xfail: u64,
+    /// [`Verdict::Xpass`].
+    pub xpass: u64,
+    /// [`Verdict::Unsupported`].
+    pub unsupported: u64,
+    /// [`Verdict::Crash`].
+    pub crash: u64,
+    /// [`Verdict::Timeout`].
+    pub timeout: u64,
+    /// [`Verdict::Error`].
+    pub error: u64,
+}
+
+impl Totals {
+    /// Counts one more.
+    pub fn count(&mut self, verdict: Verdict) {
+        *self.counter(verdict) += 1;
+    }
+
+    /// How often this verdict came.
+    #[must_use]
+    pub fn of(&self, verdict: Verdict) -> u64 {
+        match verdict {
+            Verdict::Pass => self.pass,
+            Verdict::Fail => self.fail,
+            Verdict::Xfail => self.xfail,
+            Verdict::Xpass => self.xpass,
+            Verdict::Unsupported => self.unsupported,
+            Verdict::Crash => self.crash,
+            Verdict::Timeout => self.timeout,
+            Verdict::Error => self.error,
+        }
+    }
+
+    /// How many verdicts there are in all.
+    #[must_use]
+    pub fn all(&self) -> u64 {
+        Verdict::ALL.iter().map(|&verdict| self.of(verdict)).sum()
+    }
+
+    /// How many verdicts are not as expected.
+    #[must_use]
+    pub fn unexpected(&self) -> u64 {
+        let unexpected = Verdict::ALL.iter().filter(|verdict| !verdict.is_as_expected());
+        unexpected.map(|&verdict| self.of(verdict)).sum()
+    }
+
+    fn counter(&mut self, verdict: Verdict) -> &mut u64 {
+        match verdict {
+            Verdict::Pass => &mut self.pass,
+            Verdict::Fail => &mut self.fail,
+            Verdict::Xfail => &mut self.xfail,
+            Verdict::Xpass => &mut self.xpass,
+            Verdict::Unsupported => &mut self.unsupported,
+            Verdict::Crash => &mut self.crash,
+            Verdict::Timeout => &mut self.timeout,
+            Verdict::Error => &mut self.error,
+        }
+    }
+}
+
+impl AddAssign for Totals {
+    fn add_assign(&mut self, other: Totals) {
+        for verdict in Verdict::ALL {
+            *self.counter(verdict) += other.of(verdict);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn totals_count_each_verdict_apart_and_know_what_is_unexpected() {
+        let mut totals = Totals::default();
+        for (times, verdict) in Verdict::ALL.into_iter().enumerate() {
+            (0..=times).for_each(|_| totals.count(verdict));
+        }
+        assert_eq!((totals.pass, totals.fail, totals.error), (1, 2, 8));
+        assert_eq!(totals.all(), 36);
+        assert_eq!(totals.unexpected(), 36 - 1 - 3 - 5);
+        let mut twice = totals;
+        twice += totals;
+        assert_eq!(twice.all(), 72);
+    }
+}

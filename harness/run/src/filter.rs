@@ -1,0 +1,149 @@
+//! Which cases a person means.
+
+use std::convert::Infallible;
+use std::str::FromStr;
+
+/// A filter over case ids. Three readings, the first that applies:
+///
+/// 1. it *is* the id of a case, or its key `id@dialect`: that case alone, though other ids may contain it;
+/// 2. it contains a `*`: a pattern for the whole id or the whole key, in which only `*` is special and stands for any text;
+/// 3. otherwise: every case whose key contains it.
+///
+/// The first reading makes the rerun command of a report exact. Basis: design, section 3.2.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Filter {
+    text: String,
+}
+
+impl Filter {
+    /// A filter from what a person typed.
+    #[must_use]
+    pub fn new(text: impl Into<String>) -> Filter {
+        Filter { text: text.into() }
+    }
+
+    /// What the person typed.
+    #[must_use]
+    pub fn as_str(&self) -> &str {
+        &self.text
+    }
+
+    /// Whether the filter is this case's id or key, letter by letter.
+    #[must_use]
+    pub fn names(&self, id: &str, dialect: &str) -> bool {
+        self.text == id || is_key(&self.text, id, dialect)
+    }
+
+    /// Whether the filter, as a pattern or as a part, fits this case.
+    #[must_use]
+    pub fn fits(&self, id: &str, dialect: &str) -> bool {
+        if self.text.contains('*') {
+            return pattern_fits(&self.text, id) || pattern_fits(&self.text, &format!("{id}@{dialect}"));
+        }
+        if self.text.contains('@') {
+            return format!("{id}@{dialect}").contains(&self.text);
+        }
+        id.contains(&self.text) || dialect.contains(&self.text)
+    }
+}
+
+impl FromStr for Filter {
+    type Err = Infallible;
+
+    fn from_str(text: &str) -> Result<Filter, Infallible> {
+        Ok(Filter::new(text))
+    }
+}
+
+fn is_key(text: &str, id: &str, dialect: &str) -> bool {
+    text.strip_prefix(id)
+        .and_then(|rest| rest.strip_prefix('@'))
+        .is_some_and(|rest| rest == dialect)
+}
+
+/// Whether `text` is `pattern`'s pieces in their order, the first at the start and the last at the end. Linear but for the
+/// search of each piece.
+fn pattern_fits(pattern: &str, text: &str) -> bool {
+    let Some((first, rest)) = pattern.split_once('*') else {
+        return pattern == text;
+    };
+    let Some(mut text) = text.strip_prefix(first) else {
+        return false;
+    };
+    let (middle, last) = rest.rsplit_once('*').unwrap_or(("", rest));
+    for piece in middle.split('*') {
+        let Some(at) = text.find(piece) else { return false };
+        text = &text[at + piece.len()..];
+    }
+    text.ends_with(last)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ID: &str = "widening/integer::assignment(SINT,INT,-128)";
+
+    fn fits(filter: &str) -> bool {
+        Filter::new(filter).fits(ID, "ironplc-ed2")
+    }
+
+    #[test]
+    fn a_filter_without_a_star_is_a_part_of_the_id_or_the_key() {
+        for part in [
+            "integer",
+            "(SINT,INT",
+            "@ironplc-ed2",
+            "128)@ironplc",
+            "ironplc-ed2",
+            "",
+        ] {
+            assert!(fits(part), "{part}");
+        }
+        for part in ["Integer", "(INT,SINT", "@matiec", "integer?"] {
+            assert!(!fits(part), "{part}");
+        }
+    }
+
+    #[test]
+    fn a_star_makes_the_filter_a_pattern_for_the_whole_id_or_key() {
+        for pattern in [
+            "*",
+            "widening/*",
+            "*-128)",
+            "widening/*::*(SINT,*)",
+            "*@ironplc-*",
+            "w**)",
+        ] {
+            assert!(fits(pattern), "{pattern}");
+        }
+        for pattern in [
+            "integer*",
+            "*integer",
+            "widening/*(INT*",
+            "*-128)*-128)",
+            "*@matiec",
+        ] {
+            assert!(!fits(pattern), "{pattern}");
+        }
+    }
+
+    #[test]
+    fn nothing_but_the_star_is_special() {
+        assert!(Filter::new("a[?](.*").fits("a[?](.b", "matiec"));
+        assert!(!Filter::new("a[?](.*").fits("ax(yb", "matiec"));
+    }
+
+    #[test]
+    fn pieces_of_a_pattern_do_not_overlap() {
+        assert!(!pattern_fits("ab*ba", "aba"));
+        assert!(pattern_fits("ab*ba", "abba"));
+    }
+
+    #[test]
+    fn only_the_whole_id_or_key_names_a_case() {
+        let named = |text: &str| Filter::new(text).names("a/b", "matiec");
+        assert!(named("a/b") && named("a/b@matiec"));
+        assert!(!named("a/b@") && !named("a/b@plcnext") && !named("a") && !named("a/b@matiec2"));
+    }
+}

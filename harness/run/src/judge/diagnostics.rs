@@ -1,0 +1,235 @@
+//! Expected diagnostics against actual ones: one merge walk over two lists sorted by line and code.
+
+use super::sheet::{Lines, Sheet};
+use crate::Grade;
+use std::cmp::Ordering;
+use stickler_engines::Diagnostic;
+use stickler_suite::ExpectedDiagnostic;
+
+/// How many diagnostics that nobody expected are written down; what floods the report helps nobody.
+const MOST: usize = 50;
+
+/// A place of the merge walk.
+enum Step<'a> {
+    /// Expected, and there.
+    Met(ExpectedDiagnostic),
+    /// There, and not expected.
+    Unexpected(&'a Diagnostic),
+    /// Expected, and not there.
+    Missing,
+}
+
+/// The two lists side by side, by line and code.
+pub(super) struct Matching<'a> {
+    steps: Vec<Step<'a>>,
+    exact: bool,
+    same_lines: bool,
+}
+
+/// Adds what is expected, sorted by line and code.
+pub(super) fn expected(diagnostics: &[ExpectedDiagnostic], lines: &mut Lines) {
+    for ExpectedDiagnostic { line, code } in sorted(diagnostics) {
+        lines.line(format_args!("line {line}: error {}", code.as_str()));
+    }
+}
+
+/// Walks both lists. Each expected diagnostic meets at most one actual one, and the other way round.
+pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic]) -> Matching<'a> {
+    let expected = sorted(expected);
+    let mut got: Vec<&Diagnostic> = got.iter().collect();
+    got.sort_by(|a, b| place(a).cmp(&place(b)));
+    let same_lines = same_lines(&expected, &got);
+    let (mut wanted, mut found) = (expected.iter().peekable(), got.into_iter().peekable());
+    let mut steps = Vec::new();
+    loop {
+        let order = match (wanted.peek(), found.peek()) {
+            (None, None) => break,
+            (Some(_), None) => Ordering::Less,
+            (None, Some(_)) => Ordering::Greater,
+            (Some(wanted), Some(found)) => (Some(wanted.line), Some(wanted.code.as_str())).cmp(&place(found)),
+        };
+        let (wanted, found) = (
+            (order != Ordering::Greater).then(|| wanted.next()).flatten(),
+            (order != Ordering::Less).then(|| found.next()).flatten(),
+        );
+        match (wanted, found) {
+            (Some(&wanted), Some(_)) => steps.push(Step::Met(wanted)),
+            (Some(_), None) => steps.push(Step::Missing),
+            (None, Some(found)) => steps.push(Step::Unexpected(found)),
+            (None, None) => break,
+        }
+    }
+    let exact = steps.iter().all(|step| matches!(step, Step::Met(_)));
+    Matching {
+        steps,
+        exact,
+        same_lines,
+    }
+}
+
+/// Whether a diagnostic names one of these lines, given in ascending order.
+pub(super) fn any_on(lines: &[u32], diagnostics: &[Diagnostic]) -> bool {
+    let on = |diagnostic: &Diagnostic| {
+        diagnostic
+            .line
+            .is_some_and(|line| lines.binary_search(&line).is_ok())
+    };
+    !lines.is_empty() && diagnostics.iter().any(on)
+}
+
+impl Matching<'_> {
+    /// How exactly the rejection was right.
+    pub(super) fn grade(&self) -> Grade {
+        match (self.exact, self.same_lines) {
+            (true, _) => Grade::Code,
+            (false, true) => Grade::Line,
+            (false, false) => Grade::Rejected,
+        }
+    }
+
+    /// Writes what was got; what was expected in the same words, what was not with its message.
+    pub(super) fn write(&self, sheet: &mut Sheet) {
+        let mut unexpected = 0;
+        for step in &self.steps {
+            match step {
+                Step::Met(ExpectedDiagnostic { line, code }) => {
+                    sheet.line(format_args!("line {line}: error {}", code.as_str()));
+                }
+                Step::Unexpected(diagnostic) => {
+                    unexpected += 1;
+                    if unexpected <= MOST {
+                        write_unexpected(diagnostic, sheet);
+                    }
+                }
+                Step::Missing => {}
+            }
+        }
+        if unexpected > MOST {
+            sheet.line(format_args!("and {} diagnostics more", unexpected - MOST));
+        }
+        if self.steps.iter().all(|step| matches!(step, Step::Missing)) {
+            sheet.line(format_args!("rejected, with no diagnostic"));
+        }
+    }
+}
+
+fn write_unexpected(diagnostic: &Diagnostic, sheet: &mut Sheet) {
+    let code = diagnostic.code.as_deref().unwrap_or("without a code");
+    match diagnostic.line {
+        Some(line) => sheet.line(format_args!("line {line}: error {code}: {}", diagnostic.message)),
+        None => sheet.line(format_args!("somewhere: error {code}: {}", diagnostic.message)),
+    }
+}
+
+fn sorted(expected: &[ExpectedDiagnostic]) -> Vec<ExpectedDiagnostic> {
+    let mut expected = expected.to_vec();
+    expected.sort_by_key(|diagnostic| (diagnostic.line, diagnostic.code.as_str()));
+    expected
+}
+
+fn place(diagnostic: &Diagnostic) -> (Option<u32>, Option<&str>) {
+    (diagnostic.line, diagnostic.code.as_deref())
+}
+
+/// Whether the lines that are named are the lines that are expected, however often each.
+fn same_lines(expected: &[ExpectedDiagnostic], got: &[&Diagnostic]) -> bool {
+    let mut expected: Vec<Option<u32>> = expected.iter().map(|diagnostic| Some(diagnostic.line)).collect();
+    let mut got: Vec<Option<u32>> = got.iter().map(|diagnostic| diagnostic.line).collect();
+    expected.dedup();
+    got.dedup();
+    expected == got
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::Code;
+
+    fn expected_at(places: &[(u32, &str)]) -> Vec<ExpectedDiagnostic> {
+        let diagnostic = |&(line, code): &(u32, &str)| {
+            let code: Code = code.parse().unwrap();
+            ExpectedDiagnostic { line, code }
+        };
+        places.iter().map(diagnostic).collect()
+    }
+
+    fn got_at(places: &[(u32, &str)]) -> Vec<Diagnostic> {
+        let diagnostic = |&(line, code): &(u32, &str)| Diagnostic {
+            code: (!code.is_empty()).then(|| code.to_owned()),
+            line: (line > 0).then_some(line),
+            message: "m".to_owned(),
+            ..Diagnostic::default()
+        };
+        places.iter().map(diagnostic).collect()
+    }
+
+    fn walk(wanted: &[(u32, &str)], found: &[(u32, &str)]) -> (Grade, String) {
+        let found = got_at(found);
+        let matching = matching(&expected_at(wanted), &found);
+        let mut sheet = Sheet::default();
+        matching.write(&mut sheet);
+        (matching.grade(), sheet.finish().1)
+    }
+
+    #[test]
+    fn the_same_places_in_any_order_are_right_to_the_code() {
+        let (grade, got) = walk(&[(9, "P4035"), (6, "P4022")], &[(6, "P4022"), (9, "P4035")]);
+        assert_eq!(
+            (grade, got.as_str()),
+            (Grade::Code, "line 6: error P4022\nline 9: error P4035")
+        );
+    }
+
+    #[test]
+    fn a_missing_an_unexpected_and_a_doubled_diagnostic_are_each_seen() {
+        assert_eq!(
+            walk(&[(6, "P4035"), (7, "P4035")], &[(6, "P4035")]).0,
+            Grade::Rejected
+        );
+        let (grade, got) = walk(&[(6, "P4035")], &[(6, "P4035"), (8, "P2026")]);
+        assert_eq!(
+            (grade, got.as_str()),
+            (Grade::Rejected, "line 6: error P4035\nline 8: error P2026: m")
+        );
+        assert_eq!(
+            walk(&[(6, "P4035")], &[(6, "P4035"), (6, "P4035")]).0,
+            Grade::Line
+        );
+        assert_eq!(
+            walk(&[(6, "P4035"), (6, "P4035")], &[(6, "P4035")]).0,
+            Grade::Line
+        );
+    }
+
+    #[test]
+    fn another_code_on_the_right_line_is_right_to_the_line() {
+        assert_eq!(walk(&[(6, "P4035")], &[(6, "P4022")]).0, Grade::Line);
+        assert_eq!(walk(&[(6, "P4035")], &[(6, "")]).0, Grade::Line);
+    }
+
+    #[test]
+    fn a_wrong_or_unknown_line_is_only_a_rejection() {
+        assert_eq!(walk(&[(6, "P4035")], &[(7, "P4035")]).0, Grade::Rejected);
+        assert_eq!(walk(&[(6, "P4035")], &[(0, "P4035")]).0, Grade::Rejected);
+        assert_eq!(
+            walk(&[(6, "P4035")], &[]),
+            (Grade::Rejected, "rejected, with no diagnostic".to_owned())
+        );
+    }
+
+    #[test]
+    fn clean_lines_are_found() {
+        let found = got_at(&[(3, "P4035"), (0, "P4035")]);
+        assert!(any_on(&[1, 3], &found));
+        assert!(!any_on(&[1, 4], &found));
+        assert!(!any_on(&[], &found));
+    }
+
+    #[test]
+    fn a_flood_is_cut_and_counted() {
+        let found: Vec<(u32, &str)> = (1..=70).map(|line| (line, "P0002")).collect();
+        let (_, got) = walk(&[], &found);
+        assert_eq!(got.lines().count(), MOST + 1);
+        assert!(got.ends_with("and 20 diagnostics more"), "{got}");
+    }
+}

@@ -1,0 +1,180 @@
+//! Expected values against actual ones, exactly.
+
+use super::sheet::{Lines, Sheet};
+use crate::Observed;
+use std::fmt;
+use stickler_engines::NamedValue;
+use stickler_suite::{Case, ExpectedValue};
+use stickler_types::Value;
+
+/// The name of a value as the protocol writes it: `q`, or `q@3` after the third scan.
+#[derive(Clone, Copy)]
+struct Key<'a> {
+    name: &'a str,
+    after: Option<u32>,
+}
+
+impl fmt::Display for Key<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.name)?;
+        self.after.map_or(Ok(()), |after| write!(formatter, "@{after}"))
+    }
+}
+
+impl Key<'_> {
+    fn is(&self, text: &str) -> bool {
+        stickler_engines::Observation {
+            name: self.name,
+            type_name: "",
+            after: self.after,
+        }
+        .is_key(text)
+    }
+}
+
+impl<'a> From<&'a ExpectedValue> for Key<'a> {
+    fn from(expected: &'a ExpectedValue) -> Key<'a> {
+        Key {
+            name: &expected.name,
+            after: expected.after,
+        }
+    }
+}
+
+/// Finds values by key. Engines answer in the order in which they were asked, so the search goes on where the last one ended
+/// and is linear in all.
+struct Finder<'a> {
+    values: &'a [NamedValue],
+    next: usize,
+}
+
+impl<'a> Finder<'a> {
+    fn new(values: &'a [NamedValue]) -> Finder<'a> {
+        Finder { values, next: 0 }
+    }
+
+    fn find(&mut self, key: Key<'_>) -> Option<&'a Value> {
+        let (before, after) = self.values.split_at(self.next);
+        let at = after.iter().chain(before).position(|(name, _)| key.is(name))?;
+        let at = (self.next + at) % self.values.len();
+        self.next = (at + 1) % self.values.len();
+        Some(&self.values[at].1)
+    }
+}
+
+/// Adds what is expected.
+pub(super) fn expected(values: &[ExpectedValue], lines: &mut Lines) {
+    for expected in values {
+        lines.line(format_args!("{} = {}", Key::from(expected), expected.value));
+    }
+}
+
+/// Compares each expected value, and writes down what there is instead.
+pub(super) fn compare(expected: &[ExpectedValue], values: &[NamedValue], sheet: &mut Sheet) {
+    let mut finder = Finder::new(values);
+    for expected in expected {
+        let key = Key::from(expected);
+        match finder.find(key) {
+            Some(value) => {
+                sheet.require(*value == expected.value);
+                sheet.line(format_args!("{key} = {value}"));
+            }
+            None => {
+                sheet.require(false);
+                sheet.line(format_args!("{key} is missing"));
+            }
+        }
+    }
+}
+
+/// Adds the values that the case wants recorded and does not assert.
+pub(super) fn unasserted(case: &Case, values: &[NamedValue], observations: &mut Vec<Observed>) {
+    let asserted = |key: Key<'_>| {
+        let same = |value: &ExpectedValue| *value.name == *key.name && value.after == key.after;
+        case.expectation.values.iter().any(same)
+    };
+    let mut finder = Finder::new(values);
+    for observe in case.observe.iter() {
+        let key = Key {
+            name: &observe.name,
+            after: observe.after,
+        };
+        if asserted(key) {
+            continue;
+        }
+        if let Some(value) = finder.find(key) {
+            observations.push(Observed {
+                name: key.to_string(),
+                value: value.to_string(),
+            });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Verdict;
+
+    fn expect(name: &str, after: Option<u32>, literal: &str) -> ExpectedValue {
+        ExpectedValue {
+            name: name.into(),
+            after,
+            value: Value::parse(literal).unwrap(),
+            line: 1,
+        }
+    }
+
+    fn judged(expected: &[ExpectedValue], values: &[(&str, &str)]) -> (Verdict, String) {
+        let values: Vec<NamedValue> = values
+            .iter()
+            .map(|&(name, literal)| (name.to_owned(), Value::parse(literal).unwrap()))
+            .collect();
+        let mut sheet = Sheet::default();
+        compare(expected, &values, &mut sheet);
+        sheet.finish()
+    }
+
+    #[test]
+    fn values_are_found_by_name_and_scan_in_any_order() {
+        let expected = [
+            expect("q", None, "INT#1"),
+            expect("q", Some(3), "INT#2"),
+            expect("a[1]", None, "INT#3"),
+        ];
+        let found = [("a[1]", "INT#3"), ("q@3", "INT#2"), ("q", "INT#1")];
+        let (verdict, got) = judged(&expected, &found);
+        assert_eq!(
+            (verdict, got.as_str()),
+            (Verdict::Pass, "q = INT#1\nq@3 = INT#2\na[1] = INT#3")
+        );
+    }
+
+    #[test]
+    fn a_value_of_another_type_or_another_sign_of_zero_is_another_value() {
+        assert_eq!(
+            judged(&[expect("q", None, "INT#1")], &[("q", "DINT#1")]).0,
+            Verdict::Fail
+        );
+        assert_eq!(
+            judged(&[expect("q", None, "REAL#0.0")], &[("q", "REAL#-0.0")]).0,
+            Verdict::Fail
+        );
+        assert_eq!(
+            judged(&[expect("q", None, "REAL#NaN")], &[("q", "REAL#NaN")]).0,
+            Verdict::Pass
+        );
+    }
+
+    #[test]
+    fn a_value_that_did_not_come_fails() {
+        for found in [&[][..], &[("q@3", "INT#1")], &[("q2", "INT#1")]] {
+            let (verdict, got) = judged(&[expect("q", None, "INT#1")], found);
+            assert_eq!((verdict, got.as_str()), (Verdict::Fail, "q is missing"));
+        }
+        assert_eq!(
+            judged(&[expect("q", Some(3), "INT#1")], &[("q", "INT#1")]).0,
+            Verdict::Fail
+        );
+    }
+}

@@ -1,0 +1,89 @@
+//! What to run and how, and what can keep a run from being one.
+
+use crate::{Filter, Grade, Shard, Totals};
+use std::borrow::Cow;
+use stickler_engines::EngineError;
+use stickler_suite::Case;
+use stickler_types::DialectName;
+
+/// What to run and how. The default runs every case of the suite, judged by code and line.
+///
+/// A baseline, when there is one, belongs here: a list that [`run`](crate::run()) holds against each [`Judgement`](crate::Judgement),
+/// turning `fail` into `xfail` and `pass` into `xpass` before the event goes out.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// How many workers; 0 is one a processor.
+    pub jobs: usize,
+    /// Cases that fit any of these; all where there is none.
+    pub filters: Vec<Filter>,
+    /// Cases of any of these dialects; all where there is none.
+    pub dialects: Vec<DialectName>,
+    /// One part of a divided run.
+    pub shard: Option<Shard>,
+    /// How exact a rejection or a fault must be to pass.
+    pub strict: Grade,
+    /// When the run began, for the header; this crate reads no calendar.
+    pub started: String,
+    /// The command that was typed, for the header.
+    pub command: String,
+    /// What stands in front of `--filter 'ID' --dialect D` in the command that runs one case again.
+    pub rerun_prefix: String,
+}
+
+impl Default for Plan {
+    fn default() -> Plan {
+        Plan {
+            jobs: 0,
+            filters: Vec::new(),
+            dialects: Vec::new(),
+            shard: None,
+            strict: Grade::Code,
+            started: String::new(),
+            command: String::new(),
+            rerun_prefix: "cargo run --release -- run".to_owned(),
+        }
+    }
+}
+
+/// How a run ended.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Summary {
+    /// The verdicts of all case events that were given, counted.
+    pub totals: Totals,
+    /// How many case events were given.
+    pub cases: u64,
+    /// The run was cut short: there was no footer.
+    pub cancelled: bool,
+}
+
+/// What keeps a run from being one.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// Filter, dialects, shard and engines leave nothing to run. Exit code 4.
+    #[error("no case is selected")]
+    NoCaseSelected,
+    /// An engine could not be run. Exit code 3.
+    #[error(transparent)]
+    Engine(#[from] EngineError),
+    /// The workers could not be started.
+    #[error("the worker threads could not be started")]
+    Workers(#[from] rayon::ThreadPoolBuildError),
+}
+
+impl Plan {
+    /// The command that runs this case again on this engine, to be pasted into a shell.
+    #[must_use]
+    pub fn rerun(&self, case: &Case, engine: &str) -> String {
+        let (prefix, id, dialect) = (&self.rerun_prefix, &case.id, case.dialect);
+        // The id itself is the filter: a filter that is an id selects that case alone.
+        let id: Cow<'_, str> = if id.contains('\'') {
+            id.replace('\'', r"'\''").into()
+        } else {
+            (&**id).into()
+        };
+        match engine {
+            "reference" => format!("{prefix} --filter '{id}' --dialect {dialect}"),
+            other => format!("{prefix} --engine {other} --filter '{id}' --dialect {dialect}"),
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! Running cases on workers, and giving their events on in order from the caller's own thread.
+
+use crate::answers::Desk;
+use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header};
+use crate::reorder::{Dispenser, Reorder};
+use crate::{Plan, RunError, Summary, Totals, judge, select};
+use std::sync::Mutex;
+use std::sync::PoisonError;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc;
+use std::time::{Duration, Instant};
+use stickler_engines::{Engine, EngineError};
+use stickler_suite::{Case, Suite};
+
+/// Runs the cases that the plan selects on every engine that speaks their dialect.
+///
+/// Events reach `sink` on this thread: a header, the cases in the order of the suite (engines in the order given), a footer.
+/// When `cancel` becomes true, workers stop at their next case, what is complete from the front is given on, and there is no
+/// footer. Memory is bounded whatever the number of cases; one engine session is open a worker.
+///
+/// # Errors
+/// [`RunError::NoCaseSelected`] before any event; [`RunError::Engine`] where an engine cannot be opened, without a footer if
+/// the header is already out; [`RunError::Workers`] where the system gives no threads.
+pub fn run(
+    plan: &Plan,
+    suite: &Suite,
+    engines: &[&dyn Engine],
+    sink: &mut dyn FnMut(Event),
+    cancel: &AtomicBool,
+) -> Result<Summary, RunError> {
+    let begun = Instant::now();
+    let jobs = jobs(&select(plan, &suite.cases), engines);
+    if jobs.is_empty() {
+        return Err(RunError::NoCaseSelected);
+    }
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(plan.jobs)
+        .stack_size(STACK)
+        .thread_name(|index| format!("stickler-{index}"))
+        .build()?;
+    sink(Event::Header(header(plan, suite, engines, jobs.len())));
+    let floor = Floor {
+        plan,
+        jobs: &jobs,
+        engines,
+        cancel,
+        stop: AtomicBool::new(false),
+        broken: Mutex::new(None),
+    };
+    let mut tally = Tally::new(engines);
+    floor.work(&pool, &mut |index, event| {
+        tally.count(jobs[index].engine, &event);
+        sink(Event::Case(event));
+    });
+    if let Some(error) = floor.broken.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        return Err(error.into());
+    }
+    let cancelled = tally.cases < jobs.len() as u64;
+    if !cancelled {
+        let duration_ms = u64::try_from(begun.elapsed().as_millis()).unwrap_or(u64::MAX);
+        sink(Event::Footer(Footer {
+            totals: tally.totals,
+            engines: tally.engines,
+            duration_ms,
+        }));
+    }
+    Ok(Summary {
+        totals: tally.totals,
+        cases: tally.cases,
+        cancelled,
+    })
+}
+
+/// An engine in this process may recurse as deep as its own limits allow; two megabytes are too few for some.
+const STACK: usize = 16 << 20;
+
+/// A batch grows while it takes less than this; then workers seldom meet, and slow engines still show progress.
+const QUICK: Duration = Duration::from_micros(500);
+
+const LARGEST_BATCH: usize = 64;
+
+/// One case on one engine.
+#[derive(Clone, Copy)]
+struct Job<'s> {
+    case: &'s Case,
+    engine: usize,
+}
+
+fn jobs<'s>(cases: &[&'s Case], engines: &[&dyn Engine]) -> Vec<Job<'s>> {
+    let speakers = |case: &'s Case| {
+        let speaks = move |(_, engine): &(usize, &&dyn Engine)| engine.identity().speaks(case.dialect);
+        engines
+            .iter()
+            .enumerate()
+            .filter(speaks)
+            .map(move |(engine, _)| Job { case, engine })
+    };
+    cases.iter().flat_map(|case| speakers(case)).collect()
+}
+
+/// All that workers share.
+struct Floor<'r> {
+    plan: &'r Plan,
+    jobs: &'r [Job<'r>],
+    engines: &'r [&'r dyn Engine],
+    cancel: &'r AtomicBool,
+    stop: AtomicBool,
+    broken: Mutex<Option<EngineError>>,
+}
+
+type Batch = (usize, Vec<CaseEvent>);
+
+impl Floor<'_> {
+    /// Runs all jobs; `give` gets each event with its job's index, in order.
+    fn work(&self, pool: &rayon::ThreadPool, give: &mut dyn FnMut(usize, CaseEvent)) {
+        let dispenser = Dispenser::new(self.jobs.len());
+        let (sender, receiver) = mpsc::channel::<Batch>();
+        pool.in_place_scope(|scope| {
+            for _ in 0..pool.current_num_threads() {
+                let (sender, dispenser) = (sender.clone(), &dispenser);
+                scope.spawn(move |_| self.worker(dispenser, &sender));
+            }
+            drop(sender);
+            let mut reorder = Reorder::new();
+            let mut index = 0;
+            for (start, batch) in receiver {
+                let next = reorder.take(start, batch, |event| {
+                    give(index, event);
+                    index += 1;
+                });
+                dispenser.given_on(next);
+                if self.cancel.load(Ordering::Relaxed) {
+                    self.stop.store(true, Ordering::Relaxed);
+                }
+            }
+        });
+    }
+
+    fn worker(&self, dispenser: &Dispenser, sender: &mpsc::Sender<Batch>) {
+        let _alarm = Alarm(&self.stop);
+        let mut desks: Vec<Desk<'_>> = self.engines.iter().map(|&engine| Desk::new(engine)).collect();
+        let mut size = 1;
+        while let Some(range) = dispenser.claim(size, &self.stop) {
+            let begun = Instant::now();
+            let start = range.start;
+            let batch = self.batch(&self.jobs[range], &mut desks);
+            size = if begun.elapsed() < QUICK {
+                LARGEST_BATCH.min(size * 2)
+            } else {
+                1.max(size / 2)
+            };
+            if sender.send((start, batch)).is_err() {
+                return;
+            }
+        }
+    }
+
+    /// The events of these jobs; fewer where the run stops.
+    fn batch(&self, jobs: &[Job<'_>], desks: &mut [Desk<'_>]) -> Vec<CaseEvent> {
+        let mut events = Vec::with_capacity(jobs.len());
+        for job in jobs {
+            if self.stopping() {
+                break;
+            }
+            match self.event(job, &mut desks[job.engine]) {
+                Ok(event) => events.push(event),
+                Err(error) => {
+                    self.stop.store(true, Ordering::Relaxed);
+                    *self.broken.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+                    break;
+                }
+            }
+        }
+        events
+    }
+
+    fn stopping(&self) -> bool {
+        if self.cancel.load(Ordering::Relaxed) {
+            self.stop.store(true, Ordering::Relaxed);
+        }
+        self.stop.load(Ordering::Relaxed)
+    }
+
+    fn event(&self, job: &Job<'_>, desk: &mut Desk<'_>) -> Result<CaseEvent, EngineError> {
+        let Job { case, engine } = *job;
+        let begun = Instant::now();
+        let answers = desk.ask(case)?;
+        let duration_us = u64::try_from(begun.elapsed().as_micros()).unwrap_or(u64::MAX);
+        let judgement = judge(case, &answers, self.plan.strict);
+        let engine = &self.engines[engine].identity().name;
+        Ok(CaseEvent {
+            id: case.id.to_string(),
+            dialect: case.dialect.as_str().to_owned(),
+            engine: engine.clone(),
+            verdict: judgement.verdict,
+            grade: judgement.grade,
+            basis: case.basis.to_string(),
+            file: case.file.to_string(),
+            line: case.line,
+            area: case.area.to_string(),
+            title: case.title.to_string(),
+            expected: judgement.expected,
+            got: judgement.got,
+            duration_us,
+            rerun: self.plan.rerun(case, engine),
+            observations: judgement.observations,
+        })
+    }
+}
+
+/// Stops the run if its worker panics, so that the others do not wait for cases that never come.
+struct Alarm<'a>(&'a AtomicBool);
+
+impl Drop for Alarm<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            self.0.store(true, Ordering::Relaxed);
+        }
+    }
+}
+
+/// The verdicts counted as their events go out.
+struct Tally {
+    totals: Totals,
+    engines: Vec<EngineTotals>,
+    cases: u64,
+}
+
+impl Tally {
+    fn new(engines: &[&dyn Engine]) -> Tally {
+        let name = |engine: &&dyn Engine| engine.identity().name.clone();
+        let none = |engine| EngineTotals {
+            name: name(engine),
+            totals: Totals::default(),
+        };
+        Tally {
+            totals: Totals::default(),
+            engines: engines.iter().map(none).collect(),
+            cases: 0,
+        }
+    }
+
+    fn count(&mut self, engine: usize, event: &CaseEvent) {
+        self.totals.count(event.verdict);
+        self.engines[engine].totals.count(event.verdict);
+        self.cases += 1;
+    }
+}
+
+fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> Header {
+    Header {
+        format: FORMAT,
+        stickler: env!("CARGO_PKG_VERSION").to_owned(),
+        suite: suite.version.to_string(),
+        started: plan.started.clone(),
+        command: plan.command.clone(),
+        engines: engines.iter().map(|engine| engine_header(*engine)).collect(),
+        cases: cases as u64,
+        shard: plan.shard.map(|shard| shard.to_string()),
+        broken_files: suite.errors.iter().map(ToString::to_string).collect(),
+    }
+}
+
+fn engine_header(engine: &dyn Engine) -> EngineHeader {
+    let identity = engine.identity();
+    EngineHeader {
+        name: identity.name.clone(),
+        version: identity.version.clone(),
+        dialects: identity.dialects.iter().map(ToString::to_string).collect(),
+    }
+}
