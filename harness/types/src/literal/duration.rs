@@ -141,9 +141,118 @@ pub(super) fn write_fraction(out: &mut impl fmt::Write, mut fraction: u64, mut d
     if fraction == 0 {
         return Ok(());
     }
-    while fraction % 10 == 0 {
+    while fraction.is_multiple_of(10) {
         fraction /= 10;
         digits -= 1;
     }
     write!(out, ".{fraction:0digits$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn milliseconds(nanoseconds: i64) -> String {
+        let mut out = String::new();
+        write_milliseconds(&mut out, nanoseconds).unwrap();
+        out
+    }
+
+    #[test]
+    fn durations_add_up_their_parts() {
+        for (text, nanoseconds) in [
+            ("14ms", 14_000_000),
+            ("-14ms", -14_000_000),
+            ("+1us", 1_000),
+            ("14.7s", 14_700_000_000),
+            ("1d2h3m4s5ms6us7ns", 93_784_005_006_007),
+            ("5D_14H_12M_18S_3.5MS", 483_138_003_500_000),
+            ("25h_15m", 90_900_000_000_000),
+            ("5m70s", 370_000_000_000),
+            ("1_000.000_001ms", 1_000_000_001),
+            ("1.5d", 129_600_000_000_000),
+            ("0s", 0),
+            ("106751d23h47m16s854ms775us807ns", i64::MAX),
+            ("-9223372036854775808ns", i64::MIN),
+        ] {
+            assert_eq!(duration(text), Ok(nanoseconds), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_duration_is_rejected_where_it_goes_wrong() {
+        for (text, at) in [
+            ("", 0),
+            ("-", 1),
+            ("5", 1),
+            ("ms", 0),
+            ("5x", 1),
+            ("1s2m", 3),
+            ("1s2s", 3),
+            ("1.5h30m", 4),
+            ("1.s", 2),
+            (".5s", 0),
+            ("1s_", 3),
+            ("1s__2ms", 3),
+            ("_1s", 0),
+            ("1_s", 1),
+            ("1 s", 1),
+            ("1s-2ms", 2),
+            ("1ſ", 1),
+        ] {
+            let error = duration(text).unwrap_err();
+            assert!(matches!(error, LiteralError::Malformed { .. }), "{text}: {error}");
+            assert_eq!(error.offset(), at, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_duration_beyond_64_bits_overflows_whatever_its_length() {
+        for text in [
+            "9223372036854775808ns",
+            "-9223372036854775809ns",
+            "106752d",
+            "-106751d24h",
+        ] {
+            assert_eq!(
+                duration(text),
+                Err(LiteralError::overflow(0, "a duration")),
+                "{text}"
+            );
+        }
+        let nines = "9".repeat(100_000);
+        let error = duration(&format!("{nines}d{nines}h{nines}.{nines}m")).unwrap_err();
+        assert_eq!(error, LiteralError::overflow(0, "a duration"));
+    }
+
+    #[test]
+    fn what_is_below_a_nanosecond_is_cut_off_toward_zero_and_nothing_is_lost_before_that() {
+        assert_eq!(duration("0.9ns"), Ok(0));
+        assert_eq!(duration("-1.9ns"), Ok(-1));
+        assert_eq!(duration(&format!("0.{}s", "9".repeat(50_000))), Ok(999_999_999));
+        // One nanosecond is this fraction of a day, and its last digit decides: 1 / 86 400 000 000 000 = 1.157407…E-14.
+        assert_eq!(
+            duration("0.00000000000001157407407407407407407407407407407407d"),
+            Ok(0)
+        );
+        assert_eq!(
+            duration("0.00000000000001157407407407407407407407407407407408d"),
+            Ok(1)
+        );
+    }
+
+    #[test]
+    fn canonical_durations_have_no_trailing_zeros() {
+        for (nanoseconds, text) in [
+            (0, "0ms"),
+            (1_500_000_000, "1500ms"),
+            (-1_500_000, "-1.5ms"),
+            (1, "0.000001ms"),
+            (-10, "-0.00001ms"),
+            (i64::MIN, "-9223372036854.775808ms"),
+        ] {
+            assert_eq!(milliseconds(nanoseconds), text);
+            assert_eq!(duration(text), Ok(nanoseconds));
+        }
+    }
 }

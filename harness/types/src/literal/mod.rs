@@ -8,10 +8,12 @@ pub mod date;
 pub mod duration;
 mod error;
 pub mod number;
+pub mod real;
 pub mod text;
 
 pub use date::{date, date_and_time, time_of_day, write_date, write_date_and_time, write_time_of_day};
 pub use duration::{duration, write_milliseconds, write_nanoseconds};
 pub use error::LiteralError;
-pub use number::{integer, real, unsigned_integer, write_real};
+pub use number::{integer, unsigned_integer};
+pub use real::{real, write_real};
 pub use text::{text, write_text};

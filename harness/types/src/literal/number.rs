@@ -1,9 +1,6 @@
-//! Integer and real literals: `1_000`, `16#FF_FF`, `-5`, `-1.5E+10`.
+//! Integer literals: `1_000`, `16#FF_FF`, `-5`.
 
 use super::LiteralError;
-use crate::elementary::ElementaryType;
-use std::borrow::Cow;
-use std::fmt;
 
 /// Reads an unsigned integer: decimal, or with base 2, 8 or 16 (`2#1010_0101`, `8#17`, `16#Ff`).
 ///
@@ -101,107 +98,75 @@ pub(super) fn digit_run(bytes: &[u8], base: u32) -> usize {
     }
 }
 
-/// Reads a real number, such as `-1_000.5E+10`, into the raw form of `ty`: `REAL`, or else `LREAL`.
-///
-/// The decimal digits are rounded once, to nearest and ties to even, straight to the width of the type. What is too small
-/// becomes zero of the same sign. A point with digits on both sides is required, as the grammar has it; signs may stand in front
-/// and behind the `E`; one underscore may stand between two digits. The words for what is not finite are not read here.
-///
-/// # Errors
-/// `Malformed` where the text is anything else; `Overflow` where the value rounds to an infinity.
-///
-/// Basis: iec-61131-3: Table 5 (real literals); IEC 60559 for the rounding.
-pub fn real(text: &str, ty: ElementaryType) -> Result<u64, LiteralError> {
-    check_real(text.as_bytes())?;
-    let digits = if text.contains('_') {
-        Cow::Owned(text.replace('_', ""))
-    } else {
-        Cow::Borrowed(text)
-    };
-    let (raw, finite) = if ty == ElementaryType::Real {
-        digits
-            .parse::<f32>()
-            .map(|value| (u64::from(value.to_bits()), value.is_finite()))
-    } else {
-        digits
-            .parse::<f64>()
-            .map(|value| (value.to_bits(), value.is_finite()))
-    }
-    .map_err(|_| LiteralError::malformed(0, "a real number"))?;
-    if finite {
-        Ok(raw)
-    } else {
-        Err(LiteralError::overflow(0, ty.name()))
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// Whether the bytes follow the grammar of a real number.
-fn check_real(bytes: &[u8]) -> Result<(), LiteralError> {
-    let mut at = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
-    at = digits_at(bytes, at)?;
-    if bytes.get(at) != Some(&b'.') {
-        return Err(LiteralError::malformed(at, "a point"));
+    #[test]
+    fn unsigned_integers_are_read_in_every_base() {
+        for (text, value) in [
+            ("0", 0),
+            ("007", 7),
+            ("1_000", 1000),
+            ("2#1010_0101", 0xA5),
+            ("8#17", 15),
+            ("16#Ff", 255),
+            ("9999999999999999999", 9_999_999_999_999_999_999),
+            ("340282366920938463463374607431768211455", u128::MAX),
+            ("16#FFFF_FFFF_FFFF_FFFF_FFFF_FFFF_FFFF_FFFF", u128::MAX),
+        ] {
+            assert_eq!(unsigned_integer(text), Ok(value), "{text}");
+        }
     }
-    at = digits_at(bytes, at + 1)?;
-    if matches!(bytes.get(at), Some(b'e' | b'E')) {
-        at += 1;
-        at += usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
-        at = digits_at(bytes, at)?;
-    }
-    if at < bytes.len() {
-        Err(LiteralError::malformed(at, "the end of the real number"))
-    } else {
-        Ok(())
-    }
-}
 
-/// The offset behind the decimal digits that must stand at `at`.
-fn digits_at(bytes: &[u8], at: usize) -> Result<usize, LiteralError> {
-    match digit_run(&bytes[at..], 10) {
-        0 => Err(LiteralError::malformed(at, "a digit")),
-        length => Ok(at + length),
+    #[test]
+    fn what_is_no_unsigned_integer_is_rejected_where_it_goes_wrong() {
+        for (text, at) in [
+            ("", 0),
+            ("_1", 0),
+            ("1_", 1),
+            ("1__0", 1),
+            ("-1", 0),
+            ("12a", 2),
+            ("12 ", 2),
+            ("2#", 2),
+            ("2#12", 3),
+            ("8#8", 2),
+            ("16#_F", 3),
+            ("16#FG", 4),
+            ("10#1", 2),
+            ("1_6#F", 3),
+            ("1²", 1),
+        ] {
+            let error = unsigned_integer(text).unwrap_err();
+            assert!(matches!(error, LiteralError::Malformed { .. }), "{text}: {error}");
+            assert_eq!(error.offset(), at, "{text}");
+        }
     }
-}
 
-/// Writes the canonical spelling of a raw `REAL`, or else `LREAL`: `0.1`, `-0.0`, `1.0E16`, `NaN`, `-Infinity`.
-///
-/// These are the fewest decimal digits that read back to the same bits, always with a point, and with an exponent below 1E-4
-/// and from 1E16. A NaN has no sign and no payload.
-///
-/// Basis: stickler-design: §4.
-pub fn write_real(out: &mut impl fmt::Write, raw: u64, ty: ElementaryType) -> fmt::Result {
-    if ty == ElementaryType::Real {
-        let value = f32::from_bits(raw as u32);
-        let plain = value == 0.0 || (1e-4..1e16).contains(&value.abs());
-        write_digits(out, f64::from(value), plain, value)
-    } else {
-        let value = f64::from_bits(raw);
-        let plain = value == 0.0 || (1e-4..1e16).contains(&value.abs());
-        write_digits(out, value, plain, value)
+    #[test]
+    fn an_integer_beyond_128_bits_overflows_whatever_its_length() {
+        let overflow = LiteralError::overflow(0, "128 bits");
+        assert_eq!(
+            unsigned_integer("340282366920938463463374607431768211456"),
+            Err(overflow)
+        );
+        assert_eq!(unsigned_integer(&"9".repeat(100_000)), Err(overflow));
+        assert_eq!(unsigned_integer(&"0".repeat(100_000)), Ok(0));
+        assert_eq!(integer("170141183460469231731687303715884105728"), Err(overflow));
+        assert_eq!(integer("170141183460469231731687303715884105727"), Ok(i128::MAX));
+        assert_eq!(integer("-170141183460469231731687303715884105728"), Ok(i128::MIN));
+        assert_eq!(integer("-170141183460469231731687303715884105729"), Err(overflow));
     }
-}
 
-/// Writes `digits`, whose kind and sign are those of `value`.
-fn write_digits(
-    out: &mut impl fmt::Write,
-    value: f64,
-    plain: bool,
-    digits: impl fmt::Display + fmt::UpperExp + fmt::Debug,
-) -> fmt::Result {
-    if value.is_nan() {
-        return out.write_str("NaN");
+    #[test]
+    fn only_a_decimal_integer_has_a_sign() {
+        assert_eq!(integer("-1_0"), Ok(-10));
+        assert_eq!(integer("+5"), Ok(5));
+        assert_eq!(integer("16#10"), Ok(16));
+        assert_eq!(integer("-16#5").unwrap_err().offset(), 3);
+        assert_eq!(integer("--5").unwrap_err().offset(), 1);
+        assert_eq!(integer("-").unwrap_err().offset(), 1);
+        assert_eq!(integer("- 5").unwrap_err().offset(), 1);
     }
-    if value.is_infinite() {
-        return out.write_str(if value < 0.0 { "-Infinity" } else { "Infinity" });
-    }
-    let mut text = if plain {
-        format!("{digits}")
-    } else {
-        format!("{digits:E}")
-    };
-    if !text.contains('.') {
-        let end = text.find('E').unwrap_or(text.len());
-        text.insert_str(end, ".0");
-    }
-    out.write_str(&text)
 }

@@ -1,0 +1,302 @@
+//! Real literals: `-1.5E+10`.
+
+use super::LiteralError;
+use super::number::{digit_run, integer};
+use crate::elementary::ElementaryType;
+use std::borrow::Cow;
+use std::fmt;
+
+/// Reads a real number, such as `-1_000.5E+10`, into the raw form of `ty`: `REAL`, or else `LREAL`.
+///
+/// The decimal digits are rounded once, to nearest and ties to even, straight to the width of the type. What is too small
+/// becomes zero of the same sign. A point with digits on both sides is required, as the grammar has it; signs may stand in front
+/// and behind the `E`; one underscore may stand between two digits. The words for what is not finite are not read here.
+///
+/// # Errors
+/// `Malformed` where the text is anything else; `Overflow` where the value rounds to an infinity.
+///
+/// Basis: iec-61131-3: Table 5 (real literals); IEC 60559 for the rounding.
+pub fn real(text: &str, ty: ElementaryType) -> Result<u64, LiteralError> {
+    check_real(text.as_bytes())?;
+    let digits = if text.len() > LONG_REAL {
+        Cow::Owned(condensed(text))
+    } else if text.contains('_') {
+        Cow::Owned(text.replace('_', ""))
+    } else {
+        Cow::Borrowed(text)
+    };
+    let (raw, finite) = if ty == ElementaryType::Real {
+        digits
+            .parse::<f32>()
+            .map(|value| (u64::from(value.to_bits()), value.is_finite()))
+    } else {
+        digits
+            .parse::<f64>()
+            .map(|value| (value.to_bits(), value.is_finite()))
+    }
+    .map_err(|_| LiteralError::malformed(0, "a real number"))?;
+    if finite {
+        Ok(raw)
+    } else {
+        Err(LiteralError::overflow(0, ty.name()))
+    }
+}
+
+/// The length from which a real is condensed before the standard library reads it.
+///
+/// Its reader takes no exponent beyond some hundred thousand as it stands, which matters only where as many zeros make up for it.
+const LONG_REAL: usize = 10_000;
+
+/// The same number, well formed as it is, as `0.` with no zero behind it, and the exponent that goes with that.
+fn condensed(text: &str) -> String {
+    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let exponent = integer(exponent).unwrap_or(if exponent.starts_with('-') {
+        i128::MIN
+    } else {
+        i128::MAX
+    });
+    let whole = mantissa
+        .split('.')
+        .next()
+        .unwrap_or_default()
+        .bytes()
+        .filter(u8::is_ascii_digit)
+        .count();
+    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    let significant = digits.trim_start_matches('0');
+    let point = whole as i128 - (digits.len() - significant.len()) as i128;
+    // Nothing of either type has an exponent near this bound.
+    let exponent = exponent.saturating_add(point).clamp(-10_000, 10_000);
+    let sign = if mantissa.starts_with('-') { "-" } else { "" };
+    format!("{sign}0.{significant}E{exponent}")
+}
+
+/// Whether the bytes follow the grammar of a real number.
+fn check_real(bytes: &[u8]) -> Result<(), LiteralError> {
+    let mut at = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    at = digits_at(bytes, at)?;
+    if bytes.get(at) != Some(&b'.') {
+        return Err(LiteralError::malformed(at, "a point"));
+    }
+    at = digits_at(bytes, at + 1)?;
+    if matches!(bytes.get(at), Some(b'e' | b'E')) {
+        at += 1;
+        at += usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
+        at = digits_at(bytes, at)?;
+    }
+    if at < bytes.len() {
+        Err(LiteralError::malformed(at, "the end of the real number"))
+    } else {
+        Ok(())
+    }
+}
+
+/// The offset behind the decimal digits that must stand at `at`.
+fn digits_at(bytes: &[u8], at: usize) -> Result<usize, LiteralError> {
+    match digit_run(&bytes[at..], 10) {
+        0 => Err(LiteralError::malformed(at, "a digit")),
+        length => Ok(at + length),
+    }
+}
+
+/// Writes the canonical spelling of a raw `REAL`, or else `LREAL`: `0.1`, `-0.0`, `1.0E16`, `NaN`, `-Infinity`.
+///
+/// These are the fewest decimal digits that read back to the same bits, always with a point, and with an exponent below 1E-4
+/// and from 1E16. A NaN has no sign and no payload.
+///
+/// Basis: stickler-design: §4.
+pub fn write_real(out: &mut impl fmt::Write, raw: u64, ty: ElementaryType) -> fmt::Result {
+    if ty == ElementaryType::Real {
+        let value = f32::from_bits(raw as u32);
+        let plain = value == 0.0 || (1e-4..1e16).contains(&value.abs());
+        write_digits(out, f64::from(value), plain, value)
+    } else {
+        let value = f64::from_bits(raw);
+        let plain = value == 0.0 || (1e-4..1e16).contains(&value.abs());
+        write_digits(out, value, plain, value)
+    }
+}
+
+/// Writes `digits`, whose kind and sign are those of `value`.
+fn write_digits(
+    out: &mut impl fmt::Write,
+    value: f64,
+    plain: bool,
+    digits: impl fmt::Display + fmt::UpperExp + fmt::Debug,
+) -> fmt::Result {
+    if value.is_nan() {
+        return out.write_str("NaN");
+    }
+    if value.is_infinite() {
+        return out.write_str(if value < 0.0 { "-Infinity" } else { "Infinity" });
+    }
+    let mut text = if plain {
+        format!("{digits}")
+    } else {
+        format!("{digits:E}")
+    };
+    if !text.contains('.') {
+        let end = text.find('E').unwrap_or(text.len());
+        text.insert_str(end, ".0");
+    }
+    out.write_str(&text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::{Lreal, Real};
+
+    fn single(text: &str) -> Result<f32, LiteralError> {
+        real(text, Real).map(|raw| f32::from_bits(raw as u32))
+    }
+
+    fn double(text: &str) -> Result<f64, LiteralError> {
+        real(text, Lreal).map(f64::from_bits)
+    }
+
+    fn written(raw: u64, ty: ElementaryType) -> String {
+        let mut out = String::new();
+        write_real(&mut out, raw, ty).unwrap();
+        out
+    }
+
+    #[test]
+    fn reals_are_read_with_signs_exponents_and_underscores() {
+        for (text, value) in [
+            ("0.0", 0.0),
+            ("-12.0", -12.0),
+            ("+0.5", 0.5),
+            ("1_000.2_5", 1000.25),
+            ("-1.34E-12", -1.34e-12),
+            ("1.0e+6", 1.0e6),
+            ("1.0E1_0", 1.0e10),
+            ("1.0E-99999999999999999999", 0.0),
+        ] {
+            assert_eq!(double(text), Ok(value), "{text}");
+        }
+        assert_eq!(double("-0.0").map(f64::to_bits), Ok((-0.0_f64).to_bits()));
+    }
+
+    #[test]
+    fn what_is_no_real_is_rejected_where_it_goes_wrong() {
+        for (text, at) in [
+            ("", 0),
+            ("1", 1),
+            ("1E5", 1),
+            (".5", 0),
+            ("-.5", 1),
+            ("5.", 2),
+            ("5.E1", 2),
+            ("1_.0", 1),
+            ("1._0", 2),
+            ("1.0_", 3),
+            ("1.0E", 4),
+            ("1.0E+", 5),
+            ("1.0E5.0", 5),
+            ("1.0f", 3),
+            ("NaN", 0),
+            ("inf", 0),
+            ("1.0 ", 3),
+        ] {
+            let error = double(text).unwrap_err();
+            assert!(matches!(error, LiteralError::Malformed { .. }), "{text}: {error}");
+            assert_eq!(error.offset(), at, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_real_is_rounded_once() {
+        // Just above the tie between 1 and its successor; a detour over 64 bits would first round it to the tie, then to 1.
+        let above_the_tie = "1.000000059604644775390625000000000000000001";
+        assert_eq!(single(above_the_tie), Ok(1.0 + f32::EPSILON));
+        assert_eq!(
+            single("1.000000059604644775390625"),
+            Ok(1.0),
+            "a tie goes to the even neighbour"
+        );
+        assert_eq!(double("9007199254740993.0"), Ok(9_007_199_254_740_992.0));
+    }
+
+    #[test]
+    fn a_real_overflows_from_half_a_step_above_the_largest_finite() {
+        // 2^128 - 2^103 is the tie between the largest finite and what would be the next.
+        assert_eq!(single("340282356779733661637539395458142568447.9"), Ok(f32::MAX));
+        assert_eq!(
+            single("340282356779733661637539395458142568448.0"),
+            Err(LiteralError::overflow(0, "REAL"))
+        );
+        assert_eq!(double("1.7976931348623157E308"), Ok(f64::MAX));
+        assert_eq!(double("-1.8E308"), Err(LiteralError::overflow(0, "LREAL")));
+        assert_eq!(
+            double("1.0E99999999999999999999"),
+            Err(LiteralError::overflow(0, "LREAL"))
+        );
+    }
+
+    #[test]
+    fn a_real_may_have_any_number_of_digits() {
+        let zeros = "0".repeat(1_000_000);
+        assert_eq!(double(&format!("{zeros}1.5{zeros}")), Ok(1.5));
+        assert_eq!(double(&format!("0.{zeros}1E1000001")), Ok(1.0));
+        assert_eq!(double(&format!("-1{zeros}.0E-1_000_001")), Ok(-0.1));
+        assert_eq!(double(&format!("1.{zeros}E{zeros}2")), Ok(100.0));
+        assert_eq!(
+            double(&format!("-0.{zeros}E9{zeros}")).map(f64::to_bits),
+            Ok((-0.0_f64).to_bits())
+        );
+        assert_eq!(double(&format!("1.0E-9{zeros}")), Ok(0.0));
+        assert_eq!(
+            double(&format!("1.0E9{zeros}")),
+            Err(LiteralError::overflow(0, "LREAL"))
+        );
+    }
+
+    #[test]
+    fn canonical_reals_have_a_point_and_an_exponent_at_either_end() {
+        for (value, text) in [
+            (0.0, "0.0"),
+            (-0.0, "-0.0"),
+            (0.1, "0.1"),
+            (5.0, "5.0"),
+            (1e-4, "0.0001"),
+            (9.9e-5, "9.9E-5"),
+            (1e15, "1000000000000000.0"),
+            (9_999_999_999_999_998.0, "9999999999999998.0"),
+            (1e16, "1.0E16"),
+            (-1.5e300, "-1.5E300"),
+            (5e-324, "5.0E-324"),
+            (f64::NAN, "NaN"),
+            (-f64::NAN, "NaN"),
+            (f64::INFINITY, "Infinity"),
+            (f64::NEG_INFINITY, "-Infinity"),
+        ] {
+            assert_eq!(written(value.to_bits(), Lreal), text);
+        }
+        assert_eq!(written(u64::from(16_777_216_f32.to_bits()), Real), "16777216.0");
+        assert_eq!(written(u64::from(1e16_f32.to_bits()), Real), "1.0E16");
+        assert_eq!(written(u64::from(1e-4_f32.to_bits()), Real), "0.0001");
+    }
+
+    /// Numbers that are spread over all bit patterns, the same in every run.
+    fn scattered() -> impl Iterator<Item = u64> {
+        (0..20_000_u64).map(|n| n.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ n << 32)
+    }
+
+    #[test]
+    fn canonical_reals_read_back_to_the_same_bits_and_are_as_short_as_those_of_the_standard_library() {
+        for bits in scattered() {
+            let (float, short) = (f64::from_bits(bits), f32::from_bits(bits as u32));
+            let text = written(bits, Lreal);
+            if float.is_finite() {
+                assert_eq!(real(&text, Lreal), Ok(bits), "{text}");
+                assert_eq!(text.replace(".0E", "E"), format!("{float:?}").replace('e', "E"));
+            }
+            if short.is_finite() {
+                let text = written(u64::from(short.to_bits()), Real);
+                assert_eq!(real(&text, Real), Ok(u64::from(short.to_bits())), "{text}");
+                assert_eq!(text.replace(".0E", "E"), format!("{short:?}").replace('e', "E"));
+            }
+        }
+    }
+}
