@@ -1,1 +1,37 @@
-//! Projections of the event stream: terminal, JSON, JUnit, Markdown.
+//! Reports: projections of the one stream of events that a run emits.
+//!
+//! | module | file | for |
+//! |---|---|---|
+//! | [`events`] | `events.jsonl` | the stream itself, line by line while the run goes on; the only file that a run leaves which was cut short |
+//! | `results` | `results.json` | programs |
+//! | `junit` | `junit.xml` | CI services |
+//! | [`summary`] | `summary.md` | a CI step summary, a pull request |
+//! | [`terminal`] | (the terminal) | whoever started the run |
+//!
+//! A format is a module of its own that takes [`Event`](stickler_run::Event)s by an exhaustive match, or a view of the
+//! [`Overview`] that such a match gathers; a new format is a new module and a line in [`Reports`]. HTML (`html`), SARIF
+//! (`sarif`) and the badge (`badge`) will come here as such modules.
+//!
+//! *Architecture invariants.* No format has facts of its own: what is not in an event is in no report. [`claims`] is the
+//! one place that counts claims. Nothing here runs, schedules or judges a case, or knows how an event came about.
+#![forbid(unsafe_code)]
+
+pub mod claims;
+pub mod diff;
+mod error;
+pub mod events;
+mod folder;
+mod junit;
+pub mod overview;
+mod pending;
+mod results;
+#[cfg(test)]
+mod sample;
+pub mod summary;
+mod table;
+pub mod terminal;
+mod text;
+
+pub use error::{LogError, ReportError};
+pub use folder::Reports;
+pub use overview::Overview;

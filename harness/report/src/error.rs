@@ -1,0 +1,64 @@
+//! What can go wrong when a report is written or an event log is read.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A report that could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// The folder, or a file in it, cannot be made or written.
+    #[error("cannot write {}", path.display())]
+    Write {
+        /// What was to be written.
+        path: PathBuf,
+        /// Why not.
+        source: io::Error,
+    },
+    /// An event or a document does not serialise.
+    #[error("cannot serialise {}", path.display())]
+    Serialise {
+        /// What was to be written.
+        path: PathBuf,
+        /// Why not.
+        source: Box<dyn std::error::Error + Send + Sync>,
+    },
+}
+
+impl ReportError {
+    /// A closure for `map_err` that remembers which file it was.
+    pub(crate) fn writing(path: &Path) -> impl Fn(io::Error) -> ReportError + use<> {
+        let path = path.to_owned();
+        move |source| ReportError::Write {
+            path: path.clone(),
+            source,
+        }
+    }
+}
+
+/// An event log that could not be read.
+#[derive(Debug, thiserror::Error)]
+pub enum LogError {
+    /// Reading failed.
+    #[error("cannot read the event log")]
+    Read(#[from] io::Error),
+    /// The log holds no line at all.
+    #[error("the event log is empty")]
+    Empty,
+    /// The first line is not a header.
+    #[error("line 1 of the event log is no header, so this is no event log")]
+    NoHeader,
+    /// A line in the middle is no event.
+    #[error("line {line} of the event log is no event")]
+    Line {
+        /// The line, from 1.
+        line: u64,
+        /// What is wrong with it.
+        source: serde_json::Error,
+    },
+    /// Something follows the footer, or a second header.
+    #[error("line {line} of the event log stands outside its header and footer")]
+    Misplaced {
+        /// The line, from 1.
+        line: u64,
+    },
+}

@@ -1,0 +1,173 @@
+//! The folder of a run's reports: every file is opened before the run, and each event goes to all of them.
+
+use crate::ReportError;
+use crate::events::EventLog;
+use crate::junit::Junit;
+use crate::overview::Overview;
+use crate::results::Results;
+use crate::summary::Summary;
+use std::fs;
+use std::path::Path;
+use stickler_run::Event;
+
+/// The reports of one run, while it goes on.
+pub struct Reports {
+    events: EventLog,
+    results: Results,
+    junit: Junit,
+    summary: Summary,
+}
+
+impl Reports {
+    /// Makes the folder where it is missing, and opens every file in it. What an earlier run left there is removed, so
+    /// that all files of a folder tell of one run.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where the folder or a file cannot be made: before the run, not after it.
+    pub fn create(folder: &Path) -> Result<Reports, ReportError> {
+        fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
+        Ok(Reports {
+            events: EventLog::create(folder.join("events.jsonl"))?,
+            results: Results::create(folder.join("results.json"))?,
+            junit: Junit::create(folder.join("junit.xml"))?,
+            summary: Summary::create(folder.join("summary.md"))?,
+        })
+    }
+
+    /// Adds one event to every report.
+    ///
+    /// # Errors
+    /// [`ReportError`] where a file cannot be written.
+    pub fn take(&mut self, event: &Event) -> Result<(), ReportError> {
+        self.events.take(event)?;
+        self.results.take(event)?;
+        self.junit.take(event);
+        Ok(())
+    }
+
+    /// Completes every report. Of a run that was cut short, only the event log stays.
+    ///
+    /// # Errors
+    /// [`ReportError`] where a file cannot be written.
+    pub fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
+        self.events.flush()?;
+        self.results.finish(overview)?;
+        self.junit.finish()?;
+        self.summary.finish(overview)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Reports;
+    use crate::overview::Overview;
+    use crate::{ReportError, sample};
+    use std::fs;
+    use std::path::Path;
+    use stickler_run::Event;
+
+    fn write(folder: &Path, events: &[Event]) {
+        let mut reports = Reports::create(folder).expect("a folder");
+        let mut overview = Overview::default();
+        for event in events {
+            reports.take(event).expect("taken");
+            overview.take(event);
+        }
+        reports.finish(&overview).expect("finished");
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<String> = fs::read_dir(folder)
+            .expect("the folder")
+            .map(|entry| {
+                entry
+                    .expect("an entry")
+                    .file_name()
+                    .to_string_lossy()
+                    .into_owned()
+            })
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_whole_run_leaves_every_report_and_nothing_else() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        write(&folder.path().join("deep/er"), &sample::run());
+        let expected = ["events.jsonl", "junit.xml", "results.json", "summary.md"];
+        assert_eq!(names(&folder.path().join("deep/er")), expected);
+    }
+
+    #[test]
+    fn a_run_that_is_cut_short_leaves_only_its_log_also_where_an_earlier_run_left_more() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        write(folder.path(), &sample::run());
+        let events = sample::run();
+        write(folder.path(), &events[..events.len() - 1]);
+        assert_eq!(names(folder.path()), ["events.jsonl"]);
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_made_is_an_error_that_names_it() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let blocked = folder.path().join("file");
+        fs::write(&blocked, "").expect("a file in the way");
+        let Err(ReportError::Write { path, .. }) = Reports::create(&blocked.join("latest")) else {
+            panic!("a file is no folder");
+        };
+        assert!(path.starts_with(&blocked));
+    }
+
+    #[test]
+    fn results_have_the_keys_that_the_design_names() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        write(folder.path(), &sample::run());
+        let text = fs::read_to_string(folder.path().join("results.json")).expect("results");
+        let results: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(results["format"], 1);
+        for key in ["stickler", "suite", "started", "duration_ms"] {
+            assert!(!results[key].is_null(), "{key}");
+        }
+        let engine = &results["engines"][0];
+        assert_eq!(engine["name"], "reference");
+        assert_eq!(engine["dialects"][0], "ironplc-ed2");
+        for (verdict, number) in [
+            ("pass", 3),
+            ("fail", 1),
+            ("xfail", 0),
+            ("xpass", 0),
+            ("unsupported", 0),
+            ("crash", 0),
+            ("timeout", 0),
+            ("error", 0),
+        ] {
+            assert_eq!(engine["totals"][verdict], number, "{verdict}");
+        }
+        let case = &results["cases"][3];
+        for key in [
+            "id",
+            "dialect",
+            "engine",
+            "verdict",
+            "basis",
+            "file",
+            "line",
+            "expected",
+            "got",
+            "duration_us",
+            "rerun",
+        ] {
+            assert!(!case[key].is_null(), "{key}");
+        }
+        assert!(case.as_object().expect("an object").contains_key("grade"));
+        assert_eq!(
+            results["observations"][0],
+            serde_json::json!({
+                "id": "widening/open", "dialect": "ironplc-ed2", "engine": "reference", "name": "r", "value": "INT#3"
+            })
+        );
+        assert_eq!(results["claims"][0]["standing"]["passed"], 2);
+        assert_eq!(results["claims"][0]["standing"]["open"], 1);
+    }
+}

@@ -1,0 +1,131 @@
+//! What a person wants to see of a run at a glance, gathered once for the terminal and the Markdown summary.
+
+use crate::claims::Claims;
+use crate::text::clip;
+use std::collections::BTreeMap;
+use stickler_run::{CaseEvent, Event, Footer, Header, Totals};
+
+/// How many failing cases are kept whole. The rest is counted; the event log has them all.
+pub const KEPT_FAILURES: usize = 500;
+
+/// How much of their texts is kept.
+const KEPT_LINES: usize = 100;
+const KEPT_CHARACTERS: usize = 1000;
+
+/// A run, added up.
+#[derive(Debug, Default)]
+pub struct Overview {
+    /// How the run began; `None` before its header.
+    pub header: Option<Header>,
+    /// The claims and how they stand.
+    pub claims: Claims,
+    /// Totals by engine, dialect and area.
+    pub totals: BTreeMap<String, BTreeMap<String, BTreeMap<String, Totals>>>,
+    /// The first [`KEPT_FAILURES`] cases that did not come out as expected.
+    pub failures: Vec<CaseEvent>,
+    /// How many did not come out as expected.
+    pub failed: u64,
+    /// How many values and acceptances were recorded where no document says what they must be.
+    pub observations: u64,
+    /// How the run ended; `None` where it was cut short.
+    pub footer: Option<Footer>,
+}
+
+impl Overview {
+    /// Adds one event.
+    pub fn take(&mut self, event: &Event) {
+        match event {
+            Event::Header(header) => self.header = Some(header.clone()),
+            Event::Case(case) => self.take_case(case),
+            Event::Footer(footer) => self.footer = Some(footer.clone()),
+        }
+    }
+
+    fn take_case(&mut self, case: &CaseEvent) {
+        self.claims.take(case);
+        self.observations += case.observations.len() as u64;
+        let dialects = self.totals.entry(case.engine.clone()).or_default();
+        let areas = dialects.entry(case.dialect.clone()).or_default();
+        areas.entry(case.area.clone()).or_default().count(case.verdict);
+        if !case.verdict.is_as_expected() {
+            self.failed += 1;
+            if self.failures.len() < KEPT_FAILURES {
+                self.failures.push(kept(case));
+            }
+        }
+    }
+
+    /// Every area of the run, sorted.
+    pub fn areas(&self) -> Vec<&str> {
+        let mut areas: Vec<&str> = self
+            .totals
+            .values()
+            .flat_map(BTreeMap::values)
+            .flat_map(BTreeMap::keys)
+            .map(String::as_str)
+            .collect();
+        areas.sort_unstable();
+        areas.dedup();
+        areas
+    }
+
+    /// The sum over everything.
+    pub fn sum(&self) -> Totals {
+        let mut sum = Totals::default();
+        for totals in self
+            .totals
+            .values()
+            .flat_map(BTreeMap::values)
+            .flat_map(BTreeMap::values)
+        {
+            sum += *totals;
+        }
+        sum
+    }
+}
+
+/// The case, with no more of its texts than any view shows: a foreign engine may say anything at any length.
+fn kept(case: &CaseEvent) -> CaseEvent {
+    CaseEvent {
+        expected: clip(&case.expected, KEPT_LINES, KEPT_CHARACTERS),
+        got: clip(&case.got, KEPT_LINES, KEPT_CHARACTERS),
+        ..case.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{KEPT_FAILURES, Overview};
+    use crate::sample;
+    use stickler_run::{CaseEvent, Event, Verdict};
+
+    fn overview(cases: Vec<CaseEvent>) -> Overview {
+        let mut overview = Overview::default();
+        sample::run_of(cases)
+            .iter()
+            .for_each(|event: &Event| overview.take(event));
+        overview
+    }
+
+    #[test]
+    fn what_is_as_expected_is_counted_and_only_what_is_not_is_kept() {
+        let overview = overview(Verdict::ALL.map(|verdict| sample::case("a", verdict)).to_vec());
+        assert_eq!((overview.failed, overview.failures.len()), (5, 5));
+        assert_eq!(overview.sum().all(), 8);
+        assert_eq!(overview.areas(), ["widening"]);
+    }
+
+    #[test]
+    fn memory_does_not_grow_with_the_failures_of_a_run() {
+        let huge = CaseEvent {
+            got: "y".repeat(1 << 14),
+            ..sample::case("a", Verdict::Fail)
+        };
+        let overview = overview((0..KEPT_FAILURES + 20).map(|_| huge.clone()).collect());
+        assert_eq!(
+            (overview.failed, overview.failures.len()),
+            (KEPT_FAILURES as u64 + 20, KEPT_FAILURES)
+        );
+        assert!(overview.failures.iter().all(|case| case.got.len() < 2000));
+    }
+}

@@ -1,0 +1,88 @@
+//! A small run for the tests of this crate.
+
+use stickler_run::{
+    CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, Totals, Verdict,
+};
+
+/// A case with this id and verdict.
+pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
+    let got = if verdict == Verdict::Pass {
+        "into = INT#-128"
+    } else {
+        "into = INT#128"
+    };
+    CaseEvent {
+        id: format!("widening/{id}"),
+        dialect: "ironplc-ed2".to_owned(),
+        engine: "reference".to_owned(),
+        verdict,
+        grade: None,
+        basis: "ironplc-type-conversions: Integer widening".to_owned(),
+        file: "conformance-cases/widening/integer.toml".to_owned(),
+        line: 7,
+        area: "widening".to_owned(),
+        title: "SINT widens to INT".to_owned(),
+        expected: "into = INT#-128".to_owned(),
+        got: got.to_owned(),
+        duration_us: 12,
+        rerun: format!("stickler run --filter 'widening/{id}@ironplc-ed2'"),
+        observations: Vec::new(),
+    }
+}
+
+/// A case that asserts nothing.
+pub(crate) fn open_case(id: &str) -> CaseEvent {
+    let observations = vec![Observed {
+        name: "r".to_owned(),
+        value: "INT#3".to_owned(),
+    }];
+    CaseEvent {
+        expected: String::new(),
+        got: String::new(),
+        observations,
+        ..case(id, Verdict::Pass)
+    }
+}
+
+/// A whole run: two passes, one open case, one failure.
+pub(crate) fn run() -> Vec<Event> {
+    run_of(vec![
+        case("first", Verdict::Pass),
+        open_case("open"),
+        case("second", Verdict::Pass),
+        case("broken", Verdict::Fail),
+    ])
+}
+
+/// A whole run of these cases.
+pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
+    let mut totals = Totals::default();
+    cases.iter().for_each(|case| totals.count(case.verdict));
+    let header = Header {
+        format: FORMAT,
+        stickler: "0.1.0".to_owned(),
+        suite: "0.1.0".to_owned(),
+        started: "2026-09-01T12:00:00Z".to_owned(),
+        command: "stickler run".to_owned(),
+        engines: vec![EngineHeader {
+            name: "reference".to_owned(),
+            version: "0.1.0".to_owned(),
+            dialects: vec!["ironplc-ed2".to_owned()],
+        }],
+        cases: cases.len() as u64,
+        shard: None,
+        broken_files: Vec::new(),
+    };
+    let engines = vec![EngineTotals {
+        name: "reference".to_owned(),
+        totals,
+    }];
+    let mut events = vec![Event::Header(header)];
+    events.extend(cases.into_iter().map(Event::Case));
+    events.push(Event::Footer(Footer {
+        totals,
+        engines,
+        duration_ms: 34,
+    }));
+    events
+}

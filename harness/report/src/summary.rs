@@ -1,0 +1,337 @@
+//! `summary.md`: the run for a person, small enough for the step summary of a CI service.
+
+use crate::claims::{Claim, Standing};
+use crate::overview::Overview;
+use crate::pending::PendingFile;
+use crate::text::{clip, counted, duration, visible};
+use crate::{ReportError, diff};
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::PathBuf;
+use stickler_run::{CaseEvent, Totals};
+
+/// The most that a step summary takes is 1 MiB; this leaves room for what other steps write.
+const MOST_BYTES: usize = 900_000;
+
+/// How many failures are shown, and how much of each text.
+const SHOWN_FAILURES: usize = 100;
+const SHOWN_LINES: usize = 60;
+const SHOWN_CHARACTERS: usize = 400;
+
+/// Writes the summary when the run is over.
+pub(crate) struct Summary {
+    file: PendingFile,
+}
+
+impl Summary {
+    /// Makes the file.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where it cannot be made.
+    pub(crate) fn create(path: PathBuf) -> Result<Summary, ReportError> {
+        Ok(Summary {
+            file: PendingFile::create(path)?,
+        })
+    }
+
+    /// Writes the document; a run that was cut short has none.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where that fails.
+    pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
+        if overview.footer.is_none() {
+            return Ok(());
+        }
+        let path = self.file.path().to_owned();
+        self.file
+            .write_all(markdown(overview).as_bytes())
+            .map_err(ReportError::writing(&path))?;
+        self.file.commit()
+    }
+}
+
+/// The summary as Markdown, at most [`MOST_BYTES`] long.
+pub fn markdown(overview: &Overview) -> String {
+    let mut page = Page {
+        text: String::new(),
+        left_out: 0,
+    };
+    page.add(&heading(overview));
+    claims(overview, &mut page);
+    totals(overview, &mut page);
+    failures(overview, &mut page);
+    page.text
+}
+
+/// Markdown that grows up to its limit; from then on what does not fit is counted.
+struct Page {
+    text: String,
+    left_out: u64,
+}
+
+impl Page {
+    fn add(&mut self, part: &str) {
+        if self.left_out > 0 || self.text.len() + part.len() > MOST_BYTES {
+            self.left_out += 1;
+        } else {
+            self.text.push_str(part);
+        }
+    }
+}
+
+fn heading(overview: &Overview) -> String {
+    let cases = counted(overview.sum().all(), "case", "cases");
+    let verdict = match overview.failed {
+        0 => format!("{cases}, all as expected"),
+        failed => format!("{failed} of {cases} not as expected"),
+    };
+    let mut text = format!("# Stickler: {verdict}\n\n");
+    // Writing to a String cannot fail.
+    if let Some(header) = &overview.header {
+        let engines: Vec<String> = header
+            .engines
+            .iter()
+            .map(|engine| format!("{} {}", engine.name, engine.version))
+            .collect();
+        let _ = write!(
+            text,
+            "Suite {} on {}, {}",
+            header.suite,
+            engines.join(", "),
+            header.started
+        );
+        if let Some(shard) = &header.shard {
+            let _ = write!(text, ", part {shard} of the suite");
+        }
+    }
+    if let Some(footer) = &overview.footer {
+        let _ = write!(text, ", in {}", duration(footer.duration_ms));
+    }
+    text.push_str(".\n\n");
+    for broken in overview
+        .header
+        .iter()
+        .flat_map(|header| &header.broken_files)
+        .take(50)
+    {
+        let _ = writeln!(text, "- **broken case file** {}", inline(broken));
+    }
+    text
+}
+
+fn claims(overview: &Overview, page: &mut Page) {
+    page.add("\n## Claims\n\n");
+    page.add("A claim is a section of a document. *Open*: the document does not say what must happen, ");
+    page.add("so what the engine does is recorded and not judged.\n\n");
+    page.add("| | document | section | passed | failed | open | unsupported |\n");
+    page.add("|---|---|---|--:|--:|--:|--:|\n");
+    for document in overview.claims.documents() {
+        page.add(&claim_row(&document, "*all*", overview.totals.len() > 1));
+        let sections = overview
+            .claims
+            .iter()
+            .filter(|claim| (claim.engine, claim.source) == (document.engine, document.source));
+        for section in sections.filter(|claim| !claim.section.is_empty()) {
+            page.add(&claim_row(
+                &section,
+                &inline(section.section),
+                overview.totals.len() > 1,
+            ));
+        }
+    }
+}
+
+fn claim_row(claim: &Claim<'_>, section: &str, name_engine: bool) -> String {
+    let Standing {
+        passed,
+        failed,
+        open,
+        unsupported,
+    } = claim.standing;
+    let mark = if failed == 0 { "" } else { "**✗**" };
+    let engine = if name_engine {
+        format!(" on {}", inline(claim.engine))
+    } else {
+        String::new()
+    };
+    let failed = if failed == 0 {
+        "0".to_owned()
+    } else {
+        format!("**{failed}**")
+    };
+    let source = inline(claim.source);
+    format!("| {mark} | {source}{engine} | {section} | {passed} | {failed} | {open} | {unsupported} |\n")
+}
+
+fn totals(overview: &Overview, page: &mut Page) {
+    let areas = overview.areas();
+    page.add("\n## Cases\n\n| engine | dialect |");
+    areas
+        .iter()
+        .for_each(|area| page.add(&format!(" {} |", inline(area))));
+    page.add(" all |\n|---|---|");
+    areas.iter().for_each(|_| page.add("--:|"));
+    page.add("--:|\n");
+    for (engine, dialects) in &overview.totals {
+        for (dialect, totals) in dialects {
+            let mut sum = Totals::default();
+            totals.values().for_each(|totals| sum += *totals);
+            let mut row = format!("| {} | {} |", inline(engine), inline(dialect));
+            areas
+                .iter()
+                .for_each(|area| row.push_str(&total_cell(totals.get(*area))));
+            row.push_str(&total_cell(Some(&sum)));
+            row.push('\n');
+            page.add(&row);
+        }
+    }
+    if overview.failed > 0 {
+        page.add("\nn/m: n of m cases are as expected.\n");
+    }
+}
+
+fn total_cell(totals: Option<&Totals>) -> String {
+    match totals.map(|totals| (totals.all(), totals.unexpected())) {
+        None | Some((0, _)) => " - |".to_owned(),
+        Some((all, 0)) => format!(" {all} |"),
+        Some((all, unexpected)) => format!(" **{}/{all}** |", all - unexpected),
+    }
+}
+
+fn failures(overview: &Overview, page: &mut Page) {
+    if overview.failed == 0 {
+        return;
+    }
+    page.add("\n## Not as expected\n");
+    let shown = overview.failures.iter().take(SHOWN_FAILURES);
+    let tried = shown.len() as u64;
+    page.left_out = 0;
+    shown.for_each(|case| page.add(&failure(case)));
+    let rest = overview.failed - tried + page.left_out;
+    if rest > 0 {
+        // The note is short, and the limit leaves room for it.
+        let _ = write!(
+            page.text,
+            "\n... and {rest} more; `events.jsonl` and `junit.xml` have them all.\n"
+        );
+    }
+}
+
+fn failure(case: &CaseEvent) -> String {
+    let expected = clip(&visible(&case.expected), SHOWN_LINES, SHOWN_CHARACTERS);
+    let got = clip(&visible(&case.got), SHOWN_LINES, SHOWN_CHARACTERS);
+    let difference = diff::text(&expected, &got);
+    let fence = fence(&difference);
+    format!(
+        "\n### {verdict}: {id}@{dialect} on {engine}\n\n{title}\n\n- basis: {basis}\n- at: {file}:{line}\n\
+         - rerun: {rerun}\n\n{fence}diff\n{difference}{fence}\n",
+        verdict = case.verdict,
+        id = inline(&case.id),
+        dialect = inline(&case.dialect),
+        engine = inline(&case.engine),
+        title = inline(&case.title),
+        basis = inline(&case.basis),
+        file = inline(&case.file),
+        line = case.line,
+        rerun = code(&case.rerun),
+    )
+}
+
+/// Three backticks, or more than any line of the text has.
+fn fence(text: &str) -> String {
+    let longest = text
+        .split(|character| character != '`')
+        .map(str::len)
+        .max()
+        .unwrap_or(0);
+    "`".repeat(longest.max(2) + 1)
+}
+
+/// A text as inline code; two backticks, so that one in the text does no harm.
+fn code(text: &str) -> String {
+    format!("`` {} ``", visible(text).replace(['\n', '\t'], " "))
+}
+
+/// A text that Markdown and HTML leave alone, on one line.
+fn inline(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in clip(&visible(text).replace('\n', " "), 1, SHOWN_CHARACTERS).chars() {
+        if matches!(
+            character,
+            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '|' | '#' | '&' | '~'
+        ) {
+            escaped.push('\\');
+        }
+        escaped.push(character);
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MOST_BYTES, markdown};
+    use crate::overview::Overview;
+    use crate::sample;
+    use stickler_run::{CaseEvent, Event, Verdict};
+
+    fn page(events: &[Event]) -> String {
+        let mut overview = Overview::default();
+        events.iter().for_each(|event| overview.take(event));
+        markdown(&overview)
+    }
+
+    #[test]
+    fn the_page_leads_with_the_claims() {
+        let text = page(&sample::run());
+        let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part:?} in {text}"));
+        assert!(at("# Stickler: 1 of 4 cases not as expected") < at("## Claims"));
+        assert!(
+            at("| **✗** | ironplc-type-conversions | Integer widening | 2 | **1** | 1 | 0 |")
+                < at("## Cases")
+        );
+        assert!(at("| reference | ironplc-ed2 | **3/4** | **3/4** |") < at("## Not as expected"));
+        assert!(
+            at("### fail: widening/broken@ironplc-ed2 on reference")
+                < at("- into = INT#-128\n+ into = INT#128\n")
+        );
+    }
+
+    #[test]
+    fn a_page_about_endless_failures_stays_below_one_mebibyte_and_counts_the_rest() {
+        let huge = |number: usize| CaseEvent {
+            got: format!("`|<script>\u{1b}[2J{}\n", "y".repeat(500)).repeat(100),
+            title: "x".repeat(10_000),
+            ..sample::case(&number.to_string(), Verdict::Fail)
+        };
+        let text = page(&sample::run_of((0..600).map(huge).collect()));
+        assert!(text.len() <= MOST_BYTES + 1000, "{}", text.len());
+        let shown = text.matches("\n### ").count();
+        assert!((10..100).contains(&shown), "{shown}");
+        assert!(
+            text.contains(&format!("\n... and {} more", 600 - shown)),
+            "the rest is counted"
+        );
+        assert!(!text.contains('\u{1b}'));
+    }
+
+    #[test]
+    fn what_an_engine_says_cannot_leave_its_code_block() {
+        let case = CaseEvent {
+            got: "```\n# no heading".to_owned(),
+            ..sample::case("x", Verdict::Fail)
+        };
+        let text = page(&sample::run_of(vec![case]));
+        assert!(text.contains("````diff\n"), "{text}");
+        assert!(text.contains("\n+ # no heading\n````\n"), "{text}");
+    }
+
+    #[test]
+    fn names_cannot_break_the_tables() {
+        let case = CaseEvent {
+            basis: "doc: a | b\n<i>".to_owned(),
+            ..sample::case("x", Verdict::Pass)
+        };
+        let text = page(&sample::run_of(vec![case]));
+        assert!(text.contains(r"| doc | a \| b \<i\> |"), "{text}");
+    }
+}

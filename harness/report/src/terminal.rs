@@ -1,0 +1,366 @@
+//! The summary on the terminal.
+//!
+//! What matters most stands last, where the eye is when the run ends: first the cases that are not as expected, then
+//! the claims, then the totals, then one line that says how it went. It is written with ANSI styles; the caller's
+//! stream strips them where they do not belong.
+
+use crate::diff::{self, DiffLine, Side};
+use crate::overview::Overview;
+use crate::table::{Cell, Table};
+use crate::text::{clip, counted, duration, visible};
+use anstyle::{AnsiColor, Style};
+use std::io::{self, Write};
+use stickler_run::{CaseEvent, Totals, Verdict};
+
+const BOLD: Style = Style::new().bold();
+const DIM: Style = Style::new().dimmed();
+const GOOD: Style = AnsiColor::Green.on_default();
+const BAD: Style = AnsiColor::Red.on_default();
+const BAD_PIECE: Style = AnsiColor::Red.on_default().bold().underline();
+const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
+
+/// How many failures are shown whole, and how much of each text.
+const SHOWN_FAILURES: usize = 40;
+const SHOWN_LINES: usize = 40;
+const SHOWN_CHARACTERS: usize = 400;
+
+/// What the summary needs to know beside the run.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Surroundings<'a> {
+    /// The folder of the reports, where there is one.
+    pub reports: Option<&'a str>,
+}
+
+/// Writes the summary of a run.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
+    write_failures(out, overview, around)?;
+    write_claims(out, overview)?;
+    write_totals(out, overview)?;
+    write_last_line(out, overview, around)
+}
+
+fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
+    for case in overview.failures.iter().take(SHOWN_FAILURES) {
+        write_failure(out, case, overview.totals.len() > 1)?;
+    }
+    let rest = overview.failed.saturating_sub(SHOWN_FAILURES as u64);
+    if rest > 0 {
+        let place = match around.reports {
+            Some(folder) => format!("all are in {folder}/events.jsonl and {folder}/junit.xml"),
+            None => "with --report DIR all are written to files".to_owned(),
+        };
+        writeln!(
+            out,
+            "{BAD}... and {rest} more that are not as expected{BAD:#}; {place}.\n"
+        )?;
+    }
+    Ok(())
+}
+
+/// Writes one case that is not as expected, and how to run it again.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_failure(out: &mut dyn Write, case: &CaseEvent, name_engine: bool) -> io::Result<()> {
+    let verdict = case.verdict.as_str().to_uppercase();
+    write!(
+        out,
+        "{BAD}{verdict}{BAD:#} {BOLD}{}@{}{BOLD:#}",
+        case.id, case.dialect
+    )?;
+    if name_engine {
+        write!(out, " on {}", case.engine)?;
+    }
+    writeln!(out, "\n     {}", visible(&case.title))?;
+    writeln!(out, "     {DIM}basis   {DIM:#} {}", visible(&case.basis))?;
+    writeln!(out, "     {DIM}at      {DIM:#} {}:{}", case.file, case.line)?;
+    if case.verdict == Verdict::Xpass {
+        writeln!(out, "     {DIM}passes, but its baseline expects it not to{DIM:#}")?;
+    }
+    write_comparison(out, case)?;
+    writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&case.rerun))
+}
+
+/// One-line texts stand under each other; longer ones as a diff that shows both.
+fn write_comparison(out: &mut dyn Write, case: &CaseEvent) -> io::Result<()> {
+    let expected = clip(&visible(&case.expected), SHOWN_LINES, SHOWN_CHARACTERS);
+    let got = clip(&visible(&case.got), SHOWN_LINES, SHOWN_CHARACTERS);
+    let lines = diff::lines(&expected, &got);
+    if expected.lines().count() > 1 || got.lines().count() > 1 || lines.is_empty() {
+        writeln!(
+            out,
+            "     {DIM}diff    {DIM:#} {GOOD}- expected{GOOD:#} {BAD}+ got{BAD:#}"
+        )?;
+        for line in &lines {
+            write!(out, "              ")?;
+            write_diff_line(out, line)?;
+        }
+        return Ok(());
+    }
+    for (label, side) in [("expected", Side::Expected), ("got     ", Side::Got)] {
+        write!(out, "     {DIM}{label}{DIM:#} ")?;
+        match lines.iter().find(|line| line.side == side) {
+            Some(line) => write_diff_line(out, line)?,
+            None => writeln!(out, "{} (nothing)", side.sign())?,
+        }
+    }
+    Ok(())
+}
+
+fn write_diff_line(out: &mut dyn Write, line: &DiffLine) -> io::Result<()> {
+    let (plain, marked) = match line.side {
+        Side::Gap => return writeln!(out, "  {DIM}...{DIM:#}"),
+        Side::Both => (DIM, DIM),
+        Side::Expected => (GOOD, GOOD_PIECE),
+        Side::Got => (BAD, BAD_PIECE),
+    };
+    write!(out, "{plain}{}{plain:#} ", line.side.sign())?;
+    for (differs, piece) in &line.pieces {
+        let style = if *differs { marked } else { plain };
+        write!(out, "{style}{piece}{style:#}")?;
+    }
+    writeln!(out)
+}
+
+fn write_claims(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+    let several = overview.totals.len() > 1;
+    let unsupported = overview.claims.iter().any(|claim| claim.standing.unsupported > 0);
+    let mut table = Table::new(vec![
+        Cell::left("Claims"),
+        Cell::plain("passed"),
+        Cell::plain("failed"),
+    ]);
+    table.head(Cell::plain("open"));
+    if unsupported {
+        table.head(Cell::plain("unsupported"));
+    }
+    for document in overview.claims.documents() {
+        let name = match several {
+            true => format!("  {} on {}", document.source, document.engine),
+            false => format!("  {}", document.source),
+        };
+        table.row(claim_cells(name, document.standing, unsupported));
+        let sections = overview.claims.iter().filter(|claim| {
+            (claim.engine, claim.source) == (document.engine, document.source) && claim.standing.failed > 0
+        });
+        for section in sections.filter(|claim| !claim.section.is_empty()) {
+            let name = clip(&visible(section.section), 1, 40);
+            table.row(claim_cells(format!("    {name}"), section.standing, unsupported));
+        }
+    }
+    table.write(out)?;
+    writeln!(out)
+}
+
+fn claim_cells(name: String, standing: crate::claims::Standing, unsupported: bool) -> Vec<Cell> {
+    let failed = match standing.failed {
+        0 => Cell::styled("0", DIM),
+        failed => Cell::styled(failed, BAD),
+    };
+    let mut cells = vec![
+        Cell::left(name),
+        Cell::plain(standing.passed),
+        failed,
+        Cell::plain(standing.open),
+    ];
+    if unsupported {
+        cells.push(Cell::plain(standing.unsupported));
+    }
+    cells
+}
+
+fn write_totals(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+    let areas = overview.areas();
+    let mut table = Table::new(vec![Cell::left("Cases")]);
+    areas.iter().for_each(|area| table.head(Cell::plain(area)));
+    table.head(Cell::plain("all"));
+    for (engine, dialects) in &overview.totals {
+        for (dialect, totals) in dialects {
+            let name = match overview.totals.len() {
+                1 => format!("  {dialect}"),
+                _ => format!("  {engine} {dialect}"),
+            };
+            let mut sum = Totals::default();
+            totals.values().for_each(|totals| sum += *totals);
+            let mut cells = vec![Cell::left(name)];
+            cells.extend(areas.iter().map(|area| total_cell(totals.get(*area))));
+            cells.push(total_cell(Some(&sum)));
+            table.row(cells);
+        }
+    }
+    table.write(out)?;
+    if overview.failed > 0 {
+        writeln!(out, "  {DIM}n/m: n of m cases are as expected{DIM:#}")?;
+    }
+    writeln!(out)
+}
+
+fn total_cell(totals: Option<&Totals>) -> Cell {
+    match totals.map(|totals| (totals.all(), totals.unexpected())) {
+        None | Some((0, _)) => Cell::styled("-", DIM),
+        Some((all, 0)) => Cell::plain(all),
+        Some((all, unexpected)) => Cell::styled(format!("{}/{all}", all - unexpected), BAD),
+    }
+}
+
+fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
+    let sum = overview.sum();
+    if overview.observations > 0 {
+        let observations = counted(overview.observations, "observation", "observations");
+        writeln!(
+            out,
+            "{observations} recorded where no document says what must be."
+        )?;
+    }
+    if let Some(folder) = around.reports {
+        writeln!(
+            out,
+            "Reports: {folder}/summary.md; every case is in results.json beside it."
+        )?;
+    }
+    let cases = counted(sum.all(), "case", "cases");
+    match (&overview.footer, overview.failed) {
+        (None, _) => writeln!(out, "{BAD}Cut short after {cases}.{BAD:#}"),
+        (Some(footer), 0) => {
+            let time = duration(footer.duration_ms);
+            writeln!(
+                out,
+                "{GOOD}{cases} in {time}: all as expected{}.{GOOD:#}",
+                kinds(&sum, true)
+            )
+        }
+        (Some(footer), failed) => {
+            let time = duration(footer.duration_ms);
+            let kinds = kinds(&sum, false);
+            writeln!(
+                out,
+                "{BAD}{failed} of {cases} not as expected{kinds}{BAD:#}, in {time}."
+            )
+        }
+    }
+}
+
+/// The numbers of those verdicts beside `pass` that are as expected, or of those that are not.
+fn kinds(totals: &Totals, as_expected: bool) -> String {
+    let kinds: Vec<String> = Verdict::ALL
+        .into_iter()
+        .filter(|verdict| *verdict != Verdict::Pass && verdict.is_as_expected() == as_expected)
+        .filter(|verdict| totals.of(*verdict) > 0)
+        .map(|verdict| format!("{} {verdict}", totals.of(verdict)))
+        .collect();
+    if kinds.is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", kinds.join(", "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SHOWN_FAILURES, Surroundings, write};
+    use crate::overview::Overview;
+    use crate::sample;
+    use stickler_run::{CaseEvent, Event, Verdict};
+
+    fn shown(events: &[Event]) -> String {
+        let mut overview = Overview::default();
+        events.iter().for_each(|event| overview.take(event));
+        let mut bytes = Vec::new();
+        write(
+            &mut bytes,
+            &overview,
+            Surroundings {
+                reports: Some("reports/latest"),
+            },
+        )
+        .expect("written");
+        anstream::adapter::strip_str(&String::from_utf8(bytes).expect("text")).to_string()
+    }
+
+    #[test]
+    fn a_failure_shows_all_that_is_needed_to_look_into_it_and_the_last_line_says_how_it_went() {
+        assert_eq!(
+            shown(&sample::run()),
+            "\
+FAIL widening/broken@ironplc-ed2
+     SINT widens to INT
+     basis    ironplc-type-conversions: Integer widening
+     at       conformance-cases/widening/integer.toml:7
+     expected - into = INT#-128
+     got      + into = INT#128
+     rerun    stickler run --filter 'widening/broken@ironplc-ed2'
+
+Claims                      passed  failed  open
+  ironplc-type-conversions       2       1     1
+    Integer widening             2       1     1
+
+Cases          widening  all
+  ironplc-ed2       3/4  3/4
+  n/m: n of m cases are as expected
+
+1 observation recorded where no document says what must be.
+Reports: reports/latest/summary.md; every case is in results.json beside it.
+1 of 4 cases not as expected (1 fail), in 34 ms.
+"
+        );
+    }
+
+    #[test]
+    fn texts_of_several_lines_are_shown_as_a_diff() {
+        let case = CaseEvent {
+            expected: "a := 1;\nb := 2;".to_owned(),
+            got: "a := 1;\nb := 3;".to_owned(),
+            ..sample::case("x", Verdict::Fail)
+        };
+        let text = shown(&sample::run_of(vec![case]));
+        let diff = "\
+     diff     - expected + got
+                a := 1;
+              - b := 2;
+              + b := 3;
+";
+        assert!(text.contains(diff), "{text}");
+    }
+
+    #[test]
+    fn a_run_without_failures_says_so_and_names_no_section() {
+        let text = shown(&sample::run_of(vec![
+            sample::case("a", Verdict::Pass),
+            sample::case("b", Verdict::Xfail),
+        ]));
+        assert!(
+            text.ends_with("2 cases in 34 ms: all as expected (1 xfail).\n"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn thousands_of_failures_are_counted_and_not_all_shown() {
+        let cases = (0..3000)
+            .map(|number| sample::case(&number.to_string(), Verdict::Crash))
+            .collect();
+        let text = shown(&sample::run_of(cases));
+        assert_eq!(text.matches("CRASH").count(), SHOWN_FAILURES);
+        let rest = 3000 - SHOWN_FAILURES;
+        assert!(
+            text.contains(&format!("and {rest} more that are not as expected; all are in")),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn a_run_that_was_cut_short_says_so_last() {
+        let events = sample::run();
+        assert!(shown(&events[..3]).ends_with("Cut short after 2 cases.\n"));
+    }
+
+    #[test]
+    fn no_line_of_an_ordinary_summary_is_wider_than_80_columns() {
+        for line in shown(&sample::run()).lines() {
+            assert!(line.chars().count() <= 80, "{line}");
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Making texts of unknown origin fit to be shown: foreign engines print what they like.
+
+use std::fmt::Write;
+
+/// The text with control characters spelled out (`\u{1b}`), but for line ends and tabs: what an engine says must not
+/// move the cursor of whoever reads it.
+pub(crate) fn visible(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '\n' | '\t' => shown.push(character),
+            '\r' => {}
+            _ if character.is_control() => {
+                // Writing to a String cannot fail.
+                let _ = write!(shown, "{}", character.escape_unicode());
+            }
+            _ => shown.push(character),
+        }
+    }
+    shown
+}
+
+/// At most so many lines, each of at most so many characters; what is left out is said.
+pub(crate) fn clip(text: &str, lines: usize, characters: usize) -> String {
+    let mut kept: Vec<String> = text
+        .lines()
+        .take(lines)
+        .map(|line| clip_line(line, characters))
+        .collect();
+    let rest = text.lines().count().saturating_sub(lines);
+    if rest > 0 {
+        kept.push(format!("... {rest} lines more"));
+    }
+    kept.join("\n")
+}
+
+fn clip_line(line: &str, characters: usize) -> String {
+    match line.char_indices().nth(characters) {
+        None => line.to_owned(),
+        Some((end, _)) => format!("{} ... {} bytes more", &line[..end], line.len() - end),
+    }
+}
+
+/// `1 case`, `2 cases`.
+pub(crate) fn counted(number: u64, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
+}
+
+/// Milliseconds as a person reads them: `34 ms`, `1.2 s`, `2 min 5 s`.
+pub(crate) fn duration(milliseconds: u64) -> String {
+    match milliseconds {
+        0..1000 => format!("{milliseconds} ms"),
+        1000..60_000 => format!("{}.{} s", milliseconds / 1000, milliseconds % 1000 / 100),
+        _ => format!("{} min {} s", milliseconds / 60_000, milliseconds % 60_000 / 1000),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{clip, duration, visible};
+
+    #[test]
+    fn an_escape_sequence_is_shown_and_not_obeyed() {
+        assert_eq!(visible("\u{1b}[2Ja\tb\r\n\0"), "\\u{1b}[2Ja\tb\n\\u{0}");
+    }
+
+    #[test]
+    fn what_is_clipped_is_said() {
+        assert_eq!(clip("a\nb\nc\nd", 2, 10), "a\nb\n... 2 lines more");
+        assert_eq!(clip("abcdef", 2, 4), "abcd ... 2 bytes more");
+        assert_eq!(clip("äöü", 1, 3), "äöü");
+    }
+
+    #[test]
+    fn durations_have_the_unit_that_suits_them() {
+        assert_eq!(duration(999), "999 ms");
+        assert_eq!(duration(1250), "1.2 s");
+        assert_eq!(duration(125_000), "2 min 5 s");
+    }
+}
