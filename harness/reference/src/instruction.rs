@@ -12,6 +12,9 @@
 use crate::conversion::Conversion;
 use stickler_types::ElementaryType;
 
+/// Why a run ended early; one of the words of the wire protocol.
+pub use stickler_types::Fault as FaultKind;
+
 /// An index into the memory.
 pub type Address = u32;
 /// An index into [`Program::code`].
@@ -267,17 +270,4 @@ pub enum StandardFunction {
     Len,
     /// CONCAT: pops `count` texts, pushes them joined.
     Concat,
-}
-
-/// Why a run ended early.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum FaultKind {
-    /// An integer was divided by zero.
-    DivisionByZero,
-    /// A subscript outside its dimension.
-    SubscriptRange,
-    /// A value outside its subrange.
-    Subrange,
-    /// More steps than the run was given.
-    StepLimit,
 }

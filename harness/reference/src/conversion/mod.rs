@@ -5,7 +5,7 @@ mod bcd;
 mod catalogue;
 mod implicit;
 mod moment;
-mod real;
+pub(crate) mod real;
 mod rule;
 mod text;
 

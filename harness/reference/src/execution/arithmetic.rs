@@ -1,0 +1,170 @@
+//! Arithmetic on two values of one type.
+//!
+//! Basis: stickler-design: §8 ("integers are two's complement of their declared width"); IEC 60559 for REAL
+//! and LREAL, every operation rounded once to the width of its type; durations and dates, of which no source
+//! says it, wrap in 64-bit nanoseconds, and times of day within the day.
+
+use crate::conversion::real::{of_single, single};
+use crate::instruction::{ArithmeticOperator, FaultKind};
+use crate::raw::narrow;
+use stickler_types::{ElementaryType, Family};
+
+const DAY: i64 = 86_400_000_000_000;
+
+/// The result of an operator on two raw forms of a type.
+///
+/// # Errors
+/// `DivisionByZero` where the divisor of anything but a real number is zero.
+#[inline]
+pub fn arithmetic(
+    operator: ArithmeticOperator,
+    ty: ElementaryType,
+    left: u64,
+    right: u64,
+) -> Result<u64, FaultKind> {
+    match ty.family() {
+        Family::Signed => signed(operator, left, right).map(|bits| narrow(bits, ty)),
+        Family::Real if ty == ElementaryType::Real => {
+            Ok(of_single(on_singles(operator, single(left), single(right))))
+        }
+        Family::Real => Ok(on_doubles(operator, f64::from_bits(left), f64::from_bits(right)).to_bits()),
+        Family::Duration | Family::Date | Family::DateAndTime => signed(operator, left, right),
+        Family::TimeOfDay => signed(operator, left, right)
+            .map(|nanoseconds| nanoseconds.cast_signed().rem_euclid(DAY).cast_unsigned()),
+        _ => unsigned(operator, left, right).map(|bits| narrow(bits, ty)),
+    }
+}
+
+/// Modulo 2^64, which holds the result modulo any smaller width. The least integer divided by -1 wraps to
+/// itself, and its remainder is 0.
+#[inline]
+fn signed(operator: ArithmeticOperator, left: u64, right: u64) -> Result<u64, FaultKind> {
+    let (a, b) = (left.cast_signed(), right.cast_signed());
+    let result = match operator {
+        ArithmeticOperator::Add => a.wrapping_add(b),
+        ArithmeticOperator::Subtract => a.wrapping_sub(b),
+        ArithmeticOperator::Multiply => a.wrapping_mul(b),
+        ArithmeticOperator::Divide | ArithmeticOperator::Modulo if b == 0 => {
+            return Err(FaultKind::DivisionByZero);
+        }
+        ArithmeticOperator::Divide => a.wrapping_div(b),
+        ArithmeticOperator::Modulo => a.wrapping_rem(b),
+    };
+    Ok(result.cast_unsigned())
+}
+
+#[inline]
+fn unsigned(operator: ArithmeticOperator, a: u64, b: u64) -> Result<u64, FaultKind> {
+    match operator {
+        ArithmeticOperator::Add => Ok(a.wrapping_add(b)),
+        ArithmeticOperator::Subtract => Ok(a.wrapping_sub(b)),
+        ArithmeticOperator::Multiply => Ok(a.wrapping_mul(b)),
+        ArithmeticOperator::Divide => a.checked_div(b).ok_or(FaultKind::DivisionByZero),
+        ArithmeticOperator::Modulo => a.checked_rem(b).ok_or(FaultKind::DivisionByZero),
+    }
+}
+
+fn on_singles(operator: ArithmeticOperator, a: f32, b: f32) -> f32 {
+    match operator {
+        ArithmeticOperator::Add => a + b,
+        ArithmeticOperator::Subtract => a - b,
+        ArithmeticOperator::Multiply => a * b,
+        ArithmeticOperator::Divide => a / b,
+        ArithmeticOperator::Modulo => a % b,
+    }
+}
+
+fn on_doubles(operator: ArithmeticOperator, a: f64, b: f64) -> f64 {
+    match operator {
+        ArithmeticOperator::Add => a + b,
+        ArithmeticOperator::Subtract => a - b,
+        ArithmeticOperator::Multiply => a * b,
+        ArithmeticOperator::Divide => a / b,
+        ArithmeticOperator::Modulo => a % b,
+    }
+}
+
+/// The negated value; the least integer stays as it is.
+#[inline]
+#[must_use]
+pub fn negate(ty: ElementaryType, value: u64) -> u64 {
+    match ty {
+        ElementaryType::Real => of_single(-single(value)),
+        ElementaryType::Lreal => (-f64::from_bits(value)).to_bits(),
+        _ if ty.is_date_or_time() || ty.is_duration() => value.wrapping_neg(),
+        _ => narrow(value.wrapping_neg(), ty),
+    }
+}
+
+/// The absolute value; the least integer stays as it is, which is what its negation wraps to.
+#[must_use]
+pub fn absolute(ty: ElementaryType, value: u64) -> u64 {
+    match ty {
+        ElementaryType::Real => of_single(single(value).abs()),
+        ElementaryType::Lreal => f64::from_bits(value).abs().to_bits(),
+        _ if (ty.is_signed() || ty.is_duration()) && value.cast_signed() < 0 => negate(ty, value),
+        _ => value,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::instruction::ArithmeticOperator::{Add, Divide, Modulo, Multiply, Subtract};
+    use ElementaryType::{Dint, Int, Lint, Lreal, Real, Sint, Time, Tod, Udint, Uint, Ulint, Usint};
+
+    /// What the standard's arithmetic gives, computed where nothing can overflow.
+    fn exact(operator: ArithmeticOperator, a: i128, b: i128) -> Option<i128> {
+        match operator {
+            Add => Some(a + b),
+            Subtract => Some(a - b),
+            Multiply => Some(a.wrapping_mul(b)),
+            Divide => a.checked_div(b),
+            Modulo => a.checked_rem(b),
+        }
+    }
+
+    #[test]
+    fn integers_wrap_to_their_width() {
+        for ty in [Sint, Int, Dint, Lint, Usint, Uint, Udint, Ulint] {
+            let (low, high) = ty.integer_range().expect("an integer has a range");
+            let values = [low, low + 1, -1, 0, 1, 2, 3, 7, high / 2, high - 1, high];
+            let values = values.into_iter().filter(|value| (low..=high).contains(value));
+            for (a, b) in values.clone().flat_map(|a| values.clone().map(move |b| (a, b))) {
+                for operator in [Add, Subtract, Multiply, Divide, Modulo] {
+                    let expected = exact(operator, a, b).map(|value| ty.wrap(value));
+                    let got = arithmetic(operator, ty, ty.wrap(a), ty.wrap(b));
+                    assert_eq!(got.ok(), expected, "{a} {operator:?} {b} in {}", ty.name());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn real_is_computed_in_32_bits() {
+        let (a, b) = (16_777_216.0_f32, 1.0_f32);
+        let sum = arithmetic(Add, Real, of_single(a), of_single(b));
+        assert_eq!(sum, Ok(of_single(16_777_216.0)));
+        let zero = 0.0_f64.to_bits();
+        let quotient = arithmetic(Divide, Lreal, 1.0_f64.to_bits(), zero);
+        assert_eq!(quotient, Ok(f64::INFINITY.to_bits()));
+    }
+
+    #[test]
+    fn durations_wrap_and_times_of_day_stay_within_the_day() {
+        let most = i64::MAX.cast_unsigned();
+        assert_eq!(arithmetic(Add, Time, most, 1), Ok(i64::MIN.cast_unsigned()));
+        let hour = 3_600_000_000_000;
+        assert_eq!(arithmetic(Add, Tod, 23 * hour, 2 * hour), Ok(hour));
+        assert_eq!(arithmetic(Subtract, Tod, 0, hour), Ok(23 * hour));
+    }
+
+    #[test]
+    fn the_least_integer_has_no_counterpart() {
+        let least = (-128_i64).cast_unsigned();
+        assert_eq!(negate(Sint, least), least);
+        assert_eq!(absolute(Sint, least), least);
+        assert_eq!(absolute(Sint, (-5_i64).cast_unsigned()), 5);
+        assert_eq!(negate(Real, of_single(0.0)), of_single(-0.0));
+    }
+}

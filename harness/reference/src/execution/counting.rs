@@ -1,0 +1,92 @@
+//! The control variable of a FOR loop.
+//!
+//! Basis: iec-61131-3: FOR statement. The test is made on the numbers themselves, so that a loop to the greatest value
+//! of its type ends instead of wrapping around.
+
+use crate::instruction::LoopTypes;
+
+/// The control value, the limit and the step of a loop, as numbers of any size.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Counting {
+    types: LoopTypes,
+    control: i128,
+    limit: i128,
+    step: i128,
+}
+
+impl Counting {
+    /// Takes the raw forms of the three.
+    pub fn new(types: LoopTypes, [control, limit, step]: [u64; 3]) -> Counting {
+        Counting {
+            types,
+            control: types.control.integer_value(control),
+            limit: types.limit.integer_value(limit),
+            step: types.step.integer_value(step),
+        }
+    }
+
+    /// Whether a control value has not passed the limit.
+    fn goes_on_with(self, control: i128) -> bool {
+        if self.step < 0 {
+            control >= self.limit
+        } else {
+            control <= self.limit
+        }
+    }
+
+    /// Whether the loop begins at all.
+    pub fn begins(self) -> bool {
+        self.goes_on_with(self.control)
+    }
+
+    /// The next control value, wrapped to its type, and whether the loop goes on with it.
+    pub fn next(self) -> (u64, bool) {
+        let sum = self.control + self.step;
+        let fits = self
+            .types
+            .control
+            .integer_range()
+            .is_some_and(|(low, high)| (low..=high).contains(&sum));
+        (self.types.control.wrap(sum), fits && self.goes_on_with(sum))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::ElementaryType::{Dint, Int, Sint, Usint};
+
+    fn counting(control: i64, limit: i64, step: i64) -> Counting {
+        let types = LoopTypes {
+            control: Sint,
+            limit: Dint,
+            step: Int,
+        };
+        Counting::new(types, [control, limit, step].map(i64::cast_unsigned))
+    }
+
+    #[test]
+    fn a_loop_begins_unless_its_first_value_has_passed_the_limit() {
+        assert!(counting(1, 1, 1).begins());
+        assert!(!counting(2, 1, 1).begins());
+        assert!(counting(2, 1, -1).begins());
+        assert!(counting(1, 1, 0).begins());
+    }
+
+    #[test]
+    fn a_step_past_the_type_wraps_and_ends_the_loop() {
+        assert_eq!(counting(126, 127, 1).next(), (127, true));
+        assert_eq!(counting(127, 127, 1).next(), ((-128_i64).cast_unsigned(), false));
+        assert_eq!(counting(127, 1000, 1).next(), ((-128_i64).cast_unsigned(), false));
+        assert_eq!(counting(-128, -128, -1).next(), (127, false));
+        let down = Counting::new(
+            LoopTypes {
+                control: Usint,
+                limit: Usint,
+                step: Int,
+            },
+            [0, 0, u64::MAX],
+        );
+        assert_eq!(down.next(), (255, false));
+    }
+}

@@ -1,0 +1,498 @@
+//! The machine: an instruction pointer, two operand stacks, and frames.
+//!
+//! A step is one instruction; copying, clearing and texts cost steps by their size besides, so that the step
+//! limit bounds both the time and the memory that a run can take.
+
+use super::counting::Counting;
+use super::memory::Memory;
+use super::standard::{self, Text};
+use super::stop::{Halt, Inconsistency, RaisedFault, Stop};
+use super::{arithmetic, comparison, duration, power};
+use crate::conversion::Conversion;
+use crate::instruction::{
+    Address, ComparisonOperator, FaultKind, Instruction, Label, LogicOperator, LoopTypes, Program, RoutineId,
+    StandardFunction,
+};
+use crate::raw::narrow;
+use std::borrow::Cow;
+use stickler_types::ElementaryType;
+
+/// Runs one [`Program`]. Variables keep their values from scan to scan; a machine that has stopped may be
+/// asked for the values so far.
+#[derive(Debug)]
+pub struct Machine<'p> {
+    program: &'p Program,
+    memory: Memory<'p>,
+    operands: Vec<u64>,
+    texts: Vec<Text<'p>>,
+    frames: Vec<Frame>,
+    /// The next instruction.
+    next: Label,
+    /// The first instruction whose step has not been counted yet: steps are counted where control jumps.
+    uncounted: Label,
+    this: Address,
+    steps_left: u64,
+}
+
+/// What a return goes back to.
+#[derive(Clone, Copy, Debug)]
+struct Frame {
+    this: Address,
+    next: Label,
+}
+
+impl<'p> Machine<'p> {
+    /// A machine whose memory is all zero; `step_limit` is for the whole run.
+    #[must_use]
+    pub fn new(program: &'p Program, step_limit: u64) -> Machine<'p> {
+        Machine {
+            program,
+            memory: Memory::new(program.memory, &program.texts),
+            operands: Vec::with_capacity(16),
+            texts: Vec::new(),
+            frames: Vec::new(),
+            next: 0,
+            uncounted: 0,
+            this: 0,
+            steps_left: step_limit,
+        }
+    }
+
+    /// Gives the variables their initial values.
+    ///
+    /// # Errors
+    /// See [`Stop`]; an initial value may be computed, and so may fault.
+    pub fn startup(&mut self) -> Result<(), Stop> {
+        self.run(self.program.startup)
+    }
+
+    /// Runs all program instances once.
+    ///
+    /// # Errors
+    /// See [`Stop`].
+    pub fn scan(&mut self) -> Result<(), Stop> {
+        self.run(self.program.scan)
+    }
+
+    /// The raw form in a cell; `None` where there is no such cell.
+    #[must_use]
+    pub fn plain(&self, address: Address) -> Option<u64> {
+        self.memory.load(address).ok()
+    }
+
+    /// The text of a text cell, in code units; `None` where there is none.
+    #[must_use]
+    pub fn text(&self, address: Address) -> Option<&[u16]> {
+        self.memory.text(address).ok()
+    }
+
+    /// Writes a raw form into a cell, as the environment does between scans; `None` where there is no such cell.
+    pub fn set_plain(&mut self, address: Address, value: u64) -> Option<()> {
+        self.memory.store(address, value).ok()
+    }
+
+    /// Writes a text, cut to its variable's capacity; `None` where there is none.
+    pub fn set_text(&mut self, address: Address, units: &[u16]) -> Option<()> {
+        self.memory.store_text(address, units).ok()
+    }
+
+    fn run(&mut self, routine: RoutineId) -> Result<(), Stop> {
+        self.operands.clear();
+        self.texts.clear();
+        self.frames.clear();
+        self.this = 0;
+        self.enter(routine)
+            .and_then(|()| self.execute())
+            .map_err(|halt| self.stopped(halt))
+    }
+
+    /// Says where a halt happened: at the instruction before the next.
+    fn stopped(&self, halt: Halt) -> Stop {
+        let at = self.next.saturating_sub(1);
+        match halt {
+            Halt::Fault(kind) => {
+                let line = self.program.lines.get(at as usize).copied().unwrap_or(0);
+                Stop::Fault(RaisedFault { kind, line })
+            }
+            Halt::Missing(what) => Stop::Inconsistent(Inconsistency { what, at }),
+        }
+    }
+
+    fn execute(&mut self) -> Result<(), Halt> {
+        let program = self.program;
+        loop {
+            let instruction = *program
+                .code
+                .get(self.next as usize)
+                .ok_or(Halt::Missing("instruction at this label"))?;
+            self.next += 1;
+            match instruction {
+                Instruction::Push(value) => self.operands.push(value),
+                Instruction::PushText(index) => self.push_constant(index)?,
+                Instruction::Drop => drop(self.pop()?),
+                Instruction::DropText => drop(self.pop_text()?),
+                Instruction::Swap => {
+                    let (first, second) = self.pop_pair()?;
+                    self.operands.extend([second, first]);
+                }
+
+                Instruction::Address(address) => self.operands.push(address.into()),
+                Instruction::InstanceAddress(offset) => {
+                    self.operands.push(self.this.wrapping_add(offset).into());
+                }
+                Instruction::Dereference | Instruction::LoadIndirect => {
+                    let address = self.pop_address()?;
+                    self.operands.push(self.memory.load(address)?);
+                }
+                Instruction::Offset(offset) => {
+                    let address = self.pop_address()?;
+                    self.operands.push(address.wrapping_add(offset).into());
+                }
+                Instruction::Subscript {
+                    low,
+                    high,
+                    stride,
+                    unsigned,
+                } => {
+                    let subscript = self.pop()?;
+                    let address = self.pop_address()?;
+                    let element = element(subscript, (low, high), unsigned)?;
+                    // An array fits the memory, so its addresses fit 32 bits.
+                    let offset = (element as u32).wrapping_mul(stride);
+                    self.operands.push(address.wrapping_add(offset).into());
+                }
+
+                Instruction::Load(address) => self.operands.push(self.memory.load(address)?),
+                Instruction::Store(address) => {
+                    let value = self.pop()?;
+                    self.memory.store(address, value)?;
+                }
+                Instruction::StoreIndirect => {
+                    let value = self.pop()?;
+                    let address = self.pop_address()?;
+                    self.memory.store(address, value)?;
+                }
+                Instruction::LoadText => self.load_text()?,
+                Instruction::StoreText => self.store_text()?,
+                Instruction::Copy(count) => self.copy(count)?,
+                Instruction::Replicate { stride, count } => self.replicate(stride, count)?,
+                Instruction::Clear(count) => {
+                    let address = self.pop_address()?;
+                    self.spend(count.into())?;
+                    self.memory.clear(address, count)?;
+                }
+
+                Instruction::Bit(bit) => {
+                    let value = self.pop()?;
+                    self.operands.push((value >> (bit & 63)) & 1);
+                }
+                Instruction::StoreBit { bit, of } => self.store_bit(bit, of)?,
+
+                Instruction::Convert(conversion) => self.convert(conversion)?,
+                Instruction::Arithmetic(operator, ty) => {
+                    let (left, right) = self.pop_pair()?;
+                    self.operands
+                        .push(arithmetic::arithmetic(operator, ty, left, right)?);
+                }
+                Instruction::ScaleDuration(operator, ty) => {
+                    let (time, number) = self.pop_pair()?;
+                    self.operands.push(duration::scale(operator, ty, time, number)?);
+                }
+                Instruction::Power { base, exponent } => {
+                    let (left, right) = self.pop_pair()?;
+                    self.operands.push(power::power((base, left), (exponent, right))?);
+                }
+                Instruction::Compare(operator, ty) => {
+                    let (left, right) = self.pop_pair()?;
+                    self.operands
+                        .push(comparison::compare(operator, ty, left, right).into());
+                }
+                Instruction::CompareText(operator) => self.compare_texts(operator)?,
+                Instruction::Logic(operator) => {
+                    let (left, right) = self.pop_pair()?;
+                    self.operands.push(match operator {
+                        LogicOperator::And => left & right,
+                        LogicOperator::Or => left | right,
+                        LogicOperator::Xor => left ^ right,
+                    });
+                }
+                Instruction::Not(ty) => {
+                    let value = self.pop()?;
+                    self.operands.push(narrow(!value, ty));
+                }
+                Instruction::Negate(ty) => {
+                    let value = self.pop()?;
+                    self.operands.push(arithmetic::negate(ty, value));
+                }
+                Instruction::CheckRange { low, high, unsigned } => {
+                    let value = self.pop()?;
+                    if !in_range(value, low, high, unsigned) {
+                        return Err(FaultKind::Subrange.into());
+                    }
+                    self.operands.push(value);
+                }
+                Instruction::LoopTest(types) => {
+                    let counting = self.pop_counting(types)?;
+                    self.operands.push(counting.begins().into());
+                }
+                Instruction::LoopStep(types) => {
+                    let (control, goes_on) = self.pop_counting(types)?.next();
+                    self.operands.extend([control, goes_on.into()]);
+                }
+                Instruction::Standard { function, of, count } => self.standard(function, of, count)?,
+
+                Instruction::Jump(label) => self.go_to(label)?,
+                Instruction::JumpIfFalse(label) => {
+                    if self.pop()? == 0 {
+                        self.go_to(label)?;
+                    }
+                }
+                Instruction::Call(routine) => {
+                    self.push_frame()?;
+                    self.enter(routine)?;
+                }
+                Instruction::CallInstance(routine) => {
+                    let this = self.pop_address()?;
+                    self.push_frame()?;
+                    self.this = this;
+                    self.enter(routine)?;
+                }
+                Instruction::Return => match self.frames.pop() {
+                    Some(frame) => {
+                        self.go_to(frame.next)?;
+                        self.this = frame.this;
+                    }
+                    None => return self.go_to(self.next),
+                },
+            }
+        }
+    }
+
+    /// Counts the steps since control last jumped, and goes on at a label.
+    #[inline]
+    fn go_to(&mut self, label: Label) -> Result<(), Halt> {
+        self.spend(self.next.saturating_sub(self.uncounted).into())?;
+        self.next = label;
+        self.uncounted = label;
+        Ok(())
+    }
+
+    #[inline]
+    fn spend(&mut self, steps: u64) -> Result<(), Halt> {
+        match self.steps_left.checked_sub(steps) {
+            Some(left) => {
+                self.steps_left = left;
+                Ok(())
+            }
+            None => {
+                self.steps_left = 0;
+                Err(FaultKind::StepLimit.into())
+            }
+        }
+    }
+
+    /// A text costs a step for each eight code units, about what it takes to copy them.
+    fn spend_on_text(&mut self, units: u64) -> Result<(), Halt> {
+        self.spend(units / 8)
+    }
+
+    fn enter(&mut self, routine: RoutineId) -> Result<(), Halt> {
+        let label = *self
+            .program
+            .routines
+            .get(routine as usize)
+            .ok_or(Halt::Missing("routine of this number"))?;
+        if self.frames.is_empty() {
+            (self.next, self.uncounted) = (label, label);
+            return Ok(());
+        }
+        self.go_to(label)
+    }
+
+    /// Recursion is rejected, so no more frames than routines can be open.
+    fn push_frame(&mut self) -> Result<(), Halt> {
+        if self.frames.len() > self.program.routines.len() {
+            return Err(Halt::Missing("end to its calls"));
+        }
+        self.frames.push(Frame {
+            this: self.this,
+            next: self.next,
+        });
+        Ok(())
+    }
+
+    #[inline]
+    fn pop(&mut self) -> Result<u64, Halt> {
+        self.operands.pop().ok_or(Halt::Missing("operand"))
+    }
+
+    /// Gives what was pushed first first.
+    #[inline]
+    fn pop_pair(&mut self) -> Result<(u64, u64), Halt> {
+        let second = self.pop()?;
+        Ok((self.pop()?, second))
+    }
+
+    fn pop_counting(&mut self, types: LoopTypes) -> Result<Counting, Halt> {
+        let (limit, step) = self.pop_pair()?;
+        Ok(Counting::new(types, [self.pop()?, limit, step]))
+    }
+
+    #[inline]
+    fn pop_address(&mut self) -> Result<Address, Halt> {
+        Address::try_from(self.pop()?).map_err(|_| Halt::Missing("cell at this address"))
+    }
+
+    fn pop_text(&mut self) -> Result<Text<'p>, Halt> {
+        self.texts.pop().ok_or(Halt::Missing("text operand"))
+    }
+
+    fn push_constant(&mut self, index: u32) -> Result<(), Halt> {
+        let constant = self.program.text_constants.get(index as usize);
+        self.texts.push(Cow::Borrowed(
+            constant.ok_or(Halt::Missing("text constant of this number"))?,
+        ));
+        Ok(())
+    }
+
+    fn load_text(&mut self) -> Result<(), Halt> {
+        let address = self.pop_address()?;
+        let text = self.memory.text(address)?.to_vec();
+        self.spend_on_text(text.len() as u64)?;
+        self.texts.push(Cow::Owned(text));
+        Ok(())
+    }
+
+    fn store_text(&mut self) -> Result<(), Halt> {
+        let address = self.pop_address()?;
+        let text = self.pop_text()?;
+        self.spend_on_text(text.len() as u64)?;
+        self.memory.store_text(address, &text)
+    }
+
+    fn copy(&mut self, count: u32) -> Result<(), Halt> {
+        let from = self.pop_address()?;
+        let to = self.pop_address()?;
+        self.spend(count.into())?;
+        let texts = self.memory.copy(from, to, count)?;
+        self.spend_on_text(texts)
+    }
+
+    fn replicate(&mut self, stride: u32, count: u32) -> Result<(), Halt> {
+        let first = self.pop_address()?;
+        let mut place = first;
+        for _ in 1..count {
+            self.spend(u64::from(stride) + 1)?;
+            place = place
+                .checked_add(stride)
+                .ok_or(Halt::Missing("cell at this address"))?;
+            let texts = self.memory.copy(first, place, stride)?;
+            self.spend_on_text(texts)?;
+        }
+        Ok(())
+    }
+
+    fn store_bit(&mut self, bit: u8, of: ElementaryType) -> Result<(), Halt> {
+        let value = self.pop()?;
+        let address = self.pop_address()?;
+        let mask = 1 << (bit & 63);
+        let old = self.memory.load(address)?;
+        let new = if value == 0 { old & !mask } else { old | mask };
+        self.memory.store(address, narrow(new, of))
+    }
+
+    fn convert(&mut self, conversion: Conversion) -> Result<(), Halt> {
+        match (conversion.from.is_text(), conversion.to.is_text()) {
+            (false, false) => {
+                let value = self.pop()?;
+                self.operands.push(conversion.apply(value));
+            }
+            (true, false) => {
+                let text = self.pop_text()?;
+                self.operands.push(conversion.apply_from_text(&text));
+            }
+            (false, true) => {
+                let value = self.pop()?;
+                self.texts.push(Cow::Owned(conversion.apply_to_text(value)));
+            }
+            (true, true) => {
+                let text = self.pop_text()?;
+                self.spend_on_text(text.len() as u64)?;
+                self.texts.push(Cow::Owned(conversion.text_to_text(&text)));
+            }
+        }
+        Ok(())
+    }
+
+    fn compare_texts(&mut self, operator: ComparisonOperator) -> Result<(), Halt> {
+        let right = self.pop_text()?;
+        let left = self.pop_text()?;
+        self.operands
+            .push(comparison::holds(operator, Some(left.cmp(&right))).into());
+        Ok(())
+    }
+
+    fn standard(&mut self, function: StandardFunction, of: ElementaryType, count: u16) -> Result<(), Halt> {
+        if of.is_text() {
+            return self.standard_on_texts(function, count);
+        }
+        let operands = standard::operand_count(function, count);
+        let first = self
+            .operands
+            .len()
+            .checked_sub(operands)
+            .ok_or(Halt::Missing("operand"))?;
+        let result = standard::of_plain(function, of, self.operands.get(first..).unwrap_or_default())?;
+        self.operands.truncate(first);
+        self.operands.push(result);
+        Ok(())
+    }
+
+    fn standard_on_texts(&mut self, function: StandardFunction, count: u16) -> Result<(), Halt> {
+        if function == StandardFunction::Len {
+            let length = self.pop_text()?.len() as u64;
+            self.operands.push(narrow(length, ElementaryType::Int));
+            return Ok(());
+        }
+        let selector = match function {
+            StandardFunction::Sel | StandardFunction::Mux => Some(self.pop()?),
+            _ => None,
+        };
+        let texts = standard::text_count(function, count);
+        let first = self
+            .texts
+            .len()
+            .checked_sub(texts)
+            .ok_or(Halt::Missing("text operand"))?;
+        let result = standard::of_texts(
+            function,
+            selector,
+            self.texts.get_mut(first..).unwrap_or_default(),
+        )?;
+        self.spend_on_text(result.len() as u64)?;
+        self.texts.truncate(first);
+        self.texts.push(result);
+        Ok(())
+    }
+}
+
+/// How many elements lie before the one with this subscript.
+fn element(subscript: u64, (low, high): (i64, i64), unsigned: bool) -> Result<u64, Halt> {
+    let value = subscript.cast_signed();
+    // No dimension reaches beyond an i64, so an unsigned subscript that does lies outside.
+    let beyond = unsigned && value < 0;
+    if !beyond && (low..=high).contains(&value) {
+        Ok(subscript.wrapping_sub(low.cast_unsigned()))
+    } else {
+        Err(FaultKind::SubscriptRange.into())
+    }
+}
+
+/// Whether a raw form lies in a subrange of its integer type.
+fn in_range(value: u64, low: i64, high: u64, unsigned: bool) -> bool {
+    if unsigned {
+        (low.cast_unsigned()..=high).contains(&value)
+    } else {
+        (low..=high.cast_signed()).contains(&value.cast_signed())
+    }
+}

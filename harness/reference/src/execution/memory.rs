@@ -1,0 +1,200 @@
+//! The machine's memory: cells, and the texts that some of them name.
+
+use super::stop::Halt;
+use crate::instruction::{Address, TextCell};
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// All variables of a run.
+#[derive(Debug)]
+pub(super) struct Memory<'p> {
+    cells: Vec<u64>,
+    /// By address. The cell of the nth holds n, its place in `texts`.
+    text_cells: Cow<'p, [TextCell]>,
+    texts: Vec<Vec<u16>>,
+}
+
+impl<'p> Memory<'p> {
+    /// A memory of that many cells, all zero, with empty texts.
+    pub fn new(size: u32, text_cells: &'p [TextCell]) -> Memory<'p> {
+        let mut text_cells = Cow::Borrowed(text_cells);
+        if !text_cells.is_sorted_by_key(|cell| cell.address) {
+            text_cells.to_mut().sort_by_key(|cell| cell.address);
+        }
+        let texts = vec![Vec::new(); text_cells.len()];
+        let mut memory = Memory {
+            cells: vec![0; size as usize],
+            text_cells,
+            texts,
+        };
+        memory.name_texts(0..memory.text_cells.len());
+        memory
+    }
+
+    /// Writes into the cells of these texts which text is theirs.
+    fn name_texts(&mut self, texts: Range<usize>) {
+        for index in texts {
+            let cell = self
+                .text_cells
+                .get(index)
+                .and_then(|cell| self.cells.get_mut(cell.address as usize));
+            if let Some(cell) = cell {
+                *cell = index as u64;
+            }
+        }
+    }
+
+    #[inline]
+    pub fn load(&self, address: Address) -> Result<u64, Halt> {
+        self.cells
+            .get(address as usize)
+            .copied()
+            .ok_or(Halt::Missing("cell at this address"))
+    }
+
+    #[inline]
+    pub fn store(&mut self, address: Address, value: u64) -> Result<(), Halt> {
+        *self
+            .cells
+            .get_mut(address as usize)
+            .ok_or(Halt::Missing("cell at this address"))? = value;
+        Ok(())
+    }
+
+    pub fn text(&self, address: Address) -> Result<&[u16], Halt> {
+        let index = self.load(address)? as usize;
+        Ok(self
+            .texts
+            .get(index)
+            .ok_or(Halt::Missing("text at this address"))?)
+    }
+
+    /// Stores a text, cut to the capacity of its variable.
+    pub fn store_text(&mut self, address: Address, units: &[u16]) -> Result<(), Halt> {
+        let index = self.load(address)? as usize;
+        let (Some(text), Some(cell)) = (self.texts.get_mut(index), self.text_cells.get(index)) else {
+            return Err(Halt::Missing("text at this address"));
+        };
+        text.clear();
+        text.extend(units.iter().take(cell.capacity as usize));
+        Ok(())
+    }
+
+    /// Copies `count` cells, texts by their content. Gives the work done beyond the cells.
+    pub fn copy(&mut self, from: Address, to: Address, count: u32) -> Result<u64, Halt> {
+        let source = self.range(from, count)?;
+        let target = self.range(to, count)?;
+        let texts = self.texts_in(&target);
+        let mut work = 0;
+        for index in texts.clone() {
+            work += self.copy_text(index, from, to)?;
+        }
+        self.cells.copy_within(source, target.start);
+        self.name_texts(texts);
+        Ok(work)
+    }
+
+    /// Copies the content of the text that lies as far behind `from` as the text `index` does behind `to`.
+    fn copy_text(&mut self, index: usize, from: Address, to: Address) -> Result<u64, Halt> {
+        let Some(&TextCell { address, .. }) = self.text_cells.get(index) else {
+            return Ok(0);
+        };
+        let units = self.text(address.wrapping_sub(to).wrapping_add(from))?.to_vec();
+        self.store_text(address, &units)?;
+        Ok(units.len() as u64)
+    }
+
+    /// Sets `count` cells to zero, and their texts to empty.
+    pub fn clear(&mut self, address: Address, count: u32) -> Result<(), Halt> {
+        let range = self.range(address, count)?;
+        let texts = self.texts_in(&range);
+        self.cells.get_mut(range).unwrap_or_default().fill(0);
+        self.texts
+            .get_mut(texts.clone())
+            .unwrap_or_default()
+            .iter_mut()
+            .for_each(Vec::clear);
+        self.name_texts(texts);
+        Ok(())
+    }
+
+    /// The cells from an address on, if there are so many.
+    fn range(&self, address: Address, count: u32) -> Result<Range<usize>, Halt> {
+        let start = address as usize;
+        let end = start.saturating_add(count as usize);
+        if end > self.cells.len() {
+            return Err(Halt::Missing("cell at this address"));
+        }
+        Ok(start..end)
+    }
+
+    /// Which texts have their cells in the range.
+    fn texts_in(&self, range: &Range<usize>) -> Range<usize> {
+        let first = self
+            .text_cells
+            .partition_point(|cell| (cell.address as usize) < range.start);
+        let behind = self
+            .text_cells
+            .partition_point(|cell| (cell.address as usize) < range.end);
+        first..behind
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXTS: [TextCell; 3] = [
+        TextCell {
+            address: 5,
+            capacity: 2,
+        },
+        TextCell {
+            address: 1,
+            capacity: 10,
+        },
+        TextCell {
+            address: 3,
+            capacity: 10,
+        },
+    ];
+
+    #[test]
+    fn texts_are_cut_to_their_capacity_and_copied_by_content() {
+        let mut memory = Memory::new(6, &TEXTS);
+        memory.store_text(1, &[1, 2, 3]).expect("a text");
+        memory.store(2, 7).expect("a cell");
+        assert_eq!(memory.copy(1, 5, 1), Ok(3));
+        assert_eq!(memory.text(5), Ok(&[1, 2][..]));
+        assert_eq!(memory.copy(1, 3, 2), Ok(3));
+        assert_eq!(memory.text(3), Ok(&[1, 2, 3][..]));
+        assert_eq!(memory.load(4), Ok(7));
+        memory.store_text(1, &[9]).expect("a text");
+        assert_eq!(memory.text(3), Ok(&[1, 2, 3][..]));
+    }
+
+    #[test]
+    fn clearing_empties_texts_and_leaves_them_usable() {
+        let mut memory = Memory::new(6, &TEXTS);
+        memory.store_text(3, &[1]).expect("a text");
+        memory.store(4, 9).expect("a cell");
+        memory.clear(2, 3).expect("cells");
+        assert_eq!((memory.text(3), memory.load(4)), (Ok(&[][..]), Ok(0)));
+        memory.store_text(3, &[2]).expect("a text");
+        assert_eq!(memory.text(3), Ok(&[2][..]));
+    }
+
+    #[test]
+    fn an_address_outside_the_memory_is_an_error() {
+        let mut memory = Memory::new(6, &TEXTS);
+        assert!(memory.load(6).is_err());
+        assert!(memory.store(u32::MAX, 0).is_err());
+        assert!(memory.copy(0, 5, 2).is_err());
+        assert!(memory.clear(6, 1).is_err());
+        assert!(memory.clear(6, 0).is_ok());
+        assert!(
+            memory.text(2).is_ok_and(<[u16]>::is_empty),
+            "the cell of no text names the first"
+        );
+    }
+}

@@ -1,0 +1,108 @@
+//! The operator `**`.
+//!
+//! Basis: iec-61131-3: Table 71 names the operator; how it rounds is open. Here an integer base with an
+//! integer exponent is multiplied with itself and wraps; everything else is the `pow` of IEC 60559 in 64 bits,
+//! rounded once more for a REAL base. That is the one operation whose last bit may depend on the platform.
+
+use crate::conversion::real;
+use crate::instruction::FaultKind;
+use crate::raw::narrow;
+use stickler_types::ElementaryType;
+
+/// Base raised to exponent, in the type of the base.
+///
+/// # Errors
+/// `DivisionByZero` for an integer zero with a negative exponent.
+pub fn power(
+    (base_type, base): (ElementaryType, u64),
+    (exponent_type, exponent): (ElementaryType, u64),
+) -> Result<u64, FaultKind> {
+    if !base_type.is_real() {
+        let exponent = exponent_type.integer_value(exponent);
+        return integer_power(base, exponent).map(|bits| narrow(bits, base_type));
+    }
+    let base = real::decode(base, base_type);
+    let result = if exponent_type.is_real() {
+        base.powf(real::decode(exponent, exponent_type))
+    } else {
+        real_power(base, exponent_type.integer_value(exponent))
+    };
+    Ok(real::encode(result, base_type))
+}
+
+/// Modulo 2^64. A negative exponent gives 1 divided by the power, cut toward zero, so that only 1 and -1 give
+/// something other than 0.
+fn integer_power(base: u64, exponent: i128) -> Result<u64, FaultKind> {
+    if exponent >= 0 {
+        return Ok(wrapping_power(base, exponent.unsigned_abs()));
+    }
+    match base.cast_signed() {
+        0 => Err(FaultKind::DivisionByZero),
+        1 | -1 => Ok(wrapping_power(base, exponent.unsigned_abs())),
+        _ => Ok(0),
+    }
+}
+
+fn wrapping_power(mut base: u64, mut exponent: u128) -> u64 {
+    let mut result = 1_u64;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = result.wrapping_mul(base);
+        }
+        base = base.wrapping_mul(base);
+        exponent >>= 1;
+    }
+    result
+}
+
+/// An integer exponent may be too long for an LREAL; its parity, which decides the sign, is taken beforehand.
+fn real_power(base: f64, exponent: i128) -> f64 {
+    let magnitude = base.abs().powf(exponent as f64);
+    if base.is_sign_negative() && exponent & 1 == 1 {
+        -magnitude
+    } else {
+        magnitude
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::{Int, Lint, Lreal, Real, Sint, Ulint};
+
+    fn raw(value: i64) -> u64 {
+        value.cast_unsigned()
+    }
+
+    #[test]
+    fn integers_wrap_as_repeated_multiplication_does() {
+        assert_eq!(power((Sint, 3), (Int, 5)), Ok(raw(-13)));
+        assert_eq!(power((Lint, raw(-2)), (Int, 63)), Ok(raw(i64::MIN)));
+        assert_eq!(power((Int, 0), (Int, 0)), Ok(1));
+        assert_eq!(power((Ulint, 2), (Ulint, u64::MAX)), Ok(0));
+    }
+
+    #[test]
+    fn a_negative_exponent_divides() {
+        assert_eq!(power((Int, 2), (Int, raw(-1))), Ok(0));
+        assert_eq!(power((Int, raw(-1)), (Int, raw(-3))), Ok(raw(-1)));
+        assert_eq!(power((Int, 0), (Int, raw(-1))), Err(FaultKind::DivisionByZero));
+    }
+
+    #[test]
+    fn a_real_base_keeps_its_type() {
+        assert_eq!(
+            power((Real, real::of_single(2.0)), (Int, raw(-1))),
+            Ok(real::of_single(0.5))
+        );
+        assert_eq!(
+            power((Lreal, 2.25_f64.to_bits()), (Lreal, 0.5_f64.to_bits())),
+            Ok(1.5_f64.to_bits())
+        );
+        // 2^53 + 1 is odd, but the LREAL next to it is even.
+        assert_eq!(
+            power((Lreal, (-1.0_f64).to_bits()), (Lint, raw((1 << 53) + 1))),
+            Ok((-1.0_f64).to_bits())
+        );
+    }
+}

@@ -1,0 +1,214 @@
+//! The standard functions that are no conversions, over plain values and over texts.
+//!
+//! Basis: iec-61131-3: standard functions (numeric, selection, bit string, character string); where a shift
+//! count or a selector may lie outside its range, [`StandardFunction`] says what happens.
+
+use super::arithmetic::absolute;
+use super::comparison::extreme;
+use super::stop::Halt;
+use crate::instruction::{FaultKind, StandardFunction};
+use crate::raw::narrow;
+use std::borrow::Cow;
+use std::cmp::Ordering;
+use stickler_types::ElementaryType;
+
+/// How many plain operands a function takes from the stack, its selector included.
+pub(super) fn operand_count(function: StandardFunction, count: u16) -> usize {
+    match function {
+        StandardFunction::Abs => 1,
+        StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => 2,
+        StandardFunction::Sel | StandardFunction::Limit => 3,
+        StandardFunction::Mux => usize::from(count) + 1,
+        StandardFunction::Min | StandardFunction::Max => usize::from(count),
+        StandardFunction::Len | StandardFunction::Concat => 0,
+    }
+}
+
+/// The result for plain operands, the deepest first.
+pub(super) fn of_plain(
+    function: StandardFunction,
+    of: ElementaryType,
+    operands: &[u64],
+) -> Result<u64, Halt> {
+    match (function, operands) {
+        (StandardFunction::Abs, &[value]) => Ok(absolute(of, value)),
+        (StandardFunction::Sel, &[choice, if_false, if_true]) => {
+            Ok(if choice == 0 { if_false } else { if_true })
+        }
+        (StandardFunction::Mux, [selector, values @ ..]) => {
+            let chosen = usize::try_from(*selector)
+                .ok()
+                .and_then(|index| values.get(index));
+            chosen.copied().ok_or(FaultKind::SubscriptRange.into())
+        }
+        (StandardFunction::Min, values) => furthest(of, Ordering::Less, values),
+        (StandardFunction::Max, values) => furthest(of, Ordering::Greater, values),
+        (StandardFunction::Limit, &[minimum, value, maximum]) => {
+            let raised = extreme(of, Ordering::Greater, value, minimum);
+            Ok(extreme(of, Ordering::Less, raised, maximum))
+        }
+        (StandardFunction::Shl, &[value, count]) => {
+            Ok(shift_count(count, of).map_or(0, |n| narrow(value << n, of)))
+        }
+        (StandardFunction::Shr, &[value, count]) => Ok(shift_count(count, of).map_or(0, |n| value >> n)),
+        (StandardFunction::Rol, &[value, count]) => Ok(rotated_left(value, count.cast_signed(), of)),
+        (StandardFunction::Ror, &[value, count]) => Ok(rotated_left(
+            value,
+            (count.cast_signed() % i64::from(of.bits().max(1))).wrapping_neg(),
+            of,
+        )),
+        _ => Err(Halt::Missing("operand of a standard function")),
+    }
+}
+
+fn furthest(of: ElementaryType, further: Ordering, values: &[u64]) -> Result<u64, Halt> {
+    let furthest = values
+        .iter()
+        .copied()
+        .reduce(|first, second| extreme(of, further, first, second));
+    furthest.ok_or(Halt::Missing("operand of a standard function"))
+}
+
+/// The count of a shift where it lies within the width.
+fn shift_count(count: u64, of: ElementaryType) -> Option<u32> {
+    u32::try_from(count).ok().filter(|count| *count < of.bits())
+}
+
+/// Bits that leave at one end come in at the other; a negative count turns the other way round.
+fn rotated_left(value: u64, count: i64, of: ElementaryType) -> u64 {
+    let width = of.bits().max(1);
+    // The remainder lies below 64.
+    let count = count.rem_euclid(width.into()) as u32;
+    if count == 0 {
+        value
+    } else {
+        narrow(value << count | value >> (width - count), of)
+    }
+}
+
+/// A text on the machine's stack: a constant of the program, or what the run made.
+pub(super) type Text<'p> = Cow<'p, [u16]>;
+
+/// How many texts a function takes from the stack.
+pub(super) fn text_count(function: StandardFunction, count: u16) -> usize {
+    match function {
+        StandardFunction::Len => 1,
+        StandardFunction::Sel => 2,
+        StandardFunction::Limit => 3,
+        _ => usize::from(count),
+    }
+}
+
+/// The resulting text for texts, the deepest first; `selector` is that of SEL and MUX.
+pub(super) fn of_texts<'p>(
+    function: StandardFunction,
+    selector: Option<u64>,
+    texts: &mut [Text<'p>],
+) -> Result<Text<'p>, Halt> {
+    let missing = Halt::Missing("operand of a standard function");
+    let chosen = match function {
+        StandardFunction::Concat => return Ok(Cow::Owned(texts.concat())),
+        StandardFunction::Sel | StandardFunction::Mux => {
+            let selector = selector.ok_or(missing)?;
+            let index = if function == StandardFunction::Sel {
+                selector.min(1)
+            } else {
+                selector
+            };
+            usize::try_from(index)
+                .ok()
+                .and_then(|index| texts.get_mut(index))
+                .ok_or(FaultKind::SubscriptRange)?
+        }
+        // The first of equal texts, as for plain values.
+        StandardFunction::Min => texts
+            .iter_mut()
+            .reduce(|a, b| if *b < *a { b } else { a })
+            .ok_or(missing)?,
+        StandardFunction::Max => texts
+            .iter_mut()
+            .reduce(|a, b| if *b > *a { b } else { a })
+            .ok_or(missing)?,
+        StandardFunction::Limit => {
+            let [minimum, value, maximum] = texts else {
+                return Err(missing);
+            };
+            let raised = if *minimum > *value { minimum } else { value };
+            if *maximum < *raised { maximum } else { raised }
+        }
+        _ => return Err(missing),
+    };
+    Ok(std::mem::take(chosen))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::{Bool, Byte, Dword, Int, Lword};
+    use StandardFunction::{Concat, Limit, Max, Min, Mux, Rol, Ror, Sel, Shl, Shr};
+
+    #[test]
+    fn shifts_lose_bits_and_rotations_keep_them() {
+        assert_eq!(of_plain(Shl, Byte, &[0x81, 1]), Ok(0x02));
+        assert_eq!(of_plain(Shr, Byte, &[0x81, 1]), Ok(0x40));
+        assert_eq!(of_plain(Rol, Byte, &[0x81, 1]), Ok(0x03));
+        assert_eq!(of_plain(Ror, Byte, &[0x81, 1]), Ok(0xC0));
+        assert_eq!(of_plain(Rol, Bool, &[1, 5]), Ok(1));
+        assert_eq!(of_plain(Ror, Lword, &[1, 1]), Ok(1 << 63));
+    }
+
+    #[test]
+    fn counts_beyond_the_width_are_defined() {
+        let minus_one = u64::MAX;
+        for count in [8, 64, 65, u64::from(u32::MAX), 1 << 32, minus_one] {
+            assert_eq!(of_plain(Shl, Byte, &[0xFF, count]), Ok(0), "{count}");
+            assert_eq!(of_plain(Shr, Byte, &[0xFF, count]), Ok(0), "{count}");
+        }
+        assert_eq!(of_plain(Rol, Byte, &[0x81, 9]), Ok(0x03));
+        assert_eq!(of_plain(Rol, Byte, &[0x81, minus_one]), Ok(0xC0));
+        assert_eq!(of_plain(Ror, Byte, &[0x81, i64::MIN.cast_unsigned()]), Ok(0x81));
+        assert_eq!(of_plain(Rol, Dword, &[0x8000_0000, 1]), Ok(1));
+    }
+
+    #[test]
+    fn selections_take_what_they_are_told() {
+        assert_eq!(of_plain(Sel, Int, &[0, 10, 20]), Ok(10));
+        assert_eq!(of_plain(Sel, Int, &[1, 10, 20]), Ok(20));
+        assert_eq!(of_plain(Mux, Int, &[2, 10, 20, 30]), Ok(30));
+        let outside = Err(Halt::Fault(FaultKind::SubscriptRange));
+        assert_eq!(of_plain(Mux, Int, &[3, 10, 20, 30]), outside);
+        assert_eq!(of_plain(Mux, Int, &[u64::MAX, 10]), outside);
+    }
+
+    #[test]
+    fn extremes_and_limits() {
+        let minus = |value: i64| (-value).cast_unsigned();
+        assert_eq!(of_plain(Min, Int, &[1, minus(5), 3]), Ok(minus(5)));
+        assert_eq!(of_plain(Max, Int, &[1, minus(5), 3]), Ok(3));
+        assert_eq!(of_plain(Limit, Int, &[0, minus(1), 10]), Ok(0));
+        assert_eq!(of_plain(Limit, Int, &[0, 11, 10]), Ok(10));
+        assert_eq!(
+            of_plain(Limit, Int, &[10, 5, 0]),
+            Ok(0),
+            "the maximum has the last word"
+        );
+        assert!(of_plain(Min, Int, &[]).is_err());
+    }
+
+    #[test]
+    fn texts_are_joined_chosen_and_ordered_by_code() {
+        let texts = || [Cow::Borrowed(&[98][..]), Cow::Owned(vec![97, 97])];
+        assert_eq!(
+            of_texts(Concat, None, &mut texts()).as_deref(),
+            Ok(&[98, 97, 97][..])
+        );
+        assert_eq!(of_texts(Min, None, &mut texts()).as_deref(), Ok(&[97, 97][..]));
+        assert_eq!(of_texts(Sel, Some(1), &mut texts()).as_deref(), Ok(&[97, 97][..]));
+        assert_eq!(
+            of_texts(Mux, Some(2), &mut texts()),
+            Err(FaultKind::SubscriptRange.into())
+        );
+        assert!(of_texts(Min, None, &mut []).is_err());
+        assert_eq!(text_count(Sel, 9), 2);
+    }
+}
