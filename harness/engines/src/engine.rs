@@ -22,8 +22,8 @@ pub trait Engine: Send + Sync {
 
 /// One conversation with an engine. Requests are independent: none may see what an earlier one left behind.
 pub trait Session {
-    /// Executes a program and gives the values asked for: [`Outcome::Executed`], `Rejected`, `Faulted`, or, from
-    /// an engine that can only check, [`Outcome::Accepted`].
+    /// Executes a program and gives the values asked for: [`Outcome::Executed`], `Rejected`, `Faulted`, or,
+    /// from an engine that can only check, [`Outcome::Accepted`].
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome;
 
     /// Checks a program without executing it: [`Outcome::Accepted`] or `Rejected`.

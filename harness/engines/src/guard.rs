@@ -4,8 +4,8 @@ use crate::Outcome;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Asks an engine, and turns its panic into [`Outcome::Crashed`]. Afterwards the session it came from must be thrown
-/// away: that is what makes the unwind safe.
+/// Asks an engine, and turns its panic into [`Outcome::Crashed`]. Afterwards the session it came from must be
+/// thrown away: that is what makes the unwind safe.
 #[must_use]
 pub fn guard(ask: impl FnOnce() -> Outcome) -> Outcome {
     catch_unwind(AssertUnwindSafe(ask)).unwrap_or_else(|payload| Outcome::Crashed {

@@ -1,7 +1,7 @@
 //! Engines: whatever can take an ST program and say what it does, and the wire protocol they speak.
 //!
-//! An engine is handed a program and what to observe, never an expectation; what it answers is an [`Outcome`].
-//! This crate knows neither cases nor verdicts nor reports.
+//! An engine is handed a program and what to observe, never an expectation; what it answers is an
+//! [`Outcome`]. This crate knows neither cases nor verdicts nor reports.
 #![forbid(unsafe_code)]
 
 mod engine;

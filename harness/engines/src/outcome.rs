@@ -56,8 +56,8 @@ pub enum Outcome {
     },
 }
 
-/// Something that an engine finds wrong with a program. Only the message is sure to be there in a foreign engine's
-/// answer.
+/// Something that an engine finds wrong with a program. Only the message is sure to be there in a foreign
+/// engine's answer.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Diagnostic {
     /// A code of the registry where the engine or its adapter has one, otherwise the engine's own.

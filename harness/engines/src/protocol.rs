@@ -1,8 +1,8 @@
 //! The wire protocol: JSON Lines over stdin and stdout, one request, one reply, in order.
 //!
-//! [`Request`] and [`Reply`] are the two directions, [`serve`] answers requests with any [`Engine`](crate::Engine),
-//! and [`schemas`] gives the JSON Schemas that are published in `harness/engines/schemas/`.
-//! Basis: design, section 4.
+//! [`Request`] and [`Reply`] are the two directions, [`serve`] answers requests with any
+//! [`Engine`](crate::Engine), and [`schemas`] gives the JSON Schemas that are published in
+//! `harness/engines/schemas/`. Basis: design, section 4.
 
 mod answer;
 mod lines;

@@ -1,5 +1,5 @@
-//! The published schemas are the ones that the code generates. To write them anew after a change of the protocol:
-//! `STICKLER_BLESS=1 cargo test -p stickler-engines --test schemas`.
+//! The published schemas are the ones that the code generates. To write them anew after a change of the
+//! protocol: `STICKLER_BLESS=1 cargo test -p stickler-engines --test schemas`.
 
 use std::path::Path;
 use stickler_engines::protocol::schemas;

@@ -15,8 +15,8 @@ pub struct Answers {
     pub rendering: Option<Rendering>,
 }
 
-/// What came of rendering a program, and of the rendered program. Basis: design, sections 3.1 and 4 (rendering again
-/// changes nothing, and the rendered program means the same).
+/// What came of rendering a program, and of the rendered program. Basis: design, sections 3.1 and 4
+/// (rendering again changes nothing, and the rendered program means the same).
 #[derive(Clone, PartialEq, Debug)]
 pub struct Rendering {
     /// The program, rendered.
@@ -51,8 +51,8 @@ impl Answers {
     }
 }
 
-/// An engine with the session that a worker keeps to it. A session that crashed is thrown away; the next case opens a new
-/// one.
+/// An engine with the session that a worker keeps to it. A session that crashed is thrown away; the next case
+/// opens a new one.
 pub struct Desk<'e> {
     engine: &'e dyn Engine,
     session: Option<Box<dyn Session + 'e>>,
@@ -68,7 +68,8 @@ impl<'e> Desk<'e> {
         }
     }
 
-    /// Asks the engine all that the case needs. The engine sees the program and what to observe, never the expectation.
+    /// Asks the engine all that the case needs. The engine sees the program and what to observe, never the
+    /// expectation.
     ///
     /// # Errors
     /// Where no session can be opened. A panic of the engine is no error but [`Outcome::Crashed`].

@@ -1,5 +1,5 @@
-//! The events of a run: a header, one event a case, a footer. Every report is a projection of them and has no facts of
-//! its own; a stream without its footer is a truncated run. Basis: design, section 5.
+//! The events of a run: a header, one event a case, a footer. Every report is a projection of them and has no
+//! facts of its own; a stream without its footer is a truncated run. Basis: design, section 5.
 
 mod totals;
 mod verdict;
@@ -86,8 +86,8 @@ pub struct CaseEvent {
     pub title: String,
     /// What had to happen: one expectation a line, in a fixed order.
     pub expected: String,
-    /// What happened, line by line beside `expected`; the two are equal where all went as expected, so that a diff of
-    /// them shows what did not.
+    /// What happened, line by line beside `expected`; the two are equal where all went as expected, so that a
+    /// diff of them shows what did not.
     pub got: String,
     /// How long the engine took, in microseconds.
     pub duration_us: u64,
@@ -147,8 +147,8 @@ mod tests {
 
     #[test]
     fn a_header_of_a_later_version_with_more_keys_is_read() {
-        let line = r#"{"type":"header","format":1,"stickler":"9","suite":"1","started":"","command":"","engines":[],
-            "cases":4,"weather":"fine"}"#;
+        let line = r#"{"type":"header","format":1,"stickler":"9","suite":"1","started":"","command":"",
+            "engines":[],"cases":4,"weather":"fine"}"#;
         let Event::Header(header) = serde_json::from_str(line).unwrap() else {
             panic!("no header")
         };

@@ -6,7 +6,7 @@ use std::str::FromStr;
 /// A filter over case ids. Three readings, the first that applies:
 ///
 /// 1. it *is* the id of a case, or its key `id@dialect`: that case alone, though other ids may contain it;
-/// 2. it contains a `*`: a pattern for the whole id or the whole key, in which only `*` is special and stands for any text;
+/// 2. it contains a `*`: a pattern for the whole id or key, in which only `*` is special and stands for any text;
 /// 3. otherwise: every case whose key contains it.
 ///
 /// The first reading makes the rerun command of a report exact. Basis: design, section 3.2.
@@ -61,8 +61,8 @@ fn is_key(text: &str, id: &str, dialect: &str) -> bool {
         .is_some_and(|rest| rest == dialect)
 }
 
-/// Whether `text` is `pattern`'s pieces in their order, the first at the start and the last at the end. Linear but for the
-/// search of each piece.
+/// Whether `text` is `pattern`'s pieces in their order, the first at the start and the last at the end.
+/// Linear but for the search of each piece.
 fn pattern_fits(pattern: &str, text: &str) -> bool {
     let Some((first, rest)) = pattern.split_once('*') else {
         return pattern == text;

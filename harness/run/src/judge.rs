@@ -28,8 +28,8 @@ pub struct Judgement {
     pub observations: Vec<Observed>,
 }
 
-/// Judges a case by what an engine answered. `strict` is the worst grade of a rejection or fault that still passes; the
-/// reference must meet [`Grade::Code`].
+/// Judges a case by what an engine answered. `strict` is the worst grade of a rejection or fault that still
+/// passes; the reference must meet [`Grade::Code`].
 #[must_use]
 pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
     let expectation = &*case.expectation;

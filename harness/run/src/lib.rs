@@ -1,8 +1,8 @@
 //! Runs cases on engines, judges what they answer, and emits one stream of [`Event`]s.
 //!
-//! The way of a case: [`select`](select()) picks it, a worker of the [`schedule`](run()) asks an engine and gets
-//! [`Answers`], [`judge`](judge()) holds them against the expectation, and the [`Judgement`] goes out as a
-//! [`CaseEvent`]. This crate does not know how events are shown.
+//! The way of a case: [`select`](select()) picks it, a worker of the [`schedule`](run()) asks an engine and
+//! gets [`Answers`], [`judge`](judge()) holds them against the expectation, and the [`Judgement`] goes out as
+//! a [`CaseEvent`]. This crate does not know how events are shown.
 #![forbid(unsafe_code)]
 
 mod answers;

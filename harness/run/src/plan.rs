@@ -8,8 +8,9 @@ use stickler_types::DialectName;
 
 /// What to run and how. The default runs every case of the suite, judged by code and line.
 ///
-/// A baseline, when there is one, belongs here: a list that [`run`](crate::run()) holds against each [`Judgement`](crate::Judgement),
-/// turning `fail` into `xfail` and `pass` into `xpass` before the event goes out.
+/// A baseline, when there is one, belongs here: a list that [`run`](crate::run()) holds against each
+/// [`Judgement`](crate::Judgement), turning `fail` into `xfail` and `pass` into `xpass` before the event goes
+/// out.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// How many workers; 0 is one a processor.

@@ -30,8 +30,8 @@ impl Dispenser {
         }
     }
 
-    /// The next `size` cases (fewer at the end), once they are near enough to what was given on last; `None` at the end or
-    /// when the run stops. The worker with the lowest case never waits, so waiting ends.
+    /// The next `size` cases (fewer at the end), once they are near enough to what was given on last; `None`
+    /// at the end or when the run stops. The worker with the lowest case never waits, so waiting ends.
     pub(crate) fn claim(&self, size: usize, stop: &AtomicBool) -> Option<std::ops::Range<usize>> {
         let mut state = self.lock();
         while state.next < self.total && state.next >= state.given_on + WINDOW {
@@ -76,8 +76,8 @@ impl<T> Reorder<T> {
         }
     }
 
-    /// Takes the batch that begins with case `start` and gives on whatever is now complete from the front. Gives the case that
-    /// is waited for next.
+    /// Takes the batch that begins with case `start` and gives on whatever is now complete from the front.
+    /// Gives the case that is waited for next.
     pub(crate) fn take(&mut self, start: usize, batch: Vec<T>, mut give: impl FnMut(T)) -> usize {
         self.waiting.insert(start, batch);
         while let Some(batch) = self.waiting.remove(&self.next) {

@@ -14,13 +14,14 @@ use stickler_suite::{Case, Suite};
 
 /// Runs the cases that the plan selects on every engine that speaks their dialect.
 ///
-/// Events reach `sink` on this thread: a header, the cases in the order of the suite (engines in the order given), a footer.
-/// When `cancel` becomes true, workers stop at their next case, what is complete from the front is given on, and there is no
-/// footer. Memory is bounded whatever the number of cases; one engine session is open a worker.
+/// Events reach `sink` on this thread: a header, the cases in the order of the suite (engines in the order
+/// given), a footer. When `cancel` becomes true, workers stop at their next case, what is complete from the
+/// front is given on, and there is no footer. Memory is bounded whatever the number of cases; one engine
+/// session is open a worker.
 ///
 /// # Errors
-/// [`RunError::NoCaseSelected`] before any event; [`RunError::Engine`] where an engine cannot be opened, without a footer if
-/// the header is already out; [`RunError::Workers`] where the system gives no threads.
+/// [`RunError::NoCaseSelected`] before any event; [`RunError::Engine`] where an engine cannot be opened,
+/// without a footer if the header is already out; [`RunError::Workers`] where the system gives no threads.
 pub fn run(
     plan: &Plan,
     suite: &Suite,
@@ -74,7 +75,8 @@ pub fn run(
 /// An engine in this process may recurse as deep as its own limits allow; two megabytes are too few for some.
 const STACK: usize = 16 << 20;
 
-/// A batch grows while it takes less than this; then workers seldom meet, and slow engines still show progress.
+/// A batch grows while it takes less than this; then workers seldom meet, and slow engines still show
+/// progress.
 const QUICK: Duration = Duration::from_micros(500);
 
 const LARGEST_BATCH: usize = 64;

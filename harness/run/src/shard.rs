@@ -5,8 +5,8 @@ use std::str::FromStr;
 
 /// Part `index` of `count`, written `index/count`, `index` from 1.
 ///
-/// A case belongs to the part that a hash (FNV-1a) of its key `id@dialect` says, so that a case stays in its part when others
-/// come or go, every case is in exactly one part, and the parts are of about equal size.
+/// A case belongs to the part that a hash (FNV-1a) of its key `id@dialect` says, so that a case stays in its
+/// part when others come or go, every case is in exactly one part, and the parts are of about equal size.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Shard {
     index: u32,

@@ -13,8 +13,8 @@ pub(super) enum Line {
     End,
 }
 
-/// Reads the next line into `buffer`, keeping at most `limit` bytes whatever the other side sends. A last line without
-/// a line feed counts.
+/// Reads the next line into `buffer`, keeping at most `limit` bytes whatever the other side sends. A last
+/// line without a line feed counts.
 ///
 /// # Errors
 /// Those of `input`.

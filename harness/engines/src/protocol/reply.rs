@@ -151,8 +151,8 @@ impl Reply {
         })
     }
 
-    /// The reply that tells this outcome. The protocol has no words for a crash or a time limit, since a dead engine
-    /// cannot speak: where an engine survives one, the reply is an error.
+    /// The reply that tells this outcome. The protocol has no words for a crash or a time limit, since a dead
+    /// engine cannot speak: where an engine survives one, the reply is an error.
     #[must_use]
     pub fn from_outcome(id: u64, outcome: Outcome) -> Reply {
         match outcome {

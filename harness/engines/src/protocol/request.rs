@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 pub enum Request {
     /// Opens a conversation; answered by `hello`.
     Hello(HelloRequest),
-    /// Executes a program; answered by `executed`, `rejected`, `faulted`, `unsupported`, `error`, or, by an engine
-    /// that can only check, `accepted`.
+    /// Executes a program; answered by `executed`, `rejected`, `faulted`, `unsupported`, `error`, or, by an
+    /// engine that can only check, `accepted`.
     Run(RunMessage),
     /// Checks a program; answered by `accepted`, `rejected`, `unsupported` or `error`.
     Check(ProgramRequest),

@@ -1,13 +1,14 @@
-//! Serving an engine over the wire: each line is answered in order, and no line ends the conversation but `bye`.
+//! Serving an engine over the wire: each line is answered in order, and no line ends the conversation but
+//! `bye`.
 
 use super::lines::{Line, next_line};
 use super::{MAX_LINE, ProgramRequest, Reply, Request, RunMessage, answer};
 use crate::{Engine, Outcome, Session, guard};
 use std::io::{self, BufRead, Write};
 
-/// Answers requests until `bye` or the end of the input. Every reply is flushed as it is written; a malformed line is
-/// answered by an error (with the request's `id` where it can be read); blank lines are passed over; memory is bounded
-/// by [`MAX_LINE`] and what the engine needs for one program. Basis: design, section 4.
+/// Answers requests until `bye` or the end of the input. Every reply is flushed as it is written; a malformed
+/// line is answered by an error (with the request's `id` where it can be read); blank lines are passed over;
+/// memory is bounded by [`MAX_LINE`] and what the engine needs for one program. Basis: design, section 4.
 ///
 /// # Errors
 /// Those of `input` and `output`, and an engine of which no session can be opened.
@@ -120,4 +121,46 @@ fn readable_id(line: &[u8]) -> Option<u64> {
         .ok()?
         .get("id")?
         .as_u64()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_that_is_too_long_is_an_error_and_the_next_is_answered() {
+        let hello = "{\"type\":\"hello\",\"protocol\":1}\n";
+        let input = format!(
+            "{{\"type\":\"check\",\"source\":\"{}\"}}\n{hello}",
+            "x".repeat(1000)
+        );
+        let mut output = Vec::new();
+        serve_lines(&crate::Reference::new(), input.as_bytes(), &mut output, 100).unwrap();
+        let replies: Vec<Reply> = output
+            .split(|&byte| byte == b'\n')
+            .filter_map(|line| serde_json::from_slice(line).ok())
+            .collect();
+        assert_eq!(replies.len(), 2);
+        assert_eq!(
+            replies[0],
+            Reply::error(None, "the line is longer than 100 bytes")
+        );
+        assert!(matches!(replies[1], Reply::Hello(_)));
+    }
+
+    #[test]
+    fn an_output_that_is_gone_ends_the_serving_with_an_error() {
+        struct Gone;
+        impl Write for Gone {
+            fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+                Err(io::ErrorKind::BrokenPipe.into())
+            }
+            fn flush(&mut self) -> io::Result<()> {
+                Ok(())
+            }
+        }
+        let input = "{\"type\":\"hello\",\"protocol\":1}\n".repeat(2);
+        let error = serve(&crate::Reference::new(), input.as_bytes(), Gone).unwrap_err();
+        assert_eq!(error.kind(), io::ErrorKind::BrokenPipe);
+    }
 }

@@ -54,7 +54,8 @@ impl Verdict {
         }
     }
 
-    /// Whether a run with this verdict in it is still as expected. An unexpected pass is not: its baseline is stale.
+    /// Whether a run with this verdict in it is still as expected. An unexpected pass is not: its baseline is
+    /// stale.
     #[must_use]
     pub const fn is_as_expected(self) -> bool {
         matches!(self, Verdict::Pass | Verdict::Xfail | Verdict::Unsupported)

@@ -5,8 +5,8 @@ use crate::Rendering;
 use stickler_engines::Outcome;
 use stickler_suite::ExpectedText;
 
-/// Compares the bodies in the rendered text with the expected lines, and requires that rendering again changes nothing and
-/// that the rendered program does what the program did.
+/// Compares the bodies in the rendered text with the expected lines, and requires that rendering again
+/// changes nothing and that the rendered program does what the program did.
 pub(super) fn compare(expected: &ExpectedText, run: &Outcome, rendering: &Rendering, sheet: &mut Sheet) {
     let Outcome::Rendered { text } = &rendering.first else {
         sheet.require(false);
@@ -77,7 +77,8 @@ fn means_the_same(run: &Outcome, rerun: &Outcome) -> bool {
                 ..
             },
         ) => fault == fault_again && values == values_again,
-        // A rejected program may have been rendered all the same; then the text must be rejected too, at whatever place.
+        // A rejected program may have been rendered all the same; then the text must be rejected too, at
+        // whatever place.
         (Outcome::Rejected { .. }, Outcome::Rejected { .. }) => true,
         _ => run == rerun,
     }
@@ -85,9 +86,10 @@ fn means_the_same(run: &Outcome, rerun: &Outcome) -> bool {
 
 /// The lines of the bodies of all POUs in a rendered text, trimmed, without empty ones.
 ///
-/// A body is what stands between a POU's header or its last `END_VAR` and its `END_PROGRAM`, `END_FUNCTION` or
-/// `END_FUNCTION_BLOCK`. Headers, variable blocks, TYPE declarations and configurations are left out. Each of those words is
-/// looked for at the beginning of a line, where a renderer puts it. Basis: design, sections 3.1 and 4.
+/// A body is what stands between a POU's header or its last `END_VAR` and its `END_PROGRAM`, `END_FUNCTION`
+/// or `END_FUNCTION_BLOCK`. Headers, variable blocks, TYPE declarations and configurations are left out. Each
+/// of those words is looked for at the beginning of a line, where a renderer puts it. Basis: design, sections
+/// 3.1 and 4.
 #[must_use]
 pub fn rendered_bodies(text: &str) -> Vec<&str> {
     let mut room = Room::Outside;
@@ -156,10 +158,14 @@ mod tests {
 
     #[test]
     fn bodies_of_all_pous_are_found_and_nothing_else() {
-        let text = "TYPE\n    t : INT;\nEND_TYPE\n\nFUNCTION f : INT\n    VAR_INPUT\n        a : INT;\n    END_VAR\n    \
-                    VAR\n        v : INT;\n    END_VAR\n    f := a;\nEND_FUNCTION\n\nPROGRAM main\n    IF f(1) = 1 THEN\n        \
-                    ;\n    END_IF;\n    program_x := 2;\nEND_PROGRAM\n\nCONFIGURATION c\n    RESOURCE r ON plc\n        \
-                    PROGRAM inst WITH t : main;\n    END_RESOURCE\nEND_CONFIGURATION\nvar_global\n    g : INT;\nend_var\n";
+        let text = concat!(
+            "TYPE\n    t : INT;\nEND_TYPE\n\n",
+            "FUNCTION f : INT\n    VAR_INPUT\n        a : INT;\n    END_VAR\n",
+            "    VAR\n        v : INT;\n    END_VAR\n    f := a;\nEND_FUNCTION\n\n",
+            "PROGRAM main\n    IF f(1) = 1 THEN\n        ;\n    END_IF;\n    program_x := 2;\nEND_PROGRAM\n",
+            "CONFIGURATION c\n    RESOURCE r ON plc\n        PROGRAM inst WITH t : main;\n",
+            "    END_RESOURCE\nEND_CONFIGURATION\nvar_global\n    g : INT;\nend_var\n",
+        );
         let bodies = ["f := a;", "IF f(1) = 1 THEN", ";", "END_IF;", "program_x := 2;"];
         assert_eq!(rendered_bodies(text), bodies);
     }

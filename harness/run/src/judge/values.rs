@@ -41,8 +41,8 @@ impl<'a> From<&'a ExpectedValue> for Key<'a> {
     }
 }
 
-/// Finds values by key. Engines answer in the order in which they were asked, so the search goes on where the last one ended
-/// and is linear in all.
+/// Finds values by key. Engines answer in the order in which they were asked, so the search goes on where the
+/// last one ended and is linear in all.
 struct Finder<'a> {
     values: &'a [NamedValue],
     next: usize,

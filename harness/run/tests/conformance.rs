@@ -1,0 +1,78 @@
+//! The conformance run: every case file below `conformance-cases/` is a test of the reference. A file dropped
+//! into the folder is a test, with no code touched. The cases of one file run in parallel.
+//!
+//! `cargo test -p stickler-run --test conformance -- widening` runs the files whose path contains `widening`;
+//! the command line (`cargo run --release`) runs the same cases with reports.
+
+use rayon::prelude::*;
+use similar::TextDiff;
+use std::fmt::Write;
+use std::path::Path;
+use stickler_engines::Reference;
+use stickler_run::{Desk, Grade, Judgement, Plan, Verdict, judge};
+use stickler_suite::{Case, load_file};
+
+/// The suite, seen from this crate's folder, in which cargo runs tests.
+const ROOT: &str = "../../conformance-cases";
+
+/// The reference must pass every case of the file, by code and line.
+fn conforms(path: &Path) -> datatest_stable::Result<()> {
+    let (cases, errors) = load_file(Path::new(ROOT), path);
+    let reference = Reference::new();
+    let judged: Vec<Result<Option<String>, stickler_engines::EngineError>> = cases
+        .par_iter()
+        .map_init(|| Desk::new(&reference), |desk, case| complaint(desk, case))
+        .collect();
+    let mut complaints: Vec<String> = errors.iter().map(ToString::to_string).collect();
+    for complaint in judged {
+        complaints.extend(complaint?);
+    }
+    if cases.is_empty() && errors.is_empty() && !std::fs::read_to_string(path)?.contains("[withdrawn]") {
+        complaints.push("the file holds no case".to_owned());
+    }
+    if complaints.is_empty() {
+        return Ok(());
+    }
+    let count = complaints.len();
+    Err(format!(
+        "{count} of {} cases failed\n\n{}",
+        cases.len(),
+        complaints.join("\n")
+    )
+    .into())
+}
+
+/// What is to be said of a case that does not pass.
+fn complaint(desk: &mut Desk<'_>, case: &Case) -> Result<Option<String>, stickler_engines::EngineError> {
+    let judgement = judge(case, &desk.ask(case)?, Grade::Code);
+    Ok((judgement.verdict != Verdict::Pass).then(|| describe(case, &judgement)))
+}
+
+fn describe(case: &Case, judgement: &Judgement) -> String {
+    let Judgement {
+        verdict,
+        expected,
+        got,
+        ..
+    } = judgement;
+    let mut text = String::new();
+    // Writing into a String does not fail.
+    let _ = writeln!(text, "{verdict}  {}  ({}:{})", case.key(), case.file, case.line);
+    let _ = writeln!(text, "  {}: {}", case.basis, case.title);
+    for (name, lines) in [("expected", expected), ("got", got)] {
+        let _ = writeln!(text, "  {name}:");
+        lines.lines().for_each(|line| text.extend(["    ", line, "\n"]));
+    }
+    let _ = writeln!(text, "  diff:");
+    for change in TextDiff::from_lines(expected.as_str(), got.as_str()).iter_all_changes() {
+        let line = change.value().trim_end_matches('\n');
+        let _ = writeln!(text, "    {}{line}", change.tag());
+    }
+    let _ = writeln!(text, "  again: {}", Plan::default().rerun(case, "reference"));
+    text
+}
+
+datatest_stable::harness! {
+    // `dialects.toml` and `suite.toml` describe the suite; every other file of these kinds is a case file.
+    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|suite)\.toml$).*\.(st|toml)$" },
+}

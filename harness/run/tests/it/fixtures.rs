@@ -1,0 +1,195 @@
+//! Cases made by hand, and an engine that answers as it is told to.
+
+use std::sync::Arc;
+use stickler_engines::{
+    Ability, Diagnostic, Engine, EngineError, Identity, NamedValue, Outcome, RunRequest, Session,
+};
+use stickler_suite::{
+    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue, Observe, Suite,
+};
+use stickler_types::{DialectName, Value};
+
+/// A case that expects nothing but to be accepted.
+pub fn case(id: &str) -> Case {
+    Case {
+        id: id.into(),
+        dialect: DialectName::Matiec,
+        title: "A title".into(),
+        basis: "a-source: A section".into(),
+        summary: None,
+        file: "conformance-cases/area/file.st".into(),
+        area: "area".into(),
+        line: 1,
+        source: id.into(),
+        scans: 1,
+        tags: Arc::new([]),
+        edition: None,
+        clock: Arc::new([]),
+        set: Arc::new([]),
+        expectation: Arc::new(Expectation::default()),
+        observe: Arc::new([]),
+        cell: None,
+    }
+}
+
+/// A case with this expectation, which observes all the values that it asserts.
+pub fn expecting(expectation: Expectation) -> Case {
+    let observe = |value: &ExpectedValue| Observe {
+        name: value.name.clone(),
+        ty: value.value.type_name().into(),
+        after: value.after,
+    };
+    let observe: Arc<[Observe]> = expectation.values.iter().map(observe).collect();
+    Case {
+        observe,
+        expectation: Arc::new(expectation),
+        ..case("area/file")
+    }
+}
+
+/// The expectation of a rejection at these places, `6 P4035`.
+pub fn rejection(places: &[&str]) -> Expectation {
+    let place = |place: &&str| {
+        let (line, code) = place.split_once(' ').unwrap();
+        ExpectedDiagnostic {
+            line: line.parse().unwrap(),
+            code: code.parse().unwrap(),
+        }
+    };
+    Expectation {
+        accepted: Acceptance::Rejected,
+        diagnostics: places.iter().map(place).collect(),
+        ..Expectation::default()
+    }
+}
+
+/// The expectation of these values, `q = INT#1`.
+pub fn values(values: &[&str]) -> Expectation {
+    let value = |(name, value): NamedValue| ExpectedValue {
+        name: name.into(),
+        after: None,
+        value,
+        line: 9,
+    };
+    Expectation {
+        values: named(values).into_iter().map(value).collect(),
+        ..Expectation::default()
+    }
+}
+
+/// The expectation of a fault, `9 division-by-zero`.
+pub fn fault(place: &str) -> Expectation {
+    let (line, fault) = place.split_once(' ').unwrap();
+    let fault = ExpectedFault {
+        fault: fault.parse().unwrap(),
+        line: line.parse().unwrap(),
+    };
+    Expectation {
+        fault: Some(fault),
+        ..Expectation::default()
+    }
+}
+
+/// Values as an engine gives them, from `q = INT#1`.
+pub fn named(values: &[&str]) -> Vec<NamedValue> {
+    let value = |text: &&str| {
+        let (name, literal) = text.split_once(" = ").unwrap();
+        (name.to_owned(), Value::parse(literal).unwrap())
+    };
+    values.iter().map(value).collect()
+}
+
+/// An execution that ends with these values.
+pub fn executed(values: &[&str]) -> Outcome {
+    Outcome::Executed {
+        values: named(values),
+    }
+}
+
+/// A rejection with diagnostics at these places: `6 P4035`, `6 -` without a code, `- P4035` without a line.
+pub fn rejected(places: &[&str]) -> Outcome {
+    let diagnostic = |place: &&str| {
+        let (line, code) = place.split_once(' ').unwrap();
+        let code = (code != "-").then(|| code.to_owned());
+        Diagnostic {
+            line: line.parse().ok(),
+            code,
+            message: "told".to_owned(),
+            ..Diagnostic::default()
+        }
+    };
+    Outcome::Rejected {
+        diagnostics: places.iter().map(diagnostic).collect(),
+    }
+}
+
+/// A suite of these cases.
+pub fn suite(cases: Vec<Case>) -> Suite {
+    Suite {
+        version: "0.9".into(),
+        cases,
+        ..Suite::default()
+    }
+}
+
+type Answer = Box<dyn Fn(&RunRequest<'_>) -> Outcome + Send + Sync>;
+
+/// An engine that answers `run` as it is told to.
+pub struct Puppet {
+    identity: Identity,
+    answer: Answer,
+    /// Called whenever a session is opened.
+    pub open: Box<dyn Fn() -> Result<(), EngineError> + Send + Sync>,
+}
+
+impl Puppet {
+    /// An engine with this name that speaks all dialects.
+    pub fn new(name: &str, answer: impl Fn(&RunRequest<'_>) -> Outcome + Send + Sync + 'static) -> Puppet {
+        let identity = Identity {
+            name: name.to_owned(),
+            version: "1".to_owned(),
+            dialects: DialectName::ALL.to_vec(),
+            abilities: vec![Ability::Execute],
+        };
+        Puppet {
+            identity,
+            answer: Box::new(answer),
+            open: Box::new(|| Ok(())),
+        }
+    }
+
+    /// The same engine, speaking only this dialect.
+    pub fn only(mut self, dialect: DialectName) -> Puppet {
+        self.identity.dialects = vec![dialect];
+        self
+    }
+}
+
+impl Engine for Puppet {
+    fn identity(&self) -> &Identity {
+        &self.identity
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        (self.open)()?;
+        Ok(Box::new(Strings(self)))
+    }
+}
+
+struct Strings<'e>(&'e Puppet);
+
+impl Session for Strings<'_> {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        (self.0.answer)(request)
+    }
+
+    fn check(&mut self, _: DialectName, _: &str) -> Outcome {
+        Outcome::Accepted
+    }
+
+    fn render(&mut self, _: DialectName, source: &str) -> Outcome {
+        Outcome::Rendered {
+            text: source.to_owned(),
+        }
+    }
+}

@@ -1,0 +1,287 @@
+//! Outcomes held against expectations.
+
+use crate::fixtures::{executed, expecting, fault, named, rejected, rejection, values};
+use std::sync::Arc;
+use stickler_engines::Outcome;
+use stickler_run::{Answers, Grade, Judgement, Observed, Verdict, judge};
+use stickler_suite::{Acceptance, Case, Expectation, Observe};
+use stickler_types::Fault;
+
+fn judged(expectation: Expectation, run: Outcome) -> Judgement {
+    judge(&expecting(expectation), &Answers::of_run(run), Grade::Code)
+}
+
+/// The verdict, and what was got.
+fn verdict(expectation: Expectation, run: Outcome) -> (Verdict, String) {
+    let judgement = judged(expectation, run);
+    (judgement.verdict, judgement.got)
+}
+
+fn faulted(fault: Fault, line: Option<u32>, values: &[&str]) -> Outcome {
+    Outcome::Faulted {
+        fault,
+        line,
+        values: named(values),
+    }
+}
+
+fn open() -> Expectation {
+    Expectation {
+        accepted: Acceptance::Observed,
+        ..Expectation::default()
+    }
+}
+
+#[test]
+fn a_pass_says_the_same_in_expected_and_got() {
+    for (expectation, run) in [
+        (Expectation::default(), executed(&[])),
+        (Expectation::default(), Outcome::Accepted),
+        (
+            values(&["x = INT#1", "a = REAL#0.5"]),
+            executed(&["x = INT#1", "a = REAL#0.5"]),
+        ),
+        (
+            rejection(&["9 P4035", "6 P4022"]),
+            rejected(&["6 P4022", "9 P4035"]),
+        ),
+        (
+            fault("9 division-by-zero"),
+            faulted(Fault::DivisionByZero, Some(9), &[]),
+        ),
+    ] {
+        let judgement = judged(expectation, run);
+        assert_eq!(judgement.verdict, Verdict::Pass, "{judgement:?}");
+        assert_eq!(judgement.expected, judgement.got);
+        assert!(!judgement.expected.is_empty());
+    }
+}
+
+#[test]
+fn an_accepted_program_that_is_rejected_fails_and_shows_why() {
+    let (verdict, got) = verdict(values(&["x = INT#1"]), rejected(&["6 P4035", "7 -", "- P9999"]));
+    assert_eq!(verdict, Verdict::Fail);
+    let lines = [
+        "somewhere: error P9999: told",
+        "line 6: error P4035: told",
+        "line 7: error without a code: told",
+    ];
+    assert_eq!(got.lines().collect::<Vec<_>>(), lines);
+}
+
+#[test]
+fn a_rejected_program_that_is_accepted_fails() {
+    for run in [Outcome::Accepted, executed(&[])] {
+        assert_eq!(
+            verdict(rejection(&["6 P4035"]), run),
+            (Verdict::Fail, "accepted".to_owned())
+        );
+    }
+    let run = faulted(Fault::StepLimit, Some(3), &[]);
+    assert_eq!(
+        verdict(rejection(&["6 P4035"]), run),
+        (Verdict::Fail, "line 3: fault step-limit".to_owned())
+    );
+}
+
+#[test]
+fn values_are_compared_exactly_and_each_is_shown() {
+    let expected = || values(&["x = INT#1", "y = INT#2"]);
+    let (first, got) = verdict(expected(), executed(&["x = INT#1", "y = INT#3", "z = INT#4"]));
+    assert_eq!((first, got.as_str()), (Verdict::Fail, "x = INT#1\ny = INT#3"));
+    let (second, got) = verdict(expected(), executed(&["x = INT#1"]));
+    assert_eq!((second, got.as_str()), (Verdict::Fail, "x = INT#1\ny is missing"));
+}
+
+#[test]
+fn a_fault_must_be_of_the_kind_and_on_the_line() {
+    let expected = || fault("9 division-by-zero");
+    assert_eq!(
+        verdict(expected(), faulted(Fault::SubscriptRange, Some(9), &[])).0,
+        Verdict::Fail
+    );
+    assert_eq!(
+        verdict(expected(), faulted(Fault::DivisionByZero, Some(8), &[])).0,
+        Verdict::Fail
+    );
+    assert_eq!(
+        verdict(expected(), executed(&[])),
+        (Verdict::Fail, "accepted".to_owned())
+    );
+    assert_eq!(verdict(expected(), rejected(&["9 P4039"])).0, Verdict::Fail);
+    assert_eq!(
+        verdict(Expectation::default(), faulted(Fault::Subrange, Some(1), &[])).0,
+        Verdict::Fail
+    );
+}
+
+#[test]
+fn values_before_a_fault_are_judged_too() {
+    let expected = || Expectation {
+        fault: fault("9 subrange").fault,
+        ..values(&["x = INT#1"])
+    };
+    let right = judged(expected(), faulted(Fault::Subrange, Some(9), &["x = INT#1"]));
+    assert_eq!(
+        (right.verdict, right.expected.as_str()),
+        (Verdict::Pass, "line 9: fault subrange\nx = INT#1")
+    );
+    assert_eq!(
+        verdict(expected(), faulted(Fault::Subrange, Some(9), &["x = INT#2"])).0,
+        Verdict::Fail
+    );
+}
+
+#[test]
+fn a_worse_grade_passes_only_where_it_is_asked_for() {
+    let graded = |expectation: Expectation, run: Outcome, strict: Grade| {
+        let judgement = judge(&expecting(expectation), &Answers::of_run(run), strict);
+        (judgement.grade, judgement.verdict)
+    };
+    for (run, grade) in [
+        (rejected(&["6 P4035"]), Grade::Code),
+        (rejected(&["6 E037"]), Grade::Line),
+        (rejected(&["- E037"]), Grade::Rejected),
+    ] {
+        for strict in [Grade::Code, Grade::Line, Grade::Rejected] {
+            let verdict = if grade <= strict {
+                Verdict::Pass
+            } else {
+                Verdict::Fail
+            };
+            assert_eq!(
+                graded(rejection(&["6 P4035"]), run.clone(), strict),
+                (Some(grade), verdict)
+            );
+        }
+    }
+    let unplaced = faulted(Fault::StepLimit, None, &[]);
+    let graded_fault = |strict| graded(fault("4 step-limit"), unplaced.clone(), strict);
+    assert_eq!(
+        graded_fault(Grade::Rejected),
+        (Some(Grade::Rejected), Verdict::Pass)
+    );
+    assert_eq!(graded_fault(Grade::Line), (Some(Grade::Rejected), Verdict::Fail));
+}
+
+#[test]
+fn a_diagnostic_on_a_clean_line_fails_at_every_grade() {
+    let expectation = Expectation {
+        clean_lines: vec![4, 7],
+        ..rejection(&["6 P4035"])
+    };
+    let run = Answers::of_run(rejected(&["6 P4035", "7 P4035"]));
+    let judgement = judge(&expecting(expectation.clone()), &run, Grade::Rejected);
+    assert_eq!(judgement.verdict, Verdict::Fail);
+    let run = Answers::of_run(rejected(&["6 P4035", "8 P4035"]));
+    assert_eq!(
+        judge(&expecting(expectation), &run, Grade::Rejected).verdict,
+        Verdict::Pass
+    );
+}
+
+#[test]
+fn open_acceptance_is_recorded_and_never_failed() {
+    let recorded = |run: Outcome| {
+        let judgement = judged(open(), run);
+        assert_eq!(
+            (judgement.verdict, judgement.expected.as_str()),
+            (Verdict::Pass, "accepted or rejected")
+        );
+        judgement
+            .observations
+            .into_iter()
+            .map(|o| format!("{}={}", o.name, o.value))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(recorded(executed(&[])), ["acceptance=accepted"]);
+    assert_eq!(recorded(Outcome::Accepted), ["acceptance=accepted"]);
+    assert_eq!(recorded(rejected(&["6 P4035"])), ["acceptance=rejected"]);
+    let fault = recorded(faulted(Fault::Subrange, None, &[]));
+    assert_eq!(fault, ["acceptance=accepted", "fault=subrange"]);
+}
+
+#[test]
+fn where_acceptance_is_open_values_hold_if_it_is_accepted() {
+    let expected = || Expectation {
+        accepted: Acceptance::Observed,
+        ..values(&["x = INT#1"])
+    };
+    assert_eq!(verdict(expected(), rejected(&["6 P4035"])).0, Verdict::Pass);
+    assert_eq!(verdict(expected(), executed(&["x = INT#1"])).0, Verdict::Pass);
+    assert_eq!(verdict(expected(), executed(&["x = INT#2"])).0, Verdict::Fail);
+}
+
+#[test]
+fn what_is_observed_and_not_asserted_is_recorded() {
+    let observe = |name: &str, after| Observe {
+        name: name.into(),
+        ty: "INT".into(),
+        after,
+    };
+    let mut case: Case = expecting(values(&["x = INT#1"]));
+    case.observe = Arc::new([
+        observe("x", None),
+        observe("x", Some(2)),
+        observe("y", None),
+        observe("z", None),
+    ]);
+    let run = executed(&["x = INT#1", "x@2 = INT#5", "y = INT#6"]);
+    let judgement = judge(&case, &Answers::of_run(run), Grade::Code);
+    assert_eq!(judgement.verdict, Verdict::Pass);
+    let observed = |name: &str, value: &str| Observed {
+        name: name.into(),
+        value: value.into(),
+    };
+    assert_eq!(
+        judgement.observations,
+        [observed("x@2", "INT#5"), observed("y", "INT#6")]
+    );
+}
+
+#[test]
+fn an_engine_that_only_checks_is_unsupported_where_values_are_asserted() {
+    let (checked, got) = verdict(values(&["x = INT#1"]), Outcome::Accepted);
+    assert_eq!(
+        (checked, got.as_str()),
+        (Verdict::Unsupported, "accepted, and not executed")
+    );
+    assert_eq!(
+        verdict(fault("9 subrange"), Outcome::Accepted).0,
+        Verdict::Unsupported
+    );
+}
+
+#[test]
+fn crash_timeout_unsupported_and_nonsense_have_verdicts_of_their_own() {
+    let text = || "why".to_owned();
+    for (run, verdict, got) in [
+        (
+            Outcome::Crashed { reason: text() },
+            Verdict::Crash,
+            "crashed: why",
+        ),
+        (
+            Outcome::TimedOut { after_ms: 5 },
+            Verdict::Timeout,
+            "no answer within 5 ms",
+        ),
+        (
+            Outcome::Unsupported { reason: text() },
+            Verdict::Unsupported,
+            "unsupported: why",
+        ),
+        (Outcome::Error { message: text() }, Verdict::Error, "error: why"),
+        (
+            Outcome::Rendered { text: text() },
+            Verdict::Error,
+            "error: answered `run` with rendered text",
+        ),
+    ] {
+        for expectation in [Expectation::default(), rejection(&["6 P4035"]), open()] {
+            let judgement = judged(expectation, run.clone());
+            assert_eq!((judgement.verdict, judgement.got.as_str()), (verdict, got));
+            assert_eq!((judgement.grade, judgement.observations.len()), (None, 0));
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! The crate from outside: cases made by hand, engines that only pretend.
+
+mod fixtures;
+mod judging;
+mod rendering;
+mod scheduling;
+mod selecting;

@@ -1,0 +1,250 @@
+//! Whole runs over engines that only pretend.
+
+use crate::fixtures::{Puppet, case, executed, suite};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Condvar, Mutex};
+use stickler_engines::{Engine, EngineError, Outcome};
+use stickler_run::{Event, Footer, Plan, RunError, Summary, Verdict, run};
+use stickler_suite::{Case, Suite};
+use stickler_types::DialectName;
+
+fn numbered(count: usize) -> Suite {
+    suite((0..count).map(|number| case(&format!("area/{number}"))).collect())
+}
+
+fn number(source: &str) -> usize {
+    source.rsplit('/').next().unwrap().parse().unwrap()
+}
+
+fn go(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> (Result<Summary, RunError>, Vec<Event>) {
+    let mut events = Vec::new();
+    let outcome = run(
+        plan,
+        suite,
+        engines,
+        &mut |event| events.push(event),
+        &AtomicBool::new(false),
+    );
+    (outcome, events)
+}
+
+fn with_jobs(jobs: usize) -> Plan {
+    Plan {
+        jobs,
+        ..Plan::default()
+    }
+}
+
+/// What remains of a stream once durations are taken out.
+fn timeless(mut events: Vec<Event>) -> Vec<Event> {
+    for event in &mut events {
+        match event {
+            Event::Header(_) => {}
+            Event::Case(case) => case.duration_us = 0,
+            Event::Footer(footer) => footer.duration_ms = 0,
+        }
+    }
+    events
+}
+
+fn ids(events: &[Event]) -> Vec<String> {
+    let id = |event: &Event| match event {
+        Event::Case(case) => Some(format!("{}@{} {}", case.id, case.dialect, case.engine)),
+        Event::Header(_) | Event::Footer(_) => None,
+    };
+    events.iter().filter_map(id).collect()
+}
+
+fn footer(events: &[Event]) -> Option<&Footer> {
+    match events.last() {
+        Some(Event::Footer(footer)) => Some(footer),
+        _ => None,
+    }
+}
+
+#[test]
+fn a_run_is_a_header_the_cases_in_order_and_a_footer() {
+    let engine = Puppet::new("puppet", |_| executed(&[]));
+    let plan = Plan {
+        started: "today".to_owned(),
+        command: "stickler".to_owned(),
+        ..with_jobs(3)
+    };
+    let (summary, events) = go(&plan, &numbered(300), &[&engine]);
+    let Event::Header(header) = &events[0] else {
+        panic!("no header")
+    };
+    assert_eq!(
+        (header.cases, header.started.as_str(), header.suite.as_str()),
+        (300, "today", "0.9")
+    );
+    let expected: Vec<String> = (0..300)
+        .map(|number| format!("area/{number}@matiec puppet"))
+        .collect();
+    assert_eq!(ids(&events), expected);
+    assert_eq!((footer(&events).unwrap().totals.pass, events.len()), (300, 302));
+    let summary = summary.unwrap();
+    assert_eq!(
+        (summary.cases, summary.cancelled, summary.totals.pass),
+        (300, false, 300)
+    );
+}
+
+#[test]
+fn events_do_not_depend_on_the_number_of_workers_nor_on_an_earlier_run() {
+    let moody = |request: &stickler_engines::RunRequest<'_>| match number(request.source) % 5 {
+        0 => Outcome::Unsupported {
+            reason: "a zero".to_owned(),
+        },
+        1 => panic!("a one"),
+        2 => Outcome::Rejected {
+            diagnostics: Vec::new(),
+        },
+        _ => executed(&["x = INT#1"]),
+    };
+    let engine = Puppet::new("puppet", moody);
+    let cases = numbered(500);
+    let stream = |jobs| timeless(go(&with_jobs(jobs), &cases, &[&engine]).1);
+    let alone = stream(1);
+    assert_eq!(footer(&alone).unwrap().totals.crash, 100);
+    for jobs in [1, 2, 7] {
+        assert!(stream(jobs) == alone, "{jobs} workers give another stream");
+    }
+}
+
+#[test]
+fn a_slow_first_case_does_not_change_the_order() {
+    let ran = Arc::new((Mutex::new(0_usize), Condvar::new()));
+    let shared = Arc::clone(&ran);
+    let engine = Puppet::new("puppet", move |request| {
+        let (count, more) = &*shared;
+        let mut count = count.lock().unwrap();
+        *count += 1;
+        more.notify_all();
+        // The first case ends only when others have overtaken it.
+        while number(request.source) == 0 && *count < 100 {
+            count = more.wait(count).unwrap();
+        }
+        executed(&[])
+    });
+    let (_, events) = go(&with_jobs(2), &numbered(200), &[&engine]);
+    let expected: Vec<String> = (0..200)
+        .map(|number| format!("area/{number}@matiec puppet"))
+        .collect();
+    assert_eq!(ids(&events), expected);
+}
+
+#[test]
+fn a_panicking_engine_is_a_crash_and_gets_a_new_session() {
+    let opened = Arc::new(AtomicUsize::new(0));
+    let count = Arc::clone(&opened);
+    let mut engine = Puppet::new("puppet", |request| match number(request.source) {
+        3 | 5 => panic!("broken string"),
+        _ => executed(&[]),
+    });
+    engine.open = Box::new(move || {
+        count.fetch_add(1, Ordering::Relaxed);
+        Ok(())
+    });
+    let (_, events) = go(&with_jobs(1), &numbered(10), &[&engine]);
+    let totals = footer(&events).unwrap().totals;
+    assert_eq!((totals.pass, totals.crash), (8, 2));
+    let Event::Case(crashed) = &events[4] else {
+        panic!("no case")
+    };
+    assert_eq!(
+        (crashed.verdict, crashed.got.as_str()),
+        (Verdict::Crash, "crashed: panicked: broken string")
+    );
+    assert_eq!(opened.load(Ordering::Relaxed), 3);
+}
+
+#[test]
+fn every_engine_runs_the_dialects_that_it_speaks() {
+    let first = Puppet::new("first", |_| executed(&[]));
+    let second = Puppet::new("second", |_| Outcome::TimedOut { after_ms: 1 }).only(DialectName::Plcnext);
+    let plcnext = Case {
+        dialect: DialectName::Plcnext,
+        ..case("area/1")
+    };
+    let (_, events) = go(
+        &with_jobs(2),
+        &suite(vec![case("area/0"), plcnext]),
+        &[&first, &second],
+    );
+    assert_eq!(
+        ids(&events),
+        [
+            "area/0@matiec first",
+            "area/1@plcnext first",
+            "area/1@plcnext second"
+        ]
+    );
+    let engines = &footer(&events).unwrap().engines;
+    assert_eq!((engines[0].name.as_str(), engines[0].totals.pass), ("first", 2));
+    assert_eq!(
+        (engines[1].name.as_str(), engines[1].totals.timeout),
+        ("second", 1)
+    );
+}
+
+#[test]
+fn nothing_selected_is_an_error_before_any_event() {
+    let silent = Puppet::new("puppet", |_| executed(&[])).only(DialectName::Plcnext);
+    let (outcome, events) = go(&with_jobs(1), &numbered(3), &[&silent]);
+    assert!(matches!(outcome, Err(RunError::NoCaseSelected)));
+    assert_eq!(events, []);
+}
+
+#[test]
+fn an_engine_that_cannot_be_opened_ends_the_run_without_a_footer() {
+    let mut engine = Puppet::new("puppet", |_| executed(&[]));
+    engine.open = Box::new(|| {
+        Err(EngineError::NotStarted {
+            engine: "puppet".into(),
+            reason: "no strings".into(),
+        })
+    });
+    let (outcome, events) = go(&with_jobs(2), &numbered(10_000), &[&engine]);
+    assert_eq!(
+        outcome.unwrap_err().to_string(),
+        "engine puppet could not be started: no strings"
+    );
+    assert!(matches!(events[..], [Event::Header(_)]), "{events:?}");
+}
+
+#[test]
+fn a_cancelled_run_gives_a_prefix_and_no_footer() {
+    let engine = Puppet::new("puppet", |_| executed(&[]));
+    let cancel = AtomicBool::new(false);
+    let mut events = Vec::new();
+    let mut sink = |event: Event| {
+        events.push(event);
+        cancel.store(events.len() > 20, Ordering::Relaxed);
+    };
+    let cases = numbered(50_000);
+    let summary = run(&with_jobs(2), &cases, &[&engine], &mut sink, &cancel).unwrap();
+    assert!(summary.cancelled);
+    assert_eq!(footer(&events), None);
+    assert!((20..10_000).contains(&summary.cases), "{}", summary.cases);
+    let expected: Vec<String> = (0..events.len() - 1)
+        .map(|number| format!("area/{number}@matiec puppet"))
+        .collect();
+    assert_eq!(ids(&events), expected);
+    assert_eq!(summary.cases, expected.len() as u64);
+}
+
+#[test]
+fn a_run_cancelled_before_it_begins_runs_nothing() {
+    let engine = Puppet::new("puppet", |_| panic!("asked all the same"));
+    let mut events = 0;
+    let summary = run(
+        &with_jobs(2),
+        &numbered(10),
+        &[&engine],
+        &mut |_| events += 1,
+        &AtomicBool::new(true),
+    )
+    .unwrap();
+    assert_eq!((summary.cases, summary.cancelled, events), (0, true, 1));
+}
