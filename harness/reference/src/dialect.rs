@@ -191,3 +191,22 @@ impl From<RealToInteger> for Rounding {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_has_its_own_dialect() {
+        for name in DialectName::ALL {
+            assert_eq!(Dialect::of(name).name, name);
+        }
+    }
+
+    #[test]
+    fn the_second_edition_lacks_the_types_of_the_third() {
+        let has = |name| Dialect::of(name).has(ElementaryType::Ltime);
+        assert_eq!(DialectName::ALL.map(has), [false, true, true, false, true]);
+        assert!(Dialect::ironplc_ed2().has(ElementaryType::Time));
+    }
+}

@@ -3,6 +3,8 @@
 
 mod bcd;
 mod catalogue;
+#[cfg(test)]
+mod exactness;
 mod implicit;
 mod moment;
 pub(crate) mod real;

@@ -86,3 +86,47 @@ pub fn day(raw: u64) -> u64 {
 pub const fn time_of_day(raw: u64) -> u64 {
     raw.cast_signed().rem_euclid(DAY).cast_unsigned()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::{Date, Dt, Tod};
+
+    const SECOND: i64 = 1_000_000_000;
+
+    fn raw(nanoseconds: i64) -> u64 {
+        nanoseconds.cast_unsigned()
+    }
+
+    #[test]
+    fn a_moment_before_1970_belongs_to_the_day_that_it_lies_in() {
+        let last_second_of_1969 = raw(-SECOND);
+        assert_eq!(day(last_second_of_1969), raw(-DAY));
+        assert_eq!(time_of_day(last_second_of_1969), raw(DAY - SECOND));
+        assert_eq!((day(raw(DAY - 1)), time_of_day(raw(DAY))), (0, 0));
+    }
+
+    #[test]
+    fn every_moment_has_a_whole_day() {
+        for moment in [i64::MIN, i64::MIN + 1, -1, 0, i64::MAX] {
+            assert_eq!(day(raw(moment)).cast_signed() % DAY, 0, "{moment}");
+        }
+        assert_eq!(day(raw(i64::MIN)), raw(i64::MIN / DAY * DAY));
+        assert_eq!(day(raw(i64::MAX)), raw(i64::MAX / DAY * DAY));
+    }
+
+    #[test]
+    fn dates_count_in_seconds_and_times_of_day_in_milliseconds() {
+        assert_eq!(to_units(raw(DAY), Date), 86_400);
+        assert_eq!(to_units(raw(1_500 * 1_000_000), Tod), 1_500);
+        assert_eq!(from_units(86_401, Date), raw(DAY));
+        assert_eq!(from_units(86_401, Dt), raw(DAY + SECOND));
+        assert_eq!(from_units(86_400_001, Tod), 1_000_000);
+        assert_eq!(from_units(raw(-1), Tod), raw(DAY - 1_000_000));
+        assert_eq!(from_real_units(1.5, Dt), raw(SECOND + SECOND / 2));
+        assert_eq!(
+            to_real_units(raw(SECOND / 4), Dt, ElementaryType::Lreal),
+            0.25_f64.to_bits()
+        );
+    }
+}

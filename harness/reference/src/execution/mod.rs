@@ -9,6 +9,8 @@ mod memory;
 mod power;
 mod standard;
 mod stop;
+#[cfg(test)]
+mod tests;
 
 pub use machine::Machine;
 pub use stop::{Inconsistency, RaisedFault, Stop};
