@@ -1,6 +1,6 @@
 //! The reference implementation as an engine.
 
-use crate::{Ability, Diagnostic, Engine, EngineError, Identity, NamedValue, Outcome, RunRequest, Session};
+use crate::{Ability, Diagnostic, Engine, EngineError, Identity, Outcome, RunRequest, Session};
 use stickler_reference as reference;
 use stickler_types::DialectName;
 
@@ -110,10 +110,6 @@ impl Session for ReferenceSession {
             Err(diagnostics) => rejected(diagnostics),
         }
     }
-}
-
-fn named(_: &RunRequest<'_>, values: Vec<NamedValue>) -> Vec<NamedValue> {
-    values
 }
 
 fn rejected(diagnostics: Vec<reference::LocatedDiagnostic>) -> Outcome {
