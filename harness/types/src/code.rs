@@ -6,7 +6,31 @@
 mod program;
 
 #[macro_use]
+mod arguments;
+#[macro_use]
+mod compiler;
+#[macro_use]
+mod extensions;
+#[macro_use]
+mod invocations;
+#[macro_use]
+mod literals;
+#[macro_use]
+mod names;
+#[macro_use]
+mod objects;
+#[macro_use]
 mod reading;
+#[macro_use]
+mod references;
+#[macro_use]
+mod statements;
+#[macro_use]
+mod targets;
+#[macro_use]
+mod type_contents;
+#[macro_use]
+mod type_declarations;
 
 use crate::dialect_name::DialectName;
 use program::{program, program_length};
@@ -41,9 +65,19 @@ macro_rules! program {
         const TEXT: [u8; program_length($text)] = program($text);
         match str::from_utf8(&TEXT) {
             Ok(text) => text,
-            Err(_) => panic!("a program of the registry must be ASCII"),
+            Err(_) => panic!("taking off spaces cannot break a character"),
         }
     }};
+}
+
+/// The program put right, if the registry has it.
+macro_rules! repaired {
+    () => {
+        None
+    };
+    ($text:literal) => {
+        Some(program!($text))
+    };
 }
 
 /// Makes the enumeration and its table of the entries.
@@ -77,7 +111,7 @@ macro_rules! registry {
             dialect: dialect!($dialect),
             example: program!($example),
             fix: $fix,
-            repaired: None $(.or(Some(program!($repaired))))?,
+            repaired: repaired!($($repaired)?),
         },)*];
     };
 }
@@ -88,7 +122,12 @@ macro_rules! gather {
     ([] $($entries:tt)*) => { registry! { $($entries)* } };
 }
 
-gather! { [reading_codes] }
+gather! {
+    [
+        reading_codes type_declaration_codes type_content_codes reference_codes literal_codes invocation_codes
+        name_codes argument_codes target_codes extension_codes statement_codes object_codes compiler_codes
+    ]
+}
 
 impl Code {
     const fn entry(self) -> &'static Entry {
@@ -171,5 +210,88 @@ impl FromStr for Code {
             .copied()
             .find(|code| code.as_str().eq_ignore_ascii_case(text))
             .ok_or_else(|| UnknownCode(text.to_owned()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_codes_ascend_and_are_read_back_in_any_case() {
+        assert!(Code::ALL.is_sorted_by(|one, next| one.as_str() < next.as_str() && one < next));
+        for &code in Code::ALL {
+            assert_eq!(ENTRIES[code as usize].name, format!("{code:?}"));
+            assert_eq!(code.to_string().parse(), Ok(code));
+            assert_eq!(code.as_str().to_ascii_lowercase().parse(), Ok(code));
+        }
+        for text in ["", "P", "P9", "P40355", "4035", "AssignmentTypeMismatch"] {
+            assert_eq!(text.parse::<Code>(), Err(UnknownCode(text.to_owned())));
+        }
+    }
+
+    #[test]
+    fn every_code_is_explained_with_an_example_and_a_fix() {
+        for &code in Code::ALL {
+            let summary = code.summary();
+            assert!(
+                !summary.is_empty() && !summary.ends_with('.') && !summary.contains('\n'),
+                "{code}: {summary}"
+            );
+            for text in [code.explanation(), code.fix()] {
+                assert!(
+                    text.ends_with('.') && !text.contains("  ") && !text.contains('\n'),
+                    "{code}: {text}"
+                );
+            }
+            assert_ne!(code.repaired(), Some(code.example()), "{code}");
+            assert!(
+                code.example_dialect().is_none() || code.repaired().is_some(),
+                "{code} has no repaired program"
+            );
+        }
+    }
+
+    #[test]
+    fn the_programs_stand_flush_and_name_their_parts() {
+        for &code in Code::ALL {
+            for program in [Some(code.example()), code.repaired()].into_iter().flatten() {
+                assert!(
+                    !program.starts_with([' ', '\n']) && program.ends_with('\n'),
+                    "{code}:\n{program}"
+                );
+                let lines = || program.lines();
+                assert!(
+                    lines().all(|line| line == line.trim_end() && line.len() < 100),
+                    "{code}:\n{program}"
+                );
+                let units = |word: &str| {
+                    lines()
+                        .filter(|line| line.split(' ').next() == Some(word))
+                        .count()
+                };
+                assert_eq!(units("PROGRAM"), units("END_PROGRAM"), "{code}:\n{program}");
+                assert!(
+                    units("PROGRAM") == 1 || code == Code::NoProgramDeclaration,
+                    "{code}:\n{program}"
+                );
+                assert_eq!(units("FUNCTION"), units("END_FUNCTION"), "{code}:\n{program}");
+                assert_eq!(
+                    units("FUNCTION_BLOCK"),
+                    units("END_FUNCTION_BLOCK"),
+                    "{code}:\n{program}"
+                );
+                assert_eq!(units("TYPE"), units("END_TYPE"), "{code}:\n{program}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_codes_that_suppress_others_are_those_of_the_design() {
+        let suppressing = Code::ALL
+            .iter()
+            .filter(|code| code.not_enabled())
+            .map(|code| code.as_str());
+        assert!(suppressing.eq(["P0003", "P0004", "P0010", "P4033"]));
     }
 }

@@ -1,127 +1,184 @@
-//! Codes of reading a source.
+//! Codes of reading a source: characters, tokens and the grammar.
 
 macro_rules! reading_codes {
     ($rest:tt $($entries:tt)*) => { gather! { $rest $($entries)*
-        P0001 OpenComment { summary: "OpenComment", explanation: "", example: elsewhere "", fix: "", }
-        P0002 SyntaxError { summary: "SyntaxError", explanation: "", example: elsewhere "", fix: "", }
-        P0003 UnexpectedToken { summary: "UnexpectedToken", explanation: "", example: elsewhere "", fix: "", }
-        P0004 CStyleComment { summary: "CStyleComment", explanation: "", example: elsewhere "", fix: "", }
-        P0005 UnexpectedElement { summary: "UnexpectedElement", explanation: "", example: elsewhere "", fix: "", }
-        P0010 Std2013Feature { summary: "Std2013Feature", explanation: "", example: elsewhere "", fix: "", }
-        P0011 EmptyVarBlock { summary: "EmptyVarBlock", explanation: "", example: elsewhere "", fix: "", }
-        P0012 InvalidStringEscape { summary: "InvalidStringEscape", explanation: "", example: elsewhere "", fix: "", }
-        P2001 StructureDuplicatedElement { summary: "StructureDuplicatedElement", explanation: "", example: elsewhere "", fix: "", }
-        P2002 SubrangeMinStrictlyLessMax { summary: "SubrangeMinStrictlyLessMax", explanation: "", example: elsewhere "", fix: "", }
-        P2003 EnumTypeDeclDuplicateItem { summary: "EnumTypeDeclDuplicateItem", explanation: "", example: elsewhere "", fix: "", }
-        P2004 EnumNotDeclared { summary: "EnumNotDeclared", explanation: "", example: elsewhere "", fix: "", }
-        P2005 EnumRecursive { summary: "EnumRecursive", explanation: "", example: elsewhere "", fix: "", }
-        P2006 EnumValueNotDefined { summary: "EnumValueNotDefined", explanation: "", example: elsewhere "", fix: "", }
-        P2007 TypeDeclNameDuplicated { summary: "TypeDeclNameDuplicated", explanation: "", example: elsewhere "", fix: "", }
-        P2008 UndeclaredUnknownType { summary: "UndeclaredUnknownType", explanation: "", example: elsewhere "", fix: "", }
-        P2009 ParentEnumNotDeclared { summary: "ParentEnumNotDeclared", explanation: "", example: elsewhere "", fix: "", }
-        P2010 RecursiveTypeCycle { summary: "RecursiveTypeCycle", explanation: "", example: elsewhere "", fix: "", }
-        P2011 ParentTypeNotDeclared { summary: "ParentTypeNotDeclared", explanation: "", example: elsewhere "", fix: "", }
-        P2012 AliasParentTypeNotDeclared { summary: "AliasParentTypeNotDeclared", explanation: "", example: elsewhere "", fix: "", }
-        P2013 ArrayElementTypeNotDeclared { summary: "ArrayElementTypeNotDeclared", explanation: "", example: elsewhere "", fix: "", }
-        P2014 SimpleTypeDeclMissingInit { summary: "SimpleTypeDeclMissingInit", explanation: "", example: elsewhere "", fix: "", }
-        P2015 SubrangeBaseTypeNotNumeric { summary: "SubrangeBaseTypeNotNumeric", explanation: "", example: elsewhere "", fix: "", }
-        P2016 SubrangeOutOfBounds { summary: "SubrangeOutOfBounds", explanation: "", example: elsewhere "", fix: "", }
-        P2017 StructFieldMissingType { summary: "StructFieldMissingType", explanation: "", example: elsewhere "", fix: "", }
-        P2019 InvalidSimpleTypeDecl { summary: "InvalidSimpleTypeDecl", explanation: "", example: elsewhere "", fix: "", }
-        P2020 EnumerationTooManyValues { summary: "EnumerationTooManyValues", explanation: "", example: elsewhere "", fix: "", }
-        P2021 StructFieldTypeNotDeclared { summary: "StructFieldTypeNotDeclared", explanation: "", example: elsewhere "", fix: "", }
-        P2022 ArrayDimensionEmpty { summary: "ArrayDimensionEmpty", explanation: "", example: elsewhere "", fix: "", }
-        P2023 ArraySizeOverflow { summary: "ArraySizeOverflow", explanation: "", example: elsewhere "", fix: "", }
-        P2024 ArrayDimensionInvalid { summary: "ArrayDimensionInvalid", explanation: "", example: elsewhere "", fix: "", }
-        P2025 TypeEnvironmentUnknownType { summary: "TypeEnvironmentUnknownType", explanation: "", example: elsewhere "", fix: "", }
-        P2026 ConstantOverflow { summary: "ConstantOverflow", explanation: "", example: elsewhere "", fix: "", }
-        P2027 ArrayIndexOutOfBounds { summary: "ArrayIndexOutOfBounds", explanation: "", example: elsewhere "", fix: "", }
-        P2028 RefOperandNotVariable { summary: "RefOperandNotVariable", explanation: "", example: elsewhere "", fix: "", }
-        P2029 RefOfEphemeralVariable { summary: "RefOfEphemeralVariable", explanation: "", example: elsewhere "", fix: "", }
-        P2030 RefOfArrayElement { summary: "RefOfArrayElement", explanation: "", example: elsewhere "", fix: "", }
-        P2031 DerefRequiresReferenceType { summary: "DerefRequiresReferenceType", explanation: "", example: elsewhere "", fix: "", }
-        P2032 ReferenceTypeMismatch { summary: "ReferenceTypeMismatch", explanation: "", example: elsewhere "", fix: "", }
-        P2033 ArithmeticOnReference { summary: "ArithmeticOnReference", explanation: "", example: elsewhere "", fix: "", }
-        P2034 NullRequiresReferenceType { summary: "NullRequiresReferenceType", explanation: "", example: elsewhere "", fix: "", }
-        P2035 OrderingOnReference { summary: "OrderingOnReference", explanation: "", example: elsewhere "", fix: "", }
-        P2036 NestedRefToNotSupported { summary: "NestedRefToNotSupported", explanation: "", example: elsewhere "", fix: "", }
-        P2037 AggregateAssignmentTypeMismatch { summary: "AggregateAssignmentTypeMismatch", explanation: "", example: elsewhere "", fix: "", }
-        P2038 DateLiteralOutOfRange { summary: "DateLiteralOutOfRange", explanation: "", example: elsewhere "", fix: "", }
-        P2039 DurationLiteralOutOfRange { summary: "DurationLiteralOutOfRange", explanation: "", example: elsewhere "", fix: "", }
-        P2040 RealLiteralOutOfRange { summary: "RealLiteralOutOfRange", explanation: "", example: elsewhere "", fix: "", }
-        P2041 StringLengthOutOfRange { summary: "StringLengthOutOfRange", explanation: "", example: elsewhere "", fix: "", }
-        P2042 ReturnTypeNotDeclared { summary: "ReturnTypeNotDeclared", explanation: "", example: elsewhere "", fix: "", }
-        P2043 EnumValueAmbiguous { summary: "EnumValueAmbiguous", explanation: "", example: elsewhere "", fix: "", }
-        P4001 FunctionCallMixedArgTypes { summary: "FunctionCallMixedArgTypes", explanation: "", example: elsewhere "", fix: "", }
-        P4002 FunctionInvocationMissingInput { summary: "FunctionInvocationMissingInput", explanation: "", example: elsewhere "", fix: "", }
-        P4003 FunctionInvocationRequiresFormal { summary: "FunctionInvocationRequiresFormal", explanation: "", example: elsewhere "", fix: "", }
-        P4004 FunctionInvocationUndefinedOutput { summary: "FunctionInvocationUndefinedOutput", explanation: "", example: elsewhere "", fix: "", }
-        P4005 RecursiveCycle { summary: "RecursiveCycle", explanation: "", example: elsewhere "", fix: "", }
-        P4006 ProgramMissingTaskConfig { summary: "ProgramMissingTaskConfig", explanation: "", example: elsewhere "", fix: "", }
-        P4007 VariableUndefined { summary: "VariableUndefined", explanation: "", example: elsewhere "", fix: "", }
-        P4008 ConstantMustHaveInitializer { summary: "ConstantMustHaveInitializer", explanation: "", example: elsewhere "", fix: "", }
-        P4009 FunctionBlockNotConstant { summary: "FunctionBlockNotConstant", explanation: "", example: elsewhere "", fix: "", }
-        P4010 VariableMustBeConst { summary: "VariableMustBeConst", explanation: "", example: elsewhere "", fix: "", }
-        P4011 DefinitionNameDuplicated { summary: "DefinitionNameDuplicated", explanation: "", example: elsewhere "", fix: "", }
-        P4012 FunctionBlockNotInScope { summary: "FunctionBlockNotInScope", explanation: "", example: elsewhere "", fix: "", }
-        P4013 PouDeclNameDuplicated { summary: "PouDeclNameDuplicated", explanation: "", example: elsewhere "", fix: "", }
-        P4014 SymbolDeclDuplicated { summary: "SymbolDeclDuplicated", explanation: "", example: elsewhere "", fix: "", }
-        P4015 StdlibTypeRedefinition { summary: "StdlibTypeRedefinition", explanation: "", example: elsewhere "", fix: "", }
-        P4016 FunctionDeclNameDuplicated { summary: "FunctionDeclNameDuplicated", explanation: "", example: elsewhere "", fix: "", }
-        P4017 FunctionCallUndeclared { summary: "FunctionCallUndeclared", explanation: "", example: elsewhere "", fix: "", }
-        P4018 FunctionCallWrongArgCount { summary: "FunctionCallWrongArgCount", explanation: "", example: elsewhere "", fix: "", }
-        P4019 DuplicateTaskName { summary: "DuplicateTaskName", explanation: "", example: elsewhere "", fix: "", }
-        P4020 NoProgramDeclaration { summary: "NoProgramDeclaration", explanation: "", example: elsewhere "", fix: "", }
-        P4021 ExitOutsideLoop { summary: "ExitOutsideLoop", explanation: "", example: elsewhere "", fix: "", }
-        P4022 InitializerTypeMismatch { summary: "InitializerTypeMismatch", explanation: "", example: elsewhere "", fix: "", }
-        P4023 FunctionCallNamedArgUndeclared { summary: "FunctionCallNamedArgUndeclared", explanation: "", example: elsewhere "", fix: "", }
-        P4024 FunctionCallDuplicateNamedArg { summary: "FunctionCallDuplicateNamedArg", explanation: "", example: elsewhere "", fix: "", }
-        P4025 BitAccessOutOfRange { summary: "BitAccessOutOfRange", explanation: "", example: elsewhere "", fix: "", }
-        P4026 FunctionCallArgTypeMismatch { summary: "FunctionCallArgTypeMismatch", explanation: "", example: elsewhere "", fix: "", }
-        P4027 FunctionCallReturnTypeMismatch { summary: "FunctionCallReturnTypeMismatch", explanation: "", example: elsewhere "", fix: "", }
-        P4028 TopLevelVarGlobalNotAllowed { summary: "TopLevelVarGlobalNotAllowed", explanation: "", example: elsewhere "", fix: "", }
-        P4029 ConstantTypeParamNotAllowed { summary: "ConstantTypeParamNotAllowed", explanation: "", example: elsewhere "", fix: "", }
-        P4030 UndefinedConstantReference { summary: "UndefinedConstantReference", explanation: "", example: elsewhere "", fix: "", }
-        P4031 ConstantNotIntegerType { summary: "ConstantNotIntegerType", explanation: "", example: elsewhere "", fix: "", }
-        P4032 ConstantMissingInitializer { summary: "ConstantMissingInitializer", explanation: "", example: elsewhere "", fix: "", }
-        P4033 PartialAccessSyntaxDisabled { summary: "PartialAccessSyntaxDisabled", explanation: "", example: elsewhere "", fix: "", }
-        P4034 StringEncodingMismatch { summary: "StringEncodingMismatch", explanation: "", example: elsewhere "", fix: "", }
-        P4035 AssignmentTypeMismatch { summary: "AssignmentTypeMismatch", explanation: "", example: elsewhere "", fix: "", }
-        P4036 MixedLocatedVarDeclarationNotAllowed { summary: "MixedLocatedVarDeclarationNotAllowed", explanation: "", example: elsewhere "", fix: "", }
-        P4037 ConstantInitializerExpressionNotAllowed { summary: "ConstantInitializerExpressionNotAllowed", explanation: "", example: elsewhere "", fix: "", }
-        P4038 InitializerNotConstantExpression { summary: "InitializerNotConstantExpression", explanation: "", example: elsewhere "", fix: "", }
-        P4039 ConstantExpressionDivisionByZero { summary: "ConstantExpressionDivisionByZero", explanation: "", example: elsewhere "", fix: "", }
-        P4040 ConstantExpressionOverflow { summary: "ConstantExpressionOverflow", explanation: "", example: elsewhere "", fix: "", }
-        P4041 BitStringCaseLabelNotAllowed { summary: "BitStringCaseLabelNotAllowed", explanation: "", example: elsewhere "", fix: "", }
-        P4042 ParenStringLengthNotAllowed { summary: "ParenStringLengthNotAllowed", explanation: "", example: elsewhere "", fix: "", }
-        P4043 StructInitializerExpressionNotAllowed { summary: "StructInitializerExpressionNotAllowed", explanation: "", example: elsewhere "", fix: "", }
-        P4044 ExtendsFieldNameDuplicated { summary: "ExtendsFieldNameDuplicated", explanation: "", example: elsewhere "", fix: "", }
-        P4045 AbstractFunctionBlockInstantiated { summary: "AbstractFunctionBlockInstantiated", explanation: "", example: elsewhere "", fix: "", }
-        P4046 MethodNotFound { summary: "MethodNotFound", explanation: "", example: elsewhere "", fix: "", }
-        P4047 TaskSingleNotSupported { summary: "TaskSingleNotSupported", explanation: "", example: elsewhere "", fix: "", }
-        P4048 TaskParameterOutOfRange { summary: "TaskParameterOutOfRange", explanation: "", example: elsewhere "", fix: "", }
-        P4049 OperatorOperandTypeMismatch { summary: "OperatorOperandTypeMismatch", explanation: "", example: elsewhere "", fix: "", }
-        P4050 ProgramVariableHidesGlobal { summary: "ProgramVariableHidesGlobal", explanation: "", example: elsewhere "", fix: "", }
-        P4051 CaseLabelRangeInvalid { summary: "CaseLabelRangeInvalid", explanation: "", example: elsewhere "", fix: "", }
-        P4052 StringLiteralCharOutOfRange { summary: "StringLiteralCharOutOfRange", explanation: "", example: elsewhere "", fix: "", }
-        P4053 CaseSelectorTypeInvalid { summary: "CaseSelectorTypeInvalid", explanation: "", example: elsewhere "", fix: "", }
-        P4054 FunctionBlockInFunction { summary: "FunctionBlockInFunction", explanation: "", example: elsewhere "", fix: "", }
-        P4055 EnumExplicitValueNotAllowed { summary: "EnumExplicitValueNotAllowed", explanation: "", example: elsewhere "", fix: "", }
-        P4056 EnumBaseTypeNotAllowed { summary: "EnumBaseTypeNotAllowed", explanation: "", example: elsewhere "", fix: "", }
-        P4057 MethodCallWithoutReturnValue { summary: "MethodCallWithoutReturnValue", explanation: "", example: elsewhere "", fix: "", }
-        P4058 FunctionCallInOutArgNotVariable { summary: "FunctionCallInOutArgNotVariable", explanation: "", example: elsewhere "", fix: "", }
-        P4059 FunctionCallInOutArgTypeMismatch { summary: "FunctionCallInOutArgTypeMismatch", explanation: "", example: elsewhere "", fix: "", }
-        P4060 InOutArgNotWritable { summary: "InOutArgNotWritable", explanation: "", example: elsewhere "", fix: "", }
-        P4062 MemberQualifierNotAllowed { summary: "MemberQualifierNotAllowed", explanation: "", example: elsewhere "", fix: "", }
-        P4063 MemberQualifierInvalid { summary: "MemberQualifierInvalid", explanation: "", example: elsewhere "", fix: "", }
-        P4065 ContinueOutsideLoop { summary: "ContinueOutsideLoop", explanation: "", example: elsewhere "", fix: "", }
-        P4069 BitAccessTypeInvalid { summary: "BitAccessTypeInvalid", explanation: "", example: elsewhere "", fix: "", }
-        P4072 ConditionTypeInvalid { summary: "ConditionTypeInvalid", explanation: "", example: elsewhere "", fix: "", }
-        P9001 UnsupportedStdLibType { summary: "UnsupportedStdLibType", explanation: "", example: elsewhere "", fix: "", }
-        P9997 NotSupported { summary: "NotSupported", explanation: "", example: elsewhere "", fix: "", }
-        P9998 InternalError { summary: "InternalError", explanation: "", example: elsewhere "", fix: "", }
-        P9999 NotImplemented { summary: "NotImplemented", explanation: "", example: elsewhere "", fix: "", }
-        S0001 AssignmentToConstant { summary: "AssignmentToConstant", explanation: "", example: elsewhere "", fix: "", }
-        S0002 LimitExceeded { summary: "LimitExceeded", explanation: "", example: elsewhere "", fix: "", }
+        P0001 OpenComment {
+            summary: "the comment is not closed",
+            explanation: "A comment begins with `(*` and goes on to the next `*)`, over as many lines as it likes. Here the file \
+                ends first, so everything behind the opening is lost. The diagnostic stands where the comment opens, for the \
+                place where it should have closed cannot be known.",
+            example: IronplcEd2 "
+                PROGRAM main
+                VAR
+                    level : INT;
+                END_VAR
+                    level := 5; (* the tank is half full
+                END_PROGRAM
+                ",
+            fix: "Close the comment with `*)`. If comments stand inside one another, see whether the dialect lets them nest.",
+            repaired: "
+                PROGRAM main
+                VAR
+                    level : INT;
+                END_VAR
+                    level := 5; (* the tank is half full *)
+                END_PROGRAM
+                ",
+        }
+        P0002 SyntaxError {
+            summary: "the source does not follow the grammar",
+            explanation: "At this place the grammar wants something else: often the semicolon that ends the statement before, a \
+                missing `THEN` or `DO`, or an `END_…` that does not match what it is to end. What a dialect does not have in its \
+                grammar at all, such as bit access in matiec, is a syntax error too.",
+            example: IronplcEd2 "
+                PROGRAM main
+                VAR
+                    a : INT;
+                    b : INT;
+                END_VAR
+                    a := 1
+                    b := 2;
+                END_PROGRAM
+                ",
+            fix: "Look at the place that the diagnostic names and at the token before it, and put in what is missing.",
+            repaired: "
+                PROGRAM main
+                VAR
+                    a : INT;
+                    b : INT;
+                END_VAR
+                    a := 1;
+                    b := 2;
+                END_PROGRAM
+                ",
+        }
+        P0003 UnexpectedToken {
+            summary: "the characters form no token",
+            explanation: "No keyword, name, literal or operator begins like this. The code is also the answer to `.%B`, `.%W`, `.%D` \
+                and `.%L` where partial access is enabled but knows single bits only, and to bytes that are not UTF-8. Nothing else \
+                is said about the same construct.",
+            example: IronplcEd2 "
+                PROGRAM main
+                VAR
+                    speed : INT;
+                END_VAR
+                    speed := 10 ? 3;
+                END_PROGRAM
+                ",
+            fix: "Remove the characters, or write the operator that Structured Text has for the purpose.",
+            repaired: "
+                PROGRAM main
+                VAR
+                    speed : INT;
+                END_VAR
+                    speed := 10 MOD 3;
+                END_PROGRAM
+                ",
+        }
+        P0004 CStyleComment {
+            summary: "comments that begin with `//` are not enabled",
+            explanation: "The second edition of the standard has `(* … *)` only; the third added `//` to the end of the line. \
+                The dialects `ironplc-rusty` and `plcnext` read it, the others do not.",
+            example: IronplcEd2 "
+                PROGRAM main
+                VAR
+                    level : INT;
+                END_VAR
+                    level := 5; // half full
+                END_PROGRAM
+                ",
+            fix: "Write the comment between `(*` and `*)`, or choose a dialect that has comments to the end of the line.",
+            repaired: "
+                PROGRAM main
+                VAR
+                    level : INT;
+                END_VAR
+                    level := 5; (* half full *)
+                END_PROGRAM
+                ",
+        }
+        P0005 UnexpectedElement {
+            summary: "the element is not permitted here",
+            explanation: "The element is well formed, but not at this place: a statement among declarations, or a declaration among \
+                statements. Stickler's reference calls this a syntax error, P0002; other compilers tell the two apart.",
+            example: elsewhere "
+                TYPE
+                    Tank : STRUCT
+                        level : INT;
+                        level := level + 1;
+                    END_STRUCT;
+                END_TYPE
+                PROGRAM main
+                VAR
+                    tank : Tank;
+                END_VAR
+                    tank.level := 1;
+                END_PROGRAM
+                ",
+            fix: "Move the element to where it belongs: statements stand in the body of a program organization unit.",
+        }
+        P0010 Std2013Feature {
+            summary: "the feature needs the third edition of the standard",
+            explanation: "The third edition of IEC 61131-3, of 2013, added types (`LTIME`, `LDATE`, `LTOD`, `LDT`, `CHAR`, `WCHAR`) \
+                and other language. The dialect follows the second edition and knows the name only to say so. Nothing else is said \
+                about the same construct.",
+            example: IronplcEd2 "
+                PROGRAM main
+                VAR
+                    pause : LTIME;
+                END_VAR
+                END_PROGRAM
+                ",
+            fix: "Use a type of the second edition, or a dialect of the third.",
+            repaired: "
+                PROGRAM main
+                VAR
+                    pause : TIME;
+                END_VAR
+                END_PROGRAM
+                ",
+        }
+        P0011 EmptyVarBlock {
+            summary: "the block of variables declares nothing",
+            explanation: "By the grammar of the standard a block such as `VAR … END_VAR` holds at least one declaration. Generated \
+                sources often have empty ones, and many compilers can be told to let them pass. Stickler's reference does so always.",
+            example: elsewhere "
+                PROGRAM main
+                VAR
+                END_VAR
+                END_PROGRAM
+                ",
+            fix: "Remove the empty block.",
+            repaired: "
+                PROGRAM main
+                VAR
+                    unused : BOOL;
+                END_VAR
+                END_PROGRAM
+                ",
+        }
+        P0012 InvalidStringEscape {
+            summary: "the string has an escape that does not exist",
+            explanation: "In a character string a dollar sign begins an escape: `$$`, `$'`, `$\"`, `$L`, `$N`, `$P`, `$R`, `$T`, or the \
+                code of a character with two hexadecimal digits in single quotes and four in double quotes. Anything else stands for \
+                no character.",
+            example: IronplcEd2 "
+                PROGRAM main
+                VAR
+                    price : STRING;
+                END_VAR
+                    price := '$5';
+                END_PROGRAM
+                ",
+            fix: "Write a dollar sign that means itself as `$$`, and give the code of a character all its digits.",
+            repaired: "
+                PROGRAM main
+                VAR
+                    price : STRING;
+                END_VAR
+                    price := '$$5';
+                END_PROGRAM
+                ",
+        }
     } };
 }
