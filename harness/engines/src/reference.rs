@@ -80,14 +80,12 @@ impl Session for ReferenceSession {
             limits: reference::Limits::default(),
         });
         match answer {
-            Ok(reference::Outcome::Executed { values }) => Outcome::Executed {
-                values: named(request, values),
-            },
+            Ok(reference::Outcome::Executed { values }) => Outcome::Executed { values },
             Ok(reference::Outcome::Rejected(diagnostics)) => rejected(diagnostics),
             Ok(reference::Outcome::Faulted { fault, line, values }) => Outcome::Faulted {
                 fault,
                 line: Some(line),
-                values: named(request, values),
+                values,
             },
             Err(error) => Outcome::Error {
                 message: error.to_string(),

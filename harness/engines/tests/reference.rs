@@ -154,7 +154,8 @@ END_PROGRAM
         json!({"type":"run","id":7,"dialect":"ironplc-ed3","source":source,"scans":4,
         "clock":[{"before":2,"value":"TIME#150ms"}],
         "set":[{"before":3,"name":"step","value":"INT#10"}],
-        "observe":[{"name":"sum","type":"INT","after":2},{"name":"sum","after":3},{"name":"sum"},{"name":"step"}]}),
+        "observe":[{"name":"sum","type":"INT","after":2},{"name":"sum","after":3},{"name":"sum"},
+            {"name":"step"}]}),
     );
     let values = json!({"sum@2":"INT#2","sum@3":"INT#12","sum":"INT#22","step":"INT#10"});
     assert_eq!(reply, json!({"type":"executed","id":7,"values":values}));
