@@ -208,49 +208,43 @@ impl ElementaryType {
     ///
     /// The prefixes `T`, `LT`, `D` and `LD` are no keywords: see [`ElementaryType::from_literal_prefix`].
     pub fn from_name(name: &str) -> Option<ElementaryType> {
-        let bytes = name.as_bytes();
-        // The parser asks this of every identifier, so most are to be turned away at once.
-        if !(2..=14).contains(&bytes.len()) {
-            return None;
-        }
-        let mut upper = [0_u8; 14];
-        let upper = &mut upper[..bytes.len()];
-        upper.copy_from_slice(bytes);
-        upper.make_ascii_uppercase();
-        Some(match &*upper {
-            b"DT" => E::Dt,
-            b"INT" => E::Int,
-            b"TOD" => E::Tod,
-            b"LDT" => E::Ldt,
-            b"BOOL" => E::Bool,
-            b"SINT" => E::Sint,
-            b"DINT" => E::Dint,
-            b"LINT" => E::Lint,
-            b"UINT" => E::Uint,
-            b"REAL" => E::Real,
-            b"BYTE" => E::Byte,
-            b"WORD" => E::Word,
-            b"TIME" => E::Time,
-            b"DATE" => E::Date,
-            b"LTOD" => E::Ltod,
-            b"CHAR" => E::Char,
-            b"USINT" => E::Usint,
-            b"UDINT" => E::Udint,
-            b"ULINT" => E::Ulint,
-            b"LREAL" => E::Lreal,
-            b"DWORD" => E::Dword,
-            b"LWORD" => E::Lword,
-            b"LTIME" => E::Ltime,
-            b"LDATE" => E::Ldate,
-            b"WCHAR" => E::Wchar,
-            b"STRING" => E::String,
-            b"WSTRING" => E::Wstring,
-            b"TIME_OF_DAY" => E::Tod,
-            b"LTIME_OF_DAY" => E::Ltod,
-            b"DATE_AND_TIME" => E::Dt,
-            b"LDATE_AND_TIME" => E::Ldt,
+        // The parser asks this of every identifier: length and first letter turn nearly all others away.
+        let first = name.as_bytes().first()?.to_ascii_uppercase();
+        let candidates: &[(&str, E)] = match (name.len(), first) {
+            (2, b'D') => &[("DT", E::Dt)],
+            (3, b'I') => &[("INT", E::Int)],
+            (3, b'T') => &[("TOD", E::Tod)],
+            (3, b'L') => &[("LDT", E::Ldt)],
+            (4, b'B') => &[("BOOL", E::Bool), ("BYTE", E::Byte)],
+            (4, b'C') => &[("CHAR", E::Char)],
+            (4, b'D') => &[("DINT", E::Dint), ("DATE", E::Date)],
+            (4, b'L') => &[("LINT", E::Lint), ("LTOD", E::Ltod)],
+            (4, b'R') => &[("REAL", E::Real)],
+            (4, b'S') => &[("SINT", E::Sint)],
+            (4, b'T') => &[("TIME", E::Time)],
+            (4, b'U') => &[("UINT", E::Uint)],
+            (4, b'W') => &[("WORD", E::Word)],
+            (5, b'D') => &[("DWORD", E::Dword)],
+            (5, b'L') => &[
+                ("LREAL", E::Lreal),
+                ("LWORD", E::Lword),
+                ("LTIME", E::Ltime),
+                ("LDATE", E::Ldate),
+            ],
+            (5, b'U') => &[("UDINT", E::Udint), ("USINT", E::Usint), ("ULINT", E::Ulint)],
+            (5, b'W') => &[("WCHAR", E::Wchar)],
+            (6, b'S') => &[("STRING", E::String)],
+            (7, b'W') => &[("WSTRING", E::Wstring)],
+            (11, b'T') => &[("TIME_OF_DAY", E::Tod)],
+            (12, b'L') => &[("LTIME_OF_DAY", E::Ltod)],
+            (13, b'D') => &[("DATE_AND_TIME", E::Dt)],
+            (14, b'L') => &[("LDATE_AND_TIME", E::Ldt)],
             _ => return None,
-        })
+        };
+        candidates
+            .iter()
+            .find(|(keyword, _)| keyword.eq_ignore_ascii_case(name))
+            .map(|&(_, ty)| ty)
     }
 
     /// The type that the prefix of a typed literal names: its keyword, or `T`, `LT`, `D`, `LD`; in any case.
