@@ -2,16 +2,37 @@
 //!
 //! A case file is an annotated program (`.st`) or a table (`.toml`); `conformance-cases/README.md` explains both.
 //! [`Suite::load`] reads a folder of them. Whatever stands in a file, the rest of the suite still loads: mistakes are
-//! [`CaseFileError`]s, with file, line, key and a hint.
+//! [`CaseFileError`]s, with file, line, key and a hint. [`lint`](fn@lint) also says what only a reader of the files would notice.
 //!
 //! This crate must not know the reference: what a case expects comes from its file, or from exact arithmetic in
 //! this crate, never from running anything.
 
+mod arrival;
+mod assemble;
+pub mod basis;
+pub mod boundaries;
+mod condition;
+mod dialects;
 mod error;
+mod files;
+mod frame;
+mod header;
+mod ident;
+mod lint;
+mod mark;
 mod model;
+mod place;
+mod program;
+mod scan;
+mod single;
 mod suite;
+mod table;
+mod template;
+mod toml_text;
 
+pub use dialects::{DialectEntry, Dialects};
 pub use error::CaseFileError;
+pub use lint::{Finding, Severity, lint};
 pub use model::{
     Acceptance, Case, ClockSetting, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText,
     ExpectedValue, MatrixCell, Observe, VariableSetting, WithdrawnCase, Word,

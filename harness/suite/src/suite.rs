@@ -1,32 +1,191 @@
 //! A folder of case files becomes a suite.
 
 use std::path::Path;
+use std::sync::Arc;
 
-use crate::{Case, CaseFileError, WithdrawnCase};
+use rustc_hash::FxHashMap;
+use serde::Deserialize;
+use stickler_types::DialectName;
+
+use crate::assemble::TypeNames;
+use crate::error::Mistake;
+use crate::frame::{FileContext, Harvest};
+use crate::place::Lines;
+use crate::{Case, CaseFileError, Dialects, WithdrawnCase};
+use crate::{files, ident, single, table, toml_text};
 
 /// All cases of a folder, and what is wrong with its files.
 #[derive(Clone, Debug, Default)]
 pub struct Suite {
-    /// The suite's own version, from `suite.toml`.
+    /// The suite's own version, from `suite.toml`; results name it.
     pub version: String,
     /// The cases, ordered by path and then by their place in the file.
     pub cases: Vec<Case>,
     /// Cases that keep their ids but are not run.
     pub withdrawn: Vec<WithdrawnCase>,
-    /// Mistakes in case files, ordered by file and line.
+    /// Mistakes in case files, ordered by file and line. What of the suite is sound is loaded all the same.
     pub errors: Vec<CaseFileError>,
+    /// The dialects and groups that case files may name, from `dialects.toml`.
+    pub dialects: Dialects,
+    /// What lint says of the files beside their mistakes.
+    pub(crate) remarks: Vec<CaseFileError>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SuiteFile {
+    version: String,
 }
 
 impl Suite {
-    /// Reads every case file below `dir`.
+    /// Reads every case file below `dir`, the folder that has `suite.toml` and `dialects.toml`.
+    ///
+    /// It never fails: what is wrong stands in [`Suite::errors`], also where `dir` does not exist.
     pub fn load(dir: &Path) -> Suite {
-        let _ = dir;
-        Suite::default()
+        let root = files::Root::new(dir);
+        let mut suite = Suite::default();
+        suite.read_version(&root);
+        suite.read_dialects(&root);
+        let type_names = TypeNames::default();
+        let listing = files::list(&root);
+        suite.errors.extend(listing.errors);
+        suite.remarks.extend(listing.remarks);
+        for file in listing.files {
+            let harvest = read_file(&file, &suite.dialects, &type_names);
+            suite.take(&file.shown, harvest);
+        }
+        suite.drop_duplicates();
+        suite.errors.sort();
+        suite
+    }
+
+    fn read_version(&mut self, root: &files::Root) {
+        let shown = root.shown("suite.toml");
+        let read = files::read(&root.path().join("suite.toml"));
+        let file = read.and_then(|text| toml_text::read::<SuiteFile>(&text, 0, &Lines::new(&text)));
+        match file {
+            Ok(file) => self.version = file.version,
+            Err(mistake) => self.errors.push(mistake.in_file(&shown)),
+        }
+    }
+
+    fn read_dialects(&mut self, root: &files::Root) {
+        let (dialects, errors) = dialects(root);
+        self.dialects = dialects;
+        self.errors.extend(errors);
+    }
+
+    fn take(&mut self, shown: &str, harvest: Harvest) {
+        self.cases.extend(harvest.cases);
+        self.withdrawn.extend(harvest.withdrawn);
+        self.errors
+            .extend(harvest.mistakes.into_iter().map(|mistake| mistake.in_file(shown)));
+        self.remarks
+            .extend(harvest.remarks.into_iter().map(|remark| remark.in_file(shown)));
+    }
+
+    /// Of cases with one key only the first stays; the others are mistakes.
+    fn drop_duplicates(&mut self) {
+        let errors = drop_duplicates(&mut self.cases, &self.withdrawn);
+        self.errors.extend(errors);
     }
 }
 
 /// Reads the one case file `path`, as a part of the suite at `root`: the cases to run, and the file's mistakes.
+///
+/// `path` may be given relative to the working folder or absolute, as test harnesses that walk `root` give it.
 pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
-    let _ = (root, path);
-    (Vec::new(), Vec::new())
+    let root = files::Root::new(root);
+    let (dialects, mut errors) = dialects(&root);
+    let file = match root.case_file(path) {
+        Ok(file) => file,
+        Err(error) => {
+            errors.push(error);
+            return (Vec::new(), errors);
+        }
+    };
+    let harvest = read_file(&file, &dialects, &TypeNames::default());
+    errors.extend(
+        harvest
+            .mistakes
+            .into_iter()
+            .map(|mistake| mistake.in_file(&file.shown)),
+    );
+    let mut cases = harvest.cases;
+    errors.extend(drop_duplicates(&mut cases, &harvest.withdrawn));
+    (cases, errors)
+}
+
+fn dialects(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
+    let shown = root.shown("dialects.toml");
+    match files::read(&root.path().join("dialects.toml")) {
+        Ok(text) => {
+            let (dialects, mistakes) = Dialects::read(&text);
+            (
+                dialects,
+                mistakes
+                    .into_iter()
+                    .map(|mistake| mistake.in_file(&shown))
+                    .collect(),
+            )
+        }
+        Err(mistake) => (Dialects::default(), vec![mistake.in_file(&shown)]),
+    }
+}
+
+fn read_file(file: &files::CaseFile, dialects: &Dialects, type_names: &TypeNames) -> Harvest {
+    let wrong = |mistake| Harvest {
+        mistakes: vec![mistake],
+        ..Harvest::default()
+    };
+    let id = match ident::of_file(&file.below_root) {
+        Ok(id) => id,
+        Err(message) => return wrong(Mistake::new(1, message).hint("rename the file or its folder")),
+    };
+    let text = match files::read(&file.path) {
+        Ok(text) => text,
+        Err(mistake) => return wrong(mistake),
+    };
+    let area = id.split('/').next().unwrap_or_default();
+    let context = FileContext {
+        file: file.shown.as_str().into(),
+        area: area.into(),
+        id: id.clone(),
+        text: &text,
+        lines: Lines::new(&text),
+        dialects,
+        type_names,
+    };
+    match file.kind {
+        files::Kind::Program => single::read(&context),
+        files::Kind::Table => table::read(&context),
+    }
+}
+
+/// Takes out the cases whose key stood before, and says so of each id once.
+fn drop_duplicates(cases: &mut Vec<Case>, withdrawn: &[WithdrawnCase]) -> Vec<CaseFileError> {
+    type Seen = FxHashMap<(Arc<str>, DialectName), (Arc<str>, u32)>;
+    let mut seen = Seen::with_capacity_and_hasher(cases.len() + withdrawn.len(), Default::default());
+    let mut errors: Vec<CaseFileError> = Vec::new();
+    let mut is_new = |case: &Case| {
+        let key = (Arc::clone(&case.id), case.dialect);
+        let Some((file, line)) = seen.get(&key) else {
+            seen.insert(key, (Arc::clone(&case.file), case.line));
+            return true;
+        };
+        let message = format!("the id `{}` stands already at {file}:{line}", case.id);
+        let error = Mistake::new(case.line, message)
+            .key("id")
+            .hint("an id names one case: change the file's name, the probe's, or give an `id`")
+            .in_file(&case.file);
+        if errors.last() != Some(&error) {
+            errors.push(error);
+        }
+        false
+    };
+    for withdrawn in withdrawn {
+        is_new(&withdrawn.case);
+    }
+    cases.retain(is_new);
+    errors
 }

@@ -1,0 +1,258 @@
+//! Conditions under which a mark or a probe applies: `if no|open`, `if row = ANY_INT and column <> row`.
+
+use stickler_types::ElementaryType;
+
+/// All of these tests must hold; none: always.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Condition(Vec<Test>);
+
+#[derive(Clone, Debug)]
+struct Test {
+    /// The placeholder that is looked at.
+    slot: usize,
+    /// `<>`: none of the alternatives may fit.
+    negated: bool,
+    alternatives: Vec<Alternative>,
+}
+
+#[derive(Clone, Debug)]
+enum Alternative {
+    Text(Box<str>),
+    /// The text of another placeholder.
+    Slot(usize),
+    Generic(Generic),
+}
+
+/// What a condition may look at.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Testable<'a> {
+    /// The names of the placeholders, by index.
+    pub(crate) names: &'a [Box<str>],
+    /// How many of them, from the first, are known when conditions are tested.
+    pub(crate) known: usize,
+    /// The placeholder that a condition without a name looks at: the cell's word.
+    pub(crate) unnamed: Option<usize>,
+}
+
+impl Condition {
+    /// Reads the words behind `if`.
+    pub(crate) fn parse(words: &[&str], testable: Testable<'_>) -> Result<Condition, String> {
+        words
+            .split(|&word| word == "and")
+            .map(|test| Test::parse(test, testable))
+            .collect::<Result<_, _>>()
+            .map(Condition)
+    }
+
+    /// Adds the tests of another condition.
+    pub(crate) fn and(&mut self, other: Condition) {
+        self.0.extend(other.0);
+    }
+
+    /// Whether it holds where the placeholders have these values.
+    pub(crate) fn holds(&self, values: &[&str]) -> bool {
+        self.0.iter().all(|test| test.holds(values))
+    }
+
+    /// The placeholders that it looks at.
+    pub(crate) fn slots(&self) -> impl Iterator<Item = usize> {
+        self.0.iter().flat_map(|test| {
+            let others = test
+                .alternatives
+                .iter()
+                .filter_map(|alternative| match alternative {
+                    Alternative::Slot(slot) => Some(*slot),
+                    _ => None,
+                });
+            std::iter::once(test.slot).chain(others)
+        })
+    }
+}
+
+impl Test {
+    fn parse(words: &[&str], testable: Testable<'_>) -> Result<Test, String> {
+        match words {
+            [] => Err("`if` and `and` need a condition behind them".to_owned()),
+            [name, sign @ ("=" | "<>"), rest @ ..] if !rest.is_empty() && rest[0] != "|" => {
+                let slot = testable.slot(name)?;
+                let alternatives = alternatives(rest, testable)?;
+                Ok(Test {
+                    slot,
+                    negated: *sign == "<>",
+                    alternatives,
+                })
+            }
+            _ => match testable.unnamed {
+                Some(slot) => Ok(Test {
+                    slot,
+                    negated: false,
+                    alternatives: words_of_cells(words)?,
+                }),
+                None => Err(format!(
+                    "`{}` is no condition; write `if NAME = WORD`",
+                    words.join(" ")
+                )),
+            },
+        }
+    }
+
+    fn holds(&self, values: &[&str]) -> bool {
+        let text = values[self.slot];
+        let fits = self.alternatives.iter().any(|alternative| match alternative {
+            Alternative::Text(word) => **word == *text,
+            Alternative::Slot(slot) => values[*slot] == text,
+            Alternative::Generic(generic) => generic.contains(text),
+        });
+        fits != self.negated
+    }
+}
+
+impl Testable<'_> {
+    fn slot(self, name: &str) -> Result<usize, String> {
+        match self.names.iter().position(|known| **known == *name) {
+            Some(slot) if slot < self.known => Ok(slot),
+            Some(_) => Err(format!("a condition cannot test `{name}`: it is not known yet")),
+            None => Err(format!(
+                "no placeholder `{name}` to test; there are {}",
+                self.names[..self.known].join(", ")
+            )),
+        }
+    }
+}
+
+fn alternatives(words: &[&str], testable: Testable<'_>) -> Result<Vec<Alternative>, String> {
+    let joined = words.join(" ");
+    joined
+        .split('|')
+        .map(|word| match word.trim() {
+            "" => Err(format!("`{joined}` has an empty alternative")),
+            word => Ok(match (Generic::parse(word), testable.slot(word)) {
+                (Some(generic), _) => Alternative::Generic(generic),
+                (None, Ok(slot)) => Alternative::Slot(slot),
+                (None, Err(_)) => Alternative::Text(word.into()),
+            }),
+        })
+        .collect()
+}
+
+fn words_of_cells(words: &[&str]) -> Result<Vec<Alternative>, String> {
+    let joined = words.concat();
+    joined
+        .split('|')
+        .map(|word| match word {
+            "yes" | "no" | "open" | "=" => Ok(Alternative::Text(word.into())),
+            _ => Err(format!(
+                "`{word}` is no word of a cell; there are yes, no, open and =, and `NAME = WORD`"
+            )),
+        })
+        .collect()
+}
+
+/// A generic data type of the standard.
+///
+/// Basis: iec-61131-3: Figure 5 (hierarchy of the generic data types).
+#[derive(Clone, Copy, Debug)]
+struct Generic(fn(ElementaryType) -> bool);
+
+impl Generic {
+    fn parse(word: &str) -> Option<Generic> {
+        use ElementaryType::{Bool, Char, String, Wchar, Wstring};
+        Some(Generic(match word {
+            "ANY_SIGNED" => |ty| ty.is_integer() && ty.is_signed(),
+            "ANY_UNSIGNED" => |ty| ty.is_integer() && ty.is_unsigned(),
+            "ANY_INT" => ElementaryType::is_integer,
+            "ANY_REAL" => ElementaryType::is_real,
+            "ANY_NUM" => |ty| ty.is_integer() || ty.is_real(),
+            "ANY_BIT" => |ty| ty == Bool || ty.is_bit_string(),
+            "ANY_DURATION" => ElementaryType::is_duration,
+            "ANY_DATE" => ElementaryType::is_date_or_time,
+            "ANY_STRING" => |ty| matches!(ty, String | Wstring),
+            "ANY_CHARS" => |ty| matches!(ty, String | Wstring | Char | Wchar),
+            "ANY_CHAR" => |ty| matches!(ty, Char | Wchar),
+            _ => return None,
+        }))
+    }
+
+    fn contains(self, name: &str) -> bool {
+        ElementaryType::from_name(name).is_some_and(self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Result<Condition, String> {
+        let names: Vec<Box<str>> = ["row", "column", "cell", "value"].map(Into::into).into();
+        let words: Vec<&str> = text.split_whitespace().collect();
+        Condition::parse(
+            &words,
+            Testable {
+                names: &names,
+                known: 3,
+                unnamed: Some(2),
+            },
+        )
+    }
+
+    fn holds(text: &str, row: &str, column: &str, cell: &str) -> bool {
+        parse(text).unwrap().holds(&[row, column, cell, ""])
+    }
+
+    #[test]
+    fn words_test_the_cell() {
+        assert!(holds("no", "INT", "SINT", "no"));
+        assert!(!holds("no", "INT", "SINT", "open"));
+        assert!(holds("no|open", "INT", "SINT", "open"));
+        assert!(holds("yes | =", "INT", "INT", "="));
+        assert!(holds("= | yes", "INT", "INT", "="));
+        assert!(holds("=", "INT", "INT", "="));
+    }
+
+    #[test]
+    fn names_test_their_texts() {
+        assert!(holds("row = SINT|INT", "INT", "", ""));
+        assert!(!holds("row <> SINT | INT", "INT", "", ""));
+        assert!(holds("column = row", "INT", "INT", ""));
+        assert!(!holds("column <> row and no", "INT", "INT", "no"));
+        assert!(holds("row = INT and column = BOOL and no", "INT", "BOOL", "no"));
+    }
+
+    #[test]
+    fn generic_types_stand_for_their_members() {
+        assert!(holds("row = ANY_INT|ANY_BIT", "BOOL", "", ""));
+        assert!(!holds("row = ANY_INT|ANY_BIT", "REAL", "", ""));
+        assert!(!holds("row = ANY_SIGNED", "UINT", "", ""));
+        assert!(!holds("row = ANY_SIGNED", "REAL", "", ""));
+        assert!(!holds("row = ANY_INT", "COLOR", "", ""));
+    }
+
+    #[test]
+    fn what_is_no_condition_is_said() {
+        for (text, said) in [
+            ("", "need a condition"),
+            ("no and", "need a condition"),
+            ("maybe", "`maybe` is no word of a cell"),
+            ("yes|", "`` is no word of a cell"),
+            (
+                "line = INT",
+                "no placeholder `line` to test; there are row, column, cell",
+            ),
+            ("value = 1", "not known yet"),
+            ("row = A||B", "empty alternative"),
+        ] {
+            let message = parse(text).unwrap_err();
+            assert!(message.contains(said), "{text}: {message}");
+        }
+        let bare = Condition::parse(
+            &["no"],
+            Testable {
+                names: &[],
+                known: 0,
+                unnamed: None,
+            },
+        )
+        .unwrap_err();
+        assert!(bare.contains("write `if NAME = WORD`"), "{bare}");
+    }
+}

@@ -1,0 +1,213 @@
+//! The files of a suite's folder: which there are, what they are, and their texts.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use walkdir::WalkDir;
+
+use crate::CaseFileError;
+use crate::error::Mistake;
+
+/// The longest case file that is read.
+const LONGEST: u64 = 16 << 20;
+
+/// The root of a suite.
+#[derive(Debug)]
+pub(crate) struct Root {
+    path: PathBuf,
+    /// The folder's own name, with which the paths in reports begin.
+    name: String,
+}
+
+/// A case file.
+#[derive(Debug)]
+pub(crate) struct CaseFile {
+    pub(crate) path: PathBuf,
+    /// The path below the root, with forward slashes.
+    pub(crate) below_root: String,
+    /// The path as reports show it: with the root's name.
+    pub(crate) shown: String,
+    pub(crate) kind: Kind,
+}
+
+/// What a case file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Program,
+    Table,
+}
+
+/// What stands below a root.
+#[derive(Debug, Default)]
+pub(crate) struct Listing {
+    pub(crate) files: Vec<CaseFile>,
+    pub(crate) errors: Vec<CaseFileError>,
+    pub(crate) remarks: Vec<CaseFileError>,
+}
+
+impl Root {
+    pub(crate) fn new(path: &Path) -> Root {
+        // `.` has no name of its own; what it stands for has.
+        let named = path.file_name().map(|name| name.to_os_string());
+        let named = named.or_else(|| Some(path.canonicalize().ok()?.file_name()?.to_os_string()));
+        let name = named.map_or_else(
+            || "conformance-cases".to_owned(),
+            |name| name.to_string_lossy().into_owned(),
+        );
+        Root {
+            path: path.to_owned(),
+            name,
+        }
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// A path below the root as reports show it.
+    pub(crate) fn shown(&self, below_root: &str) -> String {
+        format!("{}/{below_root}", self.name)
+    }
+
+    /// The case file at `path`.
+    pub(crate) fn case_file(&self, path: &Path) -> Result<CaseFile, CaseFileError> {
+        let below = path
+            .strip_prefix(&self.path)
+            .map(Path::to_owned)
+            .or_else(|_| self.below_by_real_path(path));
+        let Ok(below) = below else {
+            let message = format!("the file is not below {}", self.path.display());
+            return Err(Mistake::new(1, message).in_file(&path.to_string_lossy()));
+        };
+        let below_root = slashes(&below);
+        let shown = self.shown(&below_root);
+        match kind(&below_root) {
+            Some(kind) => Ok(CaseFile {
+                path: path.to_owned(),
+                below_root,
+                shown,
+                kind,
+            }),
+            None => Err(Mistake::new(1, "a case file ends in .st or .toml").in_file(&shown)),
+        }
+    }
+
+    /// One of the two paths may be relative, or go through a link.
+    fn below_by_real_path(&self, path: &Path) -> Result<PathBuf, ()> {
+        let root = self.path.canonicalize().map_err(drop)?;
+        let path = path.canonicalize().map_err(drop)?;
+        path.strip_prefix(root).map(Path::to_owned).map_err(drop)
+    }
+}
+
+fn slashes(path: &Path) -> String {
+    let parts: Vec<_> = path
+        .components()
+        .map(|part| part.as_os_str().to_string_lossy())
+        .collect();
+    parts.join("/")
+}
+
+/// What the file is, by its name; nothing for the suite's own files and for all others.
+fn kind(below_root: &str) -> Option<Kind> {
+    match below_root {
+        "suite.toml" | "dialects.toml" => None,
+        _ if below_root.ends_with(".st") => Some(Kind::Program),
+        _ if below_root.ends_with(".toml") => Some(Kind::Table),
+        _ => None,
+    }
+}
+
+/// All case files below the root, ordered by path. Hidden files and folders are not looked at.
+pub(crate) fn list(root: &Root) -> Listing {
+    let mut listing = Listing::default();
+    let is_hidden = |name: &std::ffi::OsStr| name.as_encoded_bytes().starts_with(b".");
+    let walk = WalkDir::new(root.path()).sort_by_file_name().into_iter();
+    for entry in walk.filter_entry(|entry| entry.depth() == 0 || !is_hidden(entry.file_name())) {
+        match entry {
+            Ok(entry) if entry.file_type().is_dir() => note_folder_without_readme(root, &entry, &mut listing),
+            Ok(entry) => add(root, entry.path(), &mut listing),
+            Err(error) => {
+                let path = error.path().unwrap_or(root.path());
+                let shown = path
+                    .strip_prefix(root.path())
+                    .map_or_else(|_| slashes(path), slashes);
+                let message = match error.io_error() {
+                    Some(error) => format!("cannot be read: {error}"),
+                    None => error.to_string(),
+                };
+                let shown = root.shown(&shown);
+                listing
+                    .errors
+                    .push(Mistake::new(1, message).in_file(shown.trim_end_matches('/')));
+            }
+        }
+    }
+    listing
+}
+
+fn add(root: &Root, path: &Path, listing: &mut Listing) {
+    let below_root = path.strip_prefix(root.path()).map(slashes).unwrap_or_default();
+    let shown = root.shown(&below_root);
+    match kind(&below_root) {
+        Some(kind) => listing.files.push(CaseFile {
+            path: path.to_owned(),
+            below_root,
+            shown,
+            kind,
+        }),
+        None if is_known(&below_root) => {}
+        None => {
+            let message = "the file is neither a case file (.st, .toml) nor a README.md";
+            listing.remarks.push(Mistake::new(1, message).in_file(&shown));
+        }
+    }
+}
+
+fn is_known(below_root: &str) -> bool {
+    matches!(below_root, "suite.toml" | "dialects.toml") || below_root.ends_with(".md")
+}
+
+fn note_folder_without_readme(root: &Root, folder: &walkdir::DirEntry, listing: &mut Listing) {
+    // Folders below the areas belong to their area.
+    if folder.depth() <= 1 && !folder.path().join("README.md").is_file() {
+        let below = folder
+            .path()
+            .strip_prefix(root.path())
+            .map(slashes)
+            .unwrap_or_default();
+        let shown = root.shown(&below);
+        let message = "the folder has no README.md that says what is claimed there";
+        listing
+            .remarks
+            .push(Mistake::new(1, message).in_file(shown.trim_end_matches('/')));
+    }
+}
+
+/// The text of a file.
+///
+/// # Errors
+/// Where it cannot be read, is too long, or is not UTF-8.
+pub(crate) fn read(path: &Path) -> Result<String, Mistake> {
+    let unreadable = |error: std::io::Error| Mistake::new(1, format!("cannot be read: {error}"));
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    let mut bytes = Vec::new();
+    file.take(LONGEST + 1)
+        .read_to_end(&mut bytes)
+        .map_err(unreadable)?;
+    if bytes.len() as u64 > LONGEST {
+        return Err(Mistake::new(
+            1,
+            format!("the file is longer than {} MiB", LONGEST >> 20),
+        ));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let valid = error.utf8_error().valid_up_to();
+        let line = 1 + error.as_bytes()[..valid]
+            .iter()
+            .filter(|&&byte| byte == b'\n')
+            .count();
+        let message = format!("the text is not UTF-8: byte {valid} begins no character");
+        Mistake::new(u32::try_from(line).unwrap_or(u32::MAX), message)
+    })
+}

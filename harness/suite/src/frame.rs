@@ -1,0 +1,163 @@
+//! What all cases of a file or a probe have in common, and how cases are made of it.
+
+use std::sync::Arc;
+
+use stickler_types::DialectName;
+use toml::Spanned;
+
+use crate::assemble::{Assembly, TypeNames};
+use crate::dialects::Dialects;
+use crate::error::Mistake;
+use crate::model::{Case, MatrixCell, WithdrawnCase};
+use crate::place::Lines;
+
+/// The file that cases come from.
+#[derive(Debug)]
+pub(crate) struct FileContext<'a> {
+    /// The path relative to the suite's parent, as reports show it.
+    pub(crate) file: Arc<str>,
+    /// The id of the file: its path below the root, without the extension.
+    pub(crate) id: String,
+    pub(crate) area: Arc<str>,
+    pub(crate) text: &'a str,
+    pub(crate) lines: Lines,
+    pub(crate) dialects: &'a Dialects,
+    pub(crate) type_names: &'a TypeNames,
+}
+
+/// What the cases of a probe have in common.
+#[derive(Clone, Debug)]
+pub(crate) struct Frame {
+    pub(crate) summary: Option<Arc<str>>,
+    pub(crate) tags: Arc<[Arc<str>]>,
+    pub(crate) edition: Option<u8>,
+    pub(crate) scans: u32,
+    pub(crate) withdrawn: Option<Withdrawal>,
+}
+
+/// Why and when cases were withdrawn.
+#[derive(Clone, Debug)]
+pub(crate) struct Withdrawal {
+    pub(crate) reason: Arc<str>,
+    pub(crate) date: Arc<str>,
+}
+
+/// What is special to a group of cases that differ in nothing but their dialect.
+#[derive(Debug)]
+pub(crate) struct Group<'a> {
+    pub(crate) id: Arc<str>,
+    pub(crate) title: Arc<str>,
+    pub(crate) basis: Arc<str>,
+    pub(crate) line: u32,
+    pub(crate) source: Arc<str>,
+    pub(crate) assembly: Assembly,
+    pub(crate) cell: Option<&'a Arc<MatrixCell>>,
+}
+
+/// What came out of a case file.
+#[derive(Debug, Default)]
+pub(crate) struct Harvest {
+    pub(crate) cases: Vec<Case>,
+    pub(crate) withdrawn: Vec<WithdrawnCase>,
+    pub(crate) mistakes: Vec<Mistake>,
+    /// What lint says of the file beside its mistakes.
+    pub(crate) remarks: Vec<Mistake>,
+}
+
+impl Harvest {
+    /// Adds a case for each dialect.
+    pub(crate) fn add(
+        &mut self,
+        context: &FileContext<'_>,
+        frame: &Frame,
+        group: &Group<'_>,
+        dialects: &[DialectName],
+    ) {
+        for &dialect in dialects {
+            let case = Case {
+                id: Arc::clone(&group.id),
+                dialect,
+                title: Arc::clone(&group.title),
+                basis: Arc::clone(&group.basis),
+                summary: frame.summary.clone(),
+                file: Arc::clone(&context.file),
+                area: Arc::clone(&context.area),
+                line: group.line,
+                source: Arc::clone(&group.source),
+                scans: frame.scans,
+                tags: Arc::clone(&frame.tags),
+                edition: frame.edition,
+                clock: Arc::clone(&group.assembly.clock),
+                set: Arc::clone(&group.assembly.set),
+                expectation: Arc::clone(&group.assembly.expectation),
+                observe: Arc::clone(&group.assembly.observe),
+                cell: group.cell.map(Arc::clone),
+            };
+            match &frame.withdrawn {
+                None => self.cases.push(case),
+                Some(Withdrawal { reason, date }) => {
+                    let (reason, date) = (Arc::clone(reason), Arc::clone(date));
+                    self.withdrawn.push(WithdrawnCase { case, reason, date });
+                }
+            }
+        }
+    }
+}
+
+impl FileContext<'_> {
+    /// The dialects that a list of names stands for, in their own order, each once.
+    pub(crate) fn resolve(
+        &self,
+        names: &[Spanned<String>],
+        key: &str,
+        mistakes: &mut Vec<Mistake>,
+    ) -> Vec<DialectName> {
+        let mut dialects = Vec::new();
+        for name in names {
+            match self.dialects.resolve(name.get_ref()) {
+                Ok(resolved) => dialects.extend(resolved),
+                Err(message) => {
+                    mistakes.push(Mistake::new(self.lines.line(name.span().start), message).key(key))
+                }
+            }
+        }
+        dialects.sort_unstable();
+        dialects.dedup();
+        dialects
+    }
+}
+
+/// Checks the key `edition`.
+pub(crate) fn edition(
+    edition: Option<&Spanned<u8>>,
+    lines: &Lines,
+    mistakes: &mut Vec<Mistake>,
+) -> Option<u8> {
+    let edition = edition?;
+    match edition.get_ref() {
+        number @ (2 | 3) => Some(*number),
+        number => {
+            let message = format!("the standard has no edition {number} that Stickler knows");
+            mistakes.push(
+                Mistake::new(lines.line(edition.span().start), message)
+                    .key("edition")
+                    .hint("write 2 or 3"),
+            );
+            None
+        }
+    }
+}
+
+/// Checks the key `scans`; 1 where there is none.
+pub(crate) fn scans(scans: Option<&Spanned<u32>>, lines: &Lines, mistakes: &mut Vec<Mistake>) -> u32 {
+    const MOST: u32 = 1_000_000;
+    let Some(scans) = scans else { return 1 };
+    match *scans.get_ref() {
+        number @ 1..=MOST => number,
+        number => {
+            let message = format!("{number} scans; a program runs from 1 to {MOST}");
+            mistakes.push(Mistake::new(lines.line(scans.span().start), message).key("scans"));
+            1
+        }
+    }
+}

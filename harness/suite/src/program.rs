@@ -1,0 +1,202 @@
+//! A program with marks, read once and expanded many times.
+
+use std::sync::Arc;
+
+use stickler_types::DialectName;
+
+use crate::assemble::{Assembler, AssemblyMistake};
+use crate::error::Mistake;
+use crate::mark::{Claim, Mark, MarkReader};
+use crate::place::TextPlace;
+use crate::scan::{RawMark, scan};
+use crate::template::Template;
+
+/// A program or a template of programs, with its marks.
+#[derive(Debug)]
+pub(crate) struct Program {
+    pub(crate) source: Template,
+    pub(crate) marks: Vec<Mark>,
+    /// Where the source stands in the case file.
+    pub(crate) place: TextPlace,
+    /// The placeholders that the program uses outside its marks, by index.
+    pub(crate) used: Vec<bool>,
+    /// The placeholders that marks use, by index.
+    used_in_marks: Vec<bool>,
+}
+
+/// What a reader of the file would want to know, though the program can be used.
+#[derive(Debug, Default)]
+pub(crate) struct Remarks(pub(crate) Vec<Mistake>);
+
+impl Program {
+    /// Reads `text`; marks before the byte `marks_from` are none (the header).
+    pub(crate) fn read(
+        text: &str,
+        marks_from: usize,
+        place: TextPlace,
+        reader: &MarkReader<'_>,
+        remarks: &mut Remarks,
+    ) -> Result<Program, Vec<Mistake>> {
+        let mut mistakes = Vec::new();
+        let found = scan(text);
+        if let Some(line) = found.unclosed {
+            mistakes.push(Mistake::new(place.line(line), "the mark is not closed"));
+        }
+        for &line in &found.hidden {
+            let message = "`(*!` stands in a string or in another comment, where it is no mark";
+            remarks.0.push(Mistake::new(place.line(line), message));
+        }
+        let source = read_source(text, place, reader)
+            .map_err(|mistake| mistakes.push(mistake))
+            .ok();
+        let mut marks = Vec::new();
+        let mut spans = Vec::new();
+        for raw in found.marks.iter().filter(|raw| raw.start >= marks_from) {
+            match reader.read(raw) {
+                Ok(mark) => marks.push(mark),
+                Err(mistake) => mistakes.push(Mistake::new(place.line(mistake.line), mistake.message)),
+            }
+            spans.push(*raw);
+        }
+        match source {
+            Some(source) if mistakes.is_empty() => {
+                let names = reader.testable.names.len();
+                let (used, used_in_marks) = uses(&source, &spans, names);
+                Ok(Program {
+                    source,
+                    marks,
+                    place,
+                    used,
+                    used_in_marks,
+                })
+            }
+            _ => Err(mistakes),
+        }
+    }
+
+    /// The marks that apply in a dialect, by index.
+    pub(crate) fn active(&self, dialect: DialectName, texts: &[&str]) -> Vec<usize> {
+        let applies = |mark: &Mark| {
+            mark.dialects
+                .as_ref()
+                .is_none_or(|dialects| dialects.contains(&dialect))
+                && mark.condition.holds(texts)
+        };
+        self.marks
+            .iter()
+            .enumerate()
+            .filter(|(_, mark)| applies(mark))
+            .map(|(index, _)| index)
+            .collect()
+    }
+
+    /// Groups dialects in which the same marks apply, in the order of the first of each.
+    pub(crate) fn groups(
+        &self,
+        dialects: &[DialectName],
+        texts: &[&str],
+    ) -> Vec<(Vec<usize>, Vec<DialectName>)> {
+        let mut groups: Vec<(Vec<usize>, Vec<DialectName>)> = Vec::with_capacity(1);
+        for &dialect in dialects {
+            let active = self.active(dialect, texts);
+            match groups.iter_mut().find(|(known, _)| *known == active) {
+                Some((_, members)) => members.push(dialect),
+                None => groups.push((active, vec![dialect])),
+            }
+        }
+        groups
+    }
+
+    /// Whether one of these marks says that the program is rejected.
+    pub(crate) fn rejects(&self, active: &[usize]) -> bool {
+        active
+            .iter()
+            .any(|&index| matches!(self.marks[index].claim, Claim::Error(_)))
+    }
+
+    /// Whether one of these marks says where execution stops.
+    pub(crate) fn faults(&self, active: &[usize]) -> bool {
+        active
+            .iter()
+            .any(|&index| matches!(self.marks[index].claim, Claim::Fault(_)))
+    }
+
+    /// Gives an assembler what these marks claim.
+    pub(crate) fn apply(
+        &self,
+        active: &[usize],
+        texts: &[&str],
+        assembler: &mut Assembler<'_>,
+    ) -> Result<(), AssemblyMistake> {
+        let moved = texts.iter().any(|text| text.contains('\n'));
+        for &index in active {
+            let mark = &self.marks[index];
+            let line = mark.line
+                + if moved {
+                    self.lines_before(mark.offset, texts)
+                } else {
+                    0
+                };
+            assembler.mark(mark, line, |line| self.place.line(line), texts)?;
+        }
+        Ok(())
+    }
+
+    /// The line breaks that placeholders bring in before an offset of the template.
+    fn lines_before(&self, offset: usize, texts: &[&str]) -> u32 {
+        let slots = self.source.placed_slots().take_while(|&(_, at)| at < offset);
+        let lines = slots
+            .map(|(slot, _)| texts[slot].matches('\n').count())
+            .sum::<usize>();
+        u32::try_from(lines).unwrap_or(u32::MAX)
+    }
+
+    /// The placeholder that would close or open a comment inside a mark, if there is one.
+    pub(crate) fn breaks_a_mark(&self, texts: &[&str]) -> Option<usize> {
+        let breaks = |text: &str| text.contains("*)") || text.contains("(*");
+        (0..texts.len()).find(|&slot| self.used_in_marks.get(slot) == Some(&true) && breaks(texts[slot]))
+    }
+
+    /// Whether a placeholder stands anywhere in the program, marks or not.
+    pub(crate) fn uses(&self, slot: usize) -> bool {
+        self.used.get(slot) == Some(&true) || self.used_in_marks.get(slot) == Some(&true)
+    }
+
+    /// The program, with its placeholders replaced.
+    pub(crate) fn fill(&self, scratch: &mut String, texts: &[&str]) -> Arc<str> {
+        self.source.fill(scratch, texts)
+    }
+}
+
+fn read_source(text: &str, place: TextPlace, reader: &MarkReader<'_>) -> Result<Template, Mistake> {
+    if !reader.is_template {
+        return Ok(Template::plain(text));
+    }
+    Template::parse(text, reader.testable.names).map_err(|mistake| {
+        let line = 1 + text.as_bytes()[..mistake.offset]
+            .iter()
+            .filter(|&&byte| byte == b'\n')
+            .count();
+        Mistake::new(
+            place.line(u32::try_from(line).unwrap_or(u32::MAX)),
+            mistake.message,
+        )
+    })
+}
+
+/// The placeholders used outside and inside marks.
+fn uses(source: &Template, marks: &[RawMark<'_>], names: usize) -> (Vec<bool>, Vec<bool>) {
+    let mut outside = vec![false; names];
+    let mut inside = vec![false; names];
+    for (slot, at) in source.placed_slots() {
+        let before = marks.partition_point(|mark| mark.start <= at);
+        let in_mark = before
+            .checked_sub(1)
+            .is_some_and(|last| at < marks[last].text_start() + marks[last].text.len());
+        let list = if in_mark { &mut inside } else { &mut outside };
+        if let Some(used) = list.get_mut(slot) {
+            *used = true;
+        }
+    }
+    (outside, inside)
+}

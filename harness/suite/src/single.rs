@@ -1,0 +1,210 @@
+//! `*.st`: one annotated program becomes a case in each of its dialects.
+//!
+//! Basis: stickler-design §3.1.
+
+use std::sync::Arc;
+
+use stickler_types::Value;
+use toml::Spanned;
+
+use crate::assemble::Assembler;
+use crate::condition::Testable;
+use crate::error::Mistake;
+use crate::frame::{self, FileContext, Frame, Group, Harvest, Withdrawal};
+use crate::header::{self, Header};
+use crate::ident;
+use crate::mark::{MarkReader, Word};
+use crate::model::{ClockSetting, VariableSetting};
+use crate::place::TextPlace;
+use crate::program::{Program, Remarks};
+use crate::scan::{RawMark, scan};
+use crate::toml_text;
+
+/// Reads a program file.
+pub(crate) fn read(context: &FileContext<'_>) -> Harvest {
+    let mut harvest = Harvest::default();
+    match read_header(context) {
+        Ok((header, program_start)) => expand(context, &header, program_start, &mut harvest),
+        Err(mistake) => harvest.mistakes.push(mistake),
+    }
+    harvest
+}
+
+/// The header, and the byte offset behind its text.
+fn read_header(context: &FileContext<'_>) -> Result<(Header, usize), Mistake> {
+    let found = scan(context.text);
+    let hint = "the first mark is the header: `(*!`, TOML with title, basis and dialects, `*)`";
+    let Some(first) = found.marks.first() else {
+        let (line, message) = match found.unclosed {
+            Some(line) => (line, "the header is not closed"),
+            None => (1, "the file has no header"),
+        };
+        return Err(Mistake::new(line, message).hint(hint));
+    };
+    if is_other_mark(first) {
+        return Err(Mistake::new(first.line, "the first mark is not the header").hint(hint));
+    }
+    let header = toml_text::read(first.text, first.text_start(), &context.lines)?;
+    Ok((header, first.text_start() + first.text.len()))
+}
+
+/// Whether the text begins like one of the other marks, and so was not meant as TOML.
+fn is_other_mark(mark: &RawMark<'_>) -> bool {
+    let mut words = mark.text.split_whitespace();
+    let word = words.next().unwrap_or_default();
+    let is_known = matches!(
+        word,
+        "error" | "ok" | "fault" | "values" | "rendered" | "observe" | "set" | "clock"
+    );
+    is_known && words.next() != Some("=")
+}
+
+fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harvest: &mut Harvest) {
+    let lines = &context.lines;
+    let mistakes = &mut harvest.mistakes;
+    let dialects = context.resolve(&header.dialects, "dialects", mistakes);
+    if header.dialects.is_empty() {
+        mistakes.push(Mistake::new(1, "a case needs at least one dialect").key("dialects"));
+    }
+    let frame = Frame {
+        summary: header.summary.as_deref().map(Arc::from),
+        tags: header::tags(header.tags.iter()),
+        edition: frame::edition(header.edition.as_ref(), lines, mistakes),
+        scans: frame::scans(header.scans.as_ref(), lines, mistakes),
+        withdrawn: header.withdrawn.as_ref().map(Withdrawal::from),
+    };
+    let id = case_id(context, header, mistakes);
+    let (set, clock) = settings(context, header, mistakes);
+    let testable = Testable {
+        names: &[],
+        known: 0,
+        unnamed: None,
+    };
+    let reader = MarkReader {
+        dialects: context.dialects,
+        testable,
+        is_template: false,
+    };
+    let mut remarks = Remarks::default();
+    let program = match Program::read(
+        context.text,
+        program_start,
+        TextPlace::FILE,
+        &reader,
+        &mut remarks,
+    ) {
+        Ok(program) => program,
+        Err(more) => {
+            mistakes.extend(more);
+            return;
+        }
+    };
+    harvest.remarks.append(&mut remarks.0);
+    if !mistakes.is_empty() {
+        return;
+    }
+    note_marks_without_dialect(&program, &dialects, harvest);
+    let basis: Arc<str> = header.basis.get_ref().as_str().into();
+    let title: Arc<str> = header.title.as_str().into();
+    let source = program.fill(&mut String::new(), &[]);
+    for (active, members) in program.groups(&dialects, &[]) {
+        let mut assembler = Assembler::new(context.type_names);
+        assembler.settings(&set, &clock);
+        let assembled = program
+            .apply(&active, &[], &mut assembler)
+            .and_then(|()| assembler.finish(frame.scans));
+        match assembled {
+            Ok(assembly) => {
+                let (id, title, basis, source) = (
+                    Arc::clone(&id),
+                    Arc::clone(&title),
+                    Arc::clone(&basis),
+                    Arc::clone(&source),
+                );
+                let group = Group {
+                    id,
+                    title,
+                    basis,
+                    line: 1,
+                    source,
+                    assembly,
+                    cell: None,
+                };
+                harvest.add(context, &frame, &group, &members);
+            }
+            Err(mistake) => {
+                let names: Vec<&str> = members.iter().map(|dialect| dialect.as_str()).collect();
+                let hint = format!("in {}", names.join(", "));
+                harvest
+                    .mistakes
+                    .push(Mistake::new(mistake.line.max(1), mistake.message).hint(hint));
+            }
+        }
+    }
+    if let Err(message) = crate::basis::check(&basis) {
+        let line = lines.line(header.basis.span().start);
+        harvest.remarks.push(Mistake::new(line, message).key("basis"));
+    }
+}
+
+fn case_id(context: &FileContext<'_>, header: &Header, mistakes: &mut Vec<Mistake>) -> Arc<str> {
+    let Some(id) = &header.id else {
+        return context.id.as_str().into();
+    };
+    if let Err(message) = ident::check(id.get_ref()) {
+        mistakes.push(Mistake::new(context.lines.line(id.span().start), message).key("id"));
+    }
+    id.get_ref().as_str().into()
+}
+
+/// The settings of the header.
+fn settings(
+    context: &FileContext<'_>,
+    header: &Header,
+    mistakes: &mut Vec<Mistake>,
+) -> (Vec<VariableSetting>, Vec<ClockSetting>) {
+    let mut read = |key: &str, before: &Spanned<u32>, value: &Spanned<String>| -> Option<(u32, Value)> {
+        let mut wrong = |at: usize, message: String| {
+            mistakes.push(Mistake::new(context.lines.line(at), message).key(key));
+        };
+        if *before.get_ref() == 0 {
+            wrong(before.span().start, "scans count from 1".to_owned());
+        }
+        let parsed = Value::read(value.get_ref()).map_err(|message| wrong(value.span().start, message));
+        Some((*before.get_ref(), parsed.ok()?))
+    };
+    let set = header.set.iter().filter_map(|key| {
+        let (before, value) = read("set", &key.before, &key.value)?;
+        Some(VariableSetting {
+            before,
+            name: key.name.as_str().into(),
+            value,
+        })
+    });
+    let set = set.collect();
+    let clock = header.clock.iter().filter_map(|key| {
+        let (before, value) = read("clock", &key.before, &key.value)?;
+        Some(ClockSetting { before, value })
+    });
+    (set, clock.collect())
+}
+
+/// Notes marks that stand for none of the file's dialects.
+fn note_marks_without_dialect(
+    program: &Program,
+    dialects: &[stickler_types::DialectName],
+    harvest: &mut Harvest,
+) {
+    for mark in &program.marks {
+        let applies = mark
+            .dialects
+            .as_ref()
+            .is_none_or(|own| own.iter().any(|dialect| dialects.contains(dialect)));
+        if !applies {
+            harvest.remarks.push(Mistake::new(
+                mark.line,
+                "the mark applies in none of the file's dialects",
+            ));
+        }
+    }
+}

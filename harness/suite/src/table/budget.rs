@@ -1,0 +1,61 @@
+//! How much one file may expand into: a table of a few lines can stand for more cases than a machine can hold.
+
+/// What is left of the limits.
+#[derive(Debug)]
+pub(crate) struct Budget {
+    /// How many more cells or rows may be looked at.
+    looks: u64,
+    /// How many more bytes of programs may be written.
+    bytes: u64,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Budget {
+            looks: 20_000_000,
+            bytes: 512 << 20,
+        }
+    }
+}
+
+impl Budget {
+    /// Takes a look at a cell or a row in one probe.
+    ///
+    /// # Errors
+    /// A message, where the file is too big.
+    pub(crate) fn look(&mut self) -> Result<(), String> {
+        take(&mut self.looks, 1).ok_or_else(|| "the table expands into too many cells".to_owned())
+    }
+
+    /// Pays for a program of so many bytes and the case around it.
+    ///
+    /// # Errors
+    /// A message, where the file is too big.
+    pub(crate) fn program(&mut self, bytes: usize) -> Result<(), String> {
+        let cost = u64::try_from(bytes).unwrap_or(u64::MAX).saturating_add(400);
+        take(&mut self.bytes, cost)
+            .ok_or_else(|| "the table expands into more than 512 MiB of programs".to_owned())
+    }
+}
+
+fn take(left: &mut u64, cost: u64) -> Option<()> {
+    *left = left.checked_sub(cost)?;
+    Some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_budget_comes_to_an_end() {
+        let mut budget = Budget {
+            looks: 1,
+            bytes: 1000,
+        };
+        assert_eq!(budget.look(), Ok(()));
+        assert!(budget.look().is_err());
+        assert_eq!(budget.program(600), Ok(()));
+        assert!(budget.program(0).is_err());
+    }
+}

@@ -1,0 +1,397 @@
+//! A table of rows becomes a case for every row × probe × dialect.
+//!
+//! Basis: stickler-design §3.2.
+
+use stickler_types::{DialectName, Value};
+use toml::Spanned;
+
+use crate::assemble::Assembler;
+use crate::error::Mistake;
+use crate::frame::{Group, Harvest};
+use crate::ident;
+use crate::mark::Word;
+use crate::program::Remarks;
+use crate::table::budget::Budget;
+use crate::table::keys::Row;
+use crate::table::probe::{self, Placeholders, Probe};
+use crate::table::read::{MOST_MISTAKES, Table};
+
+/// The columns that have a meaning of their own.
+#[derive(Default)]
+struct Special {
+    id: Option<usize>,
+    title: Option<usize>,
+    basis: Option<usize>,
+    dialects: Option<usize>,
+}
+
+/// What a row says of the observed variables.
+enum Expect {
+    /// They hold this.
+    Value(Value),
+    Rejected,
+    Fault,
+    Open,
+    Accepted,
+    /// There is no `expect`: the marks alone say what must happen.
+    Unsaid,
+    /// There is no case.
+    None,
+}
+
+/// Expands the rows of a file.
+pub(crate) fn expand(table: &Table<'_>, names: &[Box<str>], harvest: &mut Harvest, remarks: &mut Remarks) {
+    let placeholders = Placeholders {
+        names,
+        known: names.len(),
+        unnamed: None,
+    };
+    let mut probes = probe::read(
+        table.file,
+        table.context,
+        placeholders,
+        &mut harvest.mistakes,
+        remarks,
+    );
+    let Some(dialects) = table.dialects.clone().filter(|dialects| !dialects.is_empty()) else {
+        harvest
+            .mistakes
+            .push(Mistake::new(1, "the file has no dialects").key("dialects"));
+        return;
+    };
+    let position = |name: &str| names.iter().position(|known| **known == *name);
+    let special = Special {
+        id: position("id"),
+        title: position("title"),
+        basis: position("basis"),
+        dialects: position("dialects"),
+    };
+    let mut expander = Expander {
+        table,
+        names,
+        special,
+        harvest,
+        budget: Budget::default(),
+        scratch: String::new(),
+    };
+    expander.check_keys(&probes);
+    if let Err(mistake) = expander.probes(&mut probes, &dialects) {
+        expander.harvest.mistakes.push(mistake);
+        return;
+    }
+    if harvest.mistakes.is_empty() {
+        note_unused_columns(table, names, &probes, harvest);
+    }
+}
+
+struct Expander<'a, 'h> {
+    table: &'a Table<'a>,
+    names: &'a [Box<str>],
+    special: Special,
+    harvest: &'h mut Harvest,
+    budget: Budget,
+    scratch: String,
+}
+
+impl Expander<'_, '_> {
+    /// Columns that cannot be placeholders, and keys that a table of rows has no use for.
+    fn check_keys(&mut self, probes: &[Probe<'_>]) {
+        for (at, column) in self.table.file.columns.iter().flatten().enumerate() {
+            let name = column.get_ref();
+            let line = self.table.context.lines.line(column.span().start);
+            let is_name = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | ' ');
+            if name.is_empty() || !name.chars().all(is_name) {
+                let message = format!("`{name}` is no name of a column; letters, digits, `_` and `-` are");
+                self.wrong(Mistake::new(line, message).key("columns"));
+            }
+            if self.names[..at].iter().any(|known| **known == **name) {
+                self.wrong(Mistake::new(line, format!("there are two columns `{name}`")).key("columns"));
+            }
+        }
+        if !self.table.file.types.is_empty() {
+            self.wrong(Mistake::new(1, "[types] belongs to a matrix").key("types"));
+        }
+        for probe in probes {
+            if let Some(values) = &probe.key.values {
+                let line = self.table.context.lines.line(values.span().start);
+                self.wrong(
+                    Mistake::new(line, "`values` belongs to a matrix; rows have theirs").key("probe.values"),
+                );
+            }
+            let untyped = probe.observe.iter().any(|target| target.ty.is_none());
+            if probe.expect.is_none() && untyped {
+                let message = "`observe` needs `expect`, or a type: `observe = \"name : TYPE\"`";
+                self.wrong(Mistake::new(probe.line, message).key("probe.observe"));
+            }
+        }
+    }
+
+    fn probes(&mut self, probes: &mut [Probe<'_>], dialects: &[DialectName]) -> Result<(), Mistake> {
+        for probe in probes {
+            let before = self.harvest.cases.len() + self.harvest.withdrawn.len();
+            let own = probe.narrowed(dialects);
+            for row in self.table.file.rows.iter().flatten() {
+                let line = self.table.context.lines.line(row.span().start);
+                self.budget
+                    .look()
+                    .map_err(|message| Mistake::new(line, message))?;
+                self.row(probe, row, line, &own)?;
+                if self.harvest.mistakes.len() > MOST_MISTAKES {
+                    return Err(Mistake::new(line, "further mistakes in this table are left out"));
+                }
+            }
+            if self.harvest.mistakes.is_empty() {
+                let cases = self.harvest.cases.len() + self.harvest.withdrawn.len() - before;
+                probe.remarks(cases, &mut self.harvest.remarks);
+            }
+        }
+        Ok(())
+    }
+
+    fn row(
+        &mut self,
+        probe: &mut Probe<'_>,
+        row: &Spanned<Row>,
+        line: u32,
+        dialects: &[DialectName],
+    ) -> Result<(), Mistake> {
+        let cells: Vec<Box<str>> = row.get_ref().iter().map(|cell| self.spelling(cell)).collect();
+        if cells.len() != self.names.len() {
+            let message = format!(
+                "the row has {} cells for {} columns",
+                cells.len(),
+                self.names.len()
+            );
+            self.wrong(Mistake::new(line, message).key("rows"));
+            return Ok(());
+        }
+        let texts: Vec<&str> = cells.iter().map(|cell| &**cell).collect();
+        if !probe.only.holds(&texts) {
+            return Ok(());
+        }
+        let dialects = match self.row_dialects(&texts, dialects) {
+            Ok(dialects) => dialects,
+            Err(message) => {
+                self.wrong(Mistake::new(line, message).key("rows"));
+                return Ok(());
+            }
+        };
+        let expect = match self.expect(probe, &texts) {
+            Ok(Expect::None) => return Ok(()),
+            Ok(expect) => expect,
+            Err(message) => {
+                self.wrong(Mistake::new(line, message).key("expect"));
+                return Ok(());
+            }
+        };
+        for (active, members) in probe.program.groups(&dialects, &texts) {
+            probe.note_applied(&active);
+            if let Err(mistake) = self.case(probe, &texts, line, &expect, &active, &members) {
+                self.wrong(mistake);
+            }
+        }
+        Ok(())
+    }
+
+    fn spelling(&self, cell: &Spanned<crate::toml_text::Scalar>) -> Box<str> {
+        cell.get_ref()
+            .spelling(self.table.context.text.get(cell.span()).unwrap_or_default())
+    }
+
+    fn row_dialects(&self, texts: &[&str], dialects: &[DialectName]) -> Result<Vec<DialectName>, String> {
+        let Some(names) = self
+            .special
+            .dialects
+            .map(|column| texts[column])
+            .filter(|names| !names.is_empty())
+        else {
+            return Ok(dialects.to_vec());
+        };
+        let mut own = Vec::new();
+        for name in names.split_whitespace() {
+            own.extend(self.table.context.dialects.resolve(name)?);
+        }
+        Ok(dialects
+            .iter()
+            .copied()
+            .filter(|dialect| own.contains(dialect))
+            .collect())
+    }
+
+    fn expect(&mut self, probe: &Probe<'_>, texts: &[&str]) -> Result<Expect, String> {
+        let Some(template) = &probe.expect else {
+            return Ok(Expect::Unsaid);
+        };
+        let text = template.fill(&mut self.scratch, texts);
+        match &*text {
+            "no" => Ok(Expect::Rejected),
+            "fault" => Ok(Expect::Fault),
+            "open" => Ok(Expect::Open),
+            "accepted" => Ok(Expect::Accepted),
+            "-" => Ok(Expect::None),
+            literal if probe.observe.is_empty() => {
+                Err(format!("`{literal}` is expected, but the probe has no `observe`"))
+            }
+            literal => Value::read(literal).map(Expect::Value).map_err(|message| {
+                format!("{message}; beside literals there are no, fault, open, accepted and -")
+            }),
+        }
+    }
+
+    fn case(
+        &mut self,
+        probe: &Probe<'_>,
+        texts: &[&str],
+        line: u32,
+        expect: &Expect,
+        active: &[usize],
+        members: &[DialectName],
+    ) -> Result<(), Mistake> {
+        let program = &probe.program;
+        let rejected = program.rejects(active);
+        let faults = program.faults(active);
+        let here = |message: &str| Mistake::new(line, format!("{message}, in the probe `{}`", probe.name));
+        match expect {
+            Expect::Rejected if !rejected => {
+                return Err(here("`no` is expected, but no `error` mark applies"));
+            }
+            Expect::Fault if !faults => return Err(here("`fault` is expected, but no `fault` mark applies")),
+            _ => {}
+        }
+        if let Some(slot) = program.breaks_a_mark(texts) {
+            let message = format!(
+                "`{{{}}}` has `(*` or `*)` in it and stands in a mark",
+                self.names[slot]
+            );
+            return Err(Mistake::new(line, message).hint("write `($2A` and `*$29`"));
+        }
+        let mut assembler = Assembler::new(self.table.context.type_names);
+        let applied = program.apply(active, texts, &mut assembler);
+        if !rejected && !faults {
+            self.targets(probe, texts, line, expect, &mut assembler)?;
+        }
+        let assembly = applied
+            .and_then(|()| assembler.finish(probe.frame.scans))
+            .map_err(|mistake| {
+                let place = program.place.line(mistake.line.max(1));
+                Mistake::new(place, mistake.message)
+                    .key("probe.source")
+                    .hint(format!("for the row on line {line}"))
+            })?;
+        let source = program.fill(&mut self.scratch, texts);
+        self.budget
+            .program(source.len())
+            .map_err(|message| Mistake::new(line, message))?;
+        let basis = match self
+            .special
+            .basis
+            .map(|column| texts[column])
+            .filter(|basis| !basis.is_empty())
+        {
+            Some(basis) => basis.into(),
+            None => probe
+                .basis
+                .as_ref()
+                .unwrap_or(&self.table.basis)
+                .fill(&mut self.scratch, texts),
+        };
+        self.table.check_basis(&basis, line, self.harvest);
+        let title = match self
+            .special
+            .title
+            .map(|column| texts[column])
+            .filter(|title| !title.is_empty())
+        {
+            Some(title) => title.into(),
+            None => probe
+                .title
+                .as_ref()
+                .unwrap_or(&self.table.title)
+                .fill(&mut self.scratch, texts),
+        };
+        let group = Group {
+            id: self.id(probe, texts).into(),
+            title,
+            basis,
+            line,
+            source,
+            assembly,
+            cell: None,
+        };
+        self.harvest
+            .add(self.table.context, &probe.frame, &group, members);
+        Ok(())
+    }
+
+    /// Adds what the observed variables must hold, or that they are recorded.
+    fn targets(
+        &mut self,
+        probe: &Probe<'_>,
+        texts: &[&str],
+        line: u32,
+        expect: &Expect,
+        assembler: &mut Assembler<'_>,
+    ) -> Result<(), Mistake> {
+        if matches!(expect, Expect::Open) {
+            assembler.observe_acceptance();
+        }
+        for target in &probe.observe {
+            let name = target.name.fill(&mut self.scratch, texts);
+            match (expect, &target.ty) {
+                (Expect::Value(value), _) => assembler.value(name, value.clone(), line),
+                (Expect::Open | Expect::Unsaid, Some(ty)) => {
+                    assembler.observe(name, ty.fill(&mut self.scratch, texts));
+                }
+                (Expect::Open, None) => {
+                    let message = "`open` is expected, so `observe` needs a type: `\"name : TYPE\"`";
+                    return Err(Mistake::new(line, message).key("probe.observe"));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The id: of the cells those that the program uses outside its marks.
+    fn id(&self, probe: &Probe<'_>, texts: &[&str]) -> String {
+        let mut id = format!("{}::{}", self.table.context.id, probe.name);
+        let Special {
+            id: own,
+            title,
+            basis,
+            dialects,
+        } = self.special;
+        let shown = |column: usize| match own {
+            Some(own) => column == own,
+            None => probe.program.used[column] && ![title, basis, dialects].contains(&Some(column)),
+        };
+        let mut separator = '(';
+        for column in (0..texts.len()).filter(|&column| shown(column)) {
+            id.push(separator);
+            ident::push_cell(&mut id, texts[column]);
+            separator = ',';
+        }
+        if separator == ',' {
+            id.push(')');
+        }
+        id
+    }
+
+    fn wrong(&mut self, mistake: Mistake) {
+        self.harvest.mistakes.push(mistake);
+    }
+}
+
+fn note_unused_columns(table: &Table<'_>, names: &[Box<str>], probes: &[Probe<'_>], harvest: &mut Harvest) {
+    for (slot, column) in table.file.columns.iter().flatten().enumerate() {
+        let own_meaning = matches!(&*names[slot], "id" | "title" | "basis" | "dialects");
+        let in_file = [&table.title, &table.basis]
+            .iter()
+            .any(|template| template.slots().any(|used| used == slot));
+        if !own_meaning && !in_file && !probes.iter().any(|probe| probe.mentions(slot)) {
+            let line = table.context.lines.line(column.span().start);
+            let message = format!("nothing uses the column `{}`", column.get_ref());
+            harvest.remarks.push(Mistake::new(line, message).key("columns"));
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! The keys of a table file.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Deserializer};
+use toml::Spanned;
+
+use crate::header::WithdrawnKey;
+use crate::toml_text::{Scalar, Strings, TextOr};
+
+/// A whole table file.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TableFile {
+    pub(crate) title: String,
+    pub(crate) basis: Spanned<String>,
+    pub(crate) dialects: Option<Vec<Spanned<String>>>,
+    pub(crate) summary: Option<String>,
+    #[serde(default)]
+    pub(crate) tags: Vec<String>,
+    pub(crate) scans: Option<Spanned<u32>>,
+    pub(crate) edition: Option<Spanned<u8>>,
+    pub(crate) withdrawn: Option<WithdrawnKey>,
+    pub(crate) matrix: Option<MatrixKey>,
+    #[serde(default)]
+    pub(crate) types: BTreeMap<String, TypeKey>,
+    pub(crate) columns: Option<Vec<Spanned<String>>>,
+    pub(crate) rows: Option<Vec<Spanned<Row>>>,
+    pub(crate) expect: Option<Spanned<String>>,
+    #[serde(default)]
+    pub(crate) probe: Vec<Spanned<ProbeKey>>,
+}
+
+/// One row of a table.
+pub(crate) type Row = Vec<Spanned<Scalar>>;
+
+/// `matrix = """…"""` or `[[matrix]]`.
+#[derive(Debug)]
+pub(crate) enum MatrixKey {
+    One(Spanned<String>),
+    Several(Vec<MatrixTable>),
+}
+
+/// One `[[matrix]]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct MatrixTable {
+    pub(crate) name: Option<Spanned<String>>,
+    pub(crate) dialects: Option<Vec<Spanned<String>>>,
+    pub(crate) basis: Option<Spanned<String>>,
+    pub(crate) title: Option<String>,
+    pub(crate) table: Spanned<String>,
+}
+
+/// One `[types.NAME]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TypeKey {
+    pub(crate) declaration: Spanned<String>,
+    pub(crate) base: Option<Spanned<String>>,
+    #[serde(default)]
+    pub(crate) values: Vec<Spanned<Scalar>>,
+    #[serde(default)]
+    pub(crate) arrives: Vec<Spanned<String>>,
+}
+
+/// One `[[probe]]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ProbeKey {
+    pub(crate) name: Spanned<String>,
+    pub(crate) source: Spanned<String>,
+    pub(crate) observe: Option<Strings>,
+    pub(crate) values: Option<Spanned<TextOr<Spanned<Scalar>>>>,
+    pub(crate) expect: Option<Spanned<String>>,
+    pub(crate) only: Option<Spanned<String>>,
+    pub(crate) dialects: Option<Vec<Spanned<String>>>,
+    pub(crate) title: Option<Spanned<String>>,
+    pub(crate) basis: Option<Spanned<String>>,
+    pub(crate) summary: Option<String>,
+    pub(crate) scans: Option<Spanned<u32>>,
+    #[serde(default)]
+    pub(crate) tags: Vec<String>,
+    pub(crate) withdrawn: Option<WithdrawnKey>,
+}
+
+impl<'de> Deserialize<'de> for MatrixKey {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let key = Spanned::<TextOr<MatrixTable>>::deserialize(deserializer)?;
+        let span = key.span();
+        Ok(match key.into_inner() {
+            TextOr::Text(text) => MatrixKey::One(Spanned::new(span, text)),
+            TextOr::List(tables) => MatrixKey::Several(tables),
+        })
+    }
+}

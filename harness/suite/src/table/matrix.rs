@@ -1,0 +1,150 @@
+//! The text of a matrix: a line of columns, and a line for each row.
+
+use std::sync::Arc;
+
+use crate::error::Mistake;
+use crate::model::Word;
+use crate::place::TextPlace;
+
+/// A matrix, read.
+#[derive(Debug)]
+pub(crate) struct Matrix {
+    pub(crate) columns: Vec<Arc<str>>,
+    pub(crate) rows: Vec<MatrixRow>,
+}
+
+/// A row of a matrix.
+#[derive(Debug)]
+pub(crate) struct MatrixRow {
+    pub(crate) name: Arc<str>,
+    /// The 1-based line of the case file.
+    pub(crate) line: u32,
+    /// One for each column; nothing where there is no case.
+    pub(crate) words: Vec<Option<Word>>,
+}
+
+impl Matrix {
+    /// Reads a matrix that stands at `place`.
+    pub(crate) fn read(text: &str, place: TextPlace) -> Result<Matrix, Vec<Mistake>> {
+        let lines = (1..)
+            .zip(text.lines())
+            .map(|(line, text)| (place.line(line), text.trim()));
+        let mut lines = lines.filter(|(_, text)| !text.is_empty() && !text.starts_with('#'));
+        let Some((first, columns)) = lines.next() else {
+            return Err(vec![
+                Mistake::new(place.first, "the matrix is empty").key("matrix"),
+            ]);
+        };
+        let columns: Vec<Arc<str>> = columns.split_whitespace().map(Arc::from).collect();
+        let mut mistakes = Vec::new();
+        if let Some(twice) = repeated(&columns) {
+            mistakes.push(Mistake::new(first, format!("there are two columns `{twice}`")).key("matrix"));
+        }
+        let mut rows = Vec::new();
+        for (line, text) in lines {
+            match read_row(text, line, columns.len()) {
+                Ok(row) => rows.push(row),
+                Err(message) => mistakes.push(Mistake::new(line, message).key("matrix")),
+            }
+        }
+        let names: Vec<Arc<str>> = rows.iter().map(|row: &MatrixRow| Arc::clone(&row.name)).collect();
+        if let Some(twice) = repeated(&names) {
+            let line = rows
+                .iter()
+                .rfind(|row| row.name == twice)
+                .map_or(first, |row| row.line);
+            mistakes.push(Mistake::new(line, format!("there are two rows `{twice}`")).key("matrix"));
+        }
+        if mistakes.is_empty() {
+            Ok(Matrix { columns, rows })
+        } else {
+            Err(mistakes)
+        }
+    }
+}
+
+fn read_row(text: &str, line: u32, columns: usize) -> Result<MatrixRow, String> {
+    let mut words = text.split_whitespace();
+    let name: Arc<str> = words.next().unwrap_or_default().into();
+    let words: Vec<Option<Word>> = words.map(read_word).collect::<Result<_, _>>()?;
+    if words.len() != columns {
+        return Err(format!(
+            "row `{name}` has {} cells for {columns} columns",
+            words.len()
+        ));
+    }
+    Ok(MatrixRow { name, line, words })
+}
+
+fn read_word(word: &str) -> Result<Option<Word>, String> {
+    match word {
+        "yes" => Ok(Some(Word::Yes)),
+        "=" => Ok(Some(Word::Same)),
+        "no" => Ok(Some(Word::No)),
+        "open" => Ok(Some(Word::Open)),
+        "-" => Ok(None),
+        _ => Err(format!(
+            "`{word}` is no word of a cell; there are yes, no, open, = and -"
+        )),
+    }
+}
+
+/// A name that stands twice, if there is one.
+fn repeated(names: &[Arc<str>]) -> Option<Arc<str>> {
+    let mut sorted: Vec<&Arc<str>> = names.iter().collect();
+    sorted.sort();
+    sorted
+        .windows(2)
+        .find(|pair| pair[0] == pair[1])
+        .map(|pair| Arc::clone(pair[0]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLACE: TextPlace = TextPlace {
+        first: 10,
+        line_by_line: true,
+    };
+
+    #[test]
+    fn a_matrix_reads_like_the_table_of_a_document() {
+        let matrix = Matrix::read("   A  B\n\n# both\nX  =  no\nY  -  open\n", PLACE).unwrap();
+        assert_eq!(
+            matrix.columns.iter().map(|name| &**name).collect::<Vec<_>>(),
+            ["A", "B"]
+        );
+        let rows: Vec<_> = matrix
+            .rows
+            .iter()
+            .map(|row| (&*row.name, row.line, &row.words[..]))
+            .collect();
+        assert_eq!(
+            rows,
+            [
+                ("X", 13, &[Some(Word::Same), Some(Word::No)][..]),
+                ("Y", 14, &[None, Some(Word::Open)][..])
+            ]
+        );
+    }
+
+    #[test]
+    fn mistakes_have_the_line_of_the_file() {
+        for (text, line, said) in [
+            ("", 10, "the matrix is empty"),
+            ("A B\nX yes", 11, "row `X` has 1 cells for 2 columns"),
+            ("A\nX maybe", 11, "`maybe` is no word of a cell"),
+            ("A A", 10, "two columns `A`"),
+            ("A\nX no\nY no\nX no", 13, "two rows `X`"),
+        ] {
+            let mistakes = Matrix::read(text, PLACE).unwrap_err();
+            assert_eq!(mistakes[0].line, line, "{text}");
+            assert!(
+                mistakes[0].message.contains(said),
+                "{text}: {}",
+                mistakes[0].message
+            );
+        }
+    }
+}

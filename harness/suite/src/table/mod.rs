@@ -1,0 +1,12 @@
+//! `*.toml`: tables that expand into a case for every cell or row × probe × value × dialect.
+
+mod budget;
+mod expand_matrix;
+mod expand_rows;
+mod keys;
+mod matrix;
+mod probe;
+mod read;
+mod types;
+
+pub(crate) use read::read;

@@ -1,0 +1,270 @@
+//! A probe: the template of a program, read once for all cells or rows.
+
+use std::sync::Arc;
+
+use stickler_types::DialectName;
+use toml::Spanned;
+
+use crate::condition::{Condition, Testable};
+use crate::error::Mistake;
+use crate::frame::{self, FileContext, Frame, Withdrawal};
+use crate::header;
+use crate::ident;
+use crate::mark::MarkReader;
+use crate::place::TextPlace;
+use crate::program::{Program, Remarks};
+use crate::table::keys::{ProbeKey, TableFile};
+use crate::template::Template;
+
+/// A probe, ready to be expanded.
+#[derive(Debug)]
+pub(crate) struct Probe<'a> {
+    pub(crate) name: Arc<str>,
+    pub(crate) key: &'a ProbeKey,
+    /// The line of the case file on which the probe's name stands.
+    pub(crate) line: u32,
+    pub(crate) program: Program,
+    pub(crate) observe: Vec<Target>,
+    pub(crate) only: Condition,
+    /// The dialects that the probe narrows its cases to.
+    pub(crate) dialects: Option<Vec<DialectName>>,
+    pub(crate) title: Option<Template>,
+    pub(crate) basis: Option<Template>,
+    pub(crate) expect: Option<Template>,
+    pub(crate) frame: Frame,
+    /// Which marks applied in some case, by index.
+    pub(crate) applied: Vec<bool>,
+}
+
+/// A variable in which a value must arrive.
+#[derive(Debug)]
+pub(crate) struct Target {
+    pub(crate) name: Template,
+    /// The type that the probe gives it.
+    pub(crate) ty: Option<Template>,
+}
+
+/// The placeholders of a file, and which of them conditions may test.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Placeholders<'a> {
+    pub(crate) names: &'a [Box<str>],
+    pub(crate) known: usize,
+    pub(crate) unnamed: Option<usize>,
+}
+
+/// Reads the probes of a file; those with mistakes are left out.
+pub(crate) fn read<'a>(
+    file: &'a TableFile,
+    context: &FileContext<'_>,
+    placeholders: Placeholders<'_>,
+    mistakes: &mut Vec<Mistake>,
+    remarks: &mut Remarks,
+) -> Vec<Probe<'a>> {
+    if file.probe.is_empty() {
+        mistakes.push(Mistake::new(1, "the table has no [[probe]]").key("probe"));
+    }
+    let mut probes: Vec<Probe<'a>> = Vec::new();
+    for key in &file.probe {
+        let mut reader = Reader {
+            context,
+            placeholders,
+            mistakes: Vec::new(),
+        };
+        let probe = reader.probe(file, key.get_ref(), remarks);
+        if let Some(probe) = probe.filter(|_| reader.mistakes.is_empty()) {
+            if probes.iter().any(|known| known.name == probe.name) {
+                let message = format!("there are two probes `{}`", probe.name);
+                reader
+                    .mistakes
+                    .push(Mistake::new(probe.line, message).key("probe.name"));
+            } else {
+                probes.push(probe);
+            }
+        }
+        mistakes.append(&mut reader.mistakes);
+    }
+    probes
+}
+
+struct Reader<'a, 'c> {
+    context: &'a FileContext<'c>,
+    placeholders: Placeholders<'a>,
+    mistakes: Vec<Mistake>,
+}
+
+impl Reader<'_, '_> {
+    fn probe<'k>(&mut self, file: &TableFile, key: &'k ProbeKey, remarks: &mut Remarks) -> Option<Probe<'k>> {
+        let lines = &self.context.lines;
+        if let Err(message) = ident::check(key.name.get_ref()).and_then(|()| no_slash(key.name.get_ref())) {
+            self.wrong(&key.name, "probe.name", message);
+        }
+        let observe = key.observe.iter().flat_map(|observe| &observe.0);
+        let observe = observe.filter_map(|target| self.target(target)).collect();
+        let scans = key.scans.as_ref().or(file.scans.as_ref());
+        let frame = Frame {
+            summary: key.summary.as_deref().or(file.summary.as_deref()).map(Arc::from),
+            tags: header::tags(file.tags.iter().chain(&key.tags)),
+            edition: frame::edition(file.edition.as_ref(), lines, &mut self.mistakes),
+            scans: frame::scans(scans, lines, &mut self.mistakes),
+            withdrawn: key
+                .withdrawn
+                .as_ref()
+                .or(file.withdrawn.as_ref())
+                .map(Withdrawal::from),
+        };
+        let dialects = key.dialects.as_ref();
+        let program = self.program(&key.source, remarks)?;
+        Some(Probe {
+            name: key.name.get_ref().as_str().into(),
+            key,
+            line: lines.line(key.name.span().start),
+            applied: vec![false; program.marks.len()],
+            program,
+            observe,
+            only: self.only(key.only.as_ref())?,
+            dialects: dialects.map(|names| self.context.resolve(names, "probe.dialects", &mut self.mistakes)),
+            title: key
+                .title
+                .as_ref()
+                .and_then(|title| self.template(title, "probe.title")),
+            basis: key
+                .basis
+                .as_ref()
+                .and_then(|basis| self.template(basis, "probe.basis")),
+            expect: key
+                .expect
+                .as_ref()
+                .or(file.expect.as_ref())
+                .and_then(|expect| self.template(expect, "expect")),
+            frame,
+        })
+    }
+
+    fn program(&mut self, source: &Spanned<String>, remarks: &mut Remarks) -> Option<Program> {
+        let place = TextPlace::of_toml_string(self.context.text, &self.context.lines, source.span().start);
+        let reader = MarkReader {
+            dialects: self.context.dialects,
+            testable: self.testable(),
+            is_template: true,
+        };
+        let program = Program::read(source.get_ref(), 0, place, &reader, remarks);
+        let keyed = |mistake: Mistake| mistake.key("probe.source");
+        program
+            .map_err(|mistakes| self.mistakes.extend(mistakes.into_iter().map(keyed)))
+            .ok()
+    }
+
+    /// Reads `name` or `name : TYPE`.
+    fn target(&mut self, target: &Spanned<String>) -> Option<Target> {
+        let (name, ty) = match target.get_ref().split_once(':') {
+            Some((name, ty)) => (name.trim(), Some(ty.trim())),
+            None => (target.get_ref().trim(), None),
+        };
+        let mut read = |text: &str| {
+            let template = Template::parse(text, self.placeholders.names);
+            template
+                .map_err(|mistake| self.wrong(target, "probe.observe", mistake.message))
+                .ok()
+        };
+        Some(Target {
+            name: read(name)?,
+            ty: ty.and_then(read),
+        })
+    }
+
+    fn only(&mut self, only: Option<&Spanned<String>>) -> Option<Condition> {
+        let Some(only) = only else {
+            return Some(Condition::default());
+        };
+        let words: Vec<&str> = only.get_ref().split_whitespace().collect();
+        let condition = Condition::parse(&words, self.testable());
+        condition
+            .map_err(|message| self.wrong(only, "probe.only", message))
+            .ok()
+    }
+
+    fn template(&mut self, text: &Spanned<String>, key: &str) -> Option<Template> {
+        let template = Template::parse(text.get_ref(), self.placeholders.names);
+        template
+            .map_err(|mistake| self.wrong(text, key, mistake.message))
+            .ok()
+    }
+
+    fn testable(&self) -> Testable<'_> {
+        let Placeholders {
+            names,
+            known,
+            unnamed,
+        } = self.placeholders;
+        Testable {
+            names,
+            known,
+            unnamed,
+        }
+    }
+
+    fn wrong(&mut self, at: &Spanned<String>, key: &str, message: String) {
+        self.mistakes
+            .push(Mistake::new(self.context.lines.line(at.span().start), message).key(key));
+    }
+}
+
+fn no_slash(name: &str) -> Result<(), String> {
+    if name.contains('/') {
+        Err("a probe's name has no `/`".to_owned())
+    } else {
+        Ok(())
+    }
+}
+
+impl Probe<'_> {
+    /// The dialects of `all` that the probe has cases in.
+    pub(crate) fn narrowed(&self, all: &[DialectName]) -> Vec<DialectName> {
+        let narrows = |dialect: &DialectName| self.dialects.as_ref().is_none_or(|own| own.contains(dialect));
+        all.iter().copied().filter(narrows).collect()
+    }
+
+    /// Notes that marks applied in a case.
+    pub(crate) fn note_applied(&mut self, active: &[usize]) {
+        for &index in active {
+            self.applied[index] = true;
+        }
+    }
+
+    /// What a reader of the file would want to know after all cases were made.
+    pub(crate) fn remarks(&self, cases: usize, remarks: &mut Vec<Mistake>) {
+        if cases == 0 {
+            let message = format!("the probe `{}` has no case", self.name);
+            remarks.push(Mistake::new(self.line, message).key("probe"));
+            return;
+        }
+        for (mark, _) in self
+            .program
+            .marks
+            .iter()
+            .zip(&self.applied)
+            .filter(|(_, applied)| !**applied)
+        {
+            let line = self.program.place.line(mark.line);
+            remarks.push(Mistake::new(line, "the mark applies in no case").key("probe.source"));
+        }
+    }
+
+    /// Whether anything of the probe uses a placeholder.
+    pub(crate) fn mentions(&self, slot: usize) -> bool {
+        let in_template = |template: &Template| template.slots().any(|used| used == slot);
+        let templates = [&self.title, &self.basis, &self.expect];
+        self.program.uses(slot)
+            || templates.into_iter().flatten().any(in_template)
+            || self
+                .observe
+                .iter()
+                .any(|target| in_template(&target.name) || target.ty.as_ref().is_some_and(in_template))
+            || self.only.slots().any(|used| used == slot)
+            || self
+                .program
+                .marks
+                .iter()
+                .any(|mark| mark.condition.slots().any(|used| used == slot))
+    }
+}

@@ -1,0 +1,92 @@
+//! From the text of a table file to its cases.
+
+use std::sync::Arc;
+
+use stickler_types::DialectName;
+
+use crate::error::Mistake;
+use crate::frame::{FileContext, Harvest};
+use crate::program::Remarks;
+use crate::table::keys::TableFile;
+use crate::table::{expand_matrix, expand_rows};
+use crate::template::{Template, TemplateMistake};
+use crate::toml_text;
+
+/// Above so many mistakes in one file, the rest is left out: they come from one cause.
+pub(crate) const MOST_MISTAKES: usize = 50;
+
+/// What the expansions of both kinds of table work with.
+pub(crate) struct Table<'a> {
+    pub(crate) context: &'a FileContext<'a>,
+    pub(crate) file: &'a TableFile,
+    /// The file's dialects; nothing where it does not say.
+    pub(crate) dialects: Option<Vec<DialectName>>,
+    pub(crate) title: Template,
+    pub(crate) basis: Template,
+}
+
+/// Reads a table file.
+pub(crate) fn read(context: &FileContext<'_>) -> Harvest {
+    let mut harvest = Harvest::default();
+    match toml_text::read::<TableFile>(context.text, 0, &context.lines) {
+        Ok(file) => read_file(context, &file, &mut harvest),
+        Err(mistake) => harvest.mistakes.push(mistake),
+    }
+    harvest.mistakes.sort();
+    harvest.mistakes.dedup();
+    harvest.remarks.sort();
+    harvest.remarks.dedup();
+    harvest
+}
+
+fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest) {
+    let names: Vec<Box<str>> = match (&file.matrix, &file.columns, &file.rows) {
+        (Some(_), None, None) => expand_matrix::PLACEHOLDERS.map(Into::into).into(),
+        (None, Some(columns), Some(_)) => columns
+            .iter()
+            .map(|column| column.get_ref().as_str().into())
+            .collect(),
+        _ => {
+            let message = "a table has either `matrix`, or `columns` and `rows`";
+            harvest.mistakes.push(Mistake::new(1, message));
+            return;
+        }
+    };
+    let mistakes = &mut harvest.mistakes;
+    let dialects = file.dialects.as_ref();
+    let dialects = dialects.map(|names| context.resolve(names, "dialects", mistakes));
+    let basis_line = context.lines.line(file.basis.span().start);
+    let mut template = |text: &str, key: &str, line: u32| {
+        let wrong = |mistake: TemplateMistake| mistakes.push(Mistake::new(line, mistake.message).key(key));
+        Template::parse(text, &names).map_err(wrong).ok()
+    };
+    let title = template(&file.title, "title", 1);
+    let basis = template(file.basis.get_ref(), "basis", basis_line);
+    let (Some(title), Some(basis)) = (title, basis) else {
+        return;
+    };
+    let table = Table {
+        context,
+        file,
+        dialects,
+        title,
+        basis,
+    };
+    let mut remarks = Remarks::default();
+    match &file.matrix {
+        Some(matrix) => expand_matrix::expand(&table, matrix, &names, harvest, &mut remarks),
+        None => expand_rows::expand(&table, &names, harvest, &mut remarks),
+    }
+    harvest.remarks.append(&mut remarks.0);
+}
+
+impl Table<'_> {
+    /// Notes a basis that no source has.
+    pub(crate) fn check_basis(&self, basis: &Arc<str>, line: u32, harvest: &mut Harvest) {
+        if let Err(message) = crate::basis::check(basis)
+            && harvest.remarks.len() < MOST_MISTAKES
+        {
+            harvest.remarks.push(Mistake::new(line, message).key("basis"));
+        }
+    }
+}

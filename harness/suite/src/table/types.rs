@@ -1,0 +1,215 @@
+//! The rows and columns of a matrix as types: what values they have, and how they are declared.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use stickler_types::{ElementaryType, Value};
+
+use crate::boundaries::{self, BoundaryValue};
+use crate::error::Mistake;
+use crate::frame::FileContext;
+use crate::mark::Word;
+use crate::table::keys::TypeKey;
+
+/// The type that a row or a column is named after.
+#[derive(Debug)]
+pub(crate) struct TypeInfo {
+    pub(crate) name: Arc<str>,
+    /// The elementary type that it is or stands for.
+    pub(crate) base: Option<ElementaryType>,
+    /// What has to be declared; empty for an elementary type.
+    pub(crate) declaration: Box<str>,
+    /// All boundary values.
+    pub(crate) boundaries: Vec<Input>,
+    /// One ordinary value.
+    pub(crate) ordinary: Option<Input>,
+}
+
+/// A value of a row's type, as a program writes it.
+#[derive(Clone, Debug)]
+pub(crate) struct Input {
+    /// What `{value}` stands for.
+    pub(crate) literal: Box<str>,
+    /// What `{typed}` stands for.
+    pub(crate) typed: Box<str>,
+    /// The value, where it is one that can be observed.
+    pub(crate) value: Option<Value>,
+    /// What is found below the observed variable, where the value itself cannot be.
+    pub(crate) arrives: Arc<[(Box<str>, Value)]>,
+}
+
+impl Input {
+    fn of(value: BoundaryValue) -> Input {
+        let typed = value.value.to_string().into();
+        Input {
+            literal: value.literal,
+            typed,
+            value: Some(value.value),
+            arrives: Arc::default(),
+        }
+    }
+}
+
+impl TypeInfo {
+    /// An elementary type, a text with a length, or a type that the file declares.
+    pub(crate) fn find(name: &Arc<str>, declared: &BTreeMap<Box<str>, TypeInfo>) -> Result<TypeInfo, String> {
+        if let Some(declared) = declared.get(&**name) {
+            return Ok(declared.copy());
+        }
+        let bare = name.split_once('[').map_or(&**name, |(bare, _)| bare);
+        match ElementaryType::from_name(bare) {
+            Some(ty) => Ok(TypeInfo::elementary(name, ty)),
+            None => Err(format!(
+                "`{name}` is no elementary type, and the file has no [types.{name}]"
+            )),
+        }
+    }
+
+    fn elementary(name: &Arc<str>, ty: ElementaryType) -> TypeInfo {
+        TypeInfo {
+            name: Arc::clone(name),
+            base: Some(ty),
+            declaration: Box::default(),
+            boundaries: boundaries::boundaries(ty).into_iter().map(Input::of).collect(),
+            ordinary: boundaries::ordinary(ty).map(Input::of),
+        }
+    }
+
+    fn copy(&self) -> TypeInfo {
+        TypeInfo {
+            name: Arc::clone(&self.name),
+            base: self.base,
+            declaration: self.declaration.clone(),
+            boundaries: self.boundaries.clone(),
+            ordinary: self.ordinary.clone(),
+        }
+    }
+
+    /// A value of the type that `literal` stands for.
+    pub(crate) fn input(&self, literal: &str) -> Option<Input> {
+        match self.base {
+            Some(ty) => boundaries::of_literal(ty, literal).map(Input::of),
+            None => Some(self.enumerated(literal, Arc::default())),
+        }
+    }
+
+    /// A value of a type that is not elementary: of an enumeration, or one that cannot be observed.
+    fn enumerated(&self, literal: &str, arrives: Arc<[(Box<str>, Value)]>) -> Input {
+        let typed = format!("{}#{literal}", self.name);
+        let value = Value::parse(&typed).ok().filter(|_| arrives.is_empty());
+        let typed = if value.is_some() {
+            typed.into()
+        } else {
+            literal.into()
+        };
+        Input {
+            literal: literal.into(),
+            typed,
+            value,
+            arrives,
+        }
+    }
+
+    /// A literal of the type that is not `value`: the initial value of what is observed.
+    pub(crate) fn other(&self, value: Option<&Value>) -> Option<Box<str>> {
+        match self.base {
+            Some(ty) => boundaries::other_than(ty, value).map(|other| other.literal),
+            None => {
+                let differs = |input: &&Input| value.is_none() || input.value.as_ref() != value;
+                self.boundaries
+                    .iter()
+                    .rev()
+                    .find(differs)
+                    .map(|other| other.literal.clone())
+            }
+        }
+    }
+}
+
+/// Reads the types that the file declares.
+pub(crate) fn declared(
+    keys: &BTreeMap<String, TypeKey>,
+    context: &FileContext<'_>,
+    mistakes: &mut Vec<Mistake>,
+) -> BTreeMap<Box<str>, TypeInfo> {
+    let read =
+        |(name, key): (&String, &TypeKey)| (name.as_str().into(), declare(name, key, context, mistakes));
+    keys.iter().map(read).collect()
+}
+
+fn declare(name: &str, key: &TypeKey, context: &FileContext<'_>, mistakes: &mut Vec<Mistake>) -> TypeInfo {
+    let path = format!("types.{name}");
+    let mut wrong = |at: usize, message: String| {
+        mistakes.push(Mistake::new(context.lines.line(at), message).key(&path));
+    };
+    let base = key.base.as_ref().and_then(|base| {
+        let ty = ElementaryType::from_name(base.get_ref());
+        if ty.is_none() {
+            wrong(
+                base.span().start,
+                format!("`{}` is no elementary type", base.get_ref()),
+            );
+        }
+        ty
+    });
+    let mut arrives = Vec::new();
+    for line in &key.arrives {
+        match read_arrival(line.get_ref()) {
+            Ok(found) => arrives.push(found),
+            Err(message) => wrong(line.span().start, message),
+        }
+    }
+    if !arrives.is_empty() && key.values.len() != 1 {
+        wrong(
+            key.declaration.span().start,
+            "`arrives` needs exactly one value".to_owned(),
+        );
+    }
+    let arrives: Arc<[(Box<str>, Value)]> = arrives.into();
+    let mut info = match base {
+        Some(ty) => TypeInfo::elementary(&name.into(), ty),
+        None => TypeInfo {
+            name: name.into(),
+            base,
+            declaration: Box::default(),
+            boundaries: Vec::new(),
+            ordinary: None,
+        },
+    };
+    info.declaration = key.declaration.get_ref().trim().into();
+    if !key.values.is_empty() {
+        info.boundaries.clear();
+    }
+    for value in &key.values {
+        let literal = value
+            .get_ref()
+            .spelling(context.text.get(value.span()).unwrap_or_default());
+        let input = match base {
+            Some(_) => info.input(&literal),
+            None => Some(info.enumerated(&literal, Arc::clone(&arrives))),
+        };
+        match input {
+            Some(input) => info.boundaries.push(input),
+            None => wrong(
+                value.span().start,
+                format!("`{literal}` is no literal of the base type"),
+            ),
+        }
+    }
+    if !key.values.is_empty() {
+        info.ordinary = info.boundaries.first().cloned();
+    }
+    info
+}
+
+/// Reads `.x = INT#5`.
+fn read_arrival(line: &str) -> Result<(Box<str>, Value), String> {
+    let (path, value) = line.split_once('=').ok_or("write `.path = literal`")?;
+    let path = path.trim();
+    if !path.starts_with(['.', '[']) {
+        return Err(format!(
+            "`{path}` is no path below a variable; write `.x` or `[1]`"
+        ));
+    }
+    Ok((path.into(), Value::read(value.trim())?))
+}

@@ -1,0 +1,208 @@
+//! Texts with placeholders: `{row}`, and `{{` for a brace.
+
+use std::sync::Arc;
+
+/// A text, cut into what stands and what is replaced.
+#[derive(Clone, Debug)]
+pub(crate) struct Template {
+    pieces: Vec<Piece>,
+    /// The whole text, where nothing is replaced.
+    fixed: Option<Arc<str>>,
+}
+
+#[derive(Clone, Debug)]
+struct Piece {
+    /// What stands before the slot.
+    text: Box<str>,
+    /// What is replaced after it; the last piece has none.
+    slot: Option<Slot>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Slot {
+    index: usize,
+    /// The byte offset in the text as it was read.
+    offset: usize,
+}
+
+/// What is wrong with a template, and at which byte of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct TemplateMistake {
+    pub(crate) offset: usize,
+    pub(crate) message: String,
+}
+
+impl Template {
+    /// A text in which braces are braces.
+    pub(crate) fn plain(text: &str) -> Template {
+        Template {
+            pieces: Vec::new(),
+            fixed: Some(text.into()),
+        }
+    }
+
+    /// Reads a text in which `{name}` stands for one of `names`.
+    pub(crate) fn parse(text: &str, names: &[Box<str>]) -> Result<Template, TemplateMistake> {
+        let mut pieces = Vec::new();
+        let mut standing = String::new();
+        let mut at = 0;
+        while let Some(found) = text[at..].find(['{', '}']) {
+            let brace = at + found;
+            standing.push_str(&text[at..brace]);
+            let sign = &text[brace..=brace];
+            if text[brace + 1..].starts_with(sign) {
+                standing.push_str(sign);
+                at = brace + 2;
+                continue;
+            }
+            let (index, end) = slot(text, brace, names)?;
+            let slot = Some(Slot { index, offset: brace });
+            pieces.push(Piece {
+                text: std::mem::take(&mut standing).into(),
+                slot,
+            });
+            at = end;
+        }
+        standing.push_str(&text[at..]);
+        if pieces.is_empty() {
+            return Ok(Template {
+                pieces,
+                fixed: Some(standing.into()),
+            });
+        }
+        pieces.push(Piece {
+            text: standing.into(),
+            slot: None,
+        });
+        Ok(Template { pieces, fixed: None })
+    }
+
+    /// The text, where nothing in it is replaced.
+    pub(crate) fn fixed(&self) -> Option<&Arc<str>> {
+        self.fixed.as_ref()
+    }
+
+    /// The placeholders by index, each as often as it stands there.
+    pub(crate) fn slots(&self) -> impl Iterator<Item = usize> {
+        self.placed_slots().map(|(index, _)| index)
+    }
+
+    /// The placeholders by index, with their byte offsets in the text as it was read.
+    pub(crate) fn placed_slots(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.pieces
+            .iter()
+            .filter_map(|piece| piece.slot)
+            .map(|slot| (slot.index, slot.offset))
+    }
+
+    /// Appends the text, with each placeholder replaced by `values[index]`.
+    pub(crate) fn fill_into(&self, out: &mut String, values: &[&str]) {
+        if let Some(fixed) = &self.fixed {
+            out.push_str(fixed);
+        }
+        for piece in &self.pieces {
+            out.push_str(&piece.text);
+            if let Some(slot) = piece.slot {
+                out.push_str(values[slot.index]);
+            }
+        }
+    }
+
+    /// The text, with each placeholder replaced; `scratch` is a buffer to be used again.
+    pub(crate) fn fill(&self, scratch: &mut String, values: &[&str]) -> Arc<str> {
+        match &self.fixed {
+            Some(fixed) => Arc::clone(fixed),
+            None => {
+                scratch.clear();
+                self.fill_into(scratch, values);
+                Arc::from(scratch.as_str())
+            }
+        }
+    }
+}
+
+/// Reads the placeholder at `brace`: its index, and where the text goes on.
+fn slot(text: &str, brace: usize, names: &[Box<str>]) -> Result<(usize, usize), TemplateMistake> {
+    let mistake = |message| {
+        Err(TemplateMistake {
+            offset: brace,
+            message,
+        })
+    };
+    if text.as_bytes()[brace] == b'}' {
+        return mistake("`}` stands alone; a brace itself is written `}}`".to_owned());
+    }
+    let inside = &text[brace + 1..];
+    let length = inside.find(|c: char| !c.is_ascii_alphanumeric() && !matches!(c, '_' | '-' | ' '));
+    match length {
+        Some(length) if inside[length..].starts_with('}') => {
+            let name = &inside[..length];
+            match names.iter().position(|known| **known == *name) {
+                Some(index) => Ok((index, brace + 1 + length + 1)),
+                None => mistake(format!("no placeholder `{{{name}}}`; there are {}", list(names))),
+            }
+        }
+        _ => mistake("`{` opens no placeholder; a brace itself is written `{{`".to_owned()),
+    }
+}
+
+fn list(names: &[Box<str>]) -> String {
+    let names: Vec<String> = names.iter().map(|name| format!("`{{{name}}}`")).collect();
+    names.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names() -> Vec<Box<str>> {
+        vec!["row".into(), "value".into()]
+    }
+
+    fn fill(text: &str, values: &[&str]) -> String {
+        let template = Template::parse(text, &names()).unwrap();
+        template.fill(&mut String::new(), values).to_string()
+    }
+
+    #[test]
+    fn placeholders_are_replaced_and_double_braces_are_braces() {
+        assert_eq!(fill("a {row}{value} {{x}} {row}", &["R", "V"]), "a RV {x} R");
+        assert_eq!(fill("{row}", &["é"]), "é");
+    }
+
+    #[test]
+    fn a_text_without_placeholders_is_shared() {
+        let template = Template::parse("a {{b", &names()).unwrap();
+        assert_eq!(template.fixed().map(|text| &**text), Some("a {b"));
+        assert_eq!(
+            Template::plain("{row}").fixed().map(|text| &**text),
+            Some("{row}")
+        );
+    }
+
+    #[test]
+    fn what_is_wrong_is_said_with_its_place() {
+        for (text, offset, said) in [
+            (
+                "ab{nope}",
+                2,
+                "no placeholder `{nope}`; there are `{row}`, `{value}`",
+            ),
+            ("é{", 2, "opens no placeholder"),
+            ("{row", 0, "opens no placeholder"),
+            ("{a\nb}", 0, "opens no placeholder"),
+            ("x}", 1, "stands alone"),
+            ("{}", 0, "no placeholder `{}`"),
+        ] {
+            let mistake = Template::parse(text, &names()).unwrap_err();
+            assert_eq!(mistake.offset, offset, "{text}");
+            assert!(mistake.message.contains(said), "{text}: {}", mistake.message);
+        }
+    }
+
+    #[test]
+    fn the_slots_are_told_with_their_offsets() {
+        let template = Template::parse("{{ {value}é{row}", &names()).unwrap();
+        assert_eq!(template.placed_slots().collect::<Vec<_>>(), [(1, 3), (0, 12)]);
+    }
+}

@@ -1,0 +1,216 @@
+//! Reading TOML with places: every mistake has the line and the key that a person has to look at.
+
+use std::fmt;
+use std::ops::Range;
+
+use serde::de::{
+    self, Deserialize, DeserializeOwned, Deserializer, SeqAccess, Visitor, value::SeqAccessDeserializer,
+};
+use toml::Spanned;
+
+use crate::error::Mistake;
+use crate::place::Lines;
+
+/// Reads a document that stands at `start` of a file, whose lines are `lines`.
+pub(crate) fn read<T: DeserializeOwned>(document: &str, start: usize, lines: &Lines) -> Result<T, Mistake> {
+    toml::from_str(document).map_err(|error| mistake(error, start, lines))
+}
+
+fn mistake(mut error: toml::de::Error, start: usize, lines: &Lines) -> Mistake {
+    let offset = error.span().map_or(0, |span: Range<usize>| span.start);
+    // Without its input, the error names the keys that lead to the place.
+    error.set_input(None);
+    let told = error.to_string();
+    let key = told
+        .rsplit_once("\nin `")
+        .and_then(|(_, keys)| keys.trim_end().strip_suffix('`'));
+    let mistake = Mistake::new(
+        lines.line(start + offset),
+        error.message().trim_end().replace('\n', "; "),
+    );
+    match key {
+        Some(key) => mistake.key(key),
+        None => mistake,
+    }
+}
+
+/// One string, or several.
+#[derive(Clone, Debug)]
+pub(crate) struct Strings(pub(crate) Vec<Spanned<String>>);
+
+/// A key that is either a string or a list of `T`.
+#[derive(Clone, Debug)]
+pub(crate) enum TextOr<T> {
+    Text(String),
+    List(Vec<T>),
+}
+
+/// A string, a number or a truth value of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Scalar {
+    Text(String),
+    /// A number, which the file's own text spells.
+    Number,
+    Truth(bool),
+}
+
+impl Scalar {
+    /// The scalar as programs are to see it; `written` is its text in the file.
+    pub(crate) fn spelling(&self, written: &str) -> Box<str> {
+        match self {
+            Scalar::Text(text) => text.as_str().into(),
+            Scalar::Number => written.into(),
+            Scalar::Truth(true) => "TRUE".into(),
+            Scalar::Truth(false) => "FALSE".into(),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Strings {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let key = Spanned::<TextOr<Spanned<String>>>::deserialize(deserializer)?;
+        let span = key.span();
+        Ok(Strings(match key.into_inner() {
+            TextOr::Text(text) => vec![Spanned::new(span, text)],
+            TextOr::List(list) => list,
+        }))
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for TextOr<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(TextOrVisitor(std::marker::PhantomData))
+    }
+}
+
+struct TextOrVisitor<T>(std::marker::PhantomData<T>);
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for TextOrVisitor<T> {
+    type Value = TextOr<T>;
+
+    fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str("a string or an array")
+    }
+
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
+        Ok(TextOr::Text(text.to_owned()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<Self::Value, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(items)).map(TextOr::List)
+    }
+}
+
+impl<'de> Deserialize<'de> for Scalar {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ScalarVisitor)
+    }
+}
+
+struct ScalarVisitor;
+
+impl Visitor<'_> for ScalarVisitor {
+    type Value = Scalar;
+
+    fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str("a string, a number, true or false")
+    }
+
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<Scalar, E> {
+        Ok(Scalar::Text(text.to_owned()))
+    }
+
+    fn visit_bool<E: de::Error>(self, truth: bool) -> Result<Scalar, E> {
+        Ok(Scalar::Truth(truth))
+    }
+
+    fn visit_i64<E: de::Error>(self, _: i64) -> Result<Scalar, E> {
+        Ok(Scalar::Number)
+    }
+
+    fn visit_u64<E: de::Error>(self, _: u64) -> Result<Scalar, E> {
+        Ok(Scalar::Number)
+    }
+
+    fn visit_i128<E: de::Error>(self, _: i128) -> Result<Scalar, E> {
+        Ok(Scalar::Number)
+    }
+
+    fn visit_u128<E: de::Error>(self, _: u128) -> Result<Scalar, E> {
+        Ok(Scalar::Number)
+    }
+
+    fn visit_f64<E: de::Error>(self, _: f64) -> Result<Scalar, E> {
+        Ok(Scalar::Number)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde::Deserialize;
+
+    #[derive(Debug, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Document {
+        #[serde(default)]
+        names: Option<Strings>,
+        #[serde(default)]
+        cells: Vec<Spanned<Vec<Spanned<Scalar>>>>,
+    }
+
+    fn read_document(text: &str) -> Result<Document, Mistake> {
+        read(text, 0, &Lines::new(text))
+    }
+
+    #[test]
+    fn a_mistake_has_its_line_and_its_key() {
+        let mistake = read_document("names = [\"a\"]\nname = 3\n").unwrap_err();
+        assert_eq!(mistake.line, 2);
+        assert!(
+            mistake.message.contains("unknown field `name`"),
+            "{}",
+            mistake.message
+        );
+        let mistake = read_document("\n\ncells = [[[]]]").unwrap_err();
+        assert_eq!((mistake.line, mistake.key.as_deref()), (3, Some("cells")));
+        assert!(
+            mistake.message.contains("expected a string, a number"),
+            "{}",
+            mistake.message
+        );
+        assert_eq!(read_document("names = [").unwrap_err().line, 1);
+    }
+
+    #[test]
+    fn a_mistake_counts_from_the_start_of_the_document() {
+        let file = "(*!\nnames = 3\n*)";
+        let mistake = read::<Document>(&file[3..14], 3, &Lines::new(file)).unwrap_err();
+        assert_eq!(mistake.line, 2);
+    }
+
+    #[test]
+    fn a_string_is_a_list_of_one() {
+        let texts = |text| -> Vec<String> {
+            let names = read_document(text).unwrap().names.unwrap().0;
+            names.into_iter().map(Spanned::into_inner).collect()
+        };
+        assert_eq!(texts("names = \"a\""), ["a"]);
+        assert_eq!(texts("names = [\"a\", \"b\"]"), ["a", "b"]);
+    }
+
+    #[test]
+    fn numbers_are_spelled_as_they_are_written() {
+        let text = "cells = [[1_000, -0.50, true, \"x\", 18446744073709551615]]";
+        let document = read_document(text).unwrap();
+        let row = document.cells[0].get_ref();
+        let spelled: Vec<Box<str>> = row
+            .iter()
+            .map(|cell| cell.get_ref().spelling(&text[cell.span()]))
+            .collect();
+        assert_eq!(
+            spelled.iter().map(|cell| &**cell).collect::<Vec<_>>(),
+            ["1_000", "-0.50", "TRUE", "x", "18446744073709551615"]
+        );
+    }
+}
