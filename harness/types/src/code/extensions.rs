@@ -141,7 +141,7 @@ macro_rules! extension_codes {
         P4042 ParenStringLengthNotAllowed {
             summary: "the length of a string stands in brackets",
             explanation: "The standard writes the length of a string in square brackets. Some compilers read parentheses too.",
-            example: elsewhere "
+            example: IronplcEd2 "
                 PROGRAM main
                 VAR
                     name : STRING(20);

@@ -185,7 +185,7 @@ macro_rules! invocation_codes {
         P4006 ProgramMissingTaskConfig {
             summary: "the program's task is not declared",
             explanation: "`PROGRAM … WITH` names a task of the same resource, and there is none of that name.",
-            example: elsewhere "
+            example: IronplcEd2 "
                 PROGRAM main
                 VAR
                     a : INT;

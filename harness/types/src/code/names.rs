@@ -3,9 +3,74 @@
 macro_rules! name_codes {
     ($rest:tt $($entries:tt)*) => { gather! { $rest $($entries)*
         P4011 DefinitionNameDuplicated {
-            summary: "two program organization units have one name",
-            explanation: "Functions, function blocks and programs share their names with each other, in whatever case. Two functions of \
-                one name are P4016.",
+            summary: "two definitions have one name",
+            explanation: "Functions, function blocks, programs and types share their names with each other, in whatever case. Two \
+                definitions of the same kind have codes of their own: P4016 for functions, P4013 for function blocks and programs, \
+                P2007 for types.",
+            example: IronplcEd2 "
+                FUNCTION Pump : INT
+                    Pump := 0;
+                END_FUNCTION
+                FUNCTION_BLOCK Pump
+                VAR
+                    a : INT;
+                END_VAR
+                END_FUNCTION_BLOCK
+                PROGRAM main
+                VAR
+                    b : INT;
+                END_VAR
+                END_PROGRAM
+                ",
+            fix: "Give one of them another name.",
+            repaired: "
+                FUNCTION Pressure : INT
+                    Pressure := 0;
+                END_FUNCTION
+                FUNCTION_BLOCK Pump
+                VAR
+                    a : INT;
+                END_VAR
+                END_FUNCTION_BLOCK
+                PROGRAM main
+                VAR
+                    b : INT;
+                END_VAR
+                END_PROGRAM
+                ",
+        }
+        P4012 FunctionBlockNotInScope {
+            summary: "what is invoked is no instance of a function block",
+            explanation: "An invocation begins with the name of an instance: a variable whose type is a function block. The name of the \
+                function block itself is not enough, for without an instance there is nothing that keeps its values.",
+            example: IronplcEd2 "
+                PROGRAM main
+                VAR
+                    level : INT;
+                END_VAR
+                    level();
+                END_PROGRAM
+                ",
+            fix: "Declare an instance, and invoke that.",
+            repaired: "
+                FUNCTION_BLOCK Level
+                VAR
+                    value : INT;
+                END_VAR
+                    value := value + 1;
+                END_FUNCTION_BLOCK
+                PROGRAM main
+                VAR
+                    tank : Level;
+                END_VAR
+                    tank();
+                END_PROGRAM
+                ",
+        }
+        P4013 PouDeclNameDuplicated {
+            summary: "two program organization units of one kind have one name",
+            explanation: "Two function blocks or two programs have the same name, in whatever case. For two functions the code is P4016; \
+                for definitions of different kinds it is P4011.",
             example: IronplcEd2 "
                 FUNCTION_BLOCK Pump
                 VAR
@@ -41,54 +106,6 @@ macro_rules! name_codes {
                 END_VAR
                 END_PROGRAM
                 ",
-        }
-        P4012 FunctionBlockNotInScope {
-            summary: "what is invoked is no instance of a function block",
-            explanation: "An invocation begins with the name of an instance: a variable whose type is a function block. The name of the \
-                function block itself is not enough, for without an instance there is nothing that keeps its values.",
-            example: IronplcEd2 "
-                PROGRAM main
-                VAR
-                    level : INT;
-                END_VAR
-                    level();
-                END_PROGRAM
-                ",
-            fix: "Declare an instance, and invoke that.",
-            repaired: "
-                FUNCTION_BLOCK Level
-                VAR
-                    value : INT;
-                END_VAR
-                    value := value + 1;
-                END_FUNCTION_BLOCK
-                PROGRAM main
-                VAR
-                    tank : Level;
-                END_VAR
-                    tank();
-                END_PROGRAM
-                ",
-        }
-        P4013 PouDeclNameDuplicated {
-            summary: "two program organization units have one name",
-            explanation: "The same fault as P4011, which is what Stickler's reference gives for it.",
-            example: elsewhere "
-                FUNCTION Pump : INT
-                    Pump := 0;
-                END_FUNCTION
-                FUNCTION_BLOCK Pump
-                VAR
-                    a : INT;
-                END_VAR
-                END_FUNCTION_BLOCK
-                PROGRAM main
-                VAR
-                    b : INT;
-                END_VAR
-                END_PROGRAM
-                ",
-            fix: "Give one of them another name.",
         }
         P4014 SymbolDeclDuplicated {
             summary: "two variables have one name",
@@ -237,7 +254,7 @@ macro_rules! name_codes {
         P4019 DuplicateTaskName {
             summary: "two tasks of the resource have one name",
             explanation: "A program is tied to a task by the task's name, so that name may occur once in a resource.",
-            example: elsewhere "
+            example: IronplcEd2 "
                 PROGRAM main
                 VAR
                     a : INT;
@@ -253,6 +270,21 @@ macro_rules! name_codes {
                 END_CONFIGURATION
                 ",
             fix: "Give one of them another name.",
+            repaired: "
+                PROGRAM main
+                VAR
+                    a : INT;
+                END_VAR
+                    a := 1;
+                END_PROGRAM
+                CONFIGURATION plant
+                    RESOURCE controller ON PLC
+                        TASK cyclic(INTERVAL := T#10ms, PRIORITY := 1);
+                        TASK slow(INTERVAL := T#20ms, PRIORITY := 2);
+                        PROGRAM instance WITH cyclic : main;
+                    END_RESOURCE
+                END_CONFIGURATION
+                ",
         }
         P4020 NoProgramDeclaration {
             summary: "the source has no PROGRAM",

@@ -47,7 +47,7 @@ macro_rules! target_codes {
         P4030 UndefinedConstantReference {
             summary: "the constant in the type is not declared",
             explanation: "The length of a string or the bound of an array is a name, and no constant has it.",
-            example: elsewhere "
+            example: IronplcEd2 "
                 PROGRAM main
                 VAR
                     samples : ARRAY [1..size] OF INT;
@@ -69,7 +69,7 @@ macro_rules! target_codes {
             summary: "the constant in the type is no integer",
             explanation: "The length of a string and the bounds of an array are integers, so the constant that stands for one has to be \
                 of an integer type.",
-            example: elsewhere "
+            example: IronplcEd2 "
                 PROGRAM main
                 VAR CONSTANT
                     size : REAL := 10.0;
@@ -93,7 +93,7 @@ macro_rules! target_codes {
         P4032 ConstantMissingInitializer {
             summary: "the constant in the type has no value",
             explanation: "The length of a string or the bound of an array is the name of a constant whose declaration gives no value.",
-            example: elsewhere "
+            example: IronplcEd2 "
                 PROGRAM main
                 VAR CONSTANT
                     size : INT;
