@@ -84,7 +84,7 @@ impl Part {
             .position(|(unit, _)| unit.as_bytes().eq_ignore_ascii_case(word))
             .ok_or(LiteralError::malformed(
                 at,
-                "a unit of time less than the one before",
+                "a unit of time, in the order d, h, m, s, ms, us, ns",
             ))?;
         let (_, unit) = units[place];
         let whole = whole.iter().filter(|byte| byte.is_ascii_digit());
