@@ -102,7 +102,7 @@ macro_rules! reference_codes {
         P2034 NullRequiresReferenceType {
             summary: "only a reference can be NULL",
             explanation: "`NULL` is the reference that leads nowhere, and no value of any other type. Stickler's reference has no \
-                references: it answers P9999.",
+                references, and takes `NULL` for a name like any other.",
             example: elsewhere "
                 PROGRAM main
                 VAR

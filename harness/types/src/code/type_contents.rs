@@ -285,7 +285,7 @@ macro_rules! type_content_codes {
             fix: "Declare the type, or correct its name.",
             repaired: "
                 TYPE
-                    PumpState : (Off, On);
+                    PumpState : (Idle, Running);
                 END_TYPE
                 FUNCTION_BLOCK Pump
                 VAR
