@@ -75,16 +75,18 @@ impl Plan {
     /// The command that runs this case again on this engine, to be pasted into a shell.
     #[must_use]
     pub fn rerun(&self, case: &Case, engine: &str) -> String {
-        let (prefix, id, dialect) = (&self.rerun_prefix, &case.id, case.dialect);
-        // The id itself is the filter: a filter that is an id selects that case alone.
-        let id: Cow<'_, str> = if id.contains('\'') {
-            id.replace('\'', r"'\''").into()
+        let engine: &[&str] = if engine == "reference" {
+            &[]
         } else {
-            (&**id).into()
+            &[" --engine ", engine]
         };
-        match engine {
-            "reference" => format!("{prefix} --filter '{id}' --dialect {dialect}"),
-            other => format!("{prefix} --engine {other} --filter '{id}' --dialect {dialect}"),
-        }
+        // A filter that is an id selects that case alone, so the id itself will do.
+        let id: Cow<'_, str> = if case.id.contains('\'') {
+            case.id.replace('\'', r"'\''").into()
+        } else {
+            (&*case.id).into()
+        };
+        let filter = [" --filter '", &id, "' --dialect ", case.dialect.as_str()];
+        [&[self.rerun_prefix.as_str()], engine, &filter].concat().concat()
     }
 }

@@ -6,7 +6,7 @@
 
 use rayon::prelude::*;
 use similar::TextDiff;
-use std::fmt::Write;
+use std::fmt::{self, Write};
 use std::path::Path;
 use stickler_engines::Reference;
 use stickler_run::{Desk, Grade, Judgement, Plan, Verdict, judge};
@@ -33,14 +33,31 @@ fn conforms(path: &Path) -> datatest_stable::Result<()> {
     if complaints.is_empty() {
         return Ok(());
     }
-    let count = complaints.len();
-    Err(format!(
-        "{count} of {} cases failed\n\n{}",
+    let failed = complaints.len();
+    let text = format!(
+        "{failed} of {} cases failed\n\n{}",
         cases.len(),
         complaints.join("\n")
-    )
-    .into())
+    );
+    Err(Box::new(Complaints(text)))
 }
+
+/// What failed, in lines: datatest-stable shows an error by its `Debug`, which for a text is one long line.
+struct Complaints(String);
+
+impl fmt::Debug for Complaints {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+impl fmt::Display for Complaints {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Complaints {}
 
 /// What is to be said of a case that does not pass.
 fn complaint(desk: &mut Desk<'_>, case: &Case) -> Result<Option<String>, stickler_engines::EngineError> {

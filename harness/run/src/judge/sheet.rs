@@ -12,7 +12,9 @@ pub(super) struct Lines {
 impl Lines {
     /// Adds a line. A line feed inside it, as in a foreign message, becomes a space: one fact, one line.
     pub(super) fn line(&mut self, line: fmt::Arguments<'_>) {
-        if !self.text.is_empty() {
+        if self.text.is_empty() {
+            self.text.reserve(40);
+        } else {
             self.text.push('\n');
         }
         let start = self.text.len();

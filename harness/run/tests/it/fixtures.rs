@@ -125,11 +125,10 @@ pub fn rejected(places: &[&str]) -> Outcome {
 
 /// A suite of these cases.
 pub fn suite(cases: Vec<Case>) -> Suite {
-    Suite {
-        version: "0.9".into(),
-        cases,
-        ..Suite::default()
-    }
+    let mut suite = Suite::default();
+    suite.version = "0.9".to_owned();
+    suite.cases = cases;
+    suite
 }
 
 type Answer = Box<dyn Fn(&RunRequest<'_>) -> Outcome + Send + Sync>;

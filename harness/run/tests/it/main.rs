@@ -5,3 +5,4 @@ mod judging;
 mod rendering;
 mod scheduling;
 mod selecting;
+mod suite;

@@ -1,0 +1,45 @@
+//! The real suite on the real reference: no state is shared between cases, workers or runs.
+
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use stickler_engines::Reference;
+use stickler_run::{Event, Plan, Shard, run};
+use stickler_suite::Suite;
+
+/// One part of twenty is enough to meet every kind of case, and quick.
+fn events(suite: &Suite, jobs: usize) -> Vec<Event> {
+    let plan = Plan {
+        jobs,
+        shard: Some(Shard::new(1, 20).unwrap()),
+        ..Plan::default()
+    };
+    let mut events = Vec::new();
+    let mut sink = |mut event: Event| {
+        match &mut event {
+            Event::Header(_) => {}
+            Event::Case(case) => case.duration_us = 0,
+            Event::Footer(footer) => footer.duration_ms = 0,
+        }
+        events.push(event);
+    };
+    run(
+        &plan,
+        suite,
+        &[&Reference::new()],
+        &mut sink,
+        &AtomicBool::new(false),
+    )
+    .unwrap();
+    events
+}
+
+#[test]
+fn two_runs_of_the_suite_give_the_same_events_but_for_durations() {
+    let suite = Suite::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases"));
+    let alone = events(&suite, 1);
+    assert!(alone.len() > 100, "only {} events", alone.len());
+    for (first, second) in alone.iter().zip(&events(&suite, 4)) {
+        assert_eq!(first, second);
+    }
+    assert_eq!(alone.len(), events(&suite, 2).len());
+}
