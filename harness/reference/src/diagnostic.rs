@@ -19,6 +19,57 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// A diagnostic without a suggestion.
     pub fn new(code: Code, span: Span, message: impl Into<String>) -> Diagnostic {
-        Diagnostic { code, span, message: message.into(), suggestion: None }
+        Diagnostic {
+            code,
+            span,
+            message: message.into(),
+            suggestion: None,
+        }
+    }
+}
+
+/// A list of diagnostics that stays bounded, whatever the input is.
+#[derive(Default, Debug)]
+pub(crate) struct Diagnostics {
+    list: Vec<Diagnostic>,
+}
+
+impl Diagnostics {
+    /// One stage says no more than this about one text.
+    const MAXIMUM: usize = 20_000;
+
+    /// Adds a diagnostic; when the list is full, a last S0002 says so, and what follows is left out.
+    pub(crate) fn report(&mut self, code: Code, span: Span, message: impl FnOnce() -> String) {
+        match self.list.len() {
+            length if length < Self::MAXIMUM => self.list.push(Diagnostic::new(code, span, message())),
+            Self::MAXIMUM => self.list.push(Diagnostic::new(
+                Code::LimitExceeded,
+                span,
+                format!("more than {} errors; the rest is left out", Self::MAXIMUM),
+            )),
+            _ => {}
+        }
+    }
+
+    /// What has been collected, in the order of the text.
+    pub(crate) fn into_list(mut self) -> Vec<Diagnostic> {
+        self.list.sort_by_key(|diagnostic| diagnostic.span.start);
+        self.list
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_flood_of_diagnostics_ends_with_a_word_about_it() {
+        let mut diagnostics = Diagnostics::default();
+        for start in 0..2 * 20_000 {
+            diagnostics.report(Code::SyntaxError, Span { start, end: start }, String::new);
+        }
+        let list = diagnostics.into_list();
+        assert_eq!(list.len(), Diagnostics::MAXIMUM + 1);
+        assert_eq!(list.last().map(|last| last.code), Some(Code::LimitExceeded));
     }
 }

@@ -1,3 +1,12 @@
-//! From source text to syntax tree and back.
+//! Source text → tokens → syntax tree → source text, one step a file. Nothing here fails: each step gives its
+//! result and the diagnostics that came up on the way.
 
+mod keyword;
+mod lexer;
+mod parser;
+mod renderer;
+mod token;
 pub mod tree;
+
+pub use parser::{NESTING_LIMIT, parse};
+pub use renderer::render;

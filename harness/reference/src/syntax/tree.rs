@@ -497,6 +497,30 @@ pub enum BinaryOperator {
     Power,
 }
 
+impl BinaryOperator {
+    /// The operator as the renderer and messages write it.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            BinaryOperator::Or => "OR",
+            BinaryOperator::Xor => "XOR",
+            BinaryOperator::And => "AND",
+            BinaryOperator::Equal => "=",
+            BinaryOperator::NotEqual => "<>",
+            BinaryOperator::Less => "<",
+            BinaryOperator::Greater => ">",
+            BinaryOperator::LessOrEqual => "<=",
+            BinaryOperator::GreaterOrEqual => ">=",
+            BinaryOperator::Add => "+",
+            BinaryOperator::Subtract => "-",
+            BinaryOperator::Multiply => "*",
+            BinaryOperator::Divide => "/",
+            BinaryOperator::Modulo => "MOD",
+            BinaryOperator::Power => "**",
+        }
+    }
+}
+
 /// CONFIGURATION … END_CONFIGURATION. Tasks decide when programs run; the reference runs every program
 /// instance once a scan, so of a task only the name is kept.
 #[derive(Debug)]

@@ -1,0 +1,426 @@
+//! The statements that have statements in them: IF, CASE, FOR, WHILE, REPEAT.
+
+use super::state::{Parsed, Parser, quoted};
+use crate::syntax::token::TokenKind;
+use crate::syntax::tree::{CaseBranch, CaseLabel, ExpressionId, ExpressionKind, Statement, StatementKind};
+
+/// What is open, and which keywords it waits for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Block {
+    Pou,
+    If,
+    Case,
+    /// The ELSE branch of an IF or a CASE.
+    Else(TokenKind),
+    For,
+    While,
+    Repeat,
+}
+
+impl Block {
+    fn awaits(self, kind: TokenKind) -> bool {
+        match self {
+            Block::Pou => kind.closes_pou() || kind.opens_declaration() || kind == TokenKind::End,
+            Block::If => matches!(kind, TokenKind::EndIf | TokenKind::Elsif | TokenKind::Else),
+            Block::Case => matches!(kind, TokenKind::EndCase | TokenKind::Else),
+            Block::Else(closer) => kind == closer,
+            Block::For => kind == TokenKind::EndFor,
+            Block::While => kind == TokenKind::EndWhile,
+            Block::Repeat => matches!(kind, TokenKind::Until | TokenKind::EndRepeat),
+        }
+    }
+}
+
+impl<'s> Parser<'s, '_> {
+    /// A block which is open waits for this keyword; or it closes a statement, and the innermost block is one,
+    /// so that the wrong END_… has been written.
+    pub(super) fn is_awaited(&self, kind: TokenKind) -> bool {
+        let mistaken = kind.closes_block() && self.blocks.last().is_some_and(|block| *block != Block::Pou);
+        mistaken || kind == TokenKind::End || self.blocks.iter().rev().any(|block| block.awaits(kind))
+    }
+
+    /// The keyword that closes what has just been read. A wrong one is taken for it, unless it closes something
+    /// further out.
+    pub(super) fn close(&mut self, closer: TokenKind) {
+        let kind = self.kind();
+        if kind == closer {
+            self.bump();
+            return;
+        }
+        self.expected(&quoted(closer.text()));
+        let alike = kind.closes_block() && closer.closes_block() || kind.closes_pou() && closer.closes_pou();
+        if alike && !self.blocks.iter().any(|block| block.awaits(kind)) {
+            self.bump();
+        }
+    }
+
+    /// A statement with an END_… of its own.
+    pub(super) fn block_statement(&mut self) -> Parsed<StatementKind> {
+        if self.at_limit() {
+            let broken = self.too_deep();
+            self.skip_block();
+            self.hush();
+            return Err(broken);
+        }
+        self.nested(|parser| {
+            Ok(match parser.kind() {
+                TokenKind::If => parser.if_statement(),
+                TokenKind::Case => parser.case_statement(),
+                TokenKind::For => parser.for_statement(),
+                TokenKind::While => parser.while_statement(),
+                _ => parser.repeat_statement(),
+            })
+        })
+    }
+
+    /// The statements in a block.
+    fn block(&mut self, block: Block) -> Vec<Statement> {
+        self.blocks.push(block);
+        let body = self.statements();
+        self.blocks.pop();
+        body
+    }
+
+    /// IF … THEN … ELSIF … THEN … ELSE … END_IF.
+    fn if_statement(&mut self) -> StatementKind {
+        let mut branches = Vec::with_capacity(1);
+        while branches.is_empty() || self.kind() == TokenKind::Elsif {
+            self.bump();
+            let condition = self.header(TokenKind::Then);
+            branches.push((condition, self.block(Block::If)));
+        }
+        let otherwise = self.else_branch(TokenKind::EndIf);
+        self.close(TokenKind::EndIf);
+        StatementKind::If { branches, otherwise }
+    }
+
+    fn else_branch(&mut self, closer: TokenKind) -> Option<Vec<Statement>> {
+        self.eat(TokenKind::Else).then(|| self.block(Block::Else(closer)))
+    }
+
+    /// WHILE … DO … END_WHILE.
+    fn while_statement(&mut self) -> StatementKind {
+        self.bump();
+        let condition = self.header(TokenKind::Do);
+        let body = self.block(Block::While);
+        self.close(TokenKind::EndWhile);
+        StatementKind::While { condition, body }
+    }
+
+    /// REPEAT … UNTIL … END_REPEAT.
+    fn repeat_statement(&mut self) -> StatementKind {
+        self.bump();
+        let body = self.block(Block::Repeat);
+        let until = if self.kind() == TokenKind::Until {
+            self.bump();
+            self.header(TokenKind::EndRepeat)
+        } else {
+            let span = self.token().span;
+            self.expected("`UNTIL`");
+            self.close(TokenKind::EndRepeat);
+            self.push(ExpressionKind::Error, span)
+        };
+        StatementKind::Repeat { body, until }
+    }
+
+    /// An expression and the keyword behind it; what could not be read up to that keyword becomes an error.
+    fn header(&mut self, closer: TokenKind) -> ExpressionId {
+        self.header_of(closer, Self::expression).unwrap_or_else(|start| {
+            let span = start.to(self.previous_span(1));
+            self.push(ExpressionKind::Error, span)
+        })
+    }
+
+    /// What `production` gives, and the keyword behind it; or where the error stands.
+    fn header_of<T>(
+        &mut self,
+        closer: TokenKind,
+        production: impl FnOnce(&mut Self) -> Parsed<T>,
+    ) -> Result<T, crate::source::Span> {
+        let start = self.token().span;
+        self.open = 0;
+        let read = production(self);
+        if read.is_ok() && self.eat(closer) {
+            return read.map_err(|_| start);
+        }
+        if read.is_ok() {
+            self.missing(&quoted(closer.text()));
+            if self.starts_line(0) || self.kind().opens_statement() {
+                return read.map_err(|_| start); // Only the keyword is missing.
+            }
+        }
+        self.skip_header(closer);
+        read.map_err(|_| start)
+    }
+
+    /// FOR … := … TO … BY … DO … END_FOR.
+    fn for_statement(&mut self) -> StatementKind {
+        self.bump();
+        let header = self.header_of(TokenKind::Do, Self::for_list);
+        let (control, from, to, by) = header.unwrap_or_else(|start| {
+            let error = self.push(ExpressionKind::Error, start);
+            (error, error, error, None)
+        });
+        let body = self.block(Block::For);
+        self.close(TokenKind::EndFor);
+        StatementKind::For {
+            control,
+            from,
+            to,
+            by,
+            body,
+        }
+    }
+
+    fn for_list(&mut self) -> Parsed<(ExpressionId, ExpressionId, ExpressionId, Option<ExpressionId>)> {
+        if self.kind() != TokenKind::Name {
+            return Err(self.missing("a variable"));
+        }
+        let control = self.path()?;
+        self.require(TokenKind::Assign)?;
+        let from = self.expression()?;
+        self.require(TokenKind::To)?;
+        let to = self.expression()?;
+        let by = if self.eat(TokenKind::By) {
+            Some(self.expression()?)
+        } else {
+            None
+        };
+        Ok((control, from, to, by))
+    }
+
+    /// CASE … OF … ELSE … END_CASE.
+    fn case_statement(&mut self) -> StatementKind {
+        self.bump();
+        let selector = self.header(TokenKind::Of);
+        let mut branches = Vec::new();
+        self.blocks.push(Block::Case);
+        loop {
+            if self.at_case_label() {
+                branches.push(self.case_branch());
+            } else if self.kind().ends_statements() && self.is_awaited(self.kind()) {
+                break;
+            } else {
+                self.expected("a label");
+                self.statements_until(&mut Vec::new(), Self::at_case_label);
+            }
+        }
+        self.blocks.pop();
+        let otherwise = self.else_branch(TokenKind::EndCase);
+        self.close(TokenKind::EndCase);
+        StatementKind::Case {
+            selector,
+            branches,
+            otherwise,
+        }
+    }
+
+    fn case_branch(&mut self) -> CaseBranch {
+        let labels = self
+            .header_of(TokenKind::Colon, Self::case_labels)
+            .unwrap_or_else(|start| vec![CaseLabel::Value(self.push(ExpressionKind::Error, start))]);
+        let mut body = Vec::new();
+        self.statements_until(&mut body, Self::at_case_label);
+        CaseBranch { labels, body }
+    }
+
+    /// `1, 5..7, RED`.
+    fn case_labels(&mut self) -> Parsed<Vec<CaseLabel>> {
+        let mut labels = Vec::with_capacity(1);
+        loop {
+            let low = self.expression()?;
+            let range = self.eat(TokenKind::DotDot);
+            labels.push(if range {
+                CaseLabel::Range(low, self.expression()?)
+            } else {
+                CaseLabel::Value(low)
+            });
+            if !self.eat(TokenKind::Comma) {
+                return Ok(labels);
+            }
+        }
+    }
+
+    /// A label, and no statement, begins here: a literal, a prefix operator, or a name with something behind it
+    /// that no statement has there.
+    fn at_case_label(&self) -> bool {
+        use TokenKind::*;
+        match self.kind() {
+            Name => {
+                let mut ahead = 1;
+                while self.nth(ahead) == Dot && self.nth(ahead + 1) == Name {
+                    ahead += 2;
+                }
+                matches!(
+                    self.nth(ahead),
+                    Colon | Comma | DotDot | Plus | Minus | Star | Slash | Mod | Power
+                )
+            }
+            Enumerated | Plus | Minus | Not | LeftParen => true,
+            kind => kind.is_literal(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::syntax::parser::testing::{accepted_body, body_errors};
+    use crate::syntax::tree::StatementKind;
+
+    #[test]
+    fn if_has_branches() {
+        let body =
+            accepted_body("IF a THEN x := 1; ELSIF b THEN ELSIF c THEN ; ELSE y := 2; z := 3; END_IF;");
+        let [
+            StatementKind::If {
+                branches,
+                otherwise: Some(otherwise),
+            },
+        ] = &[&body[0].kind][..1]
+        else {
+            panic!("{body:?}")
+        };
+        assert_eq!((branches.len(), otherwise.len()), (3, 2));
+    }
+
+    #[test]
+    fn loops_have_bodies() {
+        let body = accepted_body(
+            "FOR i := 1 TO 10 DO x := i; END_FOR; FOR a[1] := 10 TO 1 BY -1 DO END_FOR;
+             WHILE a < b DO END_WHILE; REPEAT ; UNTIL a END_REPEAT;",
+        );
+        assert!(matches!(body[0].kind, StatementKind::For { by: None, .. }));
+        assert!(matches!(body[1].kind, StatementKind::For { by: Some(_), .. }));
+        assert!(matches!(body[2].kind, StatementKind::While { .. }));
+        assert!(matches!(body[3].kind, StatementKind::Repeat { .. }));
+    }
+
+    #[test]
+    fn case_labels_are_told_from_statements() {
+        let body = accepted_body(
+            "CASE n OF 1, 2, 5..7: x := 1; y := 2; RED: f(x); COLOR#GREEN: ; -5..-1: a.b := 1; a[1] := 2;
+             A, B: LOW..HIGH: N + 1: g.h: 16#FF: INT#5: ELSE x := 9; END_CASE;",
+        );
+        let StatementKind::Case {
+            branches,
+            otherwise: Some(_),
+            ..
+        } = &body[0].kind
+        else {
+            panic!("{body:?}")
+        };
+        let sizes: Vec<_> = branches
+            .iter()
+            .map(|branch| (branch.labels.len(), branch.body.len()))
+            .collect();
+        assert_eq!(
+            sizes,
+            [
+                (3, 2),
+                (1, 1),
+                (1, 1),
+                (1, 2),
+                (2, 0),
+                (1, 0),
+                (1, 0),
+                (1, 0),
+                (1, 0),
+                (1, 0)
+            ]
+        );
+    }
+
+    #[test]
+    fn a_broken_header_is_one_error_and_its_body_is_read() {
+        for text in [
+            "IF a + THEN x := ; END_IF;",
+            "IF THEN x := ; END_IF;",
+            "IF a b THEN x := ; END_IF;",
+            "IF a\nx := ; END_IF;",
+            "IF (a THEN x := ; END_IF;",
+            "WHILE a + DO x := ; END_WHILE;",
+            "FOR i = 1 TO 5 DO x := ; END_FOR;",
+            "FOR i := 1 TO DO x := ; END_FOR;",
+            "FOR i := 1 5 DO x := ; END_FOR;",
+            "FOR 5 := 1 TO 5 DO x := ; END_FOR;",
+            "REPEAT x := ; UNTIL a + END_REPEAT;",
+            "REPEAT x := ; END_REPEAT;",
+            "CASE a + OF 1: x := ; END_CASE;",
+            "CASE a OF 1 + : x := ; END_CASE;",
+            "CASE a OF y := 1; 1: x := ; END_CASE;",
+        ] {
+            let errors = body_errors(text);
+            assert_eq!(errors.len(), 2, "{text}: {errors:?}");
+        }
+    }
+
+    #[test]
+    fn a_missing_or_wrong_end_is_one_error() {
+        for (text, error) in [
+            (
+                "IF a THEN x := 1;",
+                "expected `END_IF`, found the keyword `END_PROGRAM`",
+            ),
+            (
+                "IF a THEN x := 1; END_WHILE; y := 1;",
+                "expected `END_IF`, found the keyword `END_WHILE`",
+            ),
+            (
+                "WHILE a DO IF b THEN x := 1; END_WHILE;",
+                "expected `END_IF`, found the keyword `END_WHILE`",
+            ),
+            (
+                "IF a THEN WHILE b DO ELSE END_IF;",
+                "expected `END_WHILE`, found the keyword `ELSE`",
+            ),
+            (
+                "IF a THEN ELSE x := 1; ELSE y := 1; END_IF;",
+                "expected a statement, found the keyword `ELSE`",
+            ),
+            (
+                "CASE a OF 1: x := 1;",
+                "expected `END_CASE`, found the keyword `END_PROGRAM`",
+            ),
+            (
+                "IF a THEN IF b THEN IF c THEN",
+                "expected `END_IF`, found the keyword `END_PROGRAM`",
+            ),
+        ] {
+            let errors = body_errors(text);
+            assert!(
+                matches!(errors.as_slice(), [only] if only.ends_with(error)),
+                "{text}: {errors:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn blocks_nest_to_the_limit_only() {
+        let nested = |depth: usize| {
+            format!(
+                "{}x := 1;{}",
+                "IF a THEN ".repeat(depth),
+                " END_IF;".repeat(depth)
+            )
+        };
+        assert_eq!(body_errors(&nested(200)), [""; 0]);
+        assert_eq!(
+            body_errors(&nested(201)),
+            ["1:2001 S0002 nested more than 200 deep"]
+        );
+        assert_eq!(body_errors(&nested(100_000)).len(), 1);
+        for open in [
+            "IF a THEN ",
+            "CASE a OF 1: ",
+            "FOR i := 1 TO 2 DO ",
+            "WHILE a DO ",
+            "REPEAT ",
+        ] {
+            let errors = body_errors(&open.repeat(100_000));
+            assert!(
+                matches!(errors.as_slice(), [only] if only.contains("S0002")),
+                "{open}: {errors:?}"
+            );
+        }
+    }
+}

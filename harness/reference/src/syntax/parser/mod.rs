@@ -1,0 +1,21 @@
+//! Tokens → syntax tree: recursive descent, one function a production, named after it. Parsing never fails: what
+//! cannot be read is diagnosed once, where a person would look for it, and left out of the tree.
+
+mod blocks;
+mod configuration;
+mod declarations;
+mod expressions;
+mod initializers;
+mod partial_access;
+mod paths;
+mod recovery;
+mod state;
+mod statements;
+mod types;
+mod unsupported;
+mod variables;
+
+#[cfg(test)]
+mod testing;
+
+pub use state::{NESTING_LIMIT, parse};

@@ -1,0 +1,353 @@
+//! What every production leans on: the tokens, the arena, the limits, and the one way to report an error.
+
+use super::blocks::Block;
+use super::expressions::Pending;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::dialect::Dialect;
+use crate::source::Span;
+use crate::syntax::lexer::lex;
+use crate::syntax::token::{Token, TokenKind};
+use crate::syntax::tree::{Expression, ExpressionId, ExpressionKind, Name, SourceUnit, VariableBlock};
+use stickler_types::Code;
+
+/// How deep parentheses, subscripts, calls, prefix operators, statements, types and initial values may stand in
+/// one another; anything deeper is diagnosed with S0002.
+///
+/// Basis: a decision of the design (depth, size and step limits turn hostile input into a diagnostic).
+pub const NESTING_LIMIT: usize = 200;
+
+/// How deep an expression's tree may be, the left operands of infix operators not counted. It is more than
+/// [`NESTING_LIMIT`] because suffixes and right operands make a tree deeper without nesting what is written.
+pub(super) const HEIGHT_LIMIT: u32 = NESTING_LIMIT as u32 * 3 / 2;
+
+/// What was being read is not there; the diagnostic about it has been given.
+#[derive(Debug)]
+pub(super) struct Broken;
+
+/// What a production gives.
+pub(super) type Parsed<T> = Result<T, Broken>;
+
+/// Reads `text` by the rules of `dialect`.
+///
+/// Gives the tree of all that could be read, and the diagnostics about the rest in the order of the text. Never
+/// fails and never panics; takes time and memory in proportion to the text. Where a diagnostic was given, the
+/// tree has [`ExpressionKind::Error`] or `TypeSpecificationKind::Error`, or nothing at all.
+pub fn parse<'s>(text: &'s str, dialect: &Dialect) -> (SourceUnit<'s>, Vec<Diagnostic>) {
+    let mut parser = Parser::new(text, dialect);
+    let declarations = parser.source_unit();
+    let unit = SourceUnit {
+        declarations,
+        expressions: parser.expressions,
+    };
+    (unit, parser.diagnostics.into_list())
+}
+
+/// The parser's state.
+pub(super) struct Parser<'s, 'd> {
+    pub(super) text: &'s str,
+    pub(super) dialect: &'d Dialect,
+    tokens: Vec<Token>,
+    current: Token,
+    position: usize,
+    pub(super) expressions: Vec<Expression<'s>>,
+    /// Operators that wait for their right operand, of all expressions that are being read.
+    pub(super) pending: Vec<Pending>,
+    /// The height of the expression that was read last.
+    pub(super) height: u32,
+    /// How many brackets the statement or declaration that is being read has open.
+    pub(super) open: usize,
+    /// The statements and POUs that are open.
+    pub(super) blocks: Vec<Block>,
+    /// Variable sections between statements, where they do not belong.
+    pub(super) late_sections: Vec<VariableBlock<'s>>,
+    /// The END_VAR of the section that is being read, where an error made it worth looking for.
+    pub(super) section_end: Option<usize>,
+    /// Something in the POU that is being read has been left out of the tree.
+    pub(super) incomplete: bool,
+    depth: usize,
+    diagnostics: Diagnostics,
+    truncated: bool,
+    reported: Option<usize>,
+    limit_reported: bool,
+}
+
+impl<'s, 'd> Parser<'s, 'd> {
+    fn new(text: &'s str, dialect: &'d Dialect) -> Parser<'s, 'd> {
+        let lexed = lex(text, dialect);
+        let end = Token {
+            kind: TokenKind::End,
+            span: Span::default(),
+        };
+        Parser {
+            text,
+            dialect,
+            current: lexed.tokens.first().copied().unwrap_or(end),
+            expressions: Vec::with_capacity(lexed.tokens.len() / 2),
+            tokens: lexed.tokens,
+            position: 0,
+            pending: Vec::new(),
+            height: 0,
+            open: 0,
+            blocks: Vec::new(),
+            late_sections: Vec::new(),
+            section_end: None,
+            incomplete: false,
+            depth: 0,
+            diagnostics: lexed.diagnostics,
+            truncated: lexed.truncated,
+            reported: None,
+            limit_reported: false,
+        }
+    }
+
+    /// The kind of the next token.
+    #[inline]
+    pub(super) fn kind(&self) -> TokenKind {
+        self.current.kind
+    }
+
+    /// The next token.
+    #[inline]
+    pub(super) fn token(&self) -> Token {
+        self.current
+    }
+
+    /// How many tokens have been read.
+    #[inline]
+    pub(super) fn position(&self) -> usize {
+        self.position
+    }
+
+    /// The kind of the token `ahead` places behind the next one.
+    #[inline]
+    pub(super) fn nth(&self, ahead: usize) -> TokenKind {
+        self.kind_at(self.position + ahead)
+    }
+
+    /// The kind of the token at `position`.
+    #[inline]
+    pub(super) fn kind_at(&self, position: usize) -> TokenKind {
+        self.tokens
+            .get(position)
+            .map_or(TokenKind::End, |token| token.kind)
+    }
+
+    /// Takes the next token; the end stays where it is.
+    #[inline]
+    pub(super) fn bump(&mut self) -> Token {
+        let token = self.current;
+        if let Some(next) = self.tokens.get(self.position + 1) {
+            self.current = *next;
+            self.position += 1;
+        }
+        token
+    }
+
+    /// Takes the next token if it is of this kind.
+    #[inline]
+    pub(super) fn eat(&mut self, kind: TokenKind) -> bool {
+        let found = self.kind() == kind;
+        if found {
+            self.bump();
+        }
+        found
+    }
+
+    /// Goes back by one token.
+    pub(super) fn back(&mut self) {
+        if let Some(token) = self
+            .position
+            .checked_sub(1)
+            .and_then(|before| self.tokens.get(before))
+        {
+            self.current = *token;
+            self.position -= 1;
+        }
+    }
+
+    /// The kind of the token before the next one.
+    pub(super) fn previous_kind(&self) -> Option<TokenKind> {
+        Some(self.tokens.get(self.position.checked_sub(1)?)?.kind)
+    }
+
+    /// The span of the token `behind` places before the next one.
+    #[inline]
+    pub(super) fn previous_span(&self, behind: usize) -> Span {
+        self.position
+            .checked_sub(behind)
+            .and_then(|at| self.tokens.get(at))
+            .map_or(Span::default(), |t| t.span)
+    }
+
+    /// A line feed stands between the token `ahead` places behind the next one and the token before that.
+    pub(super) fn starts_line(&self, ahead: usize) -> bool {
+        let at = self.position + ahead;
+        let (Some(before), Some(token)) = (
+            at.checked_sub(1).and_then(|at| self.tokens.get(at)),
+            self.tokens.get(at),
+        ) else {
+            return true;
+        };
+        Span {
+            start: before.span.end,
+            end: token.span.start,
+        }
+        .text(self.text)
+        .contains('\n')
+    }
+
+    /// The text of the next token.
+    #[inline]
+    pub(super) fn word(&self) -> &'s str {
+        self.current.span.text(self.text)
+    }
+
+    /// The next token is a name with this text, in any case.
+    #[inline]
+    pub(super) fn at_word(&self, word: &str) -> bool {
+        self.kind() == TokenKind::Name && self.word().eq_ignore_ascii_case(word)
+    }
+
+    /// A name; `what` says whose.
+    #[inline]
+    pub(super) fn name(&mut self, what: &str) -> Parsed<Name<'s>> {
+        if self.kind() != TokenKind::Name {
+            return Err(self.expected(what));
+        }
+        let name = Name {
+            text: self.word(),
+            span: self.current.span,
+        };
+        self.bump();
+        Ok(name)
+    }
+
+    /// A mark that joins what stands on one line.
+    #[inline]
+    pub(super) fn require(&mut self, kind: TokenKind) -> Parsed<Token> {
+        if self.kind() == kind {
+            Ok(self.bump())
+        } else {
+            Err(self.missing(&quoted(kind.text())))
+        }
+    }
+
+    /// Adds an expression to the arena.
+    #[inline]
+    pub(super) fn push(&mut self, kind: ExpressionKind<'s>, span: Span) -> ExpressionId {
+        // There are no more expressions than tokens, whose number is limited.
+        let id = ExpressionId(self.expressions.len() as u32);
+        self.expressions.push(Expression { kind, span });
+        id
+    }
+
+    /// Where an expression stands.
+    #[inline]
+    pub(super) fn span_of(&self, id: ExpressionId) -> Span {
+        self.expressions
+            .get(id.0 as usize)
+            .map_or(Span::default(), |expression| expression.span)
+    }
+
+    /// Runs a production one level deeper, or reports that this is too deep.
+    #[inline]
+    pub(super) fn nested<T>(&mut self, production: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+        if self.at_limit() {
+            return Err(self.too_deep());
+        }
+        self.depth += 1;
+        let result = production(self);
+        self.depth -= 1;
+        result
+    }
+
+    /// Nothing may be nested any deeper.
+    pub(super) fn at_limit(&self) -> bool {
+        self.depth >= NESTING_LIMIT
+    }
+
+    /// Reports that the text is nested too deep: once, for the reader has only one thing to change.
+    #[cold]
+    pub(super) fn too_deep(&mut self) -> Broken {
+        if !self.limit_reported {
+            self.limit_reported = true;
+            let message = || format!("nested more than {NESTING_LIMIT} deep");
+            self.diagnostics
+                .report(Code::LimitExceeded, self.current.span, message);
+        }
+        self.reported = Some(self.position);
+        Broken
+    }
+
+    /// Keeps silent about the next token, whatever is expected in its place.
+    pub(super) fn hush(&mut self) {
+        self.reported = Some(self.position);
+    }
+
+    /// Reports something other than a syntax error.
+    #[cold]
+    pub(super) fn report(&mut self, code: Code, span: Span, message: impl FnOnce() -> String) {
+        self.diagnostics.report(code, span, message);
+    }
+
+    /// Reports that `what` does not stand where the next token does.
+    #[cold]
+    pub(super) fn expected(&mut self, what: &str) -> Broken {
+        let at_end = self.kind() == TokenKind::End;
+        let span = if at_end {
+            self.previous_span(1).after()
+        } else {
+            self.current.span
+        };
+        self.expected_at(span, what)
+    }
+
+    /// The same about something that belongs to what stands before it: where the next token is on another line,
+    /// the place is behind the previous one.
+    #[cold]
+    pub(super) fn missing(&mut self, what: &str) -> Broken {
+        if self.starts_line(0) && !self.current.kind.is_reported() {
+            self.expected_at(self.previous_span(1).after(), what)
+        } else {
+            self.expected(what)
+        }
+    }
+
+    /// The same at a place of the caller's choice.
+    #[cold]
+    pub(super) fn expected_at(&mut self, span: Span, what: &str) -> Broken {
+        let found = self.describe();
+        self.syntax_error(span, || format!("expected {what}, found {found}"))
+    }
+
+    /// Reports a syntax error, unless the next token has been complained about before.
+    #[cold]
+    pub(super) fn syntax_error(&mut self, span: Span, message: impl FnOnce() -> String) -> Broken {
+        let said = self.kind().is_reported()
+            || self.reported == Some(self.position)
+            || self.kind() == TokenKind::End && (self.truncated || self.limit_reported);
+        if !said {
+            self.diagnostics.report(Code::SyntaxError, span, message);
+        }
+        self.reported = Some(self.position);
+        Broken
+    }
+
+    /// The next token in words.
+    fn describe(&self) -> String {
+        match self.kind() {
+            TokenKind::End => "the end of the text".to_owned(),
+            kind if kind.is_keyword() => format!("the keyword `{}`", kind.text()),
+            _ => quoted(self.word()),
+        }
+    }
+}
+
+/// A piece of source text in a message, cut where it is long.
+pub(super) fn quoted(text: &str) -> String {
+    const LONGEST: usize = 40;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("`{}…`", text.get(..end).unwrap_or_default()),
+        None => format!("`{text}`"),
+    }
+}

@@ -1,0 +1,325 @@
+//! Variable sections, and the groups of names in them; also the fields of a structure.
+
+use super::declarations::error_specification;
+use super::state::{Parsed, Parser};
+use crate::syntax::token::TokenKind;
+use crate::syntax::tree::{
+    Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+};
+
+impl<'s> Parser<'s, '_> {
+    /// VAR… to END_VAR; `None` for a section that is not implemented.
+    pub(super) fn variable_block(&mut self) -> Option<VariableBlock<'s>> {
+        let Some(kind) = variable_kind(self.kind()) else {
+            self.unsupported_section();
+            return None;
+        };
+        let start = self.bump().span;
+        let (constant, retention) = self.qualifiers(kind);
+        self.section_end = None;
+        let groups = self.variable_groups(TokenKind::EndVar);
+        Some(VariableBlock {
+            kind,
+            constant,
+            retention,
+            groups,
+            span: start.to(self.previous_span(1)),
+        })
+    }
+
+    /// CONSTANT, RETAIN, NON_RETAIN and PERSISTENT, in any order.
+    ///
+    /// Basis: 6.5.2 of the third edition: inputs and outputs may be retained, but are no constants. PERSISTENT
+    /// is no word of the standard, but of many compilers.
+    fn qualifiers(&mut self, section: VariableKind) -> (bool, Option<&'s str>) {
+        use VariableKind::{External, Global, Input, Local, Output};
+        let (mut constant, mut retention) = (false, None);
+        loop {
+            let allowed = match self.kind() {
+                TokenKind::Constant => {
+                    constant = true;
+                    matches!(section, Local | External | Global)
+                }
+                TokenKind::Retain | TokenKind::NonRetain => {
+                    retention = retention.or(Some(self.word()));
+                    matches!(section, Local | Input | Output | Global)
+                }
+                TokenKind::Name if self.names_a_variable() => return (constant, retention),
+                TokenKind::Name if self.at_word("PERSISTENT") => {
+                    retention = Some(self.word());
+                    matches!(section, Local | Global)
+                }
+                TokenKind::Name if self.unsupported_access() => continue,
+                _ => return (constant, retention),
+            };
+            if !allowed {
+                self.expected("a variable's name");
+            }
+            self.bump();
+        }
+    }
+
+    /// The next token is a name which a declaration begins with.
+    fn names_a_variable(&self) -> bool {
+        matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma | TokenKind::At)
+    }
+
+    /// Groups up to END_VAR or END_STRUCT.
+    pub(super) fn variable_groups(&mut self, closer: TokenKind) -> Vec<VariableGroup<'s>> {
+        let mut groups = Vec::new();
+        loop {
+            match self.kind() {
+                kind if kind == closer => {
+                    self.bump();
+                    return groups;
+                }
+                TokenKind::Name if closer == TokenKind::EndVar && self.at_statement() => {
+                    self.expected("`END_VAR`");
+                    return groups;
+                }
+                TokenKind::Name => groups.push(self.variable_group()),
+                TokenKind::At => {
+                    self.unsupported_location();
+                    self.skip_declaration();
+                }
+                kind if self.ends_groups(kind) => {
+                    self.expected(if closer == TokenKind::EndVar {
+                        "`END_VAR`"
+                    } else {
+                        "`END_STRUCT`"
+                    });
+                    let mistaken = matches!(kind, TokenKind::EndStruct | TokenKind::EndType);
+                    if mistaken && closer == TokenKind::EndVar {
+                        self.bump();
+                    }
+                    return groups;
+                }
+                _ => {
+                    self.expected("a variable's name");
+                    self.bump();
+                    self.skip_declaration();
+                }
+            }
+        }
+    }
+
+    /// No declaration goes on over a token of this kind, unless it is a keyword that is taken for a name.
+    fn ends_groups(&self, kind: TokenKind) -> bool {
+        let statement = kind.opens_statement() && !self.names_a_variable();
+        statement || kind.ends_statements() || kind.opens_section()
+    }
+
+    /// A statement begins here, and no END_VAR follows: it is missing. Where one follows, it is the declaration
+    /// that is wrong.
+    fn at_statement(&mut self) -> bool {
+        use TokenKind::{Assign, Dot, LeftBracket, LeftParen};
+        matches!(self.nth(1), Assign | LeftParen | LeftBracket | Dot) && !self.section_goes_on()
+    }
+
+    /// An END_VAR stands ahead. It is looked for once a section, and the answer kept.
+    fn section_goes_on(&mut self) -> bool {
+        if self.section_end.is_some_and(|end| end >= self.position()) {
+            return true;
+        }
+        let mut at = self.position();
+        while !self.kind_at(at).closes()
+            && !self.kind_at(at).opens_section()
+            && self.kind_at(at) != TokenKind::End
+        {
+            at += 1;
+        }
+        let found = self.kind_at(at) == TokenKind::EndVar;
+        self.section_end = found.then_some(at);
+        found
+    }
+
+    /// `a, b : TYPE := initializer;`. The names are kept whatever becomes of the rest.
+    fn variable_group(&mut self) -> VariableGroup<'s> {
+        self.open = 0;
+        let mut names = Vec::with_capacity(1);
+        match self.names_and_type(&mut names) {
+            Ok(specification) => {
+                self.unsupported_edge();
+                let initializer = self.optional_initializer(&specification);
+                VariableGroup {
+                    names,
+                    specification,
+                    initializer,
+                }
+            }
+            Err(_) => {
+                let specification = error_specification(self.previous_span(1));
+                self.skip_declaration();
+                VariableGroup {
+                    names,
+                    specification,
+                    initializer: None,
+                }
+            }
+        }
+    }
+
+    fn names_and_type(&mut self, names: &mut Vec<Name<'s>>) -> Parsed<TypeSpecification<'s>> {
+        loop {
+            names.push(self.name("a variable's name")?);
+            if !self.eat(TokenKind::Comma) {
+                break;
+            }
+        }
+        self.unsupported_location();
+        if self.kind() == TokenKind::Assign {
+            return Err(self.expected("`:` and a type"));
+        }
+        self.require(TokenKind::Colon)?;
+        self.type_specification()
+    }
+
+    /// `:= initializer`, if it is there, and the `;` behind a declaration. Of a type that is not known nothing
+    /// can be initialized.
+    pub(super) fn optional_initializer(&mut self, of: &TypeSpecification) -> Option<Initializer<'s>> {
+        let read = if self.eat(TokenKind::Assign) {
+            self.initializer().map(Some)
+        } else {
+            Ok(None)
+        };
+        let read = read.and_then(|initializer| match self.semicolon(TokenKind::Colon) {
+            Ok(()) => Ok(initializer),
+            Err(broken) => Err(broken),
+        });
+        let initializer = read.unwrap_or_else(|_| {
+            self.skip_declaration();
+            None
+        });
+        initializer.filter(|_| !matches!(of.kind, TypeSpecificationKind::Error))
+    }
+}
+
+/// The section that a keyword opens; `None` for one that is not implemented.
+fn variable_kind(keyword: TokenKind) -> Option<VariableKind> {
+    match keyword {
+        TokenKind::Var => Some(VariableKind::Local),
+        TokenKind::VarTemp => Some(VariableKind::Temporary),
+        TokenKind::VarInput => Some(VariableKind::Input),
+        TokenKind::VarOutput => Some(VariableKind::Output),
+        TokenKind::VarInOut => Some(VariableKind::InOut),
+        TokenKind::VarExternal => Some(VariableKind::External),
+        TokenKind::VarGlobal => Some(VariableKind::Global),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::syntax::parser::testing::{accepted, errors, pou};
+    use crate::syntax::tree::{TypeSpecificationKind, VariableKind};
+
+    #[test]
+    fn sections_have_kinds_and_qualifiers() {
+        let unit = accepted(
+            "FUNCTION_BLOCK b VAR END_VAR VAR CONSTANT c : INT := 5; END_VAR VAR_INPUT RETAIN i : INT; END_VAR
+             VAR_OUTPUT END_VAR VAR_IN_OUT END_VAR VAR_TEMP END_VAR VAR_EXTERNAL CONSTANT END_VAR
+             var retain persistent r : INT; end_var END_FUNCTION_BLOCK",
+        );
+        let blocks: Vec<_> = pou(&unit, 0)
+            .blocks
+            .iter()
+            .map(|block| (block.kind, block.constant, block.retention))
+            .collect();
+        assert_eq!(
+            blocks,
+            [
+                (VariableKind::Local, false, None),
+                (VariableKind::Local, true, None),
+                (VariableKind::Input, false, Some("RETAIN")),
+                (VariableKind::Output, false, None),
+                (VariableKind::InOut, false, None),
+                (VariableKind::Temporary, false, None),
+                (VariableKind::External, true, None),
+                (VariableKind::Local, false, Some("persistent")),
+            ]
+        );
+    }
+
+    #[test]
+    fn qualifiers_stand_only_where_the_standard_has_them() {
+        assert_eq!(
+            errors("FUNCTION f : INT VAR_INPUT CONSTANT x : INT; END_VAR END_FUNCTION").len(),
+            1
+        );
+        assert_eq!(
+            errors("FUNCTION f : INT VAR_TEMP RETAIN x : INT; END_VAR END_FUNCTION").len(),
+            1
+        );
+    }
+
+    #[test]
+    fn words_that_are_no_keywords_name_variables() {
+        let text =
+            "PROGRAM p VAR step, class, method, persistent, public : INT; action : INT; ref_to : INT; END_VAR
+            step := class + method; action := step; END_PROGRAM";
+        assert_eq!(pou(&accepted(text), 0).blocks[0].groups.len(), 3);
+    }
+
+    #[test]
+    fn a_broken_declaration_keeps_its_names_and_costs_one_error() {
+        for declaration in [
+            "x : ;",
+            "x y : INT;",
+            "x := 5;",
+            "x : INT = 5;",
+            "x : 5;",
+            "x, : INT;",
+            "x : INT 5;",
+            "x : ARRAY[1..] OF INT;",
+        ] {
+            let text = format!("PROGRAM p VAR\n{declaration}\nz : INT;\nEND_VAR END_PROGRAM");
+            assert_eq!(errors(&text).len(), 1, "{declaration}: {:?}", errors(&text));
+            let (unit, _) = crate::syntax::parse(&text, &crate::Dialect::ironplc_ed2());
+            let groups = &pou(&unit, 0).blocks[0].groups;
+            assert_eq!(
+                (groups.len(), groups[0].names[0].text, groups[1].names[0].text),
+                (2, "x", "z"),
+                "{declaration}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_keyword_is_no_name() {
+        let text = "PROGRAM p VAR\n  on : INT;\n  exit : INT;\n  a : INT; END_VAR END_PROGRAM";
+        assert_eq!(
+            errors(text),
+            [
+                "2:3 P0002 expected a variable's name, found the keyword `ON`",
+                "3:3 P0002 expected a variable's name, found the keyword `EXIT`"
+            ]
+        );
+    }
+
+    #[test]
+    fn a_missing_end_var_is_one_error() {
+        for rest in [
+            "x := 5;\ny := 6;",
+            "f(x);",
+            "IF a THEN END_IF;",
+            "",
+            "VAR b : INT; END_VAR",
+            "a.b := 3;",
+        ] {
+            let text = format!("PROGRAM p\nVAR\n  a : INT;\n{rest}\nEND_PROGRAM");
+            assert_eq!(errors(&text).len(), 1, "{rest}: {:?}", errors(&text));
+        }
+    }
+
+    #[test]
+    fn a_type_that_could_not_be_read_takes_its_initial_value_along() {
+        let (unit, _) = crate::syntax::parse(
+            "PROGRAM p VAR q : REF_TO INT := REF(x); END_VAR END_PROGRAM",
+            &crate::Dialect::ironplc_ed3(),
+        );
+        let group = &pou(&unit, 0).blocks[0].groups[0];
+        assert!(
+            matches!(group.specification.kind, TypeSpecificationKind::Error) && group.initializer.is_none()
+        );
+    }
+}

@@ -1,0 +1,161 @@
+//! Tokens: what the lexer makes of the text, and the parser reads.
+
+use crate::source::Span;
+
+/// A token: its kind and where it stands. Its text is a slice of the source.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Token {
+    /// What it is.
+    pub(super) kind: TokenKind,
+    /// Where it stands.
+    pub(super) span: Span,
+}
+
+macro_rules! token_kinds {
+    ($($group:literal { $($kind:ident = $text:literal,)* })*) => {
+        /// What a token is. Keywords are those of every edition; the words of constructs that are not
+        /// implemented are names to the lexer, so that `step` or `class` can name a variable.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub(super) enum TokenKind { $($(#[doc = concat!($group, ": `", $text, "`")] $kind,)*)* }
+
+        impl TokenKind {
+            /// How the kind is spelled, or what it is called where its text differs.
+            pub(super) const fn text(self) -> &'static str {
+                match self { $($(TokenKind::$kind => $text,)*)* }
+            }
+        }
+    };
+}
+
+/// The keywords, once: kinds, and the table that the lexer looks words up in.
+macro_rules! keywords {
+    ($callback:ident) => {
+        $callback! {
+            And = "AND", Array = "ARRAY", At = "AT", By = "BY", Case = "CASE",
+            Configuration = "CONFIGURATION", Constant = "CONSTANT", Do = "DO", Else = "ELSE",
+            Elsif = "ELSIF", EndCase = "END_CASE", EndConfiguration = "END_CONFIGURATION",
+            EndFor = "END_FOR", EndFunction = "END_FUNCTION", EndFunctionBlock = "END_FUNCTION_BLOCK",
+            EndIf = "END_IF", EndProgram = "END_PROGRAM", EndRepeat = "END_REPEAT",
+            EndResource = "END_RESOURCE", EndStruct = "END_STRUCT", EndType = "END_TYPE",
+            EndVar = "END_VAR", EndWhile = "END_WHILE", Exit = "EXIT", False = "FALSE", For = "FOR",
+            Function = "FUNCTION", FunctionBlock = "FUNCTION_BLOCK", If = "IF", Mod = "MOD",
+            NonRetain = "NON_RETAIN", Not = "NOT", Of = "OF", On = "ON", Or = "OR",
+            Program = "PROGRAM", Repeat = "REPEAT", Resource = "RESOURCE", Retain = "RETAIN",
+            Return = "RETURN", Struct = "STRUCT", Task = "TASK", Then = "THEN", To = "TO",
+            True = "TRUE", Type = "TYPE", Until = "UNTIL", Var = "VAR", VarAccess = "VAR_ACCESS",
+            VarConfig = "VAR_CONFIG", VarExternal = "VAR_EXTERNAL", VarGlobal = "VAR_GLOBAL",
+            VarInOut = "VAR_IN_OUT", VarInput = "VAR_INPUT", VarOutput = "VAR_OUTPUT",
+            VarTemp = "VAR_TEMP", While = "WHILE", With = "WITH", Xor = "XOR",
+        }
+    };
+}
+pub(super) use keywords;
+
+macro_rules! with_keywords {
+    ($($kind:ident = $text:literal,)*) => {
+        token_kinds! {
+            "keyword" { $($kind = $text,)* }
+            "punctuation" {
+                Assign = ":=", Arrow = "=>", AssignAttempt = "?=", Colon = ":", Semicolon = ";",
+                Comma = ",", LeftParen = "(", RightParen = ")", LeftBracket = "[", RightBracket = "]",
+                Dot = ".", DotDot = "..", Caret = "^", Plus = "+", Minus = "-", Star = "*",
+                Power = "**", Slash = "/", Equal = "=", NotEqual = "<>", Less = "<",
+                LessOrEqual = "<=", Greater = ">", GreaterOrEqual = ">=", Ampersand = "&",
+            }
+            "word" { Name = "a name", Enumerated = "an enumerated value", }
+            "literal" {
+                Integer = "an integer", Based = "a based integer", Real = "a real number",
+                SingleByteText = "a character string", DoubleByteText = "a double-byte character string",
+                TypedInteger = "a typed integer", TypedBased = "a typed based integer",
+                TypedReal = "a typed real number", TypedBoolean = "a typed Boolean",
+                TypedSingleByteText = "a typed character string",
+                TypedDoubleByteText = "a typed double-byte character string", Duration = "a duration",
+                Date = "a date", TimeOfDay = "a time of day", DateAndTime = "a date and time",
+            }
+            "suffix" { Partial = "a partial access", Direct = "a direct variable", }
+            "other" {
+                Malformed = "a malformed literal", Unknown = "an unknown character",
+                End = "the end of the text",
+            }
+        }
+    };
+}
+keywords!(with_keywords);
+
+impl TokenKind {
+    /// The keywords come first in the enumeration.
+    pub(super) const fn is_keyword(self) -> bool {
+        (self as u8) < (TokenKind::Assign as u8)
+    }
+
+    /// The lexer has already said that this token is wrong.
+    pub(super) const fn is_reported(self) -> bool {
+        matches!(self, TokenKind::Malformed | TokenKind::Unknown)
+    }
+
+    /// Every form of literal, and what stands for one that could not be read.
+    pub(super) const fn is_literal(self) -> bool {
+        use TokenKind::*;
+        matches!(self, True | False | Malformed)
+            || (self as u8 >= Integer as u8 && self as u8 <= DateAndTime as u8)
+    }
+
+    /// The keyword opens a variable section.
+    pub(super) const fn opens_section(self) -> bool {
+        use TokenKind::*;
+        matches!(
+            self,
+            Var | VarInput | VarOutput | VarInOut | VarTemp | VarExternal | VarGlobal | VarAccess | VarConfig
+        )
+    }
+
+    /// The keyword opens a declaration at the top level.
+    pub(super) const fn opens_declaration(self) -> bool {
+        use TokenKind::*;
+        matches!(
+            self,
+            Program | Function | FunctionBlock | Type | Configuration | VarGlobal
+        )
+    }
+
+    /// The keyword begins a statement.
+    pub(super) const fn opens_statement(self) -> bool {
+        use TokenKind::*;
+        matches!(self, If | Case | For | While | Repeat | Exit | Return)
+    }
+
+    /// The keyword begins a statement that an END_… closes.
+    pub(super) const fn opens_block(self) -> bool {
+        use TokenKind::*;
+        matches!(self, If | Case | For | While | Repeat)
+    }
+
+    /// The keyword closes a statement.
+    pub(super) const fn closes_block(self) -> bool {
+        use TokenKind::*;
+        matches!(self, EndIf | EndCase | EndFor | EndWhile | EndRepeat)
+    }
+
+    /// The keyword closes a POU.
+    pub(super) const fn closes_pou(self) -> bool {
+        use TokenKind::*;
+        matches!(self, EndProgram | EndFunction | EndFunctionBlock)
+    }
+
+    /// The keyword closes anything at all.
+    pub(super) const fn closes(self) -> bool {
+        use TokenKind::*;
+        self.closes_block()
+            || self.closes_pou()
+            || matches!(
+                self,
+                EndVar | EndStruct | EndType | EndConfiguration | EndResource
+            )
+    }
+
+    /// No list of statements goes on over this token.
+    pub(super) const fn ends_statements(self) -> bool {
+        use TokenKind::*;
+        self.closes() || self.opens_declaration() || matches!(self, Else | Elsif | Until | End | Resource)
+    }
+}
