@@ -20,6 +20,23 @@ pub(crate) struct Assembly {
     pub(crate) clock: Arc<[ClockSetting]>,
 }
 
+impl Assembly {
+    /// What lint says of a case that claims nothing, and what to do about it.
+    pub(crate) const NOTHING: &str = "claims nothing but that the program is accepted";
+    pub(crate) const SAY_OK: &str = "if that is the claim, say `(*! ok *)` on the line that matters";
+
+    /// Whether no mark says what the program is there for. What is only recorded is meant to be so.
+    pub(crate) fn claims_nothing(&self) -> bool {
+        let expectation = &self.expectation;
+        expectation.accepted == Acceptance::Required
+            && expectation.values.is_empty()
+            && expectation.clean_lines.is_empty()
+            && expectation.fault.is_none()
+            && expectation.rendered.is_none()
+            && self.observe.is_empty()
+    }
+}
+
 /// What is wrong with the marks of a case, at which 1-based line of its template.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct AssemblyMistake {
@@ -227,9 +244,9 @@ impl<'n> Assembler<'n> {
         self.clock.sort_by_key(|clock| clock.before);
         Ok(Assembly {
             expectation: Arc::new(expectation),
-            observe: observe.into(),
-            set: self.set.into(),
-            clock: self.clock.into(),
+            observe: shared(observe),
+            set: shared(self.set),
+            clock: shared(self.clock),
         })
     }
 
@@ -290,7 +307,11 @@ impl<'n> Assembler<'n> {
         if self.expectation.accepted == Acceptance::Rejected {
             return Ok(Vec::new());
         }
-        let mut all = Directory::default();
+        let most = self.expectation.values.len() + observed.len();
+        let mut all = Directory {
+            list: Vec::with_capacity(most),
+            index: FxHashMap::default(),
+        };
         for value in &self.expectation.values {
             let ty = self
                 .names
@@ -328,8 +349,16 @@ impl<'n> Assembler<'n> {
     }
 }
 
+/// A list that cases share; most are empty, and all empty ones are the same.
+fn shared<T>(list: Vec<T>) -> Arc<[T]> {
+    if list.is_empty() {
+        Arc::default()
+    } else {
+        list.into()
+    }
+}
+
 /// Variables in order, each once.
-#[derive(Default)]
 struct Directory {
     list: Vec<Observe>,
     /// Only where there are many: most cases observe one variable.
@@ -383,7 +412,7 @@ fn body_lines(text: &str) -> Vec<Box<str>> {
     let first = lines.iter().position(filled).unwrap_or(lines.len());
     let end = lines
         .iter()
-        .rposition(|line| filled(&line))
+        .rposition(|line| filled(line))
         .map_or(first, |last| last + 1);
     lines[first..end].iter().map(|&line| line.into()).collect()
 }

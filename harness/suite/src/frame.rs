@@ -65,6 +65,14 @@ pub(crate) struct Harvest {
 }
 
 impl Harvest {
+    /// Notes what lint has to say; what it just said is not said again.
+    pub(crate) fn doubt(&mut self, remark: Mistake) {
+        const MOST: usize = 200;
+        if self.remarks.last() != Some(&remark) && self.remarks.len() < MOST {
+            self.remarks.push(remark);
+        }
+    }
+
     /// Adds a case for each dialect.
     pub(crate) fn add(
         &mut self,

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use stickler_types::Value;
 use toml::Spanned;
 
-use crate::assemble::Assembler;
+use crate::assemble::{Assembler, Assembly};
 use crate::condition::Testable;
 use crate::error::Mistake;
 use crate::frame::{self, FileContext, Frame, Group, Harvest, Withdrawal};
@@ -115,6 +115,10 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
             .and_then(|()| assembler.finish(frame.scans));
         match assembled {
             Ok(assembly) => {
+                if assembly.claims_nothing() {
+                    let message = format!("the case {}", Assembly::NOTHING);
+                    harvest.doubt(Mistake::new(1, message).hint(Assembly::SAY_OK));
+                }
                 let (id, title, basis, source) = (
                     Arc::clone(&id),
                     Arc::clone(&title),

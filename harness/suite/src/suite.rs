@@ -1,7 +1,6 @@
 //! A folder of case files becomes a suite.
 
 use std::path::Path;
-use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
@@ -162,30 +161,58 @@ fn read_file(file: &files::CaseFile, dialects: &Dialects, type_names: &TypeNames
     }
 }
 
-/// Takes out the cases whose key stood before, and says so of each id once.
+/// Takes out the cases whose key stood before, and says so of each place once.
 fn drop_duplicates(cases: &mut Vec<Case>, withdrawn: &[WithdrawnCase]) -> Vec<CaseFileError> {
-    type Seen = FxHashMap<(Arc<str>, DialectName), (Arc<str>, u32)>;
-    let mut seen = Seen::with_capacity_and_hasher(cases.len() + withdrawn.len(), Default::default());
-    let mut errors: Vec<CaseFileError> = Vec::new();
-    let mut is_new = |case: &Case| {
-        let key = (Arc::clone(&case.id), case.dialect);
-        let Some((file, line)) = seen.get(&key) else {
-            seen.insert(key, (Arc::clone(&case.file), case.line));
-            return true;
-        };
-        let message = format!("the id `{}` stands already at {file}:{line}", case.id);
+    let duplicates = duplicates(cases, withdrawn);
+    let mut errors: Vec<CaseFileError> = duplicates.iter().map(|(_, error)| error.clone()).collect();
+    errors.dedup();
+    let mut gone = duplicates.iter().map(|&(at, _)| at).peekable();
+    if gone.peek().is_some() {
+        let mut at = 0;
+        cases.retain(|_| {
+            let is_gone = gone.next_if_eq(&at).is_some();
+            at += 1;
+            !is_gone
+        });
+    }
+    errors
+}
+
+/// The cases whose key stood before, by index, in order.
+fn duplicates(cases: &[Case], withdrawn: &[WithdrawnCase]) -> Vec<(usize, CaseFileError)> {
+    let mut seen: FxHashMap<&str, (DialectSet, &Case)> = FxHashMap::default();
+    seen.reserve(cases.len() / 2);
+    let mut found = Vec::new();
+    let all = withdrawn.iter().map(|withdrawn| (&withdrawn.case, None));
+    let all = all.chain(cases.iter().enumerate().map(|(at, case)| (case, Some(at))));
+    for (case, at) in all {
+        let (dialects, first) = seen.entry(&case.id).or_insert((DialectSet::default(), case));
+        if dialects.insert(case.dialect) {
+            continue;
+        }
+        let message = format!(
+            "the id `{}` stands already at {}:{}",
+            case.id, first.file, first.line
+        );
         let error = Mistake::new(case.line, message)
             .key("id")
             .hint("an id names one case: change the file's name, the probe's, or give an `id`")
             .in_file(&case.file);
-        if errors.last() != Some(&error) {
-            errors.push(error);
-        }
-        false
-    };
-    for withdrawn in withdrawn {
-        is_new(&withdrawn.case);
+        found.extend(at.map(|at| (at, error)));
     }
-    cases.retain(is_new);
-    errors
+    found
+}
+
+/// A set of dialects.
+#[derive(Clone, Copy, Debug, Default)]
+struct DialectSet(u32);
+
+impl DialectSet {
+    /// Adds a dialect; false where it was there.
+    fn insert(&mut self, dialect: DialectName) -> bool {
+        let bit = 1 << dialect as u32;
+        let is_new = self.0 & bit == 0;
+        self.0 |= bit;
+        is_new
+    }
 }

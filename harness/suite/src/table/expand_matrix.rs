@@ -9,7 +9,7 @@ use stickler_types::{DialectName, ElementaryType, Value};
 use toml::Spanned;
 
 use crate::arrival::{Arrival, arrives};
-use crate::assemble::Assembler;
+use crate::assemble::{Assembler, Assembly};
 use crate::error::Mistake;
 use crate::frame::{Group, Harvest};
 use crate::ident;
@@ -212,10 +212,6 @@ impl Expander<'_, '_> {
             if late(&probe.basis) {
                 let message = "a basis may use {row}, {column} and {cell} only";
                 self.wrong(Mistake::new(probe.line, message).key("probe.basis"));
-            }
-            if !probe.observe.is_empty() && !takes_values(probe) {
-                let message = "`observe` needs `{value}` or `{typed}` in the source, else nothing says what must arrive";
-                self.wrong(Mistake::new(probe.line, message).key("probe.observe"));
             }
         }
     }
@@ -474,7 +470,7 @@ impl Expander<'_, '_> {
             && let Some(input) = input
             && let Err(message) = self.targets(of, input, &texts, &mut assembler)
         {
-            self.wrong(Mistake::new(cell.line, message).key("probe.observe"));
+            self.wrong(Mistake::new(probe.line, message).key("probe.observe"));
             return Ok(());
         }
         let assembly = match applied.and_then(|()| assembler.finish(probe.frame.scans)) {
@@ -486,6 +482,9 @@ impl Expander<'_, '_> {
                 return Ok(());
             }
         };
+        if assembly.claims_nothing() {
+            self.note_claims_nothing(probe, cell);
+        }
         if let Some(slot) = probe.program.breaks_a_mark(&texts) {
             let message = format!(
                 "`{{{}}}` has `(*` or `*)` in it and stands in a mark",
@@ -494,13 +493,7 @@ impl Expander<'_, '_> {
             self.wrong(Mistake::new(cell.line, message).hint("write `($2A` and `*$29`"));
             return Ok(());
         }
-        let mut id = String::with_capacity(cell.prefix.len() + 16);
-        id.push_str(&cell.prefix);
-        if value_in_id {
-            id.push(',');
-            ident::push_cell(&mut id, texts[VALUE]);
-        }
-        id.push(')');
+        let id = self.id(cell, value_in_id.then_some(texts[VALUE]));
         let source = probe.program.fill(&mut self.scratch, &texts);
         self.budget
             .program(source.len())
@@ -511,7 +504,7 @@ impl Expander<'_, '_> {
             .or(section.title.as_ref())
             .unwrap_or(&self.table.title);
         let group = Group {
-            id: id.into(),
+            id,
             title: title.fill(&mut self.scratch, &texts),
             basis: Arc::clone(&cell.basis),
             line: cell.line,
@@ -524,6 +517,17 @@ impl Expander<'_, '_> {
         Ok(())
     }
 
+    fn id(&mut self, cell: &Cell<'_>, value: Option<&str>) -> Arc<str> {
+        self.scratch.clear();
+        self.scratch.push_str(&cell.prefix);
+        if let Some(value) = value {
+            self.scratch.push(',');
+            ident::push_cell(&mut self.scratch, value);
+        }
+        self.scratch.push(')');
+        Arc::from(self.scratch.as_str())
+    }
+
     /// Adds what must arrive in the observed variables, or what is recorded of them.
     fn targets(
         &mut self,
@@ -533,7 +537,8 @@ impl Expander<'_, '_> {
         assembler: &mut Assembler<'_>,
     ) -> Result<(), String> {
         let cell = of.cell;
-        if cell.word == Word::Open {
+        let open = cell.word == Word::Open;
+        if open {
             assembler.observe_acceptance();
         }
         for target in &of.probe.observe {
@@ -549,7 +554,11 @@ impl Expander<'_, '_> {
                 }
                 None => cell.column.base,
             };
-            let open = cell.word == Word::Open;
+            if !open && !takes_values(of.probe) {
+                return Err(
+                    "nothing says what must arrive: the source has no `{value}` or `{typed}`".to_owned(),
+                );
+            }
             if own.is_none() && !input.arrives.is_empty() && cell.row.name == cell.column.name {
                 for (path, value) in input.arrives.iter() {
                     let name = format!("{name}{path}").into();
@@ -592,6 +601,21 @@ impl Expander<'_, '_> {
         } else {
             assembler.value(name, value.clone(), line);
         }
+    }
+
+    /// Says of a probe and a word once that their cases claim nothing.
+    fn note_claims_nothing(&mut self, probe: &Probe<'_>, cell: &Cell<'_>) {
+        let message = format!(
+            "in `{}` cells the probe `{}` {}",
+            cell.word.as_str(),
+            probe.name,
+            Assembly::NOTHING
+        );
+        self.harvest.doubt(
+            Mistake::new(probe.line, message)
+                .key("probe")
+                .hint(Assembly::SAY_OK),
+        );
     }
 
     fn wrong(&mut self, mistake: Mistake) {

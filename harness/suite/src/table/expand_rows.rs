@@ -5,7 +5,7 @@
 use stickler_types::{DialectName, Value};
 use toml::Spanned;
 
-use crate::assemble::Assembler;
+use crate::assemble::{Assembler, Assembly};
 use crate::error::Mistake;
 use crate::frame::{Group, Harvest};
 use crate::ident;
@@ -278,6 +278,11 @@ impl Expander<'_, '_> {
                     .key("probe.source")
                     .hint(format!("for the row on line {line}"))
             })?;
+        if assembly.claims_nothing() && !matches!(expect, Expect::Accepted) {
+            let message = format!("the probe `{}` {} for this row", probe.name, Assembly::NOTHING);
+            self.harvest
+                .doubt(Mistake::new(line, message).hint(Assembly::SAY_OK));
+        }
         let source = program.fill(&mut self.scratch, texts);
         self.budget
             .program(source.len())

@@ -83,10 +83,8 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
 impl Table<'_> {
     /// Notes a basis that no source has.
     pub(crate) fn check_basis(&self, basis: &Arc<str>, line: u32, harvest: &mut Harvest) {
-        if let Err(message) = crate::basis::check(basis)
-            && harvest.remarks.len() < MOST_MISTAKES
-        {
-            harvest.remarks.push(Mistake::new(line, message).key("basis"));
+        if let Err(message) = crate::basis::check(basis) {
+            harvest.doubt(Mistake::new(line, message).key("basis"));
         }
     }
 }
