@@ -156,9 +156,14 @@ impl Conversion {
 
     /// The raw form of the result for the raw form of the operand, where neither is a text. A rule that needs
     /// a text gives 0; the checker never asks for that.
-    #[inline]
     #[must_use]
     pub fn apply(self, value: u64) -> u64 {
+        self.apply_here(value)
+    }
+
+    /// Small where the rule is known, and large where it is not: so it is inlined, but in few places.
+    #[inline(always)]
+    fn apply_here(self, value: u64) -> u64 {
         match self.rule {
             ConversionRule::Keep => value,
             ConversionRule::Wrap => raw::narrow(value, self.to),
@@ -183,6 +188,40 @@ impl Conversion {
             | ConversionRule::BetweenTexts
             | ConversionRule::FirstCharacter
             | ConversionRule::CharacterToText => 0,
+        }
+    }
+
+    /// Converts many values, none of them a text: calls `sink` with the raw forms of each operand and its result.
+    /// The same as [`Self::apply`] for each, but the rule is chosen once, outside the loop, which is what makes
+    /// sweeps over all values of a type quick.
+    pub fn apply_to_all(self, operands: impl Iterator<Item = u64>, mut sink: impl FnMut(u64, u64)) {
+        /// The rule is a constant in each of these loops.
+        macro_rules! one_loop_for_each {
+            ($($rule:pat => $constant:expr,)*) => {
+                match self.rule {
+                    $($rule => {
+                        let conversion = Conversion { rule: $constant, ..self };
+                        operands.for_each(|operand| sink(operand, conversion.apply_here(operand)));
+                    })*
+                    _ => operands.for_each(|operand| sink(operand, self.apply(operand))),
+                }
+            };
+        }
+        use ConversionRule::{
+            BetweenReals, FromBcd, FromReal, FromUnits, Keep, NonZero, ToBcd, ToReal, ToUnits, Wrap,
+        };
+        one_loop_for_each! {
+            Keep => Keep,
+            Wrap => Wrap,
+            NonZero => NonZero,
+            ToReal => ToReal,
+            BetweenReals => BetweenReals,
+            FromReal(Rounding::TowardZero) => FromReal(Rounding::TowardZero),
+            FromReal(Rounding::HalfToEven) => FromReal(Rounding::HalfToEven),
+            ToUnits => ToUnits,
+            FromUnits => FromUnits,
+            FromBcd => FromBcd,
+            ToBcd => ToBcd,
         }
     }
 

@@ -3,19 +3,17 @@
 //! A step is one instruction; copying, clearing and texts cost steps by their size besides, so that the step
 //! limit bounds both the time and the memory that a run can take.
 
+mod operations;
+
 use super::counting::Counting;
 use super::memory::Memory;
-use super::standard::{self, Text};
+use super::standard::Text;
 use super::stop::{Halt, Inconsistency, RaisedFault, Stop};
 use super::{arithmetic, comparison, duration, power};
-use crate::conversion::Conversion;
 use crate::instruction::{
-    Address, ComparisonOperator, FaultKind, Instruction, Label, LogicOperator, LoopTypes, Program, RoutineId,
-    StandardFunction,
+    Address, FaultKind, Instruction, Label, LogicOperator, LoopTypes, Program, RoutineId,
 };
 use crate::raw::narrow;
-use std::borrow::Cow;
-use stickler_types::ElementaryType;
 
 /// Runs one [`Program`]. Variables keep their values from scan to scan; a machine that has stopped may be
 /// asked for the values so far.
@@ -345,134 +343,6 @@ impl<'p> Machine<'p> {
 
     fn pop_text(&mut self) -> Result<Text<'p>, Halt> {
         self.texts.pop().ok_or(Halt::Missing("text operand"))
-    }
-
-    fn push_constant(&mut self, index: u32) -> Result<(), Halt> {
-        let constant = self.program.text_constants.get(index as usize);
-        self.texts.push(Cow::Borrowed(
-            constant.ok_or(Halt::Missing("text constant of this number"))?,
-        ));
-        Ok(())
-    }
-
-    fn load_text(&mut self) -> Result<(), Halt> {
-        let address = self.pop_address()?;
-        let text = self.memory.text(address)?.to_vec();
-        self.spend_on_text(text.len() as u64)?;
-        self.texts.push(Cow::Owned(text));
-        Ok(())
-    }
-
-    fn store_text(&mut self) -> Result<(), Halt> {
-        let address = self.pop_address()?;
-        let text = self.pop_text()?;
-        self.spend_on_text(text.len() as u64)?;
-        self.memory.store_text(address, &text)
-    }
-
-    fn copy(&mut self, count: u32) -> Result<(), Halt> {
-        let from = self.pop_address()?;
-        let to = self.pop_address()?;
-        self.spend(count.into())?;
-        let texts = self.memory.copy(from, to, count)?;
-        self.spend_on_text(texts)
-    }
-
-    fn replicate(&mut self, stride: u32, count: u32) -> Result<(), Halt> {
-        let first = self.pop_address()?;
-        let mut place = first;
-        for _ in 1..count {
-            self.spend(u64::from(stride) + 1)?;
-            place = place
-                .checked_add(stride)
-                .ok_or(Halt::Missing("cell at this address"))?;
-            let texts = self.memory.copy(first, place, stride)?;
-            self.spend_on_text(texts)?;
-        }
-        Ok(())
-    }
-
-    fn store_bit(&mut self, bit: u8, of: ElementaryType) -> Result<(), Halt> {
-        let value = self.pop()?;
-        let address = self.pop_address()?;
-        let mask = 1 << (bit & 63);
-        let old = self.memory.load(address)?;
-        let new = if value == 0 { old & !mask } else { old | mask };
-        self.memory.store(address, narrow(new, of))
-    }
-
-    fn convert(&mut self, conversion: Conversion) -> Result<(), Halt> {
-        match (conversion.from.is_text(), conversion.to.is_text()) {
-            (false, false) => {
-                let value = self.pop()?;
-                self.operands.push(conversion.apply(value));
-            }
-            (true, false) => {
-                let text = self.pop_text()?;
-                self.operands.push(conversion.apply_from_text(&text));
-            }
-            (false, true) => {
-                let value = self.pop()?;
-                self.texts.push(Cow::Owned(conversion.apply_to_text(value)));
-            }
-            (true, true) => {
-                let text = self.pop_text()?;
-                self.spend_on_text(text.len() as u64)?;
-                self.texts.push(Cow::Owned(conversion.text_to_text(&text)));
-            }
-        }
-        Ok(())
-    }
-
-    fn compare_texts(&mut self, operator: ComparisonOperator) -> Result<(), Halt> {
-        let right = self.pop_text()?;
-        let left = self.pop_text()?;
-        self.operands
-            .push(comparison::holds(operator, Some(left.cmp(&right))).into());
-        Ok(())
-    }
-
-    fn standard(&mut self, function: StandardFunction, of: ElementaryType, count: u16) -> Result<(), Halt> {
-        if of.is_text() {
-            return self.standard_on_texts(function, count);
-        }
-        let operands = standard::operand_count(function, count);
-        let first = self
-            .operands
-            .len()
-            .checked_sub(operands)
-            .ok_or(Halt::Missing("operand"))?;
-        let result = standard::of_plain(function, of, self.operands.get(first..).unwrap_or_default())?;
-        self.operands.truncate(first);
-        self.operands.push(result);
-        Ok(())
-    }
-
-    fn standard_on_texts(&mut self, function: StandardFunction, count: u16) -> Result<(), Halt> {
-        if function == StandardFunction::Len {
-            let length = self.pop_text()?.len() as u64;
-            self.operands.push(narrow(length, ElementaryType::Int));
-            return Ok(());
-        }
-        let selector = match function {
-            StandardFunction::Sel | StandardFunction::Mux => Some(self.pop()?),
-            _ => None,
-        };
-        let texts = standard::text_count(function, count);
-        let first = self
-            .texts
-            .len()
-            .checked_sub(texts)
-            .ok_or(Halt::Missing("text operand"))?;
-        let result = standard::of_texts(
-            function,
-            selector,
-            self.texts.get_mut(first..).unwrap_or_default(),
-        )?;
-        self.spend_on_text(result.len() as u64)?;
-        self.texts.truncate(first);
-        self.texts.push(result);
-        Ok(())
     }
 }
 
