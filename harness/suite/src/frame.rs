@@ -5,7 +5,7 @@ use std::sync::Arc;
 use stickler_types::DialectName;
 use toml::Spanned;
 
-use crate::assemble::{Assembly, TypeNames};
+use crate::assembly::{Assembly, TypeNames};
 use crate::dialects::Dialects;
 use crate::error::Mistake;
 use crate::model::{Case, MatrixCell, WithdrawnCase};
@@ -65,6 +65,11 @@ pub(crate) struct Harvest {
 }
 
 impl Harvest {
+    /// How many cases there are, withdrawn ones among them.
+    pub(crate) fn len(&self) -> usize {
+        self.cases.len() + self.withdrawn.len()
+    }
+
     /// Notes what lint has to say; what it just said is not said again.
     pub(crate) fn doubt(&mut self, remark: Mistake) {
         const MOST: usize = 200;

@@ -9,6 +9,7 @@
 
 mod arrival;
 mod assemble;
+mod assembly;
 pub mod basis;
 pub mod boundaries;
 mod condition;
@@ -20,7 +21,9 @@ mod header;
 mod ident;
 mod lint;
 mod mark;
+mod mark_reader;
 mod model;
+mod observed;
 mod place;
 mod program;
 mod scan;

@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use stickler_types::DialectName;
 
-use crate::assemble::{Assembler, AssemblyMistake};
+use crate::assemble::Assembler;
+use crate::assembly::AssemblyMistake;
 use crate::error::Mistake;
-use crate::mark::{Claim, Mark, MarkReader};
+use crate::mark::{Claim, Mark};
+use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::scan::{RawMark, scan};
 use crate::template::Template;

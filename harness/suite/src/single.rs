@@ -7,13 +7,15 @@ use std::sync::Arc;
 use stickler_types::Value;
 use toml::Spanned;
 
-use crate::assemble::{Assembler, Assembly};
+use crate::assemble::Assembler;
+use crate::assembly::Assembly;
 use crate::condition::Testable;
 use crate::error::Mistake;
 use crate::frame::{self, FileContext, Frame, Group, Harvest, Withdrawal};
 use crate::header::{self, Header};
 use crate::ident;
-use crate::mark::{MarkReader, Word};
+use crate::mark::Word;
+use crate::mark_reader::MarkReader;
 use crate::model::{ClockSetting, VariableSetting};
 use crate::place::TextPlace;
 use crate::program::{Program, Remarks};

@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use serde::Deserialize;
 use stickler_types::DialectName;
 
-use crate::assemble::TypeNames;
+use crate::assembly::TypeNames;
 use crate::error::Mistake;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;

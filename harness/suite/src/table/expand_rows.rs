@@ -5,7 +5,8 @@
 use stickler_types::{DialectName, Value};
 use toml::Spanned;
 
-use crate::assemble::{Assembler, Assembly};
+use crate::assemble::Assembler;
+use crate::assembly::Assembly;
 use crate::error::Mistake;
 use crate::frame::{Group, Harvest};
 use crate::ident;
@@ -128,7 +129,7 @@ impl Expander<'_, '_> {
 
     fn probes(&mut self, probes: &mut [Probe<'_>], dialects: &[DialectName]) -> Result<(), Mistake> {
         for probe in probes {
-            let before = self.harvest.cases.len() + self.harvest.withdrawn.len();
+            let before = self.harvest.len();
             let own = probe.narrowed(dialects);
             for row in self.table.file.rows.iter().flatten() {
                 let line = self.table.context.lines.line(row.span().start);
@@ -141,7 +142,7 @@ impl Expander<'_, '_> {
                 }
             }
             if self.harvest.mistakes.is_empty() {
-                let cases = self.harvest.cases.len() + self.harvest.withdrawn.len() - before;
+                let cases = self.harvest.len() - before;
                 probe.remarks(cases, &mut self.harvest.remarks);
             }
         }

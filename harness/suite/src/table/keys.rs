@@ -48,7 +48,7 @@ pub(crate) struct MatrixTable {
     pub(crate) name: Option<Spanned<String>>,
     pub(crate) dialects: Option<Vec<Spanned<String>>>,
     pub(crate) basis: Option<Spanned<String>>,
-    pub(crate) title: Option<String>,
+    pub(crate) title: Option<Spanned<String>>,
     pub(crate) table: Spanned<String>,
 }
 

@@ -9,6 +9,8 @@ use crate::place::TextPlace;
 /// A matrix, read.
 #[derive(Debug)]
 pub(crate) struct Matrix {
+    /// The 1-based line of the case file on which the columns stand.
+    pub(crate) line: u32,
     pub(crate) columns: Vec<Arc<str>>,
     pub(crate) rows: Vec<MatrixRow>,
 }
@@ -56,7 +58,11 @@ impl Matrix {
             mistakes.push(Mistake::new(line, format!("there are two rows `{twice}`")).key("matrix"));
         }
         if mistakes.is_empty() {
-            Ok(Matrix { columns, rows })
+            Ok(Matrix {
+                line: first,
+                columns,
+                rows,
+            })
         } else {
             Err(mistakes)
         }

@@ -1,12 +1,15 @@
 //! `*.toml`: tables that expand into a case for every cell or row × probe × value × dialect.
 
 mod budget;
+mod cell;
 mod expand_matrix;
 mod expand_rows;
+mod inputs;
 mod keys;
 mod matrix;
 mod probe;
 mod read;
+mod section;
 mod types;
 
 pub(crate) use read::read;

@@ -10,7 +10,7 @@ use crate::error::Mistake;
 use crate::frame::{self, FileContext, Frame, Withdrawal};
 use crate::header;
 use crate::ident;
-use crate::mark::MarkReader;
+use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::program::{Program, Remarks};
 use crate::table::keys::{ProbeKey, TableFile};

@@ -8,7 +8,7 @@ use crate::error::Mistake;
 use crate::frame::{FileContext, Harvest};
 use crate::program::Remarks;
 use crate::table::keys::TableFile;
-use crate::table::{expand_matrix, expand_rows};
+use crate::table::{cell, expand_matrix, expand_rows};
 use crate::template::{Template, TemplateMistake};
 use crate::toml_text;
 
@@ -41,7 +41,7 @@ pub(crate) fn read(context: &FileContext<'_>) -> Harvest {
 
 fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest) {
     let names: Vec<Box<str>> = match (&file.matrix, &file.columns, &file.rows) {
-        (Some(_), None, None) => expand_matrix::PLACEHOLDERS.map(Into::into).into(),
+        (Some(_), None, None) => cell::PLACEHOLDERS.map(Into::into).into(),
         (None, Some(columns), Some(_)) => columns
             .iter()
             .map(|column| column.get_ref().as_str().into())

@@ -1,0 +1,138 @@
+//! What the marks that apply to one expansion say in all, and whether it makes sense.
+
+use std::sync::Arc;
+
+use stickler_types::{ElementaryType, Value};
+
+use crate::model::{Acceptance, ClockSetting, Expectation, Observe, VariableSetting};
+
+/// All that marks say about a case.
+#[derive(Clone, Debug)]
+pub(crate) struct Assembly {
+    pub(crate) expectation: Arc<Expectation>,
+    pub(crate) observe: Arc<[Observe]>,
+    pub(crate) set: Arc<[VariableSetting]>,
+    pub(crate) clock: Arc<[ClockSetting]>,
+}
+
+/// What is wrong with the marks of a case, at which 1-based line of its template.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct AssemblyMistake {
+    pub(crate) line: u32,
+    pub(crate) message: String,
+}
+
+impl Assembly {
+    /// What lint says of a case that claims nothing, and what to do about it.
+    pub(crate) const NOTHING: &str = "claims nothing but that the program is accepted";
+    pub(crate) const SAY_OK: &str = "if that is the claim, say `(*! ok *)` on the line that matters";
+
+    /// Whether no mark says what the program is there for. What is only recorded is meant to be so.
+    pub(crate) fn claims_nothing(&self) -> bool {
+        let expectation = &self.expectation;
+        expectation.accepted == Acceptance::Required
+            && expectation.values.is_empty()
+            && expectation.clean_lines.is_empty()
+            && expectation.fault.is_none()
+            && expectation.rendered.is_none()
+            && self.observe.is_empty()
+    }
+}
+
+/// Two claims that cannot both be met. The lists of the expectation are in the order of the lines.
+pub(crate) fn contradiction(expectation: &Expectation) -> Option<&'static str> {
+    let Expectation {
+        diagnostics,
+        clean_lines,
+        values,
+        fault,
+        rendered,
+        accepted,
+    } = expectation;
+    let observed = *accepted == Acceptance::Observed;
+    let has_clean_line = |line| clean_lines.binary_search(&line).is_ok();
+    if diagnostics.is_empty() {
+        return match observed {
+            false => None,
+            true if !values.is_empty() => {
+                Some("`observe acceptance` asserts nothing, but values are asserted")
+            }
+            true if fault.is_some() => Some("`observe acceptance` asserts nothing, but a fault is asserted"),
+            true if rendered.is_some() => {
+                Some("`observe acceptance` asserts nothing, but a rendered text is asserted")
+            }
+            true if !clean_lines.is_empty() => Some("`observe acceptance` asserts nothing, but `ok` does"),
+            true => None,
+        };
+    }
+    if observed {
+        Some("an `error` mark and `observe acceptance` apply at once")
+    } else if !values.is_empty() {
+        Some("an `error` mark applies, so the program does not run, but values are asserted")
+    } else if fault.is_some() {
+        Some("an `error` mark applies, so the program does not run, but a fault is asserted")
+    } else if rendered.is_some() {
+        Some("an `error` mark applies, but what the renderer gives back is asserted")
+    } else if diagnostics.iter().any(|error| has_clean_line(error.line)) {
+        Some("`ok` and `error` apply to the same line")
+    } else {
+        None
+    }
+}
+
+/// The names of the elementary types, each once for all cases that name it.
+#[derive(Debug)]
+pub(crate) struct TypeNames(Vec<Arc<str>>);
+
+impl Default for TypeNames {
+    fn default() -> Self {
+        TypeNames(
+            ElementaryType::ALL
+                .iter()
+                .map(|ty| Arc::from(ty.name()))
+                .collect(),
+        )
+    }
+}
+
+impl TypeNames {
+    /// The name of a value's type.
+    pub(crate) fn of(&self, value: &Value) -> Arc<str> {
+        match value {
+            Value::Plain { ty, .. } | Value::Text { ty, .. } => self.elementary(*ty),
+            Value::Enumerated { type_name, .. } => type_name.as_str().into(),
+        }
+    }
+
+    /// The name of an elementary type.
+    pub(crate) fn elementary(&self, ty: ElementaryType) -> Arc<str> {
+        match self.0.get(ty as usize) {
+            // The variants stand in the order of `ALL`; a test holds that.
+            Some(name) => Arc::clone(name),
+            None => ty.name().into(),
+        }
+    }
+}
+
+/// A list that cases share; most are empty, and all empty ones are the same.
+pub(crate) fn shared<T>(list: Vec<T>) -> Arc<[T]> {
+    if list.is_empty() {
+        Arc::default()
+    } else {
+        list.into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_type_has_its_own_name() {
+        let names = TypeNames::default();
+        for ty in ElementaryType::ALL {
+            assert_eq!(&*names.elementary(ty), ty.name());
+        }
+        assert_eq!(&*names.of(&Value::enumerated("COLOR", "RED")), "COLOR");
+    }
+}

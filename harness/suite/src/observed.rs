@@ -1,0 +1,136 @@
+//! The variables that an engine has to give back: each once, with one type.
+
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+
+use crate::assembly::TypeNames;
+use crate::model::{ExpectedValue, Observe};
+
+/// The variables of the asserted values, and those that are only recorded.
+///
+/// # Errors
+/// A message, where a value is asserted twice, or a variable has two types.
+pub(crate) fn all(
+    values: &[ExpectedValue],
+    recorded: Vec<Observe>,
+    names: &TypeNames,
+) -> Result<Vec<Observe>, String> {
+    let mut directory = Directory::with_capacity(values.len() + recorded.len());
+    for value in values {
+        let (name, ty) = (Arc::clone(&value.name), names.of(&value.value));
+        if directory
+            .find_or_add(Observe {
+                name,
+                ty,
+                after: value.after,
+            })
+            .is_some()
+        {
+            return Err(format!("the value of `{}` is asserted twice", value.name));
+        }
+    }
+    for observe in recorded {
+        let (name, ty) = (Arc::clone(&observe.name), Arc::clone(&observe.ty));
+        if let Some(known) = directory.find_or_add(observe)
+            && !known.eq_ignore_ascii_case(&ty)
+        {
+            return Err(format!("`{name}` is observed as {ty} and as {known}"));
+        }
+    }
+    Ok(directory.list)
+}
+
+/// Variables in order, each once.
+struct Directory {
+    list: Vec<Observe>,
+    /// Filled only where there are many: most cases observe one variable.
+    index: FxHashMap<(Arc<str>, Option<u32>), usize>,
+}
+
+impl Directory {
+    fn with_capacity(capacity: usize) -> Directory {
+        Directory {
+            list: Vec::with_capacity(capacity),
+            index: FxHashMap::default(),
+        }
+    }
+
+    /// The type of the variable if it is there already; else it is added.
+    fn find_or_add(&mut self, observe: Observe) -> Option<Arc<str>> {
+        const FEW: usize = 8;
+        let found = match self.list.len() {
+            0..FEW => self
+                .list
+                .iter()
+                .position(|known| known.name == observe.name && known.after == observe.after),
+            _ => self.look_up(&observe),
+        };
+        match found {
+            Some(at) => Some(Arc::clone(&self.list[at].ty)),
+            None => {
+                self.list.push(observe);
+                None
+            }
+        }
+    }
+
+    fn look_up(&mut self, observe: &Observe) -> Option<usize> {
+        for (at, known) in self.list.iter().enumerate().skip(self.index.len()) {
+            self.index.insert((Arc::clone(&known.name), known.after), at);
+        }
+        self.index
+            .get(&(Arc::clone(&observe.name), observe.after))
+            .copied()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn observe(name: &str, ty: &str, after: Option<u32>) -> Observe {
+        Observe {
+            name: name.into(),
+            ty: ty.into(),
+            after,
+        }
+    }
+
+    #[test]
+    fn a_variable_is_observed_once_for_each_scan() {
+        let names = TypeNames::default();
+        let recorded = vec![
+            observe("a", "INT", None),
+            observe("a", "int", None),
+            observe("a", "INT", Some(2)),
+            observe("b", "INT", None),
+        ];
+        let all = all(&[], recorded, &names).unwrap();
+        assert_eq!(
+            all,
+            [
+                observe("a", "INT", None),
+                observe("a", "INT", Some(2)),
+                observe("b", "INT", None)
+            ]
+        );
+    }
+
+    #[test]
+    fn a_variable_has_one_type() {
+        let recorded = vec![observe("a", "INT", None), observe("a", "DINT", None)];
+        let message = all(&[], recorded, &TypeNames::default()).unwrap_err();
+        assert_eq!(message, "`a` is observed as DINT and as INT");
+    }
+
+    #[test]
+    fn many_variables_are_found_like_few() {
+        let names = TypeNames::default();
+        let mut recorded: Vec<Observe> = (0..100)
+            .map(|at| observe(&format!("v{at}"), "INT", None))
+            .collect();
+        recorded.extend(recorded.clone());
+        assert_eq!(all(&[], recorded, &names).unwrap().len(), 100);
+    }
+}

@@ -1,0 +1,221 @@
+//! One cell of a matrix in one probe: which values it takes, and what must arrive.
+//!
+//! Basis: stickler-design §3.2.
+
+use std::sync::Arc;
+
+use stickler_types::{DialectName, ElementaryType, Value};
+
+use crate::arrival::{Arrival, arrives};
+use crate::assemble::Assembler;
+use crate::assembly::TypeNames;
+use crate::model::{MatrixCell, Word};
+use crate::table::probe::{Probe, Target};
+use crate::table::types::{Input, TypeInfo};
+
+/// The placeholders of a matrix, by index.
+pub(crate) const PLACEHOLDERS: [&str; 8] = [
+    "row", "column", "cell", "types", "value", "typed", "expected", "other",
+];
+pub(crate) const CELL: usize = 2;
+pub(crate) const TYPES: usize = 3;
+pub(crate) const VALUE: usize = 4;
+pub(crate) const TYPED: usize = 5;
+pub(crate) const EXPECTED: usize = 6;
+pub(crate) const OTHER: usize = 7;
+
+/// Conditions may test the row, the column and the cell: what stands before this index.
+pub(crate) const TESTABLE: usize = 3;
+
+/// What the placeholders of a matrix stand for.
+pub(crate) type Texts<'t> = [&'t str; PLACEHOLDERS.len()];
+
+/// One cell in one probe.
+pub(crate) struct Cell<'a> {
+    pub(crate) row: &'a TypeInfo,
+    pub(crate) column: &'a TypeInfo,
+    pub(crate) word: Word,
+    /// The line of the case file.
+    pub(crate) line: u32,
+    /// The id up to the value.
+    pub(crate) prefix: String,
+    pub(crate) place: Arc<MatrixCell>,
+    pub(crate) basis: Arc<str>,
+}
+
+/// What the cases of one cell in one group of dialects have in common.
+pub(crate) struct CaseOf<'a, 't> {
+    pub(crate) probe: &'a Probe<'a>,
+    pub(crate) cell: &'a Cell<'t>,
+    /// The marks that apply, by index.
+    pub(crate) active: &'a [usize],
+    pub(crate) dialects: &'a [DialectName],
+    /// Whether one of the marks says that the program is rejected.
+    pub(crate) rejected: bool,
+}
+
+impl Probe<'_> {
+    /// Whether the program depends on the value.
+    pub(crate) fn takes_values(&self) -> bool {
+        [VALUE, TYPED].iter().any(|&slot| self.program.used[slot])
+    }
+}
+
+/// The one value of a cell that takes one: the ordinary one, unless the probe lists its own.
+pub(crate) fn one_of<'a>(inputs: &'a [Input], row: &'a TypeInfo) -> Option<&'a Input> {
+    let listed = |ordinary: &&Input| inputs.iter().any(|input| input.literal == ordinary.literal);
+    row.ordinary.as_ref().filter(listed).or(inputs.first())
+}
+
+/// The declarations that a row and a column need, on one line if they are.
+pub(crate) fn declarations(row: &TypeInfo, column: &TypeInfo) -> String {
+    let (first, second) = (&*row.declaration, &*column.declaration);
+    match (first.is_empty(), second.is_empty() || row.name == column.name) {
+        (_, true) => first.to_owned(),
+        (true, false) => second.to_owned(),
+        (false, false) => format!("{first} {second}"),
+    }
+}
+
+impl Cell<'_> {
+    /// What arrives in a variable of the column's type; nothing where nothing says so.
+    pub(crate) fn what_arrives(&self, input: &Input) -> Option<Arrival> {
+        let value = input.value.as_ref()?;
+        match self.column.base {
+            Some(ty) => arrives(value, ty),
+            None => (self.row.name == self.column.name).then(|| Arrival::Exactly(value.clone())),
+        }
+    }
+}
+
+impl CaseOf<'_, '_> {
+    /// Gives an assembler what must arrive in the observed variables, or what is recorded of them.
+    ///
+    /// # Errors
+    /// A message, where a value must arrive, but nothing says which.
+    pub(crate) fn targets(
+        &self,
+        input: Option<&Input>,
+        texts: &[&str],
+        names: &TypeNames,
+        assembler: &mut Assembler<'_>,
+    ) -> Result<(), String> {
+        if self.rejected || self.probe.program.faults(self.active) {
+            return Ok(());
+        }
+        let open = self.cell.word == Word::Open;
+        if open {
+            assembler.observe_acceptance();
+        }
+        for target in &self.probe.observe {
+            match open {
+                true => self.record(target, input, texts, names, assembler),
+                false => self.assert(target, input, texts, names, assembler)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// A value must arrive in `target`.
+    fn assert(
+        &self,
+        target: &Target,
+        input: Option<&Input>,
+        texts: &[&str],
+        names: &TypeNames,
+        assembler: &mut Assembler<'_>,
+    ) -> Result<(), String> {
+        let cell = self.cell;
+        let Some(input) = input.filter(|_| self.probe.takes_values()) else {
+            return Err("nothing says what must arrive: the source has no `{value}` or `{typed}`".to_owned());
+        };
+        let (name, own) = self.name_and_type(target, texts);
+        if let Some(below) = self.below(input, own.as_deref()) {
+            for (path, value) in below {
+                assembler.value(format!("{name}{path}").into(), value.clone(), cell.line);
+            }
+            return Ok(());
+        }
+        let arrival = match &own {
+            Some(own) => elementary(own).and_then(|ty| arrives(input.value.as_ref()?, ty)),
+            None => cell.what_arrives(input),
+        };
+        let column = own.as_deref().unwrap_or(&cell.column.name);
+        match arrival {
+            Some(Arrival::Exactly(value)) => assembler.value(name, value, cell.line),
+            Some(Arrival::Open) => self.observe(name, own, names, assembler),
+            None => {
+                let row = &cell.row.name;
+                return Err(format!(
+                    "nothing says what arrives in a {column} from a {row}; say it with a mark, and leave out `observe`"
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// What `target` holds is recorded.
+    fn record(
+        &self,
+        target: &Target,
+        input: Option<&Input>,
+        texts: &[&str],
+        names: &TypeNames,
+        assembler: &mut Assembler<'_>,
+    ) {
+        let (name, own) = self.name_and_type(target, texts);
+        match input.and_then(|input| self.below(input, own.as_deref())) {
+            Some(below) => {
+                for (path, value) in below {
+                    assembler.observe(format!("{name}{path}").into(), names.of(value));
+                }
+            }
+            None => self.observe(name, own, names, assembler),
+        }
+    }
+
+    /// Records a variable, if its type has values that can be given back.
+    fn observe(
+        &self,
+        name: Arc<str>,
+        own: Option<Arc<str>>,
+        names: &TypeNames,
+        assembler: &mut Assembler<'_>,
+    ) {
+        let column = self.cell.column;
+        let enumeration = || {
+            column
+                .ordinary
+                .as_ref()
+                .is_some_and(|input| input.value.is_some())
+        };
+        let ty = match own {
+            Some(own) => Some(elementary(&own).map_or(own, |ty| names.elementary(ty))),
+            None => match column.base {
+                Some(ty) => Some(names.elementary(ty)),
+                None => enumeration().then(|| Arc::clone(&column.name)),
+            },
+        };
+        if let Some(ty) = ty {
+            assembler.observe(name, ty);
+        }
+    }
+
+    /// What is found below a variable of a type that has no value of its own.
+    fn below<'i>(&self, input: &'i Input, own: Option<&str>) -> Option<&'i [(Box<str>, Value)]> {
+        let applies =
+            own.is_none() && !input.arrives.is_empty() && self.cell.row.name == self.cell.column.name;
+        applies.then_some(&input.arrives)
+    }
+
+    fn name_and_type(&self, target: &Target, texts: &[&str]) -> (Arc<str>, Option<Arc<str>>) {
+        let mut scratch = String::new();
+        let name = target.name.fill(&mut scratch, texts);
+        (name, target.ty.as_ref().map(|ty| ty.fill(&mut scratch, texts)))
+    }
+}
+
+/// The elementary type of this name; a text may have a length.
+fn elementary(name: &str) -> Option<ElementaryType> {
+    ElementaryType::from_name(name.split_once('[').map_or(name, |(bare, _)| bare))
+}

@@ -1,0 +1,64 @@
+//! The values that a row of a matrix takes in a probe: the key `values`.
+
+use toml::Spanned;
+
+use crate::error::Mistake;
+use crate::frame::FileContext;
+use crate::table::probe::Probe;
+use crate::table::types::{Input, TypeInfo};
+use crate::toml_text::{Scalar, TextOr};
+
+/// The values of a row whose line in the file is `line`.
+pub(crate) fn of_row(
+    probe: &Probe<'_>,
+    row: &TypeInfo,
+    line: u32,
+    context: &FileContext<'_>,
+    mistakes: &mut Vec<Mistake>,
+) -> Vec<Input> {
+    let ordinary = || row.ordinary.iter().cloned().collect();
+    let inputs = match &probe.key.values {
+        None if probe.takes_values() => row.boundaries.clone(),
+        None => ordinary(),
+        Some(values) => match values.get_ref() {
+            TextOr::Text(word) if word == "boundaries" => row.boundaries.clone(),
+            TextOr::Text(word) if word == "one" => ordinary(),
+            TextOr::Text(word) => {
+                let message =
+                    format!("`{word}` is no set of values; there are boundaries and one, and lists");
+                let line = context.lines.line(values.span().start);
+                mistakes.push(Mistake::new(line, message).key("probe.values"));
+                return Vec::new();
+            }
+            TextOr::List(list) => listed(list, row, context, mistakes),
+        },
+    };
+    if inputs.is_empty() && probe.takes_values() {
+        let message = format!("{} has no values for the probe `{}`", row.name, probe.name);
+        mistakes.push(Mistake::new(line, message).hint(format!("give [types.{}] `values`", row.name)));
+    }
+    inputs
+}
+
+fn listed(
+    list: &[Spanned<Scalar>],
+    row: &TypeInfo,
+    context: &FileContext<'_>,
+    mistakes: &mut Vec<Mistake>,
+) -> Vec<Input> {
+    let mut inputs = Vec::new();
+    for item in list {
+        let literal = item
+            .get_ref()
+            .spelling(context.text.get(item.span()).unwrap_or_default());
+        match row.input(&literal) {
+            Some(input) => inputs.push(input),
+            None => {
+                let message = format!("`{literal}` is no literal of {}", row.name);
+                let line = context.lines.line(item.span().start);
+                mistakes.push(Mistake::new(line, message).key("probe.values"));
+            }
+        }
+    }
+    inputs
+}
