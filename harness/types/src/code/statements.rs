@@ -198,7 +198,8 @@ macro_rules! statement_codes {
         P4056 EnumBaseTypeNotAllowed {
             summary: "a type behind the enumeration is not enabled",
             explanation: "Some compilers let the declaration say in which type the values are held: `(Red, Green) BYTE`. The standard has \
-                no such form.",
+                no such form, and its third edition writes the type in front. Stickler's reference calls the form a syntax error, \
+                P0002.",
             example: elsewhere "
                 TYPE
                     Color : (Red, Green) BYTE;
