@@ -1,1 +1,48 @@
 //! Name and type checking; lowers the syntax tree to a program for the stack machine.
+//!
+//! `declare` collects what a text declares into a `model`: types, program organization units, variables, and
+//! where they lie. `lowering` then reads that model only, infers the type of each expression, decides in
+//! `contexts` whether it may stand where it does, and emits code.
+//!
+//! Architecture Invariant: nothing here knows how values are computed; it asks `conversion` which types convert,
+//! and gives the machine instructions.
+
+mod arguments;
+mod calls;
+mod chains;
+mod check;
+mod constants;
+mod contexts;
+mod cycles;
+mod declare;
+mod emitter;
+mod enumeration;
+mod expressions;
+mod infer;
+mod inferred;
+mod initializers;
+mod invocations;
+mod layout;
+mod literals;
+mod locations;
+mod loops;
+mod lowering;
+mod model;
+mod observation;
+mod operators;
+mod order;
+mod places;
+mod recursion;
+mod reporter;
+mod routines;
+mod scope;
+mod selection;
+mod specification;
+mod standard;
+mod statements;
+mod suggestion;
+mod types;
+mod variables;
+
+pub use check::{CheckedProgram, check};
+pub use observation::{Observed, ObservedType};

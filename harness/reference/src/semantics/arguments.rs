@@ -1,0 +1,175 @@
+//! Which argument of a call is for which parameter, of functions and function blocks that the text declares.
+//!
+//! Basis: ironplc-problem-codes: P4001 to P4004, P4018, P4023, P4024. Arguments by position are as many as there
+//! are parameters; by name, inputs may be left out, VAR_IN_OUT may not.
+
+use super::lowering::Lowering;
+use super::model::PouEntry;
+use super::scope::Folded;
+use super::standard::mixed;
+use crate::source::Span;
+use crate::syntax::tree::{Argument, ExpressionId, Name, VariableKind};
+use rustc_hash::FxHashSet;
+use stickler_types::Code;
+
+/// The arguments of a call with the parameters that they are for.
+#[derive(Debug, Default)]
+pub(super) struct Bound {
+    /// VAR_INPUT and VAR_IN_OUT, as indices of variables, and what is given for them.
+    pub(super) inputs: Vec<(u32, ExpressionId)>,
+    /// VAR_OUTPUT that are copied after the call.
+    pub(super) captures: Vec<Capture>,
+    /// Some VAR_INPUT is left out.
+    pub(super) omitted: bool,
+}
+
+/// `name => target` or `NOT name => target`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Capture {
+    /// The output, as the index of a variable.
+    pub(super) output: u32,
+    pub(super) negated: bool,
+    pub(super) target: ExpressionId,
+}
+
+impl<'m> Lowering<'m> {
+    /// Binds arguments to parameters; `None` where they do not go together at all. What is wrong with single
+    /// arguments is said, and the others are bound all the same.
+    pub(super) fn bind(&mut self, pou: u32, arguments: &'m [Argument<'m>], call: Span) -> Option<Bound> {
+        let entry = &self.model.pous[pou as usize];
+        let positional: Vec<_> = arguments
+            .iter()
+            .filter_map(|argument| match argument {
+                Argument::Positional(value) => Some(*value),
+                _ => None,
+            })
+            .collect();
+        let by_name = arguments
+            .iter()
+            .any(|argument| matches!(argument, Argument::Named { .. }));
+        if by_name && !positional.is_empty() {
+            self.refuse(mixed(call), arguments);
+            return None;
+        }
+        let by_position = !positional.is_empty() || (entry.is_function() && arguments.is_empty());
+        if by_position && positional.len() != entry.parameters.len() {
+            let code = if entry.is_function() {
+                Code::FunctionCallWrongArgCount
+            } else {
+                Code::FunctionInvocationRequiresFormal
+            };
+            let (name, needed) = (entry.pou.name.text, entry.parameters.len());
+            let message = format!(
+                "`{name}` takes {needed} arguments by position, not {}",
+                positional.len()
+            );
+            self.refuse((code, call, message), arguments);
+            return None;
+        }
+        let mut bound = Bound::default();
+        bound
+            .inputs
+            .extend(entry.parameters.iter().copied().zip(positional));
+        self.bind_names(entry, arguments, &mut bound);
+        if !by_position {
+            self.find_omitted(entry, call, &mut bound);
+        }
+        Some(bound)
+    }
+
+    fn bind_names(&mut self, entry: &'m PouEntry<'m>, arguments: &'m [Argument<'m>], bound: &mut Bound) {
+        let mut given = FxHashSet::default();
+        for argument in arguments {
+            match argument {
+                Argument::Positional(_) => {}
+                Argument::Named { name, value } => match self.parameter(entry, *name, &mut given) {
+                    Some(parameter) => bound.inputs.push((parameter, *value)),
+                    None => {
+                        self.value(*value, None);
+                    }
+                },
+                Argument::Output {
+                    name,
+                    negated,
+                    target,
+                } => match self.output(entry, *name, &mut given) {
+                    Some(output) => bound.captures.push(Capture {
+                        output,
+                        negated: *negated,
+                        target: *target,
+                    }),
+                    None => {
+                        self.place(*target);
+                    }
+                },
+            }
+        }
+    }
+
+    fn parameter(&mut self, entry: &PouEntry<'_>, name: Name<'_>, given: &mut FxHashSet<u32>) -> Option<u32> {
+        let found = entry.scope.get(&Folded(name.text)).copied().filter(|&index| {
+            matches!(
+                self.model.variable(index).kind,
+                VariableKind::Input | VariableKind::InOut
+            )
+        });
+        let Some(parameter) = found else {
+            let message = format!("`{}` has no input `{}`", entry.pou.name.text, name.text);
+            self.report(Code::FunctionCallNamedArgUndeclared, name.span, message);
+            return None;
+        };
+        self.once(parameter, name, given)
+    }
+
+    fn output(&mut self, entry: &PouEntry<'_>, name: Name<'_>, given: &mut FxHashSet<u32>) -> Option<u32> {
+        let found = entry.scope.get(&Folded(name.text)).copied().filter(|&index| {
+            self.model.variable(index).kind == VariableKind::Output && entry.result != Some(index)
+        });
+        let Some(output) = found else {
+            let code = if entry.is_function() {
+                Code::FunctionCallNamedArgUndeclared
+            } else {
+                Code::FunctionInvocationUndefinedOutput
+            };
+            let message = format!("`{}` has no output `{}`", entry.pou.name.text, name.text);
+            self.report(code, name.span, message);
+            return None;
+        };
+        self.once(output, name, given)
+    }
+
+    fn once(&mut self, index: u32, name: Name<'_>, given: &mut FxHashSet<u32>) -> Option<u32> {
+        if given.insert(index) {
+            return Some(index);
+        }
+        let message = format!("`{}` is given twice", name.text);
+        self.report(Code::FunctionCallDuplicateNamedArg, name.span, message);
+        None
+    }
+
+    /// Notes whether inputs are left out, and says so of VAR_IN_OUT.
+    fn find_omitted(&mut self, entry: &PouEntry<'_>, call: Span, bound: &mut Bound) {
+        if bound.inputs.len() == entry.parameters.len() {
+            return;
+        }
+        let given: FxHashSet<_> = bound.inputs.iter().map(|&(parameter, _)| parameter).collect();
+        for &parameter in entry
+            .parameters
+            .iter()
+            .filter(|parameter| !given.contains(parameter))
+        {
+            let variable = self.model.variable(parameter);
+            if variable.kind != VariableKind::InOut {
+                bound.omitted = true;
+                continue;
+            }
+            let code = if entry.is_function() {
+                Code::FunctionCallWrongArgCount
+            } else {
+                Code::FunctionInvocationMissingInput
+            };
+            let message = format!("VAR_IN_OUT `{}` needs an argument", variable.name.text);
+            self.report(code, call, message);
+        }
+    }
+}

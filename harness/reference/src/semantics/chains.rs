@@ -1,0 +1,159 @@
+//! Lowers infix operators. A chain may be a million operators long, so its left spine is walked without
+//! recursion: down, to learn what each operator takes, and up, to emit the code.
+
+use super::constants::combine;
+use super::inferred::Inferred;
+use super::lowering::{Lowering, Value};
+use super::operators::{Action, Operation, Signature, settle};
+use super::types::TypeId;
+use crate::instruction::Instruction;
+use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
+use stickler_types::{Code, ElementaryType};
+
+/// An operator on the spine.
+struct Link {
+    node: ExpressionId,
+    operator: BinaryOperator,
+    right: ExpressionId,
+    operation: Option<Operation>,
+}
+
+impl Lowering<'_> {
+    /// Puts the value of an infix operator on the stack.
+    pub(super) fn chain(&mut self, id: ExpressionId, wanted: Option<TypeId>) -> Value {
+        self.infer(id);
+        let mut links = Vec::new();
+        let (mut at, mut wanted) = (id, wanted);
+        while let ExpressionKind::Binary {
+            operator,
+            left,
+            right,
+        } = self.expression(at).kind
+        {
+            let operation = self.operation(at, operator, (left, right), wanted);
+            wanted = operation.map(|operation| operation.left);
+            links.push(Link {
+                node: at,
+                operator,
+                right,
+                operation,
+            });
+            at = left;
+        }
+        let start = self.emitter.position();
+        let mut value = self.value(at, wanted);
+        for link in links.into_iter().rev() {
+            value = self.link(&link, value, start);
+        }
+        value
+    }
+
+    /// What an operator does; `None`, and a diagnostic, where it is not defined.
+    fn operation(
+        &mut self,
+        node: ExpressionId,
+        operator: BinaryOperator,
+        (left, right): (ExpressionId, ExpressionId),
+        wanted: Option<TypeId>,
+    ) -> Option<Operation> {
+        let (left, right) = (self.infer(left), self.infer(right));
+        let rules = self.rules();
+        let operation = match rules.signature(operator, left, right) {
+            Signature::Defined(operation) => Some(operation),
+            Signature::Untyped(inferred) => {
+                settle(inferred, wanted).and_then(|ty| rules.at(operator, right, ty))
+            }
+            Signature::Undefined => None,
+            Signature::Silent => return None,
+        };
+        if operation.is_none() {
+            let (left, right) = (self.describe(left), self.describe(right));
+            let message = format!("`{}` is not defined for {left} and {right}", operator.symbol());
+            self.report(Code::OperatorOperandTypeMismatch, self.span(node), message);
+        }
+        operation
+    }
+
+    /// Lowers the right operand and the operator, the left operand being on the stack.
+    fn link(&mut self, link: &Link, left: Value, start: u32) -> Value {
+        let Some(operation) = link.operation else {
+            self.value(link.right, None);
+            return Value::ERROR;
+        };
+        let left = self.adapt(left, operation.left);
+        let right = self.value(link.right, Some(operation.right));
+        let right = self.adapt(right, operation.right);
+        if left.ty == TypeId::ERROR || right.ty == TypeId::ERROR {
+            // An operation on enumerated values has no elementary type, yet nothing is wrong with it.
+            return Value::ERROR;
+        }
+        if let (Some(left), Some(right)) = (left.constant, right.constant)
+            && let Some(ty) = folds(operation.action, right)
+        {
+            return match combine(link.operator, left, right) {
+                Err((Code::ConstantExpressionDivisionByZero, message)) => {
+                    self.report(
+                        Code::ConstantExpressionDivisionByZero,
+                        self.span(link.node),
+                        message,
+                    );
+                    Value::ERROR
+                }
+                result => self.folded(link.node, start, ty, result.ok()),
+            };
+        }
+        self.act(link, operation.action);
+        Value {
+            ty: operation.result,
+            constant: None,
+        }
+    }
+
+    fn act(&mut self, link: &Link, action: Action) {
+        match action {
+            Action::Arithmetic(operator, ty) => {
+                self.emit_at(self.span(link.node), Instruction::Arithmetic(operator, ty));
+            }
+            Action::Scale {
+                operator,
+                number,
+                swapped,
+            } => {
+                if swapped {
+                    self.emit(Instruction::Swap);
+                }
+                self.emit_at(self.span(link.node), Instruction::ScaleDuration(operator, number));
+            }
+            Action::Power { base, exponent } => {
+                self.emit_at(self.span(link.node), Instruction::Power { base, exponent });
+            }
+            Action::Compare(operator, ty) => self.emit(Instruction::Compare(operator, ty)),
+            Action::CompareText(operator) => self.emit(Instruction::CompareText(operator)),
+            Action::Logic(operator) => self.emit(Instruction::Logic(operator)),
+        }
+    }
+
+    /// How a message names what was inferred.
+    pub(super) fn describe(&self, inferred: Inferred) -> String {
+        match inferred {
+            Inferred::Known(ty) => self.model.types.name(ty),
+            Inferred::Integer(_) => "an integer literal".to_owned(),
+            Inferred::Real => "a real literal".to_owned(),
+            Inferred::Text { .. } => "a text literal".to_owned(),
+            Inferred::Nothing => "a call without a result".to_owned(),
+            Inferred::Enumerated => "an enumerated value".to_owned(),
+            Inferred::Pending | Inferred::Error => "an error".to_owned(),
+        }
+    }
+}
+
+/// The integer type in which an operation on two constants is done right here. A power with a negative exponent
+/// is left to the machine.
+fn folds(action: Action, right: i128) -> Option<ElementaryType> {
+    match action {
+        Action::Arithmetic(_, ty) => Some(ty),
+        Action::Power { base, exponent } if exponent.is_integer() && right >= 0 => Some(base),
+        _ => None,
+    }
+    .filter(|ty| ty.is_integer())
+}

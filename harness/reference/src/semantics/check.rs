@@ -1,0 +1,54 @@
+//! From a syntax tree to a checked program.
+
+use super::declare::declare;
+use super::lowering::Lowering;
+use super::model::{Model, Source};
+use super::observation::Directory;
+use super::reporter::Reporter;
+use crate::diagnostic::Diagnostic;
+use crate::dialect::Dialect;
+use crate::instruction::Program;
+use crate::source::LineIndex;
+use crate::syntax::tree::SourceUnit;
+
+/// A program that can run, and where its variables lie.
+#[derive(Debug)]
+pub struct CheckedProgram {
+    /// The program.
+    pub program: Program,
+    pub(super) directory: Directory,
+}
+
+/// Checks names and types of a source text, and lowers it.
+///
+/// Takes the tree of `text`, the index of its lines, and the dialect. Gives a program, unless anything is wrong
+/// or the text has no PROGRAM, and everything that is wrong, in no particular order.
+#[must_use]
+pub fn check(
+    unit: &SourceUnit<'_>,
+    text: &str,
+    lines: &LineIndex,
+    dialect: &Dialect,
+) -> (Option<CheckedProgram>, Vec<Diagnostic>) {
+    let mut reporter = Reporter::default();
+    let source = Source {
+        unit,
+        text,
+        lines,
+        dialect,
+    };
+    let (model, memory) = declare(source, &mut reporter);
+    let program = Lowering::new(&model, memory, &mut reporter).lower();
+    let checked = finish(model, program, &reporter);
+    (checked, reporter.finish())
+}
+
+fn finish(model: Model<'_>, program: Program, reporter: &Reporter) -> Option<CheckedProgram> {
+    if !reporter.is_empty() || model.instances.is_empty() {
+        return None;
+    }
+    Some(CheckedProgram {
+        program,
+        directory: Directory::new(model),
+    })
+}

@@ -1,0 +1,122 @@
+//! THE place that says whether a value may stand where a type is expected.
+
+use super::inferred::Inferred;
+use super::types::{Kind, TypeId, TypeTable};
+use crate::conversion::implicit;
+use crate::dialect::Dialect;
+use stickler_types::{Code, ElementaryType};
+
+/// Where a value stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Context {
+    /// The right side of `:=` in a statement.
+    Assignment,
+    /// The same where the value is nothing but a call.
+    CallResult,
+    /// An initial value, an array element or a structure element in one.
+    Initializer,
+    /// The argument of a function, a function block or a conversion.
+    Argument,
+    /// One of several arguments of a standard function that have a common type.
+    CommonArgument,
+    /// The target of `=>`.
+    Capture,
+    /// The condition of IF, WHILE, REPEAT.
+    Condition,
+    /// A subscript, a bound of FOR, a label of CASE.
+    Integer,
+    /// An operand, whose operator has already been found to be defined.
+    Operand,
+}
+
+impl Context {
+    /// The code of a value that does not fit here.
+    ///
+    /// Basis: stickler-design: §7 ("Which code where").
+    pub(super) const fn code(self) -> Code {
+        match self {
+            Context::Assignment | Context::Capture | Context::Integer => Code::AssignmentTypeMismatch,
+            Context::CallResult => Code::FunctionCallReturnTypeMismatch,
+            Context::Initializer => Code::InitializerTypeMismatch,
+            Context::Argument | Context::CommonArgument => Code::FunctionCallArgTypeMismatch,
+            Context::Condition => Code::ConditionTypeInvalid,
+            Context::Operand => Code::OperatorOperandTypeMismatch,
+        }
+    }
+
+    /// Whether an untyped integer literal is a bit string here.
+    ///
+    /// Basis: stickler-design: §8 (an initializer always takes one; a parameter and the target of an assignment
+    /// by dialect). An operand takes the other's type in every dialect.
+    fn takes_integer_as_bits(self, dialect: &Dialect) -> bool {
+        dialect.integer_literal_as_bit_string
+            || matches!(
+                self,
+                Context::Initializer | Context::Operand | Context::CommonArgument
+            )
+    }
+}
+
+/// Whether a value fits.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Fit {
+    /// It does, by an implicit conversion where the types differ, or by taking the type that is expected.
+    Yes,
+    /// It does not.
+    No,
+    /// Something has been said already, about the value or about the type that is expected.
+    Silent,
+}
+
+/// Whether a value may stand where `target` is expected, `target` being a value's type.
+///
+/// Basis: stickler-design: §8; for elementary types the rule is [`implicit`]. Enumerations, structures and
+/// arrays convert to nothing but themselves.
+pub(super) fn fit(
+    value: Inferred,
+    target: TypeId,
+    context: Context,
+    types: &TypeTable,
+    dialect: &Dialect,
+) -> Fit {
+    if target == TypeId::ERROR {
+        return Fit::Silent;
+    }
+    let elementary = target.elementary();
+    let fits = match value {
+        Inferred::Error | Inferred::Pending => return Fit::Silent,
+        Inferred::Nothing => false,
+        Inferred::Known(ty) if ty == target => true,
+        Inferred::Known(ty) => match (ty.elementary(), elementary) {
+            (Some(from), Some(to)) => implicit(from, to, dialect).is_some(),
+            _ => false,
+        },
+        Inferred::Integer(_) => elementary.is_some_and(|ty| integer_fits(ty, context, dialect)),
+        Inferred::Real => elementary.is_some_and(ElementaryType::is_real),
+        Inferred::Text { wide, single } => match elementary {
+            Some(ElementaryType::String) => !wide,
+            Some(ElementaryType::Wstring) => wide,
+            Some(ElementaryType::Char) => single && !wide,
+            Some(ElementaryType::Wchar) => single && wide,
+            _ => false,
+        },
+        Inferred::Enumerated => match types.kind(target) {
+            Kind::Enumeration(_) => true,
+            // Without an enumeration around it the name is ambiguous, and that is what is to be said.
+            _ => return Fit::Silent,
+        },
+    };
+    if fits { Fit::Yes } else { Fit::No }
+}
+
+/// Whether an untyped integer literal may stand for a value of a type. Whether its number fits is looked at
+/// when the literal is read.
+fn integer_fits(ty: ElementaryType, context: Context, dialect: &Dialect) -> bool {
+    if ty.is_real() {
+        dialect.integer_literal_as_real
+    } else if ty.is_bit_string() {
+        context.takes_integer_as_bits(dialect)
+    } else {
+        ty.is_integer() || ty == ElementaryType::Bool
+    }
+}

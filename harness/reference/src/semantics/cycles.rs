@@ -1,0 +1,121 @@
+//! Cycles in a graph, found without recursion: types that contain themselves, functions that call themselves.
+
+/// How many members of a cycle are told; a long chain may hold as many long cycles as it has nodes.
+const SHOWN: usize = 50;
+
+/// Walks a graph depth first, from each node in turn, and tells of two things as it meets them.
+///
+/// `edges` gives the nodes that a node needs, each with a note of where; `visit` is told of a node once all
+/// that it needs is done, and `cycle` of an edge that closes a cycle, with the node that it leaves.
+pub(super) fn walk<N: Copy>(
+    nodes: usize,
+    mut edges: impl FnMut(usize) -> Vec<(usize, N)>,
+    mut visit: impl FnMut(Event<N>),
+) {
+    let mut states = vec![State::New; nodes];
+    let mut depths = vec![0; nodes];
+    let mut path: Vec<(usize, std::vec::IntoIter<(usize, N)>)> = Vec::new();
+    for root in 0..nodes {
+        if states[root] != State::New {
+            continue;
+        }
+        states[root] = State::Open;
+        path.push((root, edges(root).into_iter()));
+        while let Some((node, rest)) = path.last_mut() {
+            let node = *node;
+            let Some((next, note)) = rest.next() else {
+                states[node] = State::Done;
+                path.pop();
+                visit(Event::Done(node));
+                continue;
+            };
+            match states[next] {
+                State::Done => {}
+                State::Open => {
+                    let members = path.iter().skip(depths[next]).take(SHOWN);
+                    visit(Event::Cycle {
+                        note,
+                        members: members.map(|&(open, _)| open).collect(),
+                    });
+                }
+                State::New => {
+                    states[next] = State::Open;
+                    depths[next] = path.len();
+                    path.push((next, edges(next).into_iter()));
+                }
+            }
+        }
+    }
+}
+
+/// What a walk meets.
+#[derive(Debug)]
+pub(super) enum Event<N> {
+    /// A node, all that it needs having been met before, save what closes a cycle.
+    Done(usize),
+    /// An edge that closes a cycle.
+    Cycle {
+        /// The note of the edge.
+        note: N,
+        /// The nodes of the cycle, from where it begins to where the edge leaves; of a long one the first.
+        members: Vec<usize>,
+    },
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    New,
+    Open,
+    Done,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Event, walk};
+
+    fn events(graph: &[&[usize]]) -> (Vec<usize>, Vec<Vec<usize>>) {
+        let (mut order, mut cycles) = (Vec::new(), Vec::new());
+        walk(
+            graph.len(),
+            |node| graph[node].iter().map(|&next| (next, ())).collect(),
+            |event| match event {
+                Event::Done(node) => order.push(node),
+                Event::Cycle { members, .. } => cycles.push(members),
+            },
+        );
+        (order, cycles)
+    }
+
+    #[test]
+    fn what_is_needed_comes_first() {
+        assert_eq!(events(&[&[1, 2], &[2], &[]]), (vec![2, 1, 0], vec![]));
+    }
+
+    #[test]
+    fn each_cycle_is_told_once() {
+        assert_eq!(events(&[&[1], &[2], &[1, 0]]).1, [vec![1, 2], vec![0, 1, 2]]);
+        assert_eq!(events(&[&[0]]).1, [vec![0]]);
+    }
+
+    #[test]
+    fn a_long_chain_needs_no_stack() {
+        let length = 200_000;
+        let mut last = 0;
+        walk(
+            length,
+            |node| {
+                if node + 1 < length {
+                    vec![(node + 1, ())]
+                } else {
+                    vec![]
+                }
+            },
+            |event| {
+                if let Event::Done(node) = event {
+                    last = node;
+                }
+            },
+        );
+        assert_eq!(last, 0);
+    }
+}

@@ -1,0 +1,315 @@
+//! Collects the declarations of a source text into a [`Model`], in an order in which each finds what it needs:
+//! names, the numbers of global constants, types and function blocks, the other POUs, global variables, and
+//! last the addresses.
+
+use super::constants::Constant;
+use super::layout::Memory;
+use super::model::{Definition, Instance, Model, PouEntry, Source};
+use super::reporter::Reporter;
+use super::scope::{Folded, Scope};
+use super::types::{TypeId, TypeTable};
+use crate::instruction::RoutineId;
+use crate::source::Span;
+use crate::syntax::tree::{
+    Configuration, Declaration, Initializer, InitializerKind, Name, Pou, PouKind, TypeDeclaration,
+    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
+};
+use rustc_hash::FxHashMap;
+use stickler_types::{Code, ElementaryType};
+
+/// Makes the model.
+pub(super) struct Declarer<'u, 'r> {
+    pub(super) model: Model<'u>,
+    pub(super) reporter: &'r mut Reporter,
+    /// What is ordered by need: types and function blocks.
+    pub(super) nodes: Vec<TypeNode<'u>>,
+    /// What the names of global variables mean in constant expressions.
+    pub(super) exact: Scope<'u, Constant>,
+    /// The sections of global variables.
+    pub(super) global_blocks: Vec<&'u VariableBlock<'u>>,
+    pub(super) configurations: Vec<&'u Configuration<'u>>,
+    /// The POU whose variables are being declared.
+    pub(super) current: Option<usize>,
+    /// Variables whose types need no size of their own: VAR_IN_OUT and VAR_EXTERNAL.
+    pub(super) deferred: Vec<Deferred<'u>>,
+}
+
+/// A type or function block to be resolved.
+#[derive(Debug)]
+pub(super) struct TypeNode<'u> {
+    pub(super) declared: Declared<'u>,
+    /// `None` until it is resolved.
+    pub(super) id: Option<TypeId>,
+}
+
+/// What a node of the order is.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Declared<'u> {
+    Type(&'u TypeDeclaration<'u>),
+    /// An index into [`Model::pous`].
+    Block(usize),
+}
+
+/// Variables that take their type once all types are known.
+#[derive(Debug)]
+pub(super) struct Deferred<'u> {
+    pub(super) pou: usize,
+    pub(super) variables: std::ops::Range<usize>,
+    pub(super) specification: &'u TypeSpecification<'u>,
+    pub(super) hint: &'u str,
+}
+
+/// Collects all declarations of a source text; gives the memory that they take, too.
+pub(super) fn declare<'u>(source: Source<'u>, reporter: &mut Reporter) -> (Model<'u>, Memory) {
+    let model = Model {
+        source,
+        types: TypeTable::new(),
+        definitions: Scope::default(),
+        declared_types: Vec::new(),
+        pous: Vec::new(),
+        variables: Vec::new(),
+        globals: Scope::default(),
+        enumerated: Scope::default(),
+        initial_values: Vec::new(),
+        instances: Vec::new(),
+        routines: 0,
+    };
+    let mut declarer = Declarer {
+        model,
+        reporter,
+        nodes: Vec::new(),
+        exact: Scope::default(),
+        global_blocks: Vec::new(),
+        configurations: Vec::new(),
+        current: None,
+        deferred: Vec::new(),
+    };
+    declarer.collect_names();
+    declarer.evaluate_global_constants();
+    declarer.resolve_types();
+    declarer.declare_other_pous();
+    declarer.declare_globals();
+    declarer.resolve_deferred();
+    declarer.choose_instances();
+    let memory = declarer.lay_out();
+    declarer.model.declared_types = declarer
+        .nodes
+        .iter()
+        .map(|node| node.id.unwrap_or(TypeId::ERROR))
+        .collect();
+    (declarer.model, memory)
+}
+
+impl<'u> Declarer<'u, '_> {
+    fn collect_names(&mut self) {
+        let unit = self.model.source.unit;
+        for declaration in &unit.declarations {
+            match declaration {
+                Declaration::Pou(pou) => self.collect_pou(pou),
+                Declaration::Types(types) => types.iter().for_each(|ty| self.collect_type(ty)),
+                Declaration::Globals(block) => self.global_blocks.push(block),
+                Declaration::Configuration(configuration) => {
+                    self.global_blocks.extend(&configuration.globals);
+                    self.configurations.push(configuration);
+                }
+            }
+        }
+    }
+
+    fn collect_pou(&mut self, pou: &'u Pou<'u>) {
+        let index = self.model.pous.len();
+        let body = self.routine();
+        let initial = self.routine();
+        let node = (pou.kind == PouKind::FunctionBlock).then(|| {
+            self.nodes.push(TypeNode {
+                declared: Declared::Block(index),
+                id: None,
+            });
+            self.nodes.len() - 1
+        });
+        self.model.pous.push(PouEntry {
+            pou,
+            node,
+            variables: 0..0,
+            scope: Scope::default(),
+            enumerated: Scope::default(),
+            result: None,
+            parameters: Vec::new(),
+            ty: TypeId::ERROR,
+            body,
+            initial,
+            cleared: 0..0,
+        });
+        self.define(pou.name, Definition::Pou(narrow(index)), Some(pou.kind));
+    }
+
+    fn collect_type(&mut self, ty: &'u TypeDeclaration<'u>) {
+        let node = self.nodes.len();
+        self.nodes.push(TypeNode {
+            declared: Declared::Type(ty),
+            id: None,
+        });
+        self.define(ty.name, Definition::Type(narrow(node)), None);
+    }
+
+    /// Gives a name its meaning at the top level, unless it has one.
+    fn define(&mut self, name: Name<'u>, definition: Definition, kind: Option<PouKind>) {
+        if name.text.is_empty() {
+            return;
+        }
+        let Some(&earlier) = self.model.definitions.get(&Folded(name.text)) else {
+            self.model.definitions.insert(Folded(name.text), definition);
+            return;
+        };
+        let code = match (self.kind_of(earlier), kind) {
+            (None, None) => Code::TypeDeclNameDuplicated,
+            (Some(PouKind::Function), Some(PouKind::Function)) => Code::FunctionDeclNameDuplicated,
+            (Some(earlier), Some(kind)) if earlier == kind => Code::PouDeclNameDuplicated,
+            _ => Code::DefinitionNameDuplicated,
+        };
+        self.reporter
+            .report(code, name.span, format!("`{}` is already declared", name.text));
+    }
+
+    fn kind_of(&self, definition: Definition) -> Option<PouKind> {
+        match definition {
+            Definition::Pou(pou) => Some(self.model.pous[pou as usize].pou.kind),
+            Definition::Type(_) => None,
+        }
+    }
+
+    /// Gives global constants their exact numbers, in the order of the text, so that limits of types can name
+    /// them. Whether the numbers fit the constants' types is looked at when initial values are lowered.
+    fn evaluate_global_constants(&mut self) {
+        let blocks = std::mem::take(&mut self.global_blocks);
+        for block in &blocks {
+            for group in &block.groups {
+                let value = match &group.initializer {
+                    _ if !block.constant => Constant::Variable,
+                    None => Constant::Missing,
+                    Some(initializer) => self.exact_initializer(group, initializer),
+                };
+                for name in &group.names {
+                    self.exact.entry(Folded(name.text)).or_insert(value);
+                }
+            }
+        }
+        self.global_blocks = blocks;
+    }
+
+    /// The number that an initial value stands for.
+    pub(super) fn exact_initializer(
+        &self,
+        group: &'u VariableGroup<'u>,
+        initializer: &'u Initializer<'u>,
+    ) -> Constant {
+        let counts = match &group.specification.kind {
+            TypeSpecificationKind::Named(name) => {
+                ElementaryType::from_name(name.text).is_none_or(ElementaryType::is_integer)
+            }
+            TypeSpecificationKind::Subrange { .. } => true,
+            _ => false,
+        };
+        match initializer.kind {
+            InitializerKind::Expression(id) if counts => {
+                self.evaluate(id).map_or(Constant::NotInteger, Constant::Value)
+            }
+            _ => Constant::NotInteger,
+        }
+    }
+
+    /// Hands out a routine, whose code is made later.
+    pub(super) fn routine(&mut self) -> RoutineId {
+        self.model.routines += 1;
+        self.model.routines - 1
+    }
+
+    /// Reports something wrong.
+    pub(super) fn report(&mut self, code: Code, span: Span, message: impl Into<String>) {
+        self.reporter.report(code, span, message);
+    }
+
+    /// Functions and programs, whose variables no type contains.
+    fn declare_other_pous(&mut self) {
+        for index in 0..self.model.pous.len() {
+            if self.model.pous[index].pou.kind != PouKind::FunctionBlock {
+                self.declare_variables(index);
+            }
+        }
+    }
+
+    /// Which programs run: those of the configurations, or else the one called `main`, or else the first.
+    fn choose_instances(&mut self) {
+        if self
+            .configurations
+            .iter()
+            .any(|configuration| !configuration.resources.is_empty())
+        {
+            return self.configured_instances();
+        }
+        let programs = || {
+            self.model
+                .pous
+                .iter()
+                .zip(0..)
+                .filter(|(entry, _)| entry.pou.kind == PouKind::Program)
+        };
+        let main = programs().find(|(entry, _)| entry.pou.name.text.eq_ignore_ascii_case("main"));
+        if let Some((entry, pou)) = main.or_else(|| programs().next()) {
+            self.model.instances.push(Instance {
+                name: entry.pou.name.text,
+                pou,
+                base: 0,
+            });
+        }
+    }
+
+    fn configured_instances(&mut self) {
+        for configuration in std::mem::take(&mut self.configurations) {
+            let mut names: FxHashMap<Folded<'u>, ()> = FxHashMap::default();
+            for resource in &configuration.resources {
+                let mut tasks: FxHashMap<Folded<'u>, ()> = FxHashMap::default();
+                for task in &resource.tasks {
+                    if tasks.insert(Folded(task.name.text), ()).is_some() {
+                        let message = format!("task `{}` is already declared", task.name.text);
+                        self.report(Code::DuplicateTaskName, task.name.span, message);
+                    }
+                }
+                for program in &resource.programs {
+                    if names.insert(Folded(program.name.text), ()).is_some() {
+                        let message = format!("`{}` is already declared", program.name.text);
+                        self.report(Code::SymbolDeclDuplicated, program.name.span, message);
+                    }
+                    if let Some(task) = program.task
+                        && !tasks.contains_key(&Folded(task.text))
+                    {
+                        let message = format!("task `{}` is not declared", task.text);
+                        self.report(Code::ProgramMissingTaskConfig, task.span, message);
+                    }
+                    self.configured_instance(program.name, program.type_name);
+                }
+            }
+        }
+    }
+
+    fn configured_instance(&mut self, name: Name<'u>, program: Name<'u>) {
+        match self.model.definitions.get(&Folded(program.text)) {
+            Some(&Definition::Pou(pou)) if self.model.pous[pou as usize].pou.kind == PouKind::Program => {
+                self.model.instances.push(Instance {
+                    name: name.text,
+                    pou,
+                    base: 0,
+                });
+            }
+            _ => {
+                let message = format!("program `{}` is not declared", program.text);
+                self.report(Code::UndeclaredUnknownType, program.span, message);
+            }
+        }
+    }
+}
+
+/// Source texts are bounded, so that everything in them can be counted in 32 bits.
+pub(super) fn narrow(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}

@@ -1,0 +1,289 @@
+//! Lowers expressions: puts a value on the stack, in its own type or converted to the one that is expected.
+
+use super::contexts::{Context, Fit, fit};
+use super::infer::{defined, defined_for};
+use super::inferred::Inferred;
+use super::literals::Signed;
+use super::locations::check_range;
+use super::lowering::{Lowering, Value};
+use super::model::EnumeratedName;
+use super::operators::settle;
+use super::types::{Kind, Subrange, TypeId};
+use crate::conversion::implicit;
+use crate::instruction::Instruction;
+use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, UnaryOperator};
+use stickler_types::{Code, ElementaryType};
+
+impl<'m> Lowering<'m> {
+    /// Puts a value on the stack where a declared type is expected: checks that it may stand there, converts
+    /// it, and checks the limits of a subrange.
+    pub(super) fn coerce(&mut self, id: ExpressionId, target: TypeId, context: Context) -> Value {
+        let to = self.model.types.value_type(target);
+        let inferred = self.infer(id);
+        if self.reports_unknown_value(id, to) {
+            return Value::ERROR;
+        }
+        let flexible = self.flexible_result(id, to).map_or(inferred, Inferred::from);
+        let fits = fit(
+            flexible,
+            to,
+            context,
+            &self.model.types,
+            self.model.source.dialect,
+        );
+        // What does not fit is lowered all the same, for what is wrong inside.
+        let value = self.value(id, (fits == Fit::Yes).then_some(to));
+        if fits == Fit::No {
+            if value.ty != TypeId::ERROR || inferred == Inferred::Nothing {
+                self.report_misfit(id, inferred, to, context);
+            }
+            return Value::ERROR;
+        }
+        let value = self.adapt(value, to);
+        self.check_limits(id, value, target)
+    }
+
+    /// Converts the value on the stack to a type that it may convert to.
+    pub(super) fn adapt(&mut self, value: Value, to: TypeId) -> Value {
+        if value.ty == to {
+            return value;
+        }
+        let dialect = self.model.source.dialect;
+        let conversion = value.ty.elementary().zip(to.elementary());
+        let Some(conversion) = conversion.and_then(|(from, to)| implicit(from, to, dialect)) else {
+            return Value::ERROR;
+        };
+        self.emit(Instruction::Convert(conversion));
+        let exact = conversion.from.is_integer() && conversion.to.is_integer();
+        Value {
+            ty: to,
+            constant: value.constant.filter(|_| exact),
+        }
+    }
+
+    /// Lets no value outside a subrange through to a variable that has one.
+    pub(super) fn check_limits(&mut self, id: ExpressionId, value: Value, target: TypeId) -> Value {
+        let Kind::Subrange(limits) = *self.model.types.kind(target) else {
+            return value;
+        };
+        let Subrange { low, high, .. } = limits;
+        match value.constant {
+            _ if value.ty == TypeId::ERROR => {}
+            Some(number) if (low..=high).contains(&number) => {}
+            Some(number) => {
+                let message = format!("{number} does not lie in {low}..{high}");
+                self.report(Code::ConstantOverflow, self.span(id), message);
+                return Value::ERROR;
+            }
+            None => self.emit_at(self.span(id), check_range(limits)),
+        }
+        value
+    }
+
+    /// Puts a value on the stack: in its own type, or where it is untyped in the type that is wanted.
+    pub(super) fn value(&mut self, id: ExpressionId, wanted: Option<TypeId>) -> Value {
+        let expression = self.expression(id);
+        match &expression.kind {
+            ExpressionKind::Literal(literal) => self.literal(
+                Signed {
+                    literal,
+                    negative: false,
+                    span: expression.span,
+                },
+                wanted,
+            ),
+            ExpressionKind::Name(name) => self.name(id, *name, wanted),
+            ExpressionKind::EnumeratedValue { type_name, value } => self.enumerated(*type_name, *value),
+            ExpressionKind::Field { .. }
+            | ExpressionKind::Index { .. }
+            | ExpressionKind::PartialAccess { .. } => self.read(id),
+            ExpressionKind::Call { callee, arguments } => self.call(id, *callee, arguments, wanted),
+            ExpressionKind::Unary { operator, operand } => self.unary(id, *operator, *operand, wanted),
+            ExpressionKind::Binary { .. } => self.chain(id, wanted),
+            ExpressionKind::Parenthesized(inner) => self.value(*inner, wanted),
+            ExpressionKind::Error => Value::ERROR,
+        }
+    }
+
+    fn name(&mut self, id: ExpressionId, name: Name<'m>, wanted: Option<TypeId>) -> Value {
+        if let Some((_, variable)) = self.variable(name.text) {
+            return match (variable.value, variable.ty.elementary()) {
+                (Some(number), Some(ty)) => {
+                    self.emit(Instruction::Push(ty.wrap(number)));
+                    Value {
+                        ty: variable.ty,
+                        constant: Some(number),
+                    }
+                }
+                _ => self.read(id),
+            };
+        }
+        match self.enumerated_name(name.text) {
+            Some(EnumeratedName::One(ty, number)) => self.enumerated_value(ty, number),
+            Some(EnumeratedName::Several) => {
+                let types = &self.model.types;
+                let number = wanted.and_then(|ty| match types.kind(ty) {
+                    Kind::Enumeration(enumeration) => Some((ty, *enumeration.values.find(name.text)?)),
+                    _ => None,
+                });
+                if let Some((ty, number)) = number {
+                    return self.enumerated_value(ty, number);
+                }
+                let message = format!(
+                    "more than one enumeration has a value `{0}`; write TYPE#{0}",
+                    name.text
+                );
+                self.report(Code::EnumValueAmbiguous, name.span, message);
+                Value::ERROR
+            }
+            None => self.read(id),
+        }
+    }
+
+    fn enumerated_value(&mut self, ty: TypeId, number: i64) -> Value {
+        self.emit(Instruction::Push(number.cast_unsigned()));
+        Value {
+            ty: self.model.types.value_type(ty),
+            constant: Some(number.into()),
+        }
+    }
+
+    fn enumerated(&mut self, type_name: Name<'m>, value: Name<'m>) -> Value {
+        let types = &self.model.types;
+        let Some(ty) = self.declared_type(type_name.text) else {
+            let (code, message) = match ElementaryType::from_name(type_name.text) {
+                Some(ty) => (
+                    Code::Std2013Feature,
+                    format!("{} is a type of the third edition", ty.name()),
+                ),
+                None => (
+                    Code::EnumNotDeclared,
+                    format!("enumeration `{}` is not declared", type_name.text),
+                ),
+            };
+            self.report(code, type_name.span, message);
+            return Value::ERROR;
+        };
+        match types.kind(ty) {
+            Kind::Enumeration(enumeration) => match enumeration.values.find(value.text) {
+                Some(&number) => self.enumerated_value(ty, number),
+                None => {
+                    let message = format!("`{}` has no value `{}`", types.name(ty), value.text);
+                    self.report(Code::EnumValueNotDefined, value.span, message);
+                    Value::ERROR
+                }
+            },
+            Kind::Error => Value::ERROR,
+            _ => {
+                let message = format!("`{}` is no enumeration", type_name.text);
+                self.report(Code::EnumNotDeclared, type_name.span, message);
+                Value::ERROR
+            }
+        }
+    }
+
+    /// Where an enumeration is expected and a lone unknown name stands, that is a value which it does not have.
+    fn reports_unknown_value(&mut self, id: ExpressionId, target: TypeId) -> bool {
+        let Kind::Enumeration(enumeration) = self.model.types.kind(target) else {
+            return false;
+        };
+        let ExpressionKind::Name(name) = self.expression(id).kind else {
+            return false;
+        };
+        let known = self.variable(name.text).is_some() || self.enumerated_name(name.text).is_some();
+        if !known {
+            let message = format!("`{}` has no value `{}`", enumeration.name, name.text);
+            self.report(Code::EnumValueNotDefined, name.span, message);
+        }
+        !known
+    }
+
+    fn unary(
+        &mut self,
+        id: ExpressionId,
+        operator: UnaryOperator,
+        operand: ExpressionId,
+        wanted: Option<TypeId>,
+    ) -> Value {
+        let span = self.span(id);
+        if operator == UnaryOperator::Negate
+            && let ExpressionKind::Literal(literal) = &self.expression(operand).kind
+            && literal.prefix.is_none()
+            && self.infer_literal(literal, true).is_untyped_number()
+        {
+            return self.literal(
+                Signed {
+                    literal,
+                    negative: true,
+                    span,
+                },
+                wanted,
+            );
+        }
+        let inferred = self.infer(operand);
+        let settled = settle(inferred, wanted).map(TypeId::of);
+        let start = self.emitter.position();
+        let value = self.value(operand, settled);
+        if value.ty == TypeId::ERROR {
+            return value;
+        }
+        let ty = value
+            .ty
+            .elementary()
+            .filter(|&ty| defined(operator, inferred) && defined_for(operator, ty));
+        let Some(ty) = ty else {
+            let name = self.model.types.name(value.ty);
+            let message = format!("`{}` is not defined for {name}", symbol(operator));
+            self.report(Code::OperatorOperandTypeMismatch, span, message);
+            return Value::ERROR;
+        };
+        match operator {
+            UnaryOperator::Plus => return value,
+            UnaryOperator::Not => self.emit(Instruction::Not(ty)),
+            UnaryOperator::Negate => {
+                if let (Some(number), true) = (value.constant, ty.is_integer()) {
+                    return self.folded(id, start, ty, number.checked_neg());
+                }
+                self.emit(Instruction::Negate(ty));
+            }
+        }
+        Value {
+            ty: value.ty,
+            constant: None,
+        }
+    }
+
+    /// Replaces the code of a constant expression by its result, where that fits the type.
+    pub(super) fn folded(
+        &mut self,
+        id: ExpressionId,
+        start: u32,
+        ty: ElementaryType,
+        number: Option<i128>,
+    ) -> Value {
+        let (low, high) = ty.integer_range().unwrap_or((0, 0));
+        match number.filter(|number| (low..=high).contains(number)) {
+            Some(number) => {
+                self.emitter.truncate(start);
+                self.emit(Instruction::Push(ty.wrap(number)));
+                Value {
+                    ty: TypeId::of(ty),
+                    constant: Some(number),
+                }
+            }
+            None => {
+                let message = format!("the result does not fit {} ({low}..{high})", ty.name());
+                self.report(Code::ConstantExpressionOverflow, self.span(id), message);
+                Value::ERROR
+            }
+        }
+    }
+}
+
+fn symbol(operator: UnaryOperator) -> &'static str {
+    match operator {
+        UnaryOperator::Negate => "-",
+        UnaryOperator::Plus => "+",
+        UnaryOperator::Not => "NOT",
+    }
+}

@@ -1,0 +1,187 @@
+//! Infers types, silently: what is wrong infers to [`Inferred::Error`], and is reported when it is lowered.
+
+use super::inferred::Inferred;
+use super::lowering::Lowering;
+use super::model::{Definition, EnumeratedName};
+use super::operators::Signature;
+use super::scope::Folded;
+use super::types::{Kind, TypeId};
+use crate::syntax::tree::{
+    ExpressionId, ExpressionKind, Name, PartialAccessForm, UnaryOperator, VariableKind,
+};
+use stickler_types::ElementaryType;
+
+impl<'m> Lowering<'m> {
+    /// The type of an expression by itself. The left spine of a chain of operators is walked without
+    /// recursion.
+    pub(super) fn infer(&mut self, id: ExpressionId) -> Inferred {
+        let mut spine = Vec::new();
+        let mut at = id;
+        loop {
+            let known = self.inferred[at.0 as usize];
+            if known != Inferred::Pending {
+                break;
+            }
+            let ExpressionKind::Binary {
+                operator,
+                left,
+                right,
+            } = self.expression(at).kind
+            else {
+                let inferred = self.infer_leaf(at);
+                self.inferred[at.0 as usize] = inferred;
+                break;
+            };
+            spine.push((at, operator, left, right));
+            at = left;
+        }
+        for (node, operator, left, right) in spine.into_iter().rev() {
+            let right = self.infer(right);
+            let left = self.inferred[left.0 as usize];
+            self.inferred[node.0 as usize] = match self.rules().signature(operator, left, right) {
+                Signature::Defined(operation) => Inferred::Known(operation.result),
+                Signature::Untyped(inferred) => inferred,
+                Signature::Undefined | Signature::Silent => Inferred::Error,
+            };
+        }
+        self.inferred[id.0 as usize]
+    }
+
+    fn infer_leaf(&mut self, id: ExpressionId) -> Inferred {
+        match &self.expression(id).kind {
+            ExpressionKind::Literal(literal) => self.infer_literal(literal, false),
+            ExpressionKind::Name(name) => self.infer_name(*name),
+            ExpressionKind::EnumeratedValue { type_name, value } => self.infer_enumerated(*type_name, *value),
+            ExpressionKind::Field { base, field } => self.infer_field(*base, *field),
+            ExpressionKind::Index { base, subscripts } => self.infer_element(*base, subscripts.len()),
+            ExpressionKind::PartialAccess {
+                base, form, index, ..
+            } => self.infer_bit(*base, *form, *index),
+            ExpressionKind::Call { callee, arguments } => self.infer_call(*callee, arguments),
+            ExpressionKind::Unary { operator, operand } => self.infer_unary(*operator, *operand),
+            ExpressionKind::Parenthesized(inner) => self.infer(*inner),
+            ExpressionKind::Binary { .. } | ExpressionKind::Error => Inferred::Error,
+        }
+    }
+
+    /// The type of a value of a declared type.
+    pub(super) fn inferred_of(&self, declared: TypeId) -> Inferred {
+        match self.model.types.value_type(declared) {
+            TypeId::ERROR => Inferred::Error,
+            ty => Inferred::Known(ty),
+        }
+    }
+
+    fn infer_name(&self, name: Name<'m>) -> Inferred {
+        if let Some((_, variable)) = self.variable(name.text) {
+            return self.inferred_of(variable.ty);
+        }
+        match self.enumerated_name(name.text) {
+            Some(EnumeratedName::One(ty, _)) => Inferred::Known(ty),
+            Some(EnumeratedName::Several) => Inferred::Enumerated,
+            None => Inferred::Error,
+        }
+    }
+
+    /// The enumerated value of a name: one that is declared with a variable of the POU, or else of a type.
+    pub(super) fn enumerated_name(&self, name: &str) -> Option<EnumeratedName> {
+        let local = self.entry().and_then(|entry| entry.enumerated.get(&Folded(name)));
+        local
+            .or_else(|| self.model.enumerated.get(&Folded(name)))
+            .copied()
+    }
+
+    /// The type that a name declares; of the third edition's, the one that the text declares wins.
+    pub(super) fn declared_type(&self, name: &str) -> Option<TypeId> {
+        match self.model.definitions.get(&Folded(name)) {
+            Some(&Definition::Type(index)) => self.model.declared_types.get(index as usize).copied(),
+            _ => None,
+        }
+    }
+
+    fn infer_enumerated(&self, type_name: Name<'m>, value: Name<'m>) -> Inferred {
+        match self.declared_type(type_name.text) {
+            Some(ty) => match self.model.types.kind(ty) {
+                Kind::Enumeration(enumeration) if enumeration.values.find(value.text).is_some() => {
+                    self.inferred_of(ty)
+                }
+                _ => Inferred::Error,
+            },
+            None => Inferred::Error,
+        }
+    }
+
+    fn infer_field(&mut self, base: ExpressionId, field: Name<'m>) -> Inferred {
+        let Inferred::Known(ty) = self.infer(base) else {
+            return Inferred::Error;
+        };
+        match self.model.types.kind(ty) {
+            Kind::Structure(structure) | Kind::FunctionBlock(structure) => {
+                match structure.members.find(field.text) {
+                    Some(member) if member.kind != VariableKind::InOut => self.inferred_of(member.ty),
+                    _ => Inferred::Error,
+                }
+            }
+            _ => Inferred::Error,
+        }
+    }
+
+    fn infer_element(&mut self, base: ExpressionId, subscripts: usize) -> Inferred {
+        let Inferred::Known(ty) = self.infer(base) else {
+            return Inferred::Error;
+        };
+        match self.model.types.kind(ty) {
+            Kind::Array(shape) if shape.dimensions.len() == subscripts => self.inferred_of(shape.element),
+            _ => Inferred::Error,
+        }
+    }
+
+    fn infer_bit(&mut self, base: ExpressionId, form: PartialAccessForm, index: u64) -> Inferred {
+        let Some(ty) = self.infer(base).elementary() else {
+            return Inferred::Error;
+        };
+        let has_bits = ty.is_integer() || ty.is_bit_string();
+        if has_bits && index < u64::from(ty.bits()) && self.selects_bits(form) {
+            Inferred::Known(TypeId::BOOL)
+        } else {
+            Inferred::Error
+        }
+    }
+
+    fn infer_unary(&mut self, operator: UnaryOperator, operand: ExpressionId) -> Inferred {
+        if operator == UnaryOperator::Negate
+            && let ExpressionKind::Literal(literal) = &self.expression(operand).kind
+            && literal.prefix.is_none()
+        {
+            let inferred = self.infer_literal(literal, true);
+            if inferred.is_untyped_number() {
+                return inferred;
+            }
+        }
+        let inferred = self.infer(operand);
+        if defined(operator, inferred) {
+            inferred
+        } else {
+            Inferred::Error
+        }
+    }
+}
+
+/// Whether a prefix operator is defined for its operand. An untyped operand is looked at again once it has a
+/// type.
+pub(super) fn defined(operator: UnaryOperator, operand: Inferred) -> bool {
+    match operand {
+        Inferred::Known(ty) => ty.elementary().is_some_and(|ty| defined_for(operator, ty)),
+        Inferred::Integer(_) => true,
+        Inferred::Real => operator != UnaryOperator::Not,
+        _ => false,
+    }
+}
+
+/// The same for a type.
+pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType) -> bool {
+    match operator {
+        UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),
+        UnaryOperator::Negate | UnaryOperator::Plus => ty.is_integer() || ty.is_real() || ty.is_duration(),
+    }
+}

@@ -1,0 +1,281 @@
+//! Initial values: of variables, and of the types that have some of their own.
+//!
+//! Memory begins with zeros and empty texts, and a function clears its frame, so only what differs is set.
+
+use super::constants::{Constant, Evaluator};
+use super::contexts::Context;
+use super::locations::{Location, Place};
+use super::lowering::Lowering;
+use super::model::{InitialValue, Variable};
+use super::types::{DefaultValue, Kind, TypeId};
+use crate::instruction::{Instruction, RoutineId};
+use crate::source::Span;
+use crate::syntax::tree::{ArrayElement, ExpressionId, Initializer, InitializerKind, Name, VariableKind};
+use stickler_types::Code;
+
+impl<'m> Lowering<'m> {
+    /// Gives a variable its initial value.
+    pub(super) fn initialize_variable(&mut self, variable: &Variable<'m>) {
+        let place = Place::of(variable);
+        self.set_line(variable.name.span);
+        let muted = self.reporter.mute(variable.repeated);
+        self.initialize(place.location, variable.ty, variable.initializer);
+        self.reporter.mute(muted);
+    }
+
+    /// Gives what lies somewhere its initial value. The location can be used more than once.
+    pub(super) fn initialize(
+        &mut self,
+        location: Location,
+        ty: TypeId,
+        initializer: Option<&'m Initializer<'m>>,
+    ) {
+        let Some(initializer) = initializer else {
+            return self.default_value(location, ty);
+        };
+        if ty == TypeId::ERROR {
+            return self.lower_initializer(initializer);
+        }
+        match (&initializer.kind, self.model.types.kind(ty)) {
+            (InitializerKind::Expression(id), _) => {
+                let place = Place {
+                    location,
+                    ty,
+                    bit: None,
+                    constant: false,
+                };
+                self.begin_store(place);
+                self.coerce(*id, ty, Context::Initializer);
+                self.finish_store(place, initializer.span);
+            }
+            (InitializerKind::Array(elements), Kind::Array(shape)) => {
+                self.default_value(location, ty);
+                let lengths: Vec<_> = shape
+                    .dimensions
+                    .iter()
+                    .map(|dimension| dimension.length())
+                    .collect();
+                self.elements(location, shape.element, &lengths, elements, initializer.span);
+            }
+            (InitializerKind::Structure(fields), Kind::Structure(_) | Kind::FunctionBlock(_)) => {
+                self.default_value(location, ty);
+                self.fields(location, ty, fields);
+            }
+            (kind, _) => {
+                let form = match kind {
+                    InitializerKind::Array(_) => "a list of elements",
+                    _ => "a list of fields",
+                };
+                let message = format!("{form} is no initial value for {}", self.model.types.name(ty));
+                self.report(Code::InitializerTypeMismatch, initializer.span, message);
+                self.lower_initializer(initializer);
+            }
+        }
+    }
+
+    /// Gives what lies somewhere the default of its type.
+    pub(super) fn default_value(&mut self, location: Location, ty: TypeId) {
+        match self.model.types.extent(ty).default {
+            DefaultValue::Zero => {}
+            DefaultValue::Constant(raw) => {
+                let place = Place {
+                    location,
+                    ty,
+                    bit: None,
+                    constant: false,
+                };
+                self.begin_store(place);
+                self.emit(Instruction::Push(raw));
+                self.finish_store(place, Span::default());
+            }
+            DefaultValue::Routine(routine) => {
+                self.push_address(location);
+                self.emit(Instruction::CallInstance(routine));
+            }
+        }
+    }
+
+    /// Lowers an initial value whose type is not known, for what is wrong inside it only.
+    fn lower_initializer(&mut self, initializer: &'m Initializer<'m>) {
+        match &initializer.kind {
+            InitializerKind::Expression(id) => {
+                self.value(*id, None);
+            }
+            InitializerKind::Array(elements) => {
+                elements
+                    .iter()
+                    .filter_map(|element| element.value.as_ref())
+                    .for_each(|value| self.lower_initializer(value));
+            }
+            InitializerKind::Structure(fields) => {
+                fields.iter().for_each(|(_, value)| self.lower_initializer(value));
+            }
+        }
+    }
+
+    /// Sets elements of an array, one behind the other. Where a list of elements stands for one of several
+    /// dimensions, it is the next row.
+    fn elements(
+        &mut self,
+        location: Location,
+        element: TypeId,
+        lengths: &[u32],
+        values: &'m [ArrayElement<'m>],
+        span: Span,
+    ) {
+        let total = lengths.iter().product::<u32>();
+        let size = self.model.types.extent(element).size;
+        let mut position = 0_u32;
+        let mut too_many = false;
+        for value in values {
+            let row = match value.value.as_ref().map(|value| &value.kind) {
+                Some(InitializerKind::Array(row)) if !self.is_array(element) && lengths.len() > 1 => {
+                    Some(row)
+                }
+                _ => None,
+            };
+            let width = if row.is_some() {
+                lengths[1..].iter().product::<u32>()
+            } else {
+                1
+            };
+            let count = self.repetition(value);
+            let end = u64::from(position) + u64::from(count) * u64::from(width);
+            let fits = end <= u64::from(total);
+            too_many |= !fits;
+            let here = self.shifted(location, if fits { position.saturating_mul(size) } else { 0 });
+            match (row, &value.value) {
+                (Some(row), _) => self.elements(here, element, &lengths[1..], row, span),
+                (None, Some(value)) => self.initialize(here, element, Some(value)),
+                (None, None) => {}
+            }
+            if fits && count > 1 && value.value.is_some() {
+                self.push_address(here);
+                self.emit(Instruction::Replicate {
+                    stride: width.saturating_mul(size),
+                    count,
+                });
+            }
+            position = u32::try_from(end).unwrap_or(total).min(total);
+        }
+        if too_many {
+            let message = format!("more than {total} initial values for {total} elements");
+            self.report(Code::InitializerTypeMismatch, span, message);
+        }
+    }
+
+    fn is_array(&self, ty: TypeId) -> bool {
+        matches!(self.model.types.kind(ty), Kind::Array(_))
+    }
+
+    /// How often an element is repeated.
+    fn repetition(&mut self, element: &ArrayElement<'_>) -> u32 {
+        let Some(id) = element.repetition else { return 1 };
+        let Some(number) = self.constant(id) else { return 0 };
+        u32::try_from(number).unwrap_or_else(|_| {
+            self.report(
+                Code::ConstantOverflow,
+                self.span(id),
+                format!("{number} is no number of repetitions"),
+            );
+            0
+        })
+    }
+
+    /// The number that an expression stands for; where it stands for none, that is said.
+    fn constant(&mut self, id: ExpressionId) -> Option<i128> {
+        let lookup = |name: Name<'m>| match self.variable(name.text) {
+            None => Constant::Unknown,
+            Some((_, variable)) if !variable.constant => Constant::Variable,
+            Some((_, variable)) if variable.ty == TypeId::ERROR => Constant::Silent,
+            Some((_, variable)) => variable.value.map_or(Constant::NotInteger, Constant::Value),
+        };
+        match (Evaluator {
+            source: self.model.source,
+            lookup: &lookup,
+        })
+        .evaluate(id)
+        {
+            Ok(number) => Some(number),
+            Err(reason) => {
+                reason
+                    .into_iter()
+                    .for_each(|diagnostic| self.reporter.push(diagnostic));
+                None
+            }
+        }
+    }
+
+    fn fields(&mut self, location: Location, ty: TypeId, fields: &'m [(Name<'m>, Initializer<'m>)]) {
+        let (Kind::Structure(structure) | Kind::FunctionBlock(structure)) = self.model.types.kind(ty) else {
+            return;
+        };
+        let mut given = rustc_hash::FxHashSet::default();
+        for (name, value) in fields {
+            let member = structure
+                .members
+                .find(name.text)
+                .filter(|member| !matches!(member.kind, VariableKind::InOut | VariableKind::External));
+            let Some(member) = member else {
+                let message = format!("{} has no element `{}`", structure.name, name.text);
+                self.report(Code::VariableUndefined, name.span, message);
+                self.lower_initializer(value);
+                continue;
+            };
+            if !given.insert(member.offset) {
+                let message = format!("`{}` is given twice", name.text);
+                self.report(Code::StructureDuplicatedElement, name.span, message);
+            }
+            let here = self.shifted(location, member.offset);
+            self.initialize(here, member.ty, Some(value));
+        }
+    }
+
+    /// Makes a routine that gives a variable, which is its instance, the default of its type.
+    pub(super) fn initial_value(&mut self, routine: RoutineId, value: InitialValue<'m>) {
+        let model = self.model;
+        let start = Location::Instance(0);
+        self.emitter.begin(routine);
+        match value {
+            InitialValue::Structure(ty, groups) => {
+                let Kind::Structure(structure) = model.types.kind(ty) else {
+                    return;
+                };
+                for group in groups {
+                    for (index, name) in group.names.iter().enumerate() {
+                        let Some(member) = structure.members.find(name.text) else {
+                            continue;
+                        };
+                        self.set_line(name.span);
+                        let muted = self.reporter.mute(index > 0);
+                        self.initialize(
+                            Location::Instance(member.offset),
+                            member.ty,
+                            group.initializer.as_ref(),
+                        );
+                        self.reporter.mute(muted);
+                    }
+                }
+            }
+            InitialValue::Elements(ty) => {
+                let Kind::Array(shape) = model.types.kind(ty) else {
+                    return;
+                };
+                self.default_value(start, shape.element);
+                if shape.length > 1 {
+                    self.push_address(start);
+                    let stride = model.types.extent(shape.element).size;
+                    self.emit(Instruction::Replicate {
+                        stride,
+                        count: shape.length,
+                    });
+                }
+            }
+            InitialValue::Declared(base, initializer) => {
+                self.set_line(initializer.span);
+                self.initialize(start, base, Some(initializer));
+            }
+        }
+        self.emit(Instruction::Return);
+    }
+}

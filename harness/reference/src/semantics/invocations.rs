@@ -1,0 +1,257 @@
+//! Calls of functions and function blocks that the text declares: passes the arguments, calls, and brings back
+//! what comes of it.
+//!
+//! All arguments are evaluated before any is stored in the callee's frame, and the result is taken out of the
+//! frame before any output is looked at, so that `F(F(1))` and `F(q => a[F(2)])` do what they say.
+
+use super::arguments::{Bound, Capture};
+use super::contexts::{Context, Fit, fit};
+use super::inferred::Inferred;
+use super::locations::{Location, Place};
+use super::lowering::{Lowering, Value};
+use super::model::{Storage, Variable};
+use super::types::TypeId;
+use crate::diagnostic::Diagnostic;
+use crate::instruction::Instruction;
+use crate::source::Span;
+use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, VariableKind};
+use stickler_types::{Code, ElementaryType};
+
+/// What a cell that holds an address counts as.
+const ADDRESS: TypeId = TypeId::of(ElementaryType::Ulint);
+
+impl<'m> Lowering<'m> {
+    /// Calls a function; its result is left on the stack where it is `used`.
+    pub(super) fn call_function(
+        &mut self,
+        span: Span,
+        pou: u32,
+        arguments: &'m [Argument<'m>],
+        used: bool,
+    ) -> Value {
+        self.note_call(pou, span);
+        let entry = &self.model.pous[pou as usize];
+        let result = entry.result.map(|result| self.model.variable(result));
+        let value = match result {
+            Some(result) => Value {
+                ty: self.model.types.value_type(result.ty),
+                constant: None,
+            },
+            None => Value::ERROR,
+        };
+        let Some(bound) = self.bind(pou, arguments, span) else {
+            return value;
+        };
+        let places = self.pass(&bound, None);
+        if bound.omitted {
+            self.emit(Instruction::Call(entry.initial));
+        }
+        self.finish_passing(places, span);
+        self.emit(Instruction::Call(entry.body));
+        if let (Some(result), true) = (result, used) {
+            self.take_result(result, span);
+        }
+        self.capture(&bound.captures, None, span);
+        value
+    }
+
+    /// Puts the result of a function on the stack. An aggregate is copied, for the next call overwrites it.
+    fn take_result(&mut self, result: &'m Variable<'m>, span: Span) {
+        let place = Place::of(result);
+        if self.is_aggregate(result.ty) {
+            let address = self.temporary_of(result.ty, span);
+            let copy = Place {
+                location: Location::Absolute(address),
+                ..place
+            };
+            self.begin_store(copy);
+            self.load(place);
+            self.finish_store(copy, span);
+            self.load(copy);
+        } else {
+            self.load(place);
+        }
+    }
+
+    /// Calls an instance of a function block.
+    pub(super) fn call_block(
+        &mut self,
+        span: Span,
+        instance: ExpressionId,
+        pou: u32,
+        arguments: &'m [Argument<'m>],
+    ) {
+        self.note_call(pou, span);
+        let Some(place) = self.place(instance) else {
+            return self.lower_arguments(arguments);
+        };
+        let location = self.pinned(place.location, span);
+        let Some(bound) = self.bind(pou, arguments, span) else {
+            return;
+        };
+        let places = self.pass(&bound, Some(location));
+        self.finish_passing(places, span);
+        self.push_address(location);
+        self.emit(Instruction::CallInstance(self.model.pous[pou as usize].body));
+        self.capture(&bound.captures, Some(location), span);
+    }
+
+    /// Where a variable of the callee lies, for the caller; of a VAR_IN_OUT, the cell for the address.
+    fn outside(&mut self, variable: &Variable<'_>, instance: Option<Location>) -> Place {
+        let (location, ty) = match (variable.storage, instance) {
+            (Storage::Instance(offset), Some(base)) => (self.shifted(base, offset), variable.ty),
+            (Storage::InstancePointer(cell), Some(base)) => (self.shifted(base, cell), ADDRESS),
+            (Storage::AbsolutePointer(cell), _) => (Location::Absolute(cell), ADDRESS),
+            (storage, _) => (Location::of(storage), variable.ty),
+        };
+        Place {
+            location,
+            ty,
+            bit: None,
+            constant: false,
+        }
+    }
+
+    /// Evaluates the arguments and leaves them on the stack; gives the places where they belong.
+    fn pass(&mut self, bound: &Bound, instance: Option<Location>) -> Vec<Place> {
+        let mut places = Vec::with_capacity(bound.inputs.len());
+        for &(parameter, argument) in &bound.inputs {
+            let variable = &self.model.variables[parameter as usize];
+            let place = self.outside(variable, instance);
+            self.begin_store(place);
+            if variable.kind == VariableKind::InOut {
+                self.pass_by_reference(argument, variable.ty);
+            } else {
+                self.coerce(argument, variable.ty, Context::Argument);
+            }
+            places.push(place);
+        }
+        places
+    }
+
+    fn finish_passing(&mut self, places: Vec<Place>, span: Span) {
+        for place in places.into_iter().rev() {
+            self.finish_store(place, span);
+        }
+    }
+
+    /// Puts the address of an argument on the stack.
+    ///
+    /// Basis: stickler-design: §8 (VAR_IN_OUT needs the same type); ironplc-problem-codes: P4058, P4059, P4060.
+    fn pass_by_reference(&mut self, argument: ExpressionId, ty: TypeId) {
+        let span = self.span(argument);
+        if !self.is_variable(argument) {
+            let value = self.value(argument, None);
+            if value.ty != TypeId::ERROR || self.infer(argument) == Inferred::Nothing {
+                self.report(
+                    Code::FunctionCallInOutArgNotVariable,
+                    span,
+                    "VAR_IN_OUT needs a variable",
+                );
+            }
+            return;
+        }
+        let Some(place) = self.place(argument) else { return };
+        if place.bit.is_some() {
+            let message = "VAR_IN_OUT needs a variable; a bit is none";
+            self.report(Code::FunctionCallInOutArgNotVariable, span, message);
+            return;
+        }
+        let types = &self.model.types;
+        let texts = self.is_text(ty) && self.is_text(place.ty);
+        // Each text variable keeps to its own length, so that only the kind of text matters.
+        let same = match texts {
+            true => types.value_type(ty) == types.value_type(place.ty),
+            false => types.root(ty) == types.root(place.ty),
+        };
+        if !same && ty != TypeId::ERROR {
+            let (needed, given) = (types.name(ty), types.name(place.ty));
+            let message = format!("VAR_IN_OUT needs a variable of type {needed}, not {given}");
+            self.report(Code::FunctionCallInOutArgTypeMismatch, span, message);
+        } else if place.constant {
+            self.report(
+                Code::InOutArgNotWritable,
+                span,
+                "VAR_IN_OUT needs a variable that can be written",
+            );
+        }
+        self.push_address(place.location);
+    }
+
+    /// Whether an expression has the form of a variable, and is no enumerated value.
+    fn is_variable(&self, id: ExpressionId) -> bool {
+        match self.expression(id).kind {
+            ExpressionKind::Name(name) => {
+                self.variable(name.text).is_some() || self.enumerated_name(name.text).is_none()
+            }
+            _ => self.names_a_place(id),
+        }
+    }
+
+    /// Copies outputs to their targets: first all are read, then all are written, the last one first.
+    fn capture(&mut self, captures: &[Capture], instance: Option<Location>, span: Span) {
+        let mut taken = Vec::with_capacity(captures.len());
+        for capture in captures {
+            let variable = &self.model.variables[capture.output as usize];
+            let output = self.outside(variable, instance);
+            let sound = self.read_output(capture, output);
+            taken.push((capture.target, output, sound));
+        }
+        for (target, output, sound) in taken.into_iter().rev() {
+            let Some(place) = self.place(target) else { continue };
+            if place.constant {
+                self.refuse_constant(target);
+            } else if sound && self.is_aggregate(output.ty) {
+                self.push_address(place.location);
+                self.push_address(output.location);
+                self.finish_store(place, span);
+            } else if sound {
+                self.store(place, span);
+            }
+        }
+    }
+
+    /// Puts an output on the stack, as its target takes it; an aggregate is left where it is. Gives whether it
+    /// fits its target.
+    fn read_output(&mut self, capture: &Capture, output: Place) -> bool {
+        let span = self.span(capture.target);
+        let target = self.infer(capture.target);
+        let types = &self.model.types;
+        let from = types.value_type(output.ty);
+        if from == TypeId::ERROR {
+            return false;
+        }
+        if capture.negated && from != TypeId::BOOL {
+            let message = format!("`NOT` is not defined for {}", types.name(from));
+            self.report(Code::OperatorOperandTypeMismatch, span, message);
+            return false;
+        }
+        let Inferred::Known(to) = target else { return false };
+        let dialect = self.model.source.dialect;
+        if fit(Inferred::Known(from), to, Context::Capture, types, dialect) != Fit::Yes {
+            let message = format!(
+                "{} does not convert implicitly to {}",
+                types.name(from),
+                types.name(to)
+            );
+            self.reporter
+                .push(Diagnostic::new(Context::Capture.code(), span, message));
+            return false;
+        }
+        if self.is_aggregate(output.ty) {
+            return true;
+        }
+        let value = self.load(output);
+        if capture.negated {
+            self.emit(Instruction::Not(ElementaryType::Bool));
+        }
+        self.adapt(value, to);
+        true
+    }
+
+    /// Says that a constant cannot be written.
+    pub(super) fn refuse_constant(&mut self, target: ExpressionId) {
+        let message = format!("`{}` is a CONSTANT", self.model.source.text_of(target));
+        self.report(Code::AssignmentToConstant, self.span(target), message);
+    }
+}

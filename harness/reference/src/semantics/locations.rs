@@ -1,0 +1,247 @@
+//! Where a variable lies, and the code that reads and writes it there.
+
+use super::lowering::{Lowering, Value};
+use super::model::{Storage, Variable};
+use super::types::{Kind, Subrange, TypeId};
+use crate::instruction::Instruction;
+use crate::source::Span;
+use stickler_types::ElementaryType;
+
+/// Where a value lies.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Location {
+    /// At an address.
+    Absolute(u32),
+    /// Behind the address of the instance.
+    Instance(u32),
+    /// Behind the address that a cell holds.
+    Pointer { cell: u32, offset: u32 },
+    /// Behind the address that a cell of the instance holds.
+    InstancePointer { cell: u32, offset: u32 },
+    /// At the address on top of the stack, which can be used once.
+    Stack,
+}
+
+/// A variable, an element of one, or a bit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub(super) location: Location,
+    /// The declared type; of a bit, the type that it is part of.
+    pub(super) ty: TypeId,
+    /// The bit that is selected.
+    pub(super) bit: Option<u8>,
+    /// It belongs to a CONSTANT.
+    pub(super) constant: bool,
+}
+
+impl Place {
+    /// A whole variable.
+    pub(super) fn of(variable: &Variable<'_>) -> Place {
+        Place {
+            location: Location::of(variable.storage),
+            ty: variable.ty,
+            bit: None,
+            constant: variable.constant,
+        }
+    }
+
+    /// The type of what stands there.
+    pub(super) fn content(&self) -> TypeId {
+        if self.bit.is_some() { TypeId::BOOL } else { self.ty }
+    }
+}
+
+impl Location {
+    /// Where a variable lies; of a VAR_IN_OUT, its argument.
+    pub(super) fn of(storage: Storage) -> Location {
+        match storage {
+            Storage::Absolute(address) => Location::Absolute(address),
+            Storage::Instance(offset) => Location::Instance(offset),
+            Storage::AbsolutePointer(cell) => Location::Pointer { cell, offset: 0 },
+            Storage::InstancePointer(cell) => Location::InstancePointer { cell, offset: 0 },
+        }
+    }
+}
+
+/// How a value is stored: what kind of cells it takes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Cells {
+    Plain,
+    Text,
+    Many(u32),
+}
+
+impl Lowering<'_> {
+    fn cells(&self, ty: TypeId) -> Cells {
+        match self.model.types.kind(ty) {
+            Kind::Text { .. } => Cells::Text,
+            Kind::Array(_) | Kind::Structure(_) | Kind::FunctionBlock(_) => {
+                Cells::Many(self.model.types.extent(ty).size)
+            }
+            _ => Cells::Plain,
+        }
+    }
+
+    /// Whether values of a type are addresses of where they lie.
+    pub(super) fn is_aggregate(&self, ty: TypeId) -> bool {
+        matches!(self.cells(ty), Cells::Many(_))
+    }
+
+    /// Whether values of a type are texts.
+    pub(super) fn is_text(&self, ty: TypeId) -> bool {
+        self.cells(ty) == Cells::Text
+    }
+
+    /// The location some cells further on.
+    pub(super) fn shifted(&mut self, location: Location, by: u32) -> Location {
+        match location {
+            Location::Absolute(address) => Location::Absolute(address.saturating_add(by)),
+            Location::Instance(offset) => Location::Instance(offset.saturating_add(by)),
+            Location::Pointer { cell, offset } => Location::Pointer {
+                cell,
+                offset: offset.saturating_add(by),
+            },
+            Location::InstancePointer { cell, offset } => Location::InstancePointer {
+                cell,
+                offset: offset.saturating_add(by),
+            },
+            Location::Stack => {
+                self.offset(by);
+                Location::Stack
+            }
+        }
+    }
+
+    fn offset(&mut self, by: u32) {
+        if by > 0 {
+            self.emit(Instruction::Offset(by));
+        }
+    }
+
+    /// Puts the address of a location on the stack.
+    pub(super) fn push_address(&mut self, location: Location) {
+        match location {
+            Location::Absolute(address) => self.emit(Instruction::Address(address)),
+            Location::Instance(offset) => self.emit(Instruction::InstanceAddress(offset)),
+            Location::Pointer { cell, offset } => {
+                self.emit(Instruction::Load(cell));
+                self.offset(offset);
+            }
+            Location::InstancePointer { cell, offset } => {
+                self.emit(Instruction::InstanceAddress(cell));
+                self.emit(Instruction::Dereference);
+                self.offset(offset);
+            }
+            Location::Stack => {}
+        }
+    }
+
+    /// The location as one that can be used more than once.
+    pub(super) fn pinned(&mut self, location: Location, span: Span) -> Location {
+        if location != Location::Stack {
+            return location;
+        }
+        let cell = self.temporary(span);
+        self.emit(Instruction::Store(cell));
+        Location::Pointer { cell, offset: 0 }
+    }
+
+    /// Puts what lies somewhere on the stack; of an aggregate, its address.
+    pub(super) fn load(&mut self, place: Place) -> Value {
+        match (self.cells(place.ty), place.location) {
+            (Cells::Many(_), location) => self.push_address(location),
+            (Cells::Text, location) => {
+                self.push_address(location);
+                self.emit(Instruction::LoadText);
+            }
+            (Cells::Plain, Location::Absolute(address)) => self.emit(Instruction::Load(address)),
+            (Cells::Plain, location) => {
+                self.push_address(location);
+                self.emit(Instruction::LoadIndirect);
+            }
+        }
+        if let Some(bit) = place.bit {
+            self.emit(Instruction::Bit(bit));
+        }
+        Value {
+            ty: self.model.types.value_type(place.content()),
+            constant: None,
+        }
+    }
+
+    /// What must be on the stack before the value that is to be stored.
+    pub(super) fn begin_store(&mut self, place: Place) {
+        let known = matches!(place.location, Location::Absolute(_));
+        match self.cells(place.ty) {
+            _ if place.location == Location::Stack => {}
+            _ if place.bit.is_some() => self.push_address(place.location),
+            Cells::Text => {}
+            Cells::Plain if known => {}
+            Cells::Plain | Cells::Many(_) => self.push_address(place.location),
+        }
+    }
+
+    /// Stores the value on the stack, [`Self::begin_store`] having come before it.
+    pub(super) fn finish_store(&mut self, place: Place, span: Span) {
+        if let (Some(bit), Some(of)) = (place.bit, self.model.elementary(place.ty)) {
+            return self.store_bit(place, bit, of, span);
+        }
+        match (self.cells(place.ty), place.location) {
+            (Cells::Many(size), _) => self.emit(Instruction::Copy(size)),
+            (Cells::Text, location) => {
+                self.push_address(location);
+                self.emit(Instruction::StoreText);
+            }
+            (Cells::Plain, Location::Absolute(address)) => self.emit(Instruction::Store(address)),
+            (Cells::Plain, _) => self.emit(Instruction::StoreIndirect),
+        }
+    }
+
+    /// Stores the value on the stack, nothing having been said of the place before; the limits of a subrange
+    /// are checked.
+    pub(super) fn store(&mut self, place: Place, span: Span) {
+        let known = matches!(place.location, Location::Absolute(_));
+        match self.cells(place.ty) {
+            Cells::Text => {}
+            Cells::Plain if known && place.bit.is_none() => {}
+            _ => {
+                self.push_address(place.location);
+                self.emit(Instruction::Swap);
+            }
+        }
+        if let (Kind::Subrange(limits), None) = (self.model.types.kind(place.ty), place.bit) {
+            self.emit_at(span, check_range(*limits));
+        }
+        self.finish_store(place, span);
+    }
+
+    /// Sets a bit; a variable with limits must still keep to them.
+    fn store_bit(&mut self, place: Place, bit: u8, of: ElementaryType, span: Span) {
+        self.emit(Instruction::StoreBit { bit, of });
+        if let Kind::Subrange(limits) = *self.model.types.kind(place.ty)
+            && place.location != Location::Stack
+        {
+            self.load(Place { bit: None, ..place });
+            self.emit_at(span, check_range(limits));
+            self.emit(Instruction::Drop);
+        }
+    }
+
+    /// Sets cells to zero and texts to nothing.
+    pub(super) fn clear(&mut self, location: Location, cells: u32) {
+        if cells > 0 {
+            self.push_address(location);
+            self.emit(Instruction::Clear(cells));
+        }
+    }
+}
+
+/// The instruction that checks the limits of a subrange.
+pub(super) fn check_range(limits: Subrange) -> Instruction {
+    let Subrange { base, low, high } = limits;
+    Instruction::CheckRange {
+        low: base.wrap(low).cast_signed(),
+        high: base.wrap(high),
+        unsigned: base.is_unsigned(),
+    }
+}

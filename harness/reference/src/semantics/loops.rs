@@ -1,0 +1,160 @@
+//! Lowers FOR.
+//!
+//! The limit and the step are evaluated once. The step is taken by an instruction that knows no width, so that
+//! a loop up to the greatest value of its control variable ends. After the loop the control variable has the
+//! value that ended it, wrapped to its type; one with limits keeps its last value instead.
+//!
+//! Basis: stickler-design: §8 (FOR bounds take any integer); iec-61131-3: FOR statement (the control variable's
+//! value after the loop is left to the implementer).
+
+use super::contexts::Context;
+use super::locations::{Place, check_range};
+use super::lowering::{Lowering, Value};
+use super::types::{Kind, TypeId};
+use crate::conversion::{Conversion, ConversionRule};
+use crate::instruction::{Instruction, LoopTypes};
+use crate::source::Span;
+use crate::syntax::tree::{ExpressionId, Statement};
+use stickler_types::{Code, ElementaryType};
+
+/// A limit or a step that is kept while the loop runs.
+#[derive(Clone, Copy)]
+struct Kept {
+    cell: u32,
+    ty: ElementaryType,
+}
+
+impl<'m> Lowering<'m> {
+    /// Lowers a FOR loop.
+    pub(super) fn for_loop(
+        &mut self,
+        control: ExpressionId,
+        (from, to, by): (ExpressionId, ExpressionId, Option<ExpressionId>),
+        body: &'m [Statement],
+    ) {
+        let Some((place, ty)) = self.control(control) else {
+            for bound in [Some(from), Some(to), by].into_iter().flatten() {
+                self.integer(bound, ElementaryType::Lint, Context::Integer);
+            }
+            self.body(body);
+            return;
+        };
+        let span = self.span(control);
+        self.begin_store(place);
+        self.first_value(from, place, ty);
+        let limit = self.keep(to, ty);
+        let step = self.keep_step(by, span);
+        self.finish_store(place, span);
+        let types = LoopTypes {
+            control: ty,
+            limit: limit.ty,
+            step: step.ty,
+        };
+
+        self.load_three(place, limit, step);
+        self.emit(Instruction::LoopTest(types));
+        let out = self.emitter.jump_if_false();
+        let top = self.emitter.position();
+        let done = self.body(body);
+        self.land_all(done.continues);
+        self.set_line(span);
+        self.load_three(place, limit, step);
+        self.emit(Instruction::LoopStep(types));
+        self.next_turn(place, top, span);
+        self.emitter.land(out);
+        self.land_all(done.exits);
+    }
+
+    /// The control variable and its type.
+    fn control(&mut self, control: ExpressionId) -> Option<(Place, ElementaryType)> {
+        let place = self.place(control)?;
+        if place.constant {
+            self.refuse_constant(control);
+        }
+        let elementary = self.model.elementary(place.content());
+        let Some(ty) = elementary.filter(|ty| ty.is_integer()) else {
+            let name = self.model.types.name(place.content());
+            let message = format!("the control variable of FOR is an integer, not {name}");
+            self.report(Code::AssignmentTypeMismatch, self.span(control), message);
+            return None;
+        };
+        let location = self.pinned(place.location, self.span(control));
+        Some((Place { location, ..place }, ty))
+    }
+
+    /// Puts the first value on the stack, as the control variable holds it.
+    fn first_value(&mut self, from: ExpressionId, place: Place, ty: ElementaryType) {
+        let Some(value) = self.integer(from, ty, Context::Integer) else {
+            return;
+        };
+        if let Some(own) = value.ty.elementary().filter(|&own| own != ty) {
+            self.emit(Instruction::Convert(Conversion {
+                from: own,
+                to: ty,
+                rule: ConversionRule::Wrap,
+            }));
+        }
+        self.check_limits(
+            from,
+            Value {
+                constant: None,
+                ..value
+            },
+            place.ty,
+        );
+    }
+
+    fn keep(&mut self, bound: ExpressionId, wanted: ElementaryType) -> Kept {
+        let value = self.integer(bound, wanted, Context::Integer);
+        let cell = self.temporary(self.span(bound));
+        self.emit(Instruction::Store(cell));
+        Kept {
+            cell,
+            ty: value.and_then(|value| value.ty.elementary()).unwrap_or(wanted),
+        }
+    }
+
+    /// The step. An untyped one may be negative whatever the control variable's type is.
+    fn keep_step(&mut self, by: Option<ExpressionId>, span: Span) -> Kept {
+        if let Some(by) = by {
+            return self.keep(by, ElementaryType::Lint);
+        }
+        let cell = self.temporary(span);
+        self.emit(Instruction::Push(1));
+        self.emit(Instruction::Store(cell));
+        Kept {
+            cell,
+            ty: ElementaryType::Lint,
+        }
+    }
+
+    fn load_three(&mut self, place: Place, limit: Kept, step: Kept) {
+        self.load(place);
+        self.emit(Instruction::Load(limit.cell));
+        self.emit(Instruction::Load(step.cell));
+    }
+
+    /// The next value, and above it whether the loop goes on, are on the stack.
+    fn next_turn(&mut self, place: Place, top: u32, span: Span) {
+        if let Kind::Subrange(limits) = *self.model.types.kind(place.ty) {
+            let last = self.emitter.jump_if_false();
+            self.emit_at(span, check_range(limits));
+            self.store(
+                Place {
+                    ty: TypeId::of(limits.base),
+                    ..place
+                },
+                span,
+            );
+            self.emit(Instruction::Jump(top));
+            self.emitter.land(last);
+            self.emit(Instruction::Drop);
+        } else {
+            self.emit(Instruction::Swap);
+            self.store(place, span);
+            let last = self.emitter.jump_if_false();
+            self.emit(Instruction::Jump(top));
+            self.emitter.land(last);
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Lowers the bodies of POUs to code, and says what is wrong with them.
+//!
+//! Each expression is inferred at most once, silently, and lowered exactly once, which reports. So everything
+//! wrong is said once, and nothing is said about what follows from something wrong. Once anything has been
+//! reported the code is thrown away, so code for what is wrong need not make sense.
+
+use super::emitter::Emitter;
+use super::inferred::Inferred;
+use super::layout::Memory;
+use super::model::{Model, PouEntry, Variable};
+use super::operators::Rules;
+use super::reporter::Reporter;
+use super::scope::Folded;
+use super::statements::Loop;
+use super::types::TypeId;
+use crate::instruction::Instruction;
+use crate::source::Span;
+use crate::syntax::tree::{Expression, ExpressionId, VariableKind};
+use rustc_hash::FxHashSet;
+use stickler_types::{Code, ElementaryType};
+
+/// What lowering works with.
+pub(super) struct Lowering<'m> {
+    pub(super) model: &'m Model<'m>,
+    pub(super) reporter: &'m mut Reporter,
+    pub(super) emitter: Emitter,
+    pub(super) memory: Memory,
+    /// The inferred type of each expression.
+    pub(super) inferred: Vec<Inferred>,
+    /// The POU whose code is being made; `None` for what belongs to the top level.
+    pub(super) pou: Option<u32>,
+    /// In an initial value, variables of its own scope are known up to here.
+    pub(super) visible: u32,
+    /// The loops around the statement, the innermost last.
+    pub(super) loops: Vec<Loop>,
+    /// Which POU calls which, with the first place where it does.
+    pub(super) calls: Vec<(u32, u32, Span)>,
+    /// The pairs in `calls`.
+    pub(super) known_calls: FxHashSet<(u32, u32)>,
+    /// How many more messages may look for a similar name, which takes time.
+    pub(super) guesses: u32,
+}
+
+/// A value on top of the stack: of which type, and which number where that is known.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Value {
+    /// A value's type; [`TypeId::ERROR`] where something wrong has been reported.
+    pub(super) ty: TypeId,
+    /// The number of a constant expression of an integer type or an enumeration.
+    pub(super) constant: Option<i128>,
+}
+
+impl Value {
+    /// Nothing that more should be said about.
+    pub(super) const ERROR: Value = Value {
+        ty: TypeId::ERROR,
+        constant: None,
+    };
+
+    /// A value that is computed as the program runs.
+    pub(super) const fn of(ty: ElementaryType) -> Value {
+        Value {
+            ty: TypeId::of(ty),
+            constant: None,
+        }
+    }
+}
+
+impl<'m> Lowering<'m> {
+    /// Ready to lower.
+    pub(super) fn new(model: &'m Model<'m>, memory: Memory, reporter: &'m mut Reporter) -> Lowering<'m> {
+        Lowering {
+            model,
+            reporter,
+            emitter: Emitter::new(model.routines),
+            memory,
+            inferred: vec![Inferred::Pending; model.source.unit.expressions.len()],
+            pou: None,
+            visible: u32::MAX,
+            loops: Vec::new(),
+            calls: Vec::new(),
+            known_calls: FxHashSet::default(),
+            guesses: 20,
+        }
+    }
+
+    /// Reports something wrong.
+    pub(super) fn report(&mut self, code: Code, span: Span, message: impl Into<String>) {
+        self.reporter.report(code, span, message);
+    }
+
+    /// Adds an instruction.
+    pub(super) fn emit(&mut self, instruction: Instruction) {
+        self.emitter.emit(instruction);
+    }
+
+    /// Adds an instruction that may fault, which is then said of the line where the span begins.
+    pub(super) fn emit_at(&mut self, span: Span, instruction: Instruction) {
+        let before = self.emitter.line();
+        self.set_line(span);
+        self.emitter.emit(instruction);
+        self.emitter.set_line(before);
+    }
+
+    /// The line of what follows.
+    pub(super) fn set_line(&mut self, span: Span) {
+        let source = self.model.source;
+        self.emitter
+            .set_line(source.lines.position(source.text, span.start).line);
+    }
+
+    /// The rules of operators.
+    pub(super) fn rules(&self) -> Rules<'m> {
+        Rules {
+            types: &self.model.types,
+            dialect: self.model.source.dialect,
+        }
+    }
+
+    /// An expression of the tree.
+    pub(super) fn expression(&self, id: ExpressionId) -> &'m Expression<'m> {
+        self.model.source.expression(id)
+    }
+
+    /// The span of an expression.
+    pub(super) fn span(&self, id: ExpressionId) -> Span {
+        self.expression(id).span
+    }
+
+    /// The POU whose code is being made.
+    pub(super) fn entry(&self) -> Option<&'m PouEntry<'m>> {
+        self.pou.map(|pou| &self.model.pous[pou as usize])
+    }
+
+    /// The variable of a name: one of the POU, or else a global one. In an initial value those of its own scope
+    /// that are declared later do not count.
+    pub(super) fn variable(&self, name: &str) -> Option<(u32, &'m Variable<'m>)> {
+        let local = self.entry().and_then(|entry| entry.scope.get(&Folded(name)));
+        let limited = local.is_some() || self.pou.is_none();
+        let index = *local.or_else(|| self.model.globals.get(&Folded(name)))?;
+        let variable = &self.model.variables[index as usize];
+        let later = limited && index >= self.visible && variable.kind != VariableKind::External;
+        (!later).then_some((index, variable))
+    }
+
+    /// A plain cell of one's own, for what must be kept while other code runs. Recursion is forbidden, so it
+    /// may lie at a fixed address.
+    pub(super) fn temporary(&mut self, span: Span) -> u32 {
+        self.memory.cell().unwrap_or_else(|| {
+            self.report(Code::LimitExceeded, span, "the program needs too much memory");
+            0
+        })
+    }
+
+    /// Room for a value of a type.
+    pub(super) fn temporary_of(&mut self, ty: TypeId, span: Span) -> u32 {
+        let model = self.model;
+        self.memory.allocate(&model.types, ty).unwrap_or_else(|| {
+            self.report(Code::LimitExceeded, span, "the program needs too much memory");
+            0
+        })
+    }
+
+    /// Notes that the POU calls another.
+    pub(super) fn note_call(&mut self, callee: u32, span: Span) {
+        if let Some(caller) = self.pou
+            && self.known_calls.insert((caller, callee))
+        {
+            self.calls.push((caller, callee, span));
+        }
+    }
+}

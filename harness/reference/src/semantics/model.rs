@@ -1,0 +1,189 @@
+//! What the declarations of a source text say: types, program organization units, variables and where they
+//! lie. It is made once, by `declare`, and only read while bodies are lowered.
+
+use super::scope::Scope;
+use super::types::{Kind, TypeId, TypeTable};
+use crate::dialect::Dialect;
+use crate::instruction::RoutineId;
+use crate::source::LineIndex;
+use crate::syntax::tree::{
+    Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableGroup, VariableKind,
+};
+use std::ops::Range;
+use stickler_types::ElementaryType;
+
+/// The source text and the rules that it is read by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Source<'u> {
+    pub(super) unit: &'u SourceUnit<'u>,
+    pub(super) text: &'u str,
+    pub(super) lines: &'u LineIndex,
+    pub(super) dialect: &'u Dialect,
+}
+
+impl<'u> Source<'u> {
+    /// An expression of the tree.
+    pub(super) fn expression(&self, id: ExpressionId) -> &'u Expression<'u> {
+        &self.unit.expressions[id.0 as usize]
+    }
+
+    /// An expression without the parentheses around it.
+    pub(super) fn bare(&self, mut id: ExpressionId) -> ExpressionId {
+        while let crate::syntax::tree::ExpressionKind::Parenthesized(inner) = self.expression(id).kind {
+            id = inner;
+        }
+        id
+    }
+
+    /// The source text of an expression.
+    pub(super) fn text_of(&self, id: ExpressionId) -> &'u str {
+        let span = self.expression(id).span;
+        self.text
+            .get(span.start as usize..span.end as usize)
+            .unwrap_or_default()
+    }
+}
+
+/// Everything that is declared.
+#[derive(Debug)]
+pub(super) struct Model<'u> {
+    pub(super) source: Source<'u>,
+    pub(super) types: TypeTable,
+    /// Types and program organization units by their names.
+    pub(super) definitions: Scope<'u, Definition>,
+    /// The types of [`Definition::Type`].
+    pub(super) declared_types: Vec<TypeId>,
+    pub(super) pous: Vec<PouEntry<'u>>,
+    /// All variables; those of one POU stand together.
+    pub(super) variables: Vec<Variable<'u>>,
+    /// Global variables by name: indices into `variables`.
+    pub(super) globals: Scope<'u, u32>,
+    /// The values of enumerations that have a name.
+    pub(super) enumerated: Scope<'u, EnumeratedName>,
+    /// Routines that give the variables of a type their default value.
+    pub(super) initial_values: Vec<(RoutineId, InitialValue<'u>)>,
+    /// The program instances in the order in which they run.
+    pub(super) instances: Vec<Instance<'u>>,
+    /// How many routines have been given out.
+    pub(super) routines: RoutineId,
+}
+
+/// What a name at the top level stands for.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Definition {
+    /// A type: an index into [`Model::declared_types`].
+    Type(u32),
+    /// A program organization unit: an index into [`Model::pous`].
+    Pou(u32),
+}
+
+/// A program organization unit.
+#[derive(Debug)]
+pub(super) struct PouEntry<'u> {
+    /// Its declaration.
+    pub(super) pou: &'u Pou<'u>,
+    /// The node of a function block in the order of types.
+    pub(super) node: Option<usize>,
+    /// Its variables among [`Model::variables`].
+    pub(super) variables: Range<u32>,
+    /// Its variables by name, the result of a function among them.
+    pub(super) scope: Scope<'u, u32>,
+    /// The values of enumerations that are declared with its variables.
+    pub(super) enumerated: Scope<'u, EnumeratedName>,
+    /// The variable that holds a function's result.
+    pub(super) result: Option<u32>,
+    /// The parameters that a call gives by position: VAR_INPUT and VAR_IN_OUT in order.
+    pub(super) parameters: Vec<u32>,
+    /// The type of a function block or program, whose members its variables are.
+    pub(super) ty: TypeId,
+    /// The body.
+    pub(super) body: RoutineId,
+    /// Gives an instance its initial values; for a function, its inputs their defaults.
+    pub(super) initial: RoutineId,
+    /// The cells that a function clears at each call.
+    pub(super) cleared: Range<u32>,
+}
+
+impl PouEntry<'_> {
+    /// Whether it is a function, whose variables lie in a frame of its own.
+    pub(super) fn is_function(&self) -> bool {
+        self.pou.kind == PouKind::Function
+    }
+}
+
+/// A variable.
+#[derive(Clone, Debug)]
+pub(super) struct Variable<'u> {
+    /// Its name.
+    pub(super) name: Name<'u>,
+    /// Its declared type.
+    pub(super) ty: TypeId,
+    /// Its section.
+    pub(super) kind: VariableKind,
+    /// It is a CONSTANT.
+    pub(super) constant: bool,
+    /// Where it lies.
+    pub(super) storage: Storage,
+    /// Its initial value.
+    pub(super) initializer: Option<&'u Initializer<'u>>,
+    /// It shares the initial value with a variable before it, which is not to be complained about twice.
+    pub(super) repeated: bool,
+    /// The number that a constant of an integer type stands for.
+    pub(super) value: Option<i128>,
+}
+
+/// Where a variable lies.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Storage {
+    /// At an address.
+    Absolute(u32),
+    /// Behind the address of the instance.
+    Instance(u32),
+    /// Where the cell at an address points (VAR_IN_OUT of a function).
+    AbsolutePointer(u32),
+    /// Where a cell of the instance points (VAR_IN_OUT of a function block).
+    InstancePointer(u32),
+}
+
+/// An enumerated value without its type's name in front.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum EnumeratedName {
+    /// One enumeration has it.
+    One(TypeId, i64),
+    /// More than one has it.
+    Several,
+}
+
+/// What the variables of a type begin with.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum InitialValue<'u> {
+    /// The elements of a structure, each its own.
+    Structure(TypeId, &'u [VariableGroup<'u>]),
+    /// Every element of an array the default of its type.
+    Elements(TypeId),
+    /// What a declaration says; the type is the one that it gives a name, with that type's own default.
+    Declared(TypeId, &'u Initializer<'u>),
+}
+
+/// A program that runs once a scan.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Instance<'u> {
+    /// Its name; where there is no CONFIGURATION, the program's own.
+    pub(super) name: &'u str,
+    /// The program.
+    pub(super) pou: u32,
+    /// Where its variables lie.
+    pub(super) base: u32,
+}
+
+impl Model<'_> {
+    /// A variable.
+    pub(super) fn variable(&self, index: u32) -> &Variable<'_> {
+        &self.variables[index as usize]
+    }
+
+    /// The elementary type that values of a declared type have.
+    pub(super) fn elementary(&self, ty: TypeId) -> Option<ElementaryType> {
+        self.types.value_type(ty).elementary()
+    }
+}

@@ -1,0 +1,218 @@
+//! Finds the variable that a path names: `a[1]`, `rec.field[2].x`, `instance.name`.
+
+use super::check::CheckedProgram;
+use super::model::{Model, Storage};
+use super::scope::Named;
+use super::types::{Kind, Member, TypeId, TypeTable};
+use crate::syntax::tree::VariableKind;
+use stickler_types::ElementaryType;
+
+/// A variable that can be observed.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Observed {
+    /// Its cell.
+    pub address: u32,
+    /// Its type.
+    pub ty: ObservedType,
+}
+
+/// The type of a variable that can be observed.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum ObservedType {
+    /// An elementary type that is no text; a subrange counts as its base type.
+    Plain(ElementaryType),
+    /// STRING or WSTRING.
+    Text(ElementaryType),
+    /// An enumeration.
+    Enumerated {
+        /// Its name.
+        type_name: String,
+        /// The raw forms of its values, and their names.
+        values: Vec<(i64, String)>,
+    },
+}
+
+/// Where the variables of a checked program lie.
+#[derive(Debug)]
+pub(super) struct Directory {
+    types: TypeTable,
+    globals: Named<Member>,
+    /// The program instances: name, type, and address.
+    instances: Vec<(Box<str>, TypeId, u32)>,
+}
+
+impl Directory {
+    /// What is left of a model once its source text is gone.
+    pub(super) fn new(model: Model<'_>) -> Directory {
+        let mut globals = Named::new();
+        for variable in model
+            .variables
+            .iter()
+            .filter(|variable| variable.kind == VariableKind::Global)
+        {
+            if let Storage::Absolute(offset) = variable.storage {
+                let kind = VariableKind::Global;
+                globals.push(
+                    variable.name.text,
+                    Member {
+                        ty: variable.ty,
+                        offset,
+                        kind,
+                        constant: false,
+                    },
+                );
+            }
+        }
+        let instances = model.instances.iter();
+        let instances = instances
+            .map(|instance| {
+                (
+                    instance.name.into(),
+                    model.pous[instance.pou as usize].ty,
+                    instance.base,
+                )
+            })
+            .collect();
+        Directory {
+            types: model.types,
+            globals,
+            instances,
+        }
+    }
+
+    /// The variable that the first names of a path mean, and what is left of the path.
+    fn root<'p>(&self, path: &'p str) -> Result<(TypeId, u32, &'p str), String> {
+        let (name, rest) = name(path)?;
+        if let Some((_, ty, base)) = self.instances.first()
+            && let Some(found) = self.member(*ty, *base, name)
+        {
+            return Ok((found.0, found.1, rest));
+        }
+        let instance = self
+            .instances
+            .iter()
+            .find(|(instance, ..)| instance.eq_ignore_ascii_case(name));
+        if let Some((instance, ty, base)) = instance {
+            let Some(rest) = rest.trim_start().strip_prefix('.') else {
+                return Err(format!(
+                    "`{instance}` is a program; write `{instance}.` and a variable"
+                ));
+            };
+            let (name, rest) = super::observation::name(rest)?;
+            return match self.member(*ty, *base, name) {
+                Some((ty, address)) => Ok((ty, address, rest)),
+                None => Err(format!("`{instance}` has no variable `{name}`")),
+            };
+        }
+        match self.globals.find(name) {
+            Some(global) => Ok((global.ty, global.offset, rest)),
+            None => Err(format!("there is no variable `{name}`")),
+        }
+    }
+
+    fn member(&self, ty: TypeId, base: u32, name: &str) -> Option<(TypeId, u32)> {
+        let (Kind::Structure(structure) | Kind::FunctionBlock(structure)) = self.types.kind(ty) else {
+            return None;
+        };
+        let member = structure
+            .members
+            .find(name)
+            .filter(|member| member.kind != VariableKind::InOut)?;
+        Some((member.ty, base + member.offset))
+    }
+
+    fn element<'p>(
+        &self,
+        ty: TypeId,
+        base: u32,
+        subscripts: &'p str,
+    ) -> Result<(TypeId, u32, &'p str), String> {
+        let Kind::Array(shape) = self.types.kind(ty) else {
+            return Err(format!("{} has no elements", self.types.name(ty)));
+        };
+        let (inside, rest) = subscripts.split_once(']').ok_or("`]` is missing")?;
+        let mut address = base;
+        let mut numbers = inside.split(',');
+        for dimension in &shape.dimensions {
+            let number = numbers.next().ok_or("there are too few subscripts")?.trim();
+            let number: i64 = number
+                .parse()
+                .map_err(|_| format!("`{number}` is no subscript"))?;
+            if !(dimension.low..=dimension.high).contains(&number) {
+                return Err(format!(
+                    "subscript {number} is outside {}..{}",
+                    dimension.low, dimension.high
+                ));
+            }
+            // Both differences are below the limit of memory.
+            address += u32::try_from(number.abs_diff(dimension.low)).unwrap_or(0) * dimension.stride;
+        }
+        match numbers.next() {
+            Some(_) => Err("there are too many subscripts".to_owned()),
+            None => Ok((shape.element, address, rest)),
+        }
+    }
+
+    fn observed(&self, ty: TypeId, address: u32) -> Result<Observed, String> {
+        let ty = match self.types.kind(ty) {
+            Kind::Elementary(ty) => ObservedType::Plain(*ty),
+            Kind::Subrange(subrange) => ObservedType::Plain(subrange.base),
+            Kind::Text { ty, .. } => ObservedType::Text(*ty),
+            Kind::Enumeration(enumeration) => ObservedType::Enumerated {
+                type_name: enumeration.name.to_string(),
+                values: enumeration
+                    .values
+                    .iter()
+                    .map(|(name, &number)| (number, name.to_owned()))
+                    .collect(),
+            },
+            _ => return Err(format!("{} is no elementary type", self.types.name(ty))),
+        };
+        Ok(Observed { address, ty })
+    }
+}
+
+impl CheckedProgram {
+    /// The variable of a path: names with `.field` and `[subscripts]` behind them, in any case.
+    ///
+    /// The first name is a variable of the program that runs first, or a program instance with one of its
+    /// variables behind it, or a global variable.
+    ///
+    /// # Errors
+    /// A message where nothing has that name, or what has it is of no elementary type.
+    ///
+    /// Basis: stickler-design: §3.1, §4 (an observed name may be a path to an elementary value).
+    pub fn resolve(&self, path: &str) -> Result<Observed, String> {
+        let directory = &self.directory;
+        let (mut ty, mut address, mut rest) = directory.root(path)?;
+        loop {
+            rest = rest.trim_start();
+            if let Some(behind) = rest.strip_prefix('.') {
+                let (field, behind) = name(behind)?;
+                (ty, address) = directory
+                    .member(ty, address, field)
+                    .ok_or_else(|| format!("{} has no element `{field}`", directory.types.name(ty)))?;
+                rest = behind;
+            } else if let Some(behind) = rest.strip_prefix('[') {
+                (ty, address, rest) = directory.element(ty, address, behind)?;
+            } else if rest.is_empty() {
+                return directory.observed(ty, address);
+            } else {
+                return Err(format!("`{rest}` is not understood"));
+            }
+        }
+    }
+}
+
+/// The identifier at the start of a path, and what is behind it.
+fn name(path: &str) -> Result<(&str, &str), String> {
+    let path = path.trim_start();
+    let end = path
+        .find(|c: char| !(c.is_alphanumeric() || c == '_'))
+        .unwrap_or(path.len());
+    if end == 0 {
+        Err(format!("a name is missing before `{path}`"))
+    } else {
+        Ok(path.split_at(end))
+    }
+}

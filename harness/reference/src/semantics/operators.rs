@@ -1,0 +1,374 @@
+//! Which operators are defined for which operands, and what they give.
+//!
+//! Basis: stickler-design: §8 (mixed operands: one converts to the other, or nothing; no third type is sought);
+//! iec-61131-3: the tables of the arithmetic, comparison, bitwise and time functions.
+
+use super::contexts::{Context, Fit, fit};
+use super::inferred::Inferred;
+use super::types::{Kind, TypeId, TypeTable};
+use crate::conversion::implicit;
+use crate::dialect::Dialect;
+use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
+use crate::syntax::tree::BinaryOperator;
+use stickler_types::{ElementaryType, Family};
+
+/// An operator whose operands are known: what each is converted to, what is done, and what comes of it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Operation {
+    pub(super) left: TypeId,
+    pub(super) right: TypeId,
+    pub(super) action: Action,
+    pub(super) result: TypeId,
+}
+
+/// What an operator does.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Action {
+    Arithmetic(ArithmeticOperator, ElementaryType),
+    /// A duration by a number of the type; `swapped` where the number stands on the left.
+    Scale {
+        operator: ArithmeticOperator,
+        number: ElementaryType,
+        swapped: bool,
+    },
+    Power {
+        base: ElementaryType,
+        exponent: ElementaryType,
+    },
+    Compare(ComparisonOperator, ElementaryType),
+    CompareText(ComparisonOperator),
+    Logic(LogicOperator),
+}
+
+/// What an operator makes of its operands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Signature {
+    /// This operation.
+    Defined(Operation),
+    /// Both operands are untyped literals, and so is the result.
+    Untyped(Inferred),
+    /// It is not defined for them.
+    Undefined,
+    /// Something has been said already.
+    Silent,
+}
+
+/// The rules that decide: the table of types and the dialect.
+#[derive(Clone, Copy)]
+pub(super) struct Rules<'a> {
+    pub(super) types: &'a TypeTable,
+    pub(super) dialect: &'a Dialect,
+}
+
+impl Rules<'_> {
+    /// What an operator makes of its operands.
+    pub(super) fn signature(self, operator: BinaryOperator, left: Inferred, right: Inferred) -> Signature {
+        if let (Inferred::Error, _) | (_, Inferred::Error) = (left, right) {
+            return Signature::Silent;
+        }
+        if let (Inferred::Enumerated, Inferred::Enumerated) = (left, right) {
+            return Signature::Silent;
+        }
+        let operation = match group(operator) {
+            Group::Comparison(comparison) => self.comparison(comparison, left, right),
+            _ if left.is_untyped_number() && right.is_untyped_number() => return self.untyped(left, right),
+            Group::Logic(logic) => self.logic(logic, left, right),
+            Group::Arithmetic(arithmetic) => self.arithmetic(arithmetic, left, right),
+            Group::Power => self.power(left, right),
+        };
+        operation.map_or(Signature::Undefined, Signature::Defined)
+    }
+
+    /// The operation on untyped operands that take a type from outside.
+    pub(super) fn at(
+        self,
+        operator: BinaryOperator,
+        right: Inferred,
+        ty: ElementaryType,
+    ) -> Option<Operation> {
+        let known = Inferred::from(ty);
+        match group(operator) {
+            Group::Comparison(_) => None,
+            Group::Logic(logic) => self.logic(logic, known, known),
+            Group::Arithmetic(arithmetic) => self.arithmetic(arithmetic, known, known),
+            Group::Power => self.power(known, right),
+        }
+    }
+
+    fn untyped(self, left: Inferred, right: Inferred) -> Signature {
+        match (left, right) {
+            (Inferred::Integer(left), Inferred::Integer(right)) => {
+                Signature::Untyped(Inferred::Integer(left.max(right)))
+            }
+            (Inferred::Real, Inferred::Real) => Signature::Untyped(Inferred::Real),
+            _ if self.dialect.integer_literal_as_real => Signature::Untyped(Inferred::Real),
+            _ => Signature::Undefined,
+        }
+    }
+
+    /// The type that both operands take: the one's, if the other converts to it.
+    fn common(self, left: Inferred, right: Inferred) -> Option<TypeId> {
+        match (left, right) {
+            (Inferred::Known(left), Inferred::Known(right)) => self.common_of_known(left, right),
+            (Inferred::Known(ty), other) | (other, Inferred::Known(ty)) => self.fits(other, ty).then_some(ty),
+            (Inferred::Integer(left), Inferred::Integer(right)) => Some(TypeId::of(left.max(right).ty())),
+            (Inferred::Real | Inferred::Integer(_), Inferred::Real | Inferred::Integer(_)) => {
+                let real = TypeId::of(ElementaryType::Lreal);
+                (self.fits(left, real) && self.fits(right, real)).then_some(real)
+            }
+            (Inferred::Text { wide, .. }, Inferred::Text { wide: other, .. }) => {
+                (wide == other).then_some(TypeId::of(if wide {
+                    ElementaryType::Wstring
+                } else {
+                    ElementaryType::String
+                }))
+            }
+            _ => None,
+        }
+    }
+
+    /// What several values have in common, one more being added: a type, or untyped still.
+    pub(super) fn unite(self, left: Inferred, right: Inferred) -> Inferred {
+        match (left, right) {
+            (Inferred::Error, _) | (_, Inferred::Error) => Inferred::Error,
+            (Inferred::Enumerated, Inferred::Enumerated) => Inferred::Enumerated,
+            (
+                Inferred::Text { wide, single },
+                Inferred::Text {
+                    wide: other,
+                    single: too,
+                },
+            ) if wide == other => Inferred::Text {
+                wide,
+                single: single && too,
+            },
+            _ if left.is_untyped_number() && right.is_untyped_number() => match self.untyped(left, right) {
+                Signature::Untyped(inferred) => inferred,
+                _ => Inferred::Error,
+            },
+            _ => self.common(left, right).map_or(Inferred::Error, Inferred::Known),
+        }
+    }
+
+    fn common_of_known(self, left: TypeId, right: TypeId) -> Option<TypeId> {
+        if left == right {
+            return Some(left);
+        }
+        let (from, to) = (left.elementary()?, right.elementary()?);
+        let rightward = implicit(from, to, self.dialect).is_some();
+        let leftward = implicit(to, from, self.dialect).is_some();
+        match (leftward, rightward) {
+            (true, false) => Some(left),
+            (false, true) => Some(right),
+            // UDINT and TIME, or the short and the long form of a type: a duration is no number, and the long
+            // form is the wider.
+            (true, true) if to.is_duration() && !from.is_duration() => Some(right),
+            (true, true) if to.is_third_edition() => Some(right),
+            (true, true) => Some(left),
+            (false, false) => None,
+        }
+    }
+
+    fn fits(self, value: Inferred, ty: TypeId) -> bool {
+        fit(value, ty, Context::Operand, self.types, self.dialect) == Fit::Yes
+    }
+
+    fn comparison(self, operator: ComparisonOperator, left: Inferred, right: Inferred) -> Option<Operation> {
+        let common = self.common(left, right)?;
+        let equality = matches!(operator, ComparisonOperator::Equal | ComparisonOperator::NotEqual);
+        let action = match (common.elementary(), self.types.kind(common)) {
+            (Some(ty), _) if ty.is_text() => Action::CompareText(operator),
+            (Some(ty), _) => Action::Compare(operator, ty),
+            (None, Kind::Enumeration(_)) if equality => Action::Compare(operator, ElementaryType::Lint),
+            _ => return None,
+        };
+        Some(Operation {
+            left: common,
+            right: common,
+            action,
+            result: TypeId::BOOL,
+        })
+    }
+
+    fn logic(self, operator: LogicOperator, left: Inferred, right: Inferred) -> Option<Operation> {
+        let common = self.common(left, right)?;
+        let ty = common.elementary()?;
+        (ty == ElementaryType::Bool || ty.is_bit_string()).then_some(Operation {
+            left: common,
+            right: common,
+            action: Action::Logic(operator),
+            result: common,
+        })
+    }
+
+    fn arithmetic(self, operator: ArithmeticOperator, left: Inferred, right: Inferred) -> Option<Operation> {
+        if let Some(operation) = self
+            .scale(operator, left, right)
+            .or_else(|| self.moment(operator, left, right))
+        {
+            return Some(operation);
+        }
+        let common = self.common(left, right)?;
+        let ty = common.elementary()?;
+        let additive = matches!(operator, ArithmeticOperator::Add | ArithmeticOperator::Subtract);
+        let defined = match ty.family() {
+            Family::Signed | Family::Unsigned => true,
+            Family::Real => operator != ArithmeticOperator::Modulo,
+            Family::Duration => additive,
+            _ => false,
+        };
+        let action = Action::Arithmetic(operator, ty);
+        defined.then_some(Operation {
+            left: common,
+            right: common,
+            action,
+            result: common,
+        })
+    }
+
+    /// A duration multiplied or divided by a number, or a number by which a duration is multiplied.
+    fn scale(self, operator: ArithmeticOperator, left: Inferred, right: Inferred) -> Option<Operation> {
+        let (duration, number, swapped) = match (left.elementary(), right.elementary()) {
+            (Some(ty), other) if ty.is_duration() && other.is_none_or(is_number) => (ty, right, false),
+            (other, Some(ty)) if ty.is_duration() && other.is_none_or(is_number) => (ty, left, true),
+            _ => return None,
+        };
+        let defined = match operator {
+            ArithmeticOperator::Multiply => true,
+            ArithmeticOperator::Divide => !swapped,
+            _ => false,
+        };
+        let number = match number {
+            Inferred::Integer(magnitude) => magnitude.ty(),
+            Inferred::Real => ElementaryType::Lreal,
+            _ => number.elementary()?,
+        };
+        let (duration, factor) = (TypeId::of(duration), TypeId::of(number));
+        let (left, right) = if swapped {
+            (factor, duration)
+        } else {
+            (duration, factor)
+        };
+        let action = Action::Scale {
+            operator,
+            number,
+            swapped,
+        };
+        defined.then_some(Operation {
+            left,
+            right,
+            action,
+            result: duration,
+        })
+    }
+
+    /// Differences of dates and times of day, and a duration added to one or taken from it.
+    fn moment(self, operator: ArithmeticOperator, left: Inferred, right: Inferred) -> Option<Operation> {
+        let (from, by) = (left.elementary()?, right.elementary()?);
+        if !from.is_date_or_time() {
+            return None;
+        }
+        if by.is_date_or_time() {
+            let common = self.common_of_known(TypeId::of(from), TypeId::of(by))?;
+            let long = common.elementary()?.is_third_edition();
+            let result = if long {
+                ElementaryType::Ltime
+            } else {
+                ElementaryType::Time
+            };
+            let action = Action::Arithmetic(operator, result);
+            return (operator == ArithmeticOperator::Subtract).then_some(Operation {
+                left: common,
+                right: common,
+                action,
+                result: TypeId::of(result),
+            });
+        }
+        let takes_duration = matches!(from.family(), Family::TimeOfDay | Family::DateAndTime);
+        let additive = matches!(operator, ArithmeticOperator::Add | ArithmeticOperator::Subtract);
+        let duration = if from.is_third_edition() {
+            ElementaryType::Ltime
+        } else {
+            ElementaryType::Time
+        };
+        implicit(by, duration, self.dialect).filter(|_| by.is_duration())?;
+        (takes_duration && additive).then_some(Operation {
+            left: TypeId::of(from),
+            right: TypeId::of(duration),
+            action: Action::Arithmetic(operator, from),
+            result: TypeId::of(from),
+        })
+    }
+
+    /// The base's type is the result's; the exponent is any number.
+    fn power(self, left: Inferred, right: Inferred) -> Option<Operation> {
+        let exponent = match right {
+            Inferred::Integer(magnitude) => magnitude.ty(),
+            Inferred::Real => left
+                .elementary()
+                .filter(|ty| ty.is_real())
+                .unwrap_or(ElementaryType::Lreal),
+            _ => right.elementary().filter(|&ty| is_number(ty))?,
+        };
+        let base = match left {
+            Inferred::Integer(_) if exponent.is_real() && !self.dialect.integer_literal_as_real => {
+                return None;
+            }
+            Inferred::Integer(_) => exponent,
+            Inferred::Real if exponent.is_real() => exponent,
+            Inferred::Real => ElementaryType::Lreal,
+            _ => left.elementary().filter(|&ty| is_number(ty))?,
+        };
+        Some(Operation {
+            left: TypeId::of(base),
+            right: TypeId::of(exponent),
+            action: Action::Power { base, exponent },
+            result: TypeId::of(base),
+        })
+    }
+}
+
+/// The type that an untyped expression takes: the one that is wanted, where such an expression can have it, and
+/// else the default.
+pub(super) fn settle(untyped: Inferred, wanted: Option<TypeId>) -> Option<ElementaryType> {
+    let wanted = wanted.and_then(TypeId::elementary);
+    match untyped {
+        Inferred::Integer(magnitude) => {
+            let takes = |ty: &ElementaryType| ty.integer_range().is_some() || ty.is_real();
+            Some(wanted.filter(takes).unwrap_or(magnitude.ty()))
+        }
+        Inferred::Real => Some(wanted.filter(|ty| ty.is_real()).unwrap_or(ElementaryType::Lreal)),
+        _ => None,
+    }
+}
+
+fn is_number(ty: ElementaryType) -> bool {
+    ty.is_integer() || ty.is_real()
+}
+
+enum Group {
+    Arithmetic(ArithmeticOperator),
+    Comparison(ComparisonOperator),
+    Logic(LogicOperator),
+    Power,
+}
+
+fn group(operator: BinaryOperator) -> Group {
+    match operator {
+        BinaryOperator::Or => Group::Logic(LogicOperator::Or),
+        BinaryOperator::Xor => Group::Logic(LogicOperator::Xor),
+        BinaryOperator::And => Group::Logic(LogicOperator::And),
+        BinaryOperator::Equal => Group::Comparison(ComparisonOperator::Equal),
+        BinaryOperator::NotEqual => Group::Comparison(ComparisonOperator::NotEqual),
+        BinaryOperator::Less => Group::Comparison(ComparisonOperator::Less),
+        BinaryOperator::Greater => Group::Comparison(ComparisonOperator::Greater),
+        BinaryOperator::LessOrEqual => Group::Comparison(ComparisonOperator::LessOrEqual),
+        BinaryOperator::GreaterOrEqual => Group::Comparison(ComparisonOperator::GreaterOrEqual),
+        BinaryOperator::Add => Group::Arithmetic(ArithmeticOperator::Add),
+        BinaryOperator::Subtract => Group::Arithmetic(ArithmeticOperator::Subtract),
+        BinaryOperator::Multiply => Group::Arithmetic(ArithmeticOperator::Multiply),
+        BinaryOperator::Divide => Group::Arithmetic(ArithmeticOperator::Divide),
+        BinaryOperator::Modulo => Group::Arithmetic(ArithmeticOperator::Modulo),
+        BinaryOperator::Power => Group::Power,
+    }
+}

@@ -1,0 +1,168 @@
+//! Resolves declared types and function blocks, each after those that it contains; what contains itself is
+//! diagnosed.
+//!
+//! Basis: ironplc-problem-codes: P2010 (types), P4005 (function blocks).
+
+use super::cycles::{Event, walk};
+use super::declare::{Declared, Declarer, TypeNode};
+use super::model::{Definition, InitialValue, Model};
+use super::scope::Folded;
+use super::types::{DefaultValue, Kind, TypeId};
+use crate::source::Span;
+use crate::syntax::tree::{
+    ExpressionKind, Initializer, InitializerKind, Name, TypeDeclaration, TypeSpecification,
+    TypeSpecificationKind, VariableKind,
+};
+use rustc_hash::FxHashSet;
+use stickler_types::Code;
+
+impl<'u> Declarer<'u, '_> {
+    /// Resolves every node of the order.
+    pub(super) fn resolve_types(&mut self) {
+        let mut order = Vec::with_capacity(self.nodes.len());
+        let mut cycles = Vec::new();
+        walk(
+            self.nodes.len(),
+            |node| needs(&self.model, self.nodes[node].declared),
+            |event| match event {
+                Event::Done(node) => order.push(node),
+                Event::Cycle { note, members } => cycles.push((note, members)),
+            },
+        );
+        for (span, members) in cycles {
+            self.report_cycle(span, &members);
+        }
+        for node in order {
+            let id = match self.nodes[node].declared {
+                Declared::Type(ty) => self.declared_type(ty),
+                Declared::Block(pou) => {
+                    self.declare_variables(pou);
+                    self.model.pous[pou].ty
+                }
+            };
+            self.nodes[node].id = Some(id);
+        }
+    }
+
+    fn report_cycle(&mut self, span: Span, members: &[usize]) {
+        let is_block = |node: &usize| matches!(self.nodes[*node].declared, Declared::Block(_));
+        let code = if members.iter().any(is_block) {
+            Code::RecursiveCycle
+        } else {
+            Code::RecursiveTypeCycle
+        };
+        let mut names: Vec<_> = members
+            .iter()
+            .map(|&node| self.name_of(&self.nodes[node]))
+            .collect();
+        names.push(names[0]);
+        let message = format!("a type cannot contain itself: {}", names.join(" contains "));
+        self.report(code, span, message);
+    }
+
+    fn name_of(&self, node: &TypeNode<'u>) -> &'u str {
+        match node.declared {
+            Declared::Type(ty) => ty.name.text,
+            Declared::Block(pou) => self.model.pous[pou].pou.name.text,
+        }
+    }
+
+    fn declared_type(&mut self, ty: &'u TypeDeclaration<'u>) -> TypeId {
+        let base = self.specification(&ty.specification, ty.name.text);
+        let Some(initializer) = &ty.initializer else {
+            return match ty.specification.kind {
+                // The names of structures and enumerations are their types' own.
+                TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Enumeration { .. } => base,
+                _ => {
+                    let default = self.model.types.extent(base).default;
+                    self.model.types.add_alias(base, ty.name.text, default)
+                }
+            };
+        };
+        if let Some(number) = self.enumerated_default(base, initializer) {
+            let default = DefaultValue::Constant(number.cast_unsigned());
+            return self.model.types.add_alias(base, ty.name.text, default);
+        }
+        let routine = self.routine();
+        let id = self
+            .model
+            .types
+            .add_alias(base, ty.name.text, DefaultValue::Routine(routine));
+        self.model
+            .initial_values
+            .push((routine, InitialValue::Declared(base, initializer)));
+        id
+    }
+
+    /// The number of the value that a declared enumeration begins with, where it is plainly one of its own.
+    fn enumerated_default(&self, ty: TypeId, initializer: &Initializer<'u>) -> Option<i64> {
+        let Kind::Enumeration(enumeration) = self.model.types.kind(ty) else {
+            return None;
+        };
+        let InitializerKind::Expression(id) = initializer.kind else {
+            return None;
+        };
+        match self.model.source.expression(id).kind {
+            ExpressionKind::Name(name) => enumeration.values.find(name.text).copied(),
+            _ => None,
+        }
+    }
+}
+
+/// The nodes that a node contains, each once, with the place where it says so.
+fn needs(model: &Model<'_>, declared: Declared<'_>) -> Vec<(usize, Span)> {
+    let mut needs = Needs {
+        model,
+        found: Vec::new(),
+        seen: FxHashSet::default(),
+    };
+    match declared {
+        Declared::Type(ty) => needs.specification(&ty.specification),
+        Declared::Block(pou) => {
+            let blocks = model.pous[pou].pou.blocks.iter();
+            let held = blocks
+                .filter(|block| !matches!(block.kind, VariableKind::InOut | VariableKind::External))
+                .flat_map(|block| &block.groups);
+            held.for_each(|group| needs.specification(&group.specification));
+        }
+    }
+    needs.found
+}
+
+struct Needs<'a, 'u> {
+    model: &'a Model<'u>,
+    found: Vec<(usize, Span)>,
+    seen: FxHashSet<usize>,
+}
+
+impl Needs<'_, '_> {
+    fn specification(&mut self, specification: &TypeSpecification<'_>) {
+        match &specification.kind {
+            TypeSpecificationKind::Named(name) => self.name(*name),
+            TypeSpecificationKind::Subrange { base, .. } => self.name(*base),
+            TypeSpecificationKind::Array { element, .. } => self.specification(element),
+            TypeSpecificationKind::Structure(groups) => {
+                groups
+                    .iter()
+                    .for_each(|group| self.specification(&group.specification));
+            }
+            TypeSpecificationKind::Text { .. }
+            | TypeSpecificationKind::Enumeration { .. }
+            | TypeSpecificationKind::Error => {}
+        }
+    }
+
+    fn name(&mut self, name: Name<'_>) {
+        let node = match self.model.definitions.get(&Folded(name.text)) {
+            Some(&Definition::Type(node)) => node as usize,
+            Some(&Definition::Pou(pou)) => match self.model.pous[pou as usize].node {
+                Some(node) => node,
+                None => return,
+            },
+            None => return,
+        };
+        if self.seen.insert(node) {
+            self.found.push((node, name.span));
+        }
+    }
+}

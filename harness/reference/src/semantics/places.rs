@@ -1,0 +1,272 @@
+//! Variables as expressions name them: with elements, fields and bits; for reading and for writing.
+//!
+//! Basis: ironplc-bit-access: Valid Base Types; stickler-design: §7 (P2027, P4007, P4025, P4069). A wrong number
+//! of subscripts is P2024, and a subscript of what is no array P4049.
+
+use super::contexts::Context;
+use super::inferred::Inferred;
+use super::locations::{Location, Place};
+use super::lowering::{Lowering, Value};
+use super::scope::Folded;
+use super::types::{ArrayShape, Dimension, Kind, TypeId};
+use crate::dialect::PartialAccess;
+use crate::instruction::Instruction;
+use crate::source::Span;
+use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, PartialAccessForm, VariableKind};
+use stickler_types::{Code, ElementaryType};
+
+impl<'m> Lowering<'m> {
+    /// Puts the value of a variable, element, field or bit on the stack.
+    pub(super) fn read(&mut self, id: ExpressionId) -> Value {
+        match self.place(id) {
+            Some(place) => self.load(place),
+            None => Value::ERROR,
+        }
+    }
+
+    /// The place that an expression names; `None`, and a diagnostic, where it names none. Where the address is
+    /// only known as the program runs, it is on the stack.
+    pub(super) fn place(&mut self, id: ExpressionId) -> Option<Place> {
+        let expression = self.expression(id);
+        match &expression.kind {
+            ExpressionKind::Name(name) => self.named_place(*name),
+            ExpressionKind::Field { base, field } => self.field(*base, *field),
+            ExpressionKind::Index { base, subscripts } => self.element(*base, subscripts, expression.span),
+            ExpressionKind::PartialAccess {
+                base,
+                form,
+                index,
+                suffix,
+            } => self.bit(*base, *form, *index, *suffix),
+            ExpressionKind::Error => None,
+            _ => {
+                // What is wrong inside is to be said too.
+                let value = self.value(id, None);
+                if value.ty != TypeId::ERROR || self.infer(id) == Inferred::Nothing {
+                    self.report(Code::SyntaxError, expression.span, "a variable is needed here");
+                }
+                None
+            }
+        }
+    }
+
+    fn named_place(&mut self, name: Name<'m>) -> Option<Place> {
+        if let Some((_, variable)) = self.variable(name.text) {
+            return (variable.ty != TypeId::ERROR).then(|| Place::of(variable));
+        }
+        let what = if self.enumerated_name(name.text).is_some() {
+            "is an enumerated value, no variable".to_owned()
+        } else if self.model.definitions.contains_key(&Folded(name.text)) {
+            "is no variable".to_owned()
+        } else {
+            format!("is not declared{}", self.similar_variable(name.text))
+        };
+        self.report(
+            Code::VariableUndefined,
+            name.span,
+            format!("`{}` {what}", name.text),
+        );
+        None
+    }
+
+    fn field(&mut self, base: ExpressionId, field: Name<'m>) -> Option<Place> {
+        let place = self.place(base)?;
+        let types = &self.model.types;
+        let member = match types.kind(place.content()) {
+            Kind::Structure(structure) | Kind::FunctionBlock(structure) => structure.members.find(field.text),
+            _ => None,
+        };
+        let Some(member) = member.filter(|member| member.kind != VariableKind::InOut) else {
+            let name = types.name(place.content());
+            let message = format!("{name} has no element `{}` that can be reached", field.text);
+            self.report(Code::VariableUndefined, field.span, message);
+            return None;
+        };
+        let location = self.shifted(place.location, member.offset);
+        let constant = place.constant || member.constant;
+        (member.ty != TypeId::ERROR).then_some(Place {
+            location,
+            ty: member.ty,
+            bit: None,
+            constant,
+        })
+    }
+
+    fn element(&mut self, base: ExpressionId, subscripts: &[ExpressionId], span: Span) -> Option<Place> {
+        let place = self.place(base);
+        let shape = place.and_then(|place| match self.model.types.kind(place.content()) {
+            Kind::Array(shape) => Some(&**shape),
+            _ => None,
+        });
+        let (Some(place), Some(shape)) = (place, shape) else {
+            for &subscript in subscripts {
+                self.value(subscript, None);
+            }
+            if let Some(place) = place {
+                let message = format!("{} has no elements", self.model.types.name(place.content()));
+                self.report(Code::OperatorOperandTypeMismatch, span, message);
+            }
+            return None;
+        };
+        if shape.dimensions.len() != subscripts.len() {
+            let (needed, given) = (shape.dimensions.len(), subscripts.len());
+            let message = format!("the array has {needed} dimensions, not {given}");
+            self.report(Code::ArrayDimensionInvalid, span, message);
+        }
+        self.subscripts(place, shape, subscripts)
+    }
+
+    fn subscripts(&mut self, place: Place, shape: &ArrayShape, subscripts: &[ExpressionId]) -> Option<Place> {
+        let mut location = place.location;
+        let mut sound = shape.dimensions.len() == subscripts.len();
+        for (&subscript, &dimension) in subscripts.iter().zip(&shape.dimensions) {
+            match self.subscript(location, subscript, dimension) {
+                Some(next) => location = next,
+                None => sound = false,
+            }
+        }
+        for &subscript in subscripts.iter().skip(shape.dimensions.len()) {
+            self.value(subscript, None);
+        }
+        (sound && shape.element != TypeId::ERROR).then_some(Place {
+            location,
+            ty: shape.element,
+            bit: None,
+            constant: place.constant,
+        })
+    }
+
+    /// Goes one dimension further. A constant subscript is taken into the address here and now.
+    fn subscript(&mut self, location: Location, id: ExpressionId, dimension: Dimension) -> Option<Location> {
+        let Dimension { low, high, stride } = dimension;
+        let before = self.emitter.position();
+        if location != Location::Stack {
+            self.push_address(location);
+        }
+        let value = self.integer(id, ElementaryType::Lint, Context::Integer)?;
+        let span = self.span(id);
+        if let Some(number) = value.constant {
+            if number < low.into() || number > high.into() {
+                let message = format!("subscript {number} is outside {low}..{high}");
+                self.report(Code::ArrayIndexOutOfBounds, span, message);
+                return None;
+            }
+            // A constant's code is a push or two, and it stands last.
+            self.emitter.truncate(before);
+            let distance = number - i128::from(low);
+            let distance = u32::try_from(distance).unwrap_or(0).saturating_mul(stride);
+            return Some(self.shifted(location, distance));
+        }
+        let unsigned = value.ty.elementary().is_some_and(ElementaryType::is_unsigned);
+        self.emit_at(
+            span,
+            Instruction::Subscript {
+                low,
+                high,
+                stride,
+                unsigned,
+            },
+        );
+        Some(Location::Stack)
+    }
+
+    /// Puts an integer of any type on the stack, an untyped one in the type that is wanted.
+    ///
+    /// Basis: stickler-design: §8 (subscripts, CASE selectors and FOR bounds take any integer).
+    pub(super) fn integer(
+        &mut self,
+        id: ExpressionId,
+        wanted: ElementaryType,
+        context: Context,
+    ) -> Option<Value> {
+        let inferred = self.infer(id);
+        let wanted = TypeId::of(wanted);
+        let fits = match inferred {
+            Inferred::Known(ty) => ty.elementary().is_some_and(ElementaryType::is_integer),
+            Inferred::Integer(_) | Inferred::Error | Inferred::Pending | Inferred::Enumerated => true,
+            Inferred::Nothing | Inferred::Real | Inferred::Text { .. } => false,
+        };
+        let value = self.value(id, Some(wanted));
+        let sound = value.ty != TypeId::ERROR;
+        if !fits && (sound || inferred == Inferred::Nothing) {
+            self.report_misfit(id, inferred, wanted, context);
+        }
+        (fits && sound).then_some(value)
+    }
+
+    fn bit(
+        &mut self,
+        base: ExpressionId,
+        form: PartialAccessForm,
+        index: u64,
+        suffix: Span,
+    ) -> Option<Place> {
+        if !self.names_a_place(base) {
+            let value = self.value(base, None);
+            if value.ty != TypeId::ERROR {
+                self.report(
+                    Code::BitAccessTypeInvalid,
+                    self.span(base),
+                    "only a variable has bits",
+                );
+            }
+            return None;
+        }
+        let place = self.place(base)?;
+        if !self.selects_bits(form) {
+            // The parser has said that the dialect does not have this.
+            return None;
+        }
+        let name = self.model.types.name(place.content());
+        let ty = self
+            .model
+            .elementary(place.content())
+            .filter(|ty| ty.is_integer() || ty.is_bit_string());
+        let Some(ty) = ty else {
+            self.report(
+                Code::BitAccessTypeInvalid,
+                self.span(base).to(suffix),
+                format!("{name} has no bits"),
+            );
+            return None;
+        };
+        let Some(bit) = u8::try_from(index).ok().filter(|&bit| u32::from(bit) < ty.bits()) else {
+            let message = format!("{name} has the bits 0 to {}", ty.bits() - 1);
+            self.report(Code::BitAccessOutOfRange, self.span(base).to(suffix), message);
+            return None;
+        };
+        // A variable with limits is looked at again once the bit is set.
+        let limited = matches!(self.model.types.kind(place.ty), Kind::Subrange(_));
+        let location = if limited {
+            self.pinned(place.location, suffix)
+        } else {
+            place.location
+        };
+        Some(Place {
+            location,
+            bit: Some(bit),
+            ..place
+        })
+    }
+
+    /// Whether an expression has the form of a variable.
+    pub(super) fn names_a_place(&self, id: ExpressionId) -> bool {
+        matches!(
+            self.expression(id).kind,
+            ExpressionKind::Name(_)
+                | ExpressionKind::Field { .. }
+                | ExpressionKind::Index { .. }
+                | ExpressionKind::PartialAccess { .. }
+        )
+    }
+
+    /// Whether the dialect has this form of partial access; the parser complains where it does not.
+    pub(super) fn selects_bits(&self, form: PartialAccessForm) -> bool {
+        let dialect = self.model.source.dialect;
+        match form {
+            PartialAccessForm::Short => dialect.bit_access,
+            PartialAccessForm::Bit => dialect.partial_access == PartialAccess::BitsOnly,
+            _ => false,
+        }
+    }
+}

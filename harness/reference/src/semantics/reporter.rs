@@ -1,0 +1,51 @@
+//! Where the checker's diagnostics are collected.
+
+use crate::diagnostic::Diagnostic;
+use crate::source::Span;
+use stickler_types::Code;
+
+/// More diagnostics than this help nobody, and a hostile source could ask for millions.
+const ENOUGH: usize = 20_000;
+
+/// Collects diagnostics, and can be told to look away while something is lowered once more.
+#[derive(Debug, Default)]
+pub(super) struct Reporter {
+    diagnostics: Vec<Diagnostic>,
+    muted: bool,
+}
+
+impl Reporter {
+    /// Reports something wrong at a place.
+    pub(super) fn report(&mut self, code: Code, span: Span, message: impl Into<String>) {
+        self.push(Diagnostic::new(code, span, message));
+    }
+
+    /// Reports a diagnostic that is already made, with its suggestion.
+    pub(super) fn push(&mut self, diagnostic: Diagnostic) {
+        if self.muted || self.diagnostics.len() > ENOUGH {
+            return;
+        }
+        if self.diagnostics.len() == ENOUGH {
+            let message = format!("more than {ENOUGH} errors; the rest is left out");
+            self.diagnostics
+                .push(Diagnostic::new(Code::LimitExceeded, diagnostic.span, message));
+        } else {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// Looks away, or no longer; gives what was so before.
+    pub(super) fn mute(&mut self, muted: bool) -> bool {
+        std::mem::replace(&mut self.muted, muted)
+    }
+
+    /// Whether nothing has been reported yet.
+    pub(super) fn is_empty(&self) -> bool {
+        self.diagnostics.is_empty()
+    }
+
+    /// Everything that was reported, in the order in which it was.
+    pub(super) fn finish(self) -> Vec<Diagnostic> {
+        self.diagnostics
+    }
+}

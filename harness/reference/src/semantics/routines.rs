@@ -1,0 +1,128 @@
+//! Makes the routines of a program: initial values, the bodies of POUs, start-up and scan.
+
+use super::locations::{Location, Place};
+use super::lowering::Lowering;
+use super::model::PouEntry;
+use crate::instruction::{Instruction, Program};
+use crate::syntax::tree::VariableKind;
+
+impl<'m> Lowering<'m> {
+    /// Lowers everything that is declared.
+    pub(super) fn lower(mut self) -> Program {
+        let model = self.model;
+        for &(routine, value) in &model.initial_values {
+            self.initial_value(routine, value);
+        }
+        for (entry, pou) in model.pous.iter().zip(0..) {
+            self.pou = Some(pou);
+            if entry.is_function() {
+                self.function(entry);
+            } else {
+                self.instance(entry);
+            }
+        }
+        self.pou = None;
+        let startup = self.startup();
+        let scan = self.emitter.begin_new();
+        for instance in &model.instances {
+            self.emit(Instruction::Address(instance.base));
+            self.emit(Instruction::CallInstance(model.pous[instance.pou as usize].body));
+        }
+        self.emit(Instruction::Return);
+        self.report_recursion();
+        let (memory, texts) = (self.memory.cells(), std::mem::take(&mut self.memory.texts));
+        Program {
+            startup,
+            scan,
+            memory,
+            texts,
+            ..self.emitter.finish()
+        }
+    }
+
+    /// A function begins anew at each call; inputs that a call leaves out take their defaults.
+    fn function(&mut self, entry: &'m PouEntry<'m>) {
+        self.emitter.begin(entry.initial);
+        for &parameter in &entry.parameters {
+            if self.model.variable(parameter).kind == VariableKind::Input {
+                self.begin_anew(parameter);
+            }
+        }
+        self.emit(Instruction::Return);
+        self.emitter.begin(entry.body);
+        self.set_line(entry.pou.name.span);
+        self.clear(
+            Location::Absolute(entry.cleared.start),
+            entry.cleared.end - entry.cleared.start,
+        );
+        for index in entry.variables.clone() {
+            let kind = self.model.variable(index).kind;
+            if !matches!(
+                kind,
+                VariableKind::Input | VariableKind::InOut | VariableKind::External
+            ) {
+                self.begin_with(index);
+            }
+        }
+        self.statements(&entry.pou.body);
+        self.emit(Instruction::Return);
+    }
+
+    /// An instance of a function block or program keeps its variables, VAR_TEMP excepted.
+    fn instance(&mut self, entry: &'m PouEntry<'m>) {
+        self.emitter.begin(entry.initial);
+        for index in entry.variables.clone() {
+            let kind = self.model.variable(index).kind;
+            if !matches!(
+                kind,
+                VariableKind::Temporary | VariableKind::InOut | VariableKind::External
+            ) {
+                self.begin_with(index);
+            }
+        }
+        self.emit(Instruction::Return);
+        self.emitter.begin(entry.body);
+        for index in entry.variables.clone() {
+            if self.model.variable(index).kind == VariableKind::Temporary {
+                self.begin_anew(index);
+            }
+        }
+        self.statements(&entry.pou.body);
+        self.emit(Instruction::Return);
+    }
+
+    /// Global variables in the order of the text, then program instances in theirs.
+    fn startup(&mut self) -> u32 {
+        let model = self.model;
+        let startup = self.emitter.begin_new();
+        for (variable, index) in model.variables.iter().zip(0..) {
+            if variable.kind == VariableKind::Global {
+                self.begin_with(index);
+            }
+        }
+        for instance in &model.instances {
+            self.emit(Instruction::Address(instance.base));
+            self.emit(Instruction::CallInstance(
+                model.pous[instance.pou as usize].initial,
+            ));
+        }
+        self.emit(Instruction::Return);
+        startup
+    }
+
+    /// Gives a variable, which is all zero, its initial value. Only variables before it are known there.
+    fn begin_with(&mut self, index: u32) {
+        self.visible = index;
+        self.initialize_variable(&self.model.variables[index as usize]);
+        self.visible = u32::MAX;
+    }
+
+    /// The same for a variable that has been used before.
+    fn begin_anew(&mut self, index: u32) {
+        let variable = self.model.variable(index);
+        let location = Place::of(variable).location;
+        let cells = self.model.types.extent(variable.ty).size;
+        self.clear(location, cells);
+        self.begin_with(index);
+    }
+}

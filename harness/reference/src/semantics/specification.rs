@@ -1,0 +1,320 @@
+//! What a type that is written in a declaration means.
+
+use super::constants::{Constant, Evaluator, NotConstant};
+use super::declare::Declarer;
+use super::model::{Definition, InitialValue};
+use super::scope::{Folded, Named};
+use super::types::{ArrayShape, DefaultValue, Dimension, Extent, Kind, Member, Structure, Subrange, TypeId};
+use crate::source::Span;
+use crate::syntax::tree::{
+    ExpressionId, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
+};
+use stickler_types::{Code, ElementaryType};
+
+/// How many cells one variable, and the whole program, may take.
+pub(super) const MAXIMUM_CELLS: u64 = 4 << 20;
+
+/// How deep declared types may nest.
+const MAXIMUM_DEPTH: u32 = 200;
+
+impl<'u> Declarer<'u, '_> {
+    /// The type that a declaration writes; `hint` is the name for one that has none of its own. Where it
+    /// cannot be understood that is said, and it gives [`TypeId::ERROR`].
+    pub(super) fn specification(
+        &mut self,
+        specification: &'u TypeSpecification<'u>,
+        hint: &'u str,
+    ) -> TypeId {
+        match &specification.kind {
+            TypeSpecificationKind::Named(name) => self.named(*name),
+            TypeSpecificationKind::Text { name, length } => self.text(*name, *length),
+            TypeSpecificationKind::Subrange { base, limits } => {
+                self.subrange(*base, *limits, specification.span)
+            }
+            TypeSpecificationKind::Array { dimensions, element } => {
+                let element = self.specification(element, hint);
+                self.array(dimensions, element, specification.span)
+            }
+            TypeSpecificationKind::Enumeration { base, values } => self.enumeration(*base, values, hint),
+            TypeSpecificationKind::Structure(groups) => self.structure(groups, hint, specification.span),
+            TypeSpecificationKind::Error => TypeId::ERROR,
+        }
+    }
+
+    /// The type of a name.
+    ///
+    /// Basis: stickler-design: §7 (P2008); P0010 for types of the third edition where the dialect lacks them,
+    /// unless the text declares a type of that name.
+    pub(super) fn named(&mut self, name: Name<'u>) -> TypeId {
+        let elementary = ElementaryType::from_name(name.text);
+        if let Some(ty) = elementary
+            && !ty.is_third_edition()
+        {
+            return TypeId::of(ty);
+        }
+        match self.model.definitions.get(&Folded(name.text)) {
+            Some(&Definition::Type(node)) => return self.nodes[node as usize].id.unwrap_or(TypeId::ERROR),
+            Some(&Definition::Pou(pou)) => {
+                if let Some(node) = self.model.pous[pou as usize].node {
+                    return self.nodes[node].id.unwrap_or(TypeId::ERROR);
+                }
+            }
+            None => {}
+        }
+        match elementary {
+            Some(ty) if self.model.source.dialect.has(ty) => return TypeId::of(ty),
+            Some(ty) => {
+                let message = format!("{} is a type of the third edition", ty.name());
+                self.report(Code::Std2013Feature, name.span, message);
+            }
+            None if name.text.is_empty() => {}
+            None => {
+                let message = format!("type `{}` is not declared", name.text);
+                self.report(Code::UndeclaredUnknownType, name.span, message);
+            }
+        }
+        TypeId::ERROR
+    }
+
+    fn text(&mut self, name: Name<'u>, length: ExpressionId) -> TypeId {
+        let ty = match ElementaryType::from_name(name.text) {
+            Some(ty) if ty.is_text() => ty,
+            _ => return self.named(name),
+        };
+        let Some(length_value) = self.constant(length) else {
+            return TypeId::ERROR;
+        };
+        match u32::try_from(length_value) {
+            Ok(capacity @ 1..=65535) => self.model.types.text(ty, capacity),
+            _ => {
+                let span = self.model.source.expression(length).span;
+                let message = format!("the length of a text is 1 to 65535, not {length_value}");
+                self.report(Code::StringLengthOutOfRange, span, message);
+                TypeId::ERROR
+            }
+        }
+    }
+
+    fn subrange(&mut self, base: Name<'u>, limits: (ExpressionId, ExpressionId), span: Span) -> TypeId {
+        let base_type = self.named(base);
+        let (low, high) = (self.constant(limits.0), self.constant(limits.1));
+        if base_type == TypeId::ERROR {
+            return TypeId::ERROR;
+        }
+        let elementary = self.model.elementary(base_type).filter(|ty| ty.is_integer());
+        let Some((ty, range)) = elementary.and_then(|ty| Some((ty, ty.integer_range()?))) else {
+            let message = format!("`{}` is no integer type; only integers have subranges", base.text);
+            self.report(Code::SubrangeBaseTypeNotNumeric, base.span, message);
+            return TypeId::ERROR;
+        };
+        let (Some(low), Some(high)) = (low, high) else {
+            return TypeId::ERROR;
+        };
+        let fits = |limit| (range.0..=range.1).contains(&limit);
+        if !fits(low) || !fits(high) {
+            let message = format!(
+                "{low}..{high} does not lie in {} ({}..{})",
+                ty.name(),
+                range.0,
+                range.1
+            );
+            self.report(Code::SubrangeOutOfBounds, span, message);
+            return TypeId::ERROR;
+        }
+        if low > high {
+            let message = format!("the lower limit {low} is above the upper limit {high}");
+            self.report(Code::SubrangeMinStrictlyLessMax, span, message);
+            return TypeId::ERROR;
+        }
+        self.model.types.subrange(Subrange { base: ty, low, high })
+    }
+
+    fn array(&mut self, limits: &[(ExpressionId, ExpressionId)], element: TypeId, span: Span) -> TypeId {
+        let mut bounds = Vec::with_capacity(limits.len());
+        for &(low, high) in limits {
+            let at = self
+                .model
+                .source
+                .expression(low)
+                .span
+                .to(self.model.source.expression(high).span);
+            let (Some(low), Some(high)) = (self.constant(low), self.constant(high)) else {
+                continue;
+            };
+            let (Ok(low), Ok(high)) = (i64::try_from(low), i64::try_from(high)) else {
+                self.report(Code::ConstantOverflow, at, "the limits of an array must fit LINT");
+                continue;
+            };
+            if low > high {
+                let message = format!("the lower limit {low} is above the upper limit {high}");
+                self.report(Code::ArrayDimensionInvalid, at, message);
+                continue;
+            }
+            bounds.push((low, high));
+        }
+        if bounds.len() < limits.len() || element == TypeId::ERROR {
+            return TypeId::ERROR;
+        }
+        self.array_of(element, &bounds, span)
+    }
+
+    fn array_of(&mut self, element: TypeId, bounds: &[(i64, i64)], span: Span) -> TypeId {
+        let inner = *self.model.types.extent(element);
+        let mut dimensions = Vec::with_capacity(bounds.len());
+        let mut length = 1_u64;
+        for &(low, high) in bounds.iter().rev() {
+            let stride = u32::try_from(length.saturating_mul(inner.size.into())).unwrap_or(u32::MAX);
+            dimensions.push(Dimension { low, high, stride });
+            length = length.saturating_mul(high.abs_diff(low).saturating_add(1));
+        }
+        dimensions.reverse();
+        let cells = length.saturating_mul(inner.size.into());
+        let (Ok(size), true) = (u32::try_from(cells), cells <= MAXIMUM_CELLS) else {
+            let message = format!("the array would take {cells} cells; {MAXIMUM_CELLS} are the limit");
+            self.report(Code::ArraySizeOverflow, span, message);
+            return TypeId::ERROR;
+        };
+        if let Some(known) = self.model.types.known_array(element, &dimensions) {
+            return known;
+        }
+        if self.too_deep(inner.depth, span) {
+            return TypeId::ERROR;
+        }
+        let default = match inner.default {
+            DefaultValue::Zero => DefaultValue::Zero,
+            _ => DefaultValue::Routine(self.routine()),
+        };
+        let extent = Extent {
+            size,
+            text_units: inner.text_units.saturating_mul(length),
+            depth: inner.depth + 1,
+            has_block: inner.has_block,
+            default,
+        };
+        let length = u32::try_from(length).unwrap_or(u32::MAX);
+        let shape = ArrayShape {
+            element,
+            dimensions: dimensions.into(),
+            length,
+        };
+        let id = self.model.types.add_array(shape, extent);
+        if let DefaultValue::Routine(routine) = default {
+            self.model
+                .initial_values
+                .push((routine, InitialValue::Elements(id)));
+        }
+        id
+    }
+
+    fn structure(&mut self, groups: &'u [VariableGroup<'u>], name: &str, span: Span) -> TypeId {
+        let mut members = Named::new();
+        let mut extent = Extent {
+            size: 0,
+            ..Extent::PLAIN
+        };
+        let mut size = 0_u64;
+        let mut zero = true;
+        for group in groups {
+            let hint = group.names.first().map_or("", |name| name.text);
+            let ty = self.specification(&group.specification, hint);
+            let inner = *self.model.types.extent(ty);
+            zero &= group.initializer.is_none() && inner.default == DefaultValue::Zero;
+            extent.depth = extent.depth.max(inner.depth);
+            extent.has_block |= inner.has_block;
+            for name in &group.names {
+                let offset = u32::try_from(size).unwrap_or(u32::MAX);
+                let member = Member {
+                    ty,
+                    offset,
+                    kind: VariableKind::Local,
+                    constant: false,
+                };
+                if !members.push(name.text, member) {
+                    let message = format!("element `{}` is already declared", name.text);
+                    self.report(Code::StructureDuplicatedElement, name.span, message);
+                }
+                size += u64::from(inner.size);
+                extent.text_units = extent.text_units.saturating_add(inner.text_units);
+            }
+        }
+        if self.too_deep(extent.depth, span) || self.too_large(size, span) {
+            return TypeId::ERROR;
+        }
+        extent.depth += 1;
+        // An empty structure takes a cell too, lest an array of them have no length in memory.
+        extent.size = u32::try_from(size.max(1)).unwrap_or(u32::MAX);
+        if !zero {
+            extent.default = DefaultValue::Routine(self.routine());
+        }
+        let structure = Structure {
+            name: name.into(),
+            pou: u32::MAX,
+            members,
+        };
+        let id = self.model.types.add(Kind::Structure(Box::new(structure)), extent);
+        if let DefaultValue::Routine(routine) = extent.default {
+            self.model
+                .initial_values
+                .push((routine, InitialValue::Structure(id, groups)));
+        }
+        id
+    }
+
+    /// Says so where types nest deeper than the limit.
+    pub(super) fn too_deep(&mut self, depth: u32, span: Span) -> bool {
+        if depth >= MAXIMUM_DEPTH {
+            let message = format!("types nest deeper than {MAXIMUM_DEPTH} levels here");
+            self.report(Code::LimitExceeded, span, message);
+        }
+        depth >= MAXIMUM_DEPTH
+    }
+
+    /// Says so where a type takes more memory than a program may have.
+    pub(super) fn too_large(&mut self, cells: u64, span: Span) -> bool {
+        if cells > MAXIMUM_CELLS {
+            let message = format!("this would take {cells} cells of memory; {MAXIMUM_CELLS} are the limit");
+            self.report(Code::LimitExceeded, span, message);
+        }
+        cells > MAXIMUM_CELLS
+    }
+
+    /// The number that an expression stands for; where it stands for none, that is said.
+    pub(super) fn constant(&mut self, id: ExpressionId) -> Option<i128> {
+        match self.evaluate(id) {
+            Ok(value) => Some(value),
+            Err(reason) => {
+                if let Some(diagnostic) = reason {
+                    self.reporter.push(diagnostic);
+                }
+                None
+            }
+        }
+    }
+
+    /// The same without a word.
+    pub(super) fn evaluate(&self, id: ExpressionId) -> Result<i128, NotConstant> {
+        let lookup = |name: Name<'u>| self.constant_of(name.text);
+        Evaluator {
+            source: self.model.source,
+            lookup: &lookup,
+        }
+        .evaluate(id)
+    }
+
+    /// What a name means in a constant expression: a constant of the POU, or else a global one.
+    fn constant_of(&self, name: &str) -> Constant {
+        let name = Folded(name);
+        let local = self.current.and_then(|pou| self.model.pous[pou].scope.get(&name));
+        let variable = local.map(|&index| self.model.variable(index));
+        match variable.filter(|variable| variable.kind != VariableKind::External) {
+            None => self.exact.get(&name).copied().unwrap_or(Constant::Unknown),
+            Some(variable) if !variable.constant => Constant::Variable,
+            Some(variable) => match variable.value {
+                Some(value) => Constant::Value(value),
+                None if variable.ty == TypeId::ERROR => Constant::Silent,
+                None if variable.initializer.is_none() => Constant::Missing,
+                None => Constant::NotInteger,
+            },
+        }
+    }
+}

@@ -1,0 +1,349 @@
+//! The standard functions that are no conversions: what they take and what they give.
+//!
+//! Basis: iec-61131-3: the tables of the numeric, bit shift, selection and string functions.
+
+use super::contexts::Context;
+use super::inferred::Inferred;
+use super::lowering::{Lowering, Value};
+use super::operators::settle;
+use super::types::{Kind, TypeId};
+use crate::instruction::{Instruction, StandardFunction};
+use crate::source::Span;
+use crate::syntax::tree::{Argument, ExpressionId};
+use stickler_types::{Code, ElementaryType};
+
+/// Their names.
+pub(super) const NAMES: [(&str, StandardFunction); 12] = [
+    ("ABS", StandardFunction::Abs),
+    ("SEL", StandardFunction::Sel),
+    ("MUX", StandardFunction::Mux),
+    ("MIN", StandardFunction::Min),
+    ("MAX", StandardFunction::Max),
+    ("LIMIT", StandardFunction::Limit),
+    ("SHL", StandardFunction::Shl),
+    ("SHR", StandardFunction::Shr),
+    ("ROL", StandardFunction::Rol),
+    ("ROR", StandardFunction::Ror),
+    ("LEN", StandardFunction::Len),
+    ("CONCAT", StandardFunction::Concat),
+];
+
+/// The standard function of a name.
+pub(super) fn standard_function(name: &str) -> Option<StandardFunction> {
+    if !(3..=6).contains(&name.len()) {
+        return None;
+    }
+    NAMES
+        .iter()
+        .find(|(known, _)| known.eq_ignore_ascii_case(name))
+        .map(|&(_, function)| function)
+}
+
+/// Something wrong with a call's arguments as a whole: the code, where, and why.
+pub(super) type Fault = (Code, Span, String);
+
+/// The parameters of a standard function.
+struct Signature {
+    /// The names of the first parameters.
+    fixed: &'static [&'static str],
+    /// What any more parameters are called, before their number, and the first one's number.
+    more: Option<(&'static str, usize)>,
+    /// How many there must be at least.
+    least: usize,
+}
+
+fn signature(function: StandardFunction) -> Signature {
+    let (fixed, more, least): (&'static [&'static str], _, _) = match function {
+        StandardFunction::Abs | StandardFunction::Len => (&["IN"], None, 1),
+        StandardFunction::Sel => (&["G", "IN0", "IN1"], None, 3),
+        StandardFunction::Mux => (&["K"], Some(("IN", 0)), 2),
+        StandardFunction::Min | StandardFunction::Max => (&[], Some(("IN", 1)), 2),
+        StandardFunction::Concat => (&[], Some(("IN", 1)), 2),
+        StandardFunction::Limit => (&["MN", "IN", "MX"], None, 3),
+        StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => {
+            (&["IN", "N"], None, 2)
+        }
+    };
+    Signature { fixed, more, least }
+}
+
+impl Signature {
+    /// Which parameter a name is.
+    fn position(&self, name: &str) -> Option<usize> {
+        let fixed = self
+            .fixed
+            .iter()
+            .position(|known| known.eq_ignore_ascii_case(name));
+        fixed.or_else(|| {
+            let (stem, first) = self.more?;
+            let (head, digits) = name.split_at_checked(stem.len())?;
+            let plain = !digits.starts_with('0') || digits == "0";
+            let number: usize = digits
+                .parse()
+                .ok()
+                .filter(|_| plain && !digits.starts_with('+'))?;
+            (head.eq_ignore_ascii_case(stem) && number >= first).then(|| self.fixed.len() + number - first)
+        })
+    }
+}
+
+/// The arguments of a call of a standard or conversion function in the order of its parameters.
+pub(super) fn ordered(
+    function: StandardFunction,
+    arguments: &[Argument<'_>],
+    call: Span,
+) -> Result<Vec<ExpressionId>, Fault> {
+    let signature = signature(function);
+    let mut places: Vec<Option<ExpressionId>> = Vec::with_capacity(arguments.len());
+    for (index, argument) in arguments.iter().enumerate() {
+        let (name, value) = match argument {
+            Argument::Positional(value) if places.len() == index => {
+                places.push(Some(*value));
+                continue;
+            }
+            Argument::Positional(_) => return Err(mixed(call)),
+            Argument::Named { .. } if matches!(arguments[0], Argument::Positional(_)) => {
+                return Err(mixed(call));
+            }
+            Argument::Named { name, value } => (name, *value),
+            Argument::Output { name, .. } => {
+                return Err((
+                    Code::FunctionCallNamedArgUndeclared,
+                    name.span,
+                    format!("the function has no output `{}`", name.text),
+                ));
+            }
+        };
+        // No call has more parameters than arguments, so a greater number leaves some out.
+        let position = signature
+            .position(name.text)
+            .filter(|&position| position < arguments.len() + signature.least);
+        let Some(position) = position else {
+            return Err((
+                Code::FunctionCallNamedArgUndeclared,
+                name.span,
+                format!("the function has no parameter `{}` here", name.text),
+            ));
+        };
+        if places.len() <= position {
+            places.resize(position + 1, None);
+        }
+        if places[position].replace(value).is_some() {
+            return Err((
+                Code::FunctionCallDuplicateNamedArg,
+                name.span,
+                format!("`{}` is given twice", name.text),
+            ));
+        }
+    }
+    let count = arguments.len();
+    let fits = count >= signature.least
+        && (signature.more.is_some() || count == signature.least)
+        && count <= usize::from(u16::MAX);
+    match places.into_iter().collect::<Option<Vec<_>>>() {
+        Some(values) if fits => Ok(values),
+        _ => {
+            let least = signature.least;
+            let needed = if signature.more.is_some() {
+                format!("at least {least}")
+            } else {
+                least.to_string()
+            };
+            let message = format!("the function takes {needed} arguments, not {count}");
+            Err((Code::FunctionCallWrongArgCount, call, message))
+        }
+    }
+}
+
+/// Arguments by name and by position in one call.
+pub(super) fn mixed(call: Span) -> Fault {
+    let message = "arguments are given all by name or all by position";
+    (Code::FunctionCallMixedArgTypes, call, message.to_owned())
+}
+
+impl Lowering<'_> {
+    /// The type of a call of a standard function by itself.
+    pub(super) fn infer_standard(
+        &mut self,
+        function: StandardFunction,
+        arguments: &[Argument<'_>],
+    ) -> Inferred {
+        let Ok(values) = ordered(function, arguments, Span::default()) else {
+            return Inferred::Error;
+        };
+        match function {
+            StandardFunction::Len => Inferred::from(ElementaryType::Int),
+            StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => {
+                self.infer_common(function, &values[..1])
+            }
+            StandardFunction::Sel | StandardFunction::Mux => self.infer_common(function, &values[1..]),
+            _ => self.infer_common(function, &values),
+        }
+    }
+
+    /// The type that several arguments have in common, if the function takes it.
+    fn infer_common(&mut self, function: StandardFunction, values: &[ExpressionId]) -> Inferred {
+        let rules = self.rules();
+        let mut common = self.infer(values[0]);
+        for &value in &values[1..] {
+            let next = self.infer(value);
+            common = rules.unite(common, next);
+        }
+        match common {
+            Inferred::Known(ty) if !self.takes(function, ty) => Inferred::Error,
+            common => common,
+        }
+    }
+
+    /// Whether a standard function is defined for a type.
+    fn takes(&self, function: StandardFunction, ty: TypeId) -> bool {
+        let Some(elementary) = ty.elementary() else {
+            let enumerated = matches!(self.model.types.kind(ty), Kind::Enumeration(_));
+            return enumerated && matches!(function, StandardFunction::Sel | StandardFunction::Mux);
+        };
+        match function {
+            StandardFunction::Abs => elementary.is_integer() || elementary.is_real(),
+            StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => {
+                elementary.is_bit_string() || elementary == ElementaryType::Bool
+            }
+            StandardFunction::Len | StandardFunction::Concat => elementary.is_text(),
+            _ => true,
+        }
+    }
+
+    /// Calls a standard function.
+    pub(super) fn call_standard(
+        &mut self,
+        call: Span,
+        function: StandardFunction,
+        arguments: &[Argument<'_>],
+        wanted: Option<TypeId>,
+    ) -> Value {
+        let values = match ordered(function, arguments, call) {
+            Ok(values) => values,
+            Err(fault) => return self.refuse(fault, arguments),
+        };
+        let (common, selector): (&[_], _) = match function {
+            StandardFunction::Sel | StandardFunction::Mux => (&values[1..], Some(values[0])),
+            StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => {
+                (&values[..1], None)
+            }
+            _ => (&values, None),
+        };
+        match (function, selector) {
+            (StandardFunction::Sel, Some(selector)) => {
+                self.coerce(selector, TypeId::BOOL, Context::Argument);
+            }
+            (_, Some(selector)) => {
+                self.integer_argument(selector);
+            }
+            _ => {}
+        }
+        let ty = self.common_arguments(function, common, wanted);
+        if common.len() < values.len() && selector.is_none() {
+            self.integer_argument(values[1]);
+        }
+        let Some(ty) = ty else { return Value::ERROR };
+        let of = ty.elementary().unwrap_or(ElementaryType::Lint);
+        let count = u16::try_from(common.len()).unwrap_or(u16::MAX);
+        self.emit_at(call, Instruction::Standard { function, of, count });
+        match function {
+            StandardFunction::Len => Value::of(ElementaryType::Int),
+            _ => Value { ty, constant: None },
+        }
+    }
+
+    /// Puts arguments of one type on the stack, and gives that type; `None` where something is wrong.
+    fn common_arguments(
+        &mut self,
+        function: StandardFunction,
+        values: &[ExpressionId],
+        wanted: Option<TypeId>,
+    ) -> Option<TypeId> {
+        let rules = self.rules();
+        let inferred: Vec<_> = values.iter().map(|&value| self.infer(value)).collect();
+        if inferred.contains(&Inferred::Error) {
+            for &value in values {
+                self.value(value, None);
+            }
+            return None;
+        }
+        let united = inferred
+            .iter()
+            .copied()
+            .reduce(|left, right| rules.unite(left, right))?;
+        let known = inferred.iter().find_map(|&one| match one {
+            Inferred::Known(ty) => Some(ty),
+            _ => None,
+        });
+        let ty = match united {
+            Inferred::Known(ty) => Some(ty),
+            Inferred::Text { wide, .. } => Some(TypeId::of(super::literals::text_type(wide))),
+            Inferred::Enumerated => wanted,
+            Inferred::Integer(_) | Inferred::Real => self.settle_for(function, united, wanted),
+            // They do not go together: let the first typed one say what the others should be.
+            _ => known,
+        };
+        let target = ty.unwrap_or(TypeId::ERROR);
+        if target != TypeId::ERROR && !self.takes(function, target) {
+            for &value in values {
+                self.refuse_argument(function, value);
+            }
+            return None;
+        }
+        let mut sound = target != TypeId::ERROR;
+        for &value in values {
+            sound &= self.coerce(value, target, Context::CommonArgument).ty != TypeId::ERROR;
+        }
+        if target == TypeId::ERROR && united == Inferred::Error {
+            let message = "the arguments have no type in common".to_owned();
+            self.report(Code::FunctionCallArgTypeMismatch, self.span(values[0]), message);
+        }
+        sound.then_some(target)
+    }
+
+    /// The type of untyped arguments; what shifts bits takes DWORD or LWORD rather than an integer.
+    fn settle_for(
+        &self,
+        function: StandardFunction,
+        untyped: Inferred,
+        wanted: Option<TypeId>,
+    ) -> Option<TypeId> {
+        let settled = settle(untyped, wanted)?;
+        let shifts = self.takes(function, TypeId::of(ElementaryType::Dword))
+            && !self.takes(function, TypeId::of(ElementaryType::Dint));
+        Some(TypeId::of(match settled {
+            ElementaryType::Dint if shifts && wanted.is_none() => ElementaryType::Dword,
+            ElementaryType::Lint | ElementaryType::Ulint if shifts && wanted.is_none() => {
+                ElementaryType::Lword
+            }
+            ty => ty,
+        }))
+    }
+
+    /// An argument of a type for which the function is not defined; for an integer that should be bits, with
+    /// the conversion.
+    fn refuse_argument(&mut self, function: StandardFunction, id: ExpressionId) {
+        let value = self.value(id, None);
+        let inferred = self.infer(id);
+        if value.ty == TypeId::ERROR && inferred != Inferred::Nothing {
+            return;
+        }
+        let target = match function {
+            StandardFunction::Len | StandardFunction::Concat => ElementaryType::String,
+            StandardFunction::Abs => ElementaryType::Lreal,
+            _ => match value.ty.elementary().map_or(64, ElementaryType::bits) {
+                8 => ElementaryType::Byte,
+                16 => ElementaryType::Word,
+                32 => ElementaryType::Dword,
+                _ => ElementaryType::Lword,
+            },
+        };
+        self.report_misfit(id, inferred, TypeId::of(target), Context::CommonArgument);
+    }
+
+    /// The count of a shift, or the selector of MUX.
+    fn integer_argument(&mut self, id: ExpressionId) {
+        self.integer(id, ElementaryType::Lint, Context::Argument);
+    }
+}

@@ -1,0 +1,147 @@
+//! Lowers statements.
+
+use super::contexts::Context;
+use super::emitter::Jump;
+use super::lowering::Lowering;
+use super::types::TypeId;
+use crate::instruction::Instruction;
+use crate::syntax::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
+use stickler_types::Code;
+
+/// A loop around the statement that is being lowered.
+#[derive(Debug, Default)]
+pub(super) struct Loop {
+    /// The jumps of its EXITs.
+    pub(super) exits: Vec<Jump>,
+    /// The jumps of its CONTINUEs.
+    pub(super) continues: Vec<Jump>,
+}
+
+impl<'m> Lowering<'m> {
+    /// Lowers statements one after the other.
+    pub(super) fn statements(&mut self, statements: &'m [Statement]) {
+        for statement in statements {
+            self.set_line(statement.span);
+            self.statement(statement);
+        }
+    }
+
+    fn statement(&mut self, statement: &'m Statement) {
+        match &statement.kind {
+            StatementKind::Assignment { target, value } => self.assignment(*target, *value),
+            StatementKind::Call(id) => self.call_statement(*id),
+            StatementKind::If { branches, otherwise } => self.if_statement(branches, otherwise.as_deref()),
+            StatementKind::Case {
+                selector,
+                branches,
+                otherwise,
+            } => {
+                self.case(*selector, branches, otherwise.as_deref());
+            }
+            StatementKind::For {
+                control,
+                from,
+                to,
+                by,
+                body,
+            } => {
+                self.for_loop(*control, (*from, *to, *by), body);
+            }
+            StatementKind::While { condition, body } => self.while_loop(*condition, body),
+            StatementKind::Repeat { body, until } => self.repeat_loop(body, *until),
+            StatementKind::Exit => match self.loops.last_mut() {
+                Some(around) => around.exits.push(self.emitter.jump()),
+                None => self.report(Code::ExitOutsideLoop, statement.span, "EXIT stands in no loop"),
+            },
+            StatementKind::Continue => match self.loops.last_mut() {
+                Some(around) => around.continues.push(self.emitter.jump()),
+                None => {
+                    self.report(
+                        Code::ContinueOutsideLoop,
+                        statement.span,
+                        "CONTINUE stands in no loop",
+                    );
+                }
+            },
+            StatementKind::Return => self.emit(Instruction::Return),
+            StatementKind::Empty => {}
+        }
+    }
+
+    fn assignment(&mut self, target: ExpressionId, value: ExpressionId) {
+        let Some(place) = self.place(target) else {
+            self.value(value, None);
+            return;
+        };
+        if place.constant {
+            self.refuse_constant(target);
+        }
+        let bare = self.expression(self.model.source.bare(value));
+        let context = match bare.kind {
+            ExpressionKind::Call { .. } => Context::CallResult,
+            _ => Context::Assignment,
+        };
+        self.begin_store(place);
+        self.coerce(value, place.content(), context);
+        self.finish_store(place, self.span(target));
+    }
+
+    /// Leaves the value of a condition on the stack.
+    fn condition(&mut self, id: ExpressionId) {
+        self.set_line(self.span(id));
+        self.coerce(id, TypeId::BOOL, Context::Condition);
+    }
+
+    fn if_statement(
+        &mut self,
+        branches: &'m [(ExpressionId, Vec<Statement>)],
+        otherwise: Option<&'m [Statement]>,
+    ) {
+        let mut ends = Vec::with_capacity(branches.len());
+        for (index, (condition, body)) in branches.iter().enumerate() {
+            self.condition(*condition);
+            let next = self.emitter.jump_if_false();
+            self.statements(body);
+            if index + 1 < branches.len() || otherwise.is_some() {
+                ends.push(self.emitter.jump());
+            }
+            self.emitter.land(next);
+        }
+        self.statements(otherwise.unwrap_or_default());
+        self.land_all(ends);
+    }
+
+    fn while_loop(&mut self, condition: ExpressionId, body: &'m [Statement]) {
+        let top = self.emitter.position();
+        self.condition(condition);
+        let out = self.emitter.jump_if_false();
+        let done = self.body(body);
+        self.land_all(done.continues);
+        self.emit(Instruction::Jump(top));
+        self.emitter.land(out);
+        self.land_all(done.exits);
+    }
+
+    fn repeat_loop(&mut self, body: &'m [Statement], until: ExpressionId) {
+        let top = self.emitter.position();
+        let done = self.body(body);
+        self.land_all(done.continues);
+        self.condition(until);
+        self.emit(Instruction::JumpIfFalse(top));
+        self.land_all(done.exits);
+    }
+
+    /// Lowers the body of a loop; gives the jumps that leave it.
+    pub(super) fn body(&mut self, body: &'m [Statement]) -> Loop {
+        self.loops.push(Loop::default());
+        self.statements(body);
+        self.loops.pop().unwrap_or_default()
+    }
+
+    /// Leads jumps here.
+    pub(super) fn land_all(&mut self, jumps: Vec<Jump>) {
+        for jump in jumps {
+            self.emitter.land(jump);
+        }
+    }
+}

@@ -1,0 +1,349 @@
+//! The table of types: elementary ones at fixed places, declared ones behind them.
+
+use super::scope::Named;
+use crate::instruction::RoutineId;
+use crate::syntax::tree::VariableKind;
+use rustc_hash::FxHashMap;
+use stickler_types::ElementaryType;
+
+/// A type in the [`TypeTable`].
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(super) struct TypeId(u32);
+
+impl TypeId {
+    /// The type of what could not be understood: nothing more is said about it.
+    pub(super) const ERROR: TypeId = TypeId(ElementaryType::ALL.len() as u32);
+    /// BOOL.
+    pub(super) const BOOL: TypeId = TypeId::of(ElementaryType::Bool);
+
+    /// The place of an elementary type; STRING and WSTRING have their default length there.
+    pub(super) const fn of(ty: ElementaryType) -> TypeId {
+        TypeId(ty as u32)
+    }
+
+    /// The elementary type, where this is one. Aliases, subranges and texts with a length of their own are
+    /// not; see [`TypeTable::value_type`].
+    pub(super) fn elementary(self) -> Option<ElementaryType> {
+        ElementaryType::ALL.get(self.0 as usize).copied()
+    }
+}
+
+/// What a type is.
+#[derive(Debug)]
+pub(super) enum Kind {
+    /// Nothing is known about it.
+    Error,
+    /// An elementary type that is no text.
+    Elementary(ElementaryType),
+    /// STRING or WSTRING with a maximum length in code units.
+    Text { ty: ElementaryType, capacity: u32 },
+    /// Another type under another name.
+    Alias,
+    /// An integer type with narrower limits.
+    Subrange(Subrange),
+    /// An enumeration.
+    Enumeration(Box<Enumeration>),
+    /// An array.
+    Array(Box<ArrayShape>),
+    /// A structure.
+    Structure(Box<Structure>),
+    /// A function block.
+    FunctionBlock(Box<Structure>),
+}
+
+/// The limits of a subrange.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(super) struct Subrange {
+    /// The integer type whose values it has.
+    pub(super) base: ElementaryType,
+    /// The lower limit.
+    pub(super) low: i128,
+    /// The upper limit.
+    pub(super) high: i128,
+}
+
+/// The values of an enumeration.
+#[derive(Debug)]
+pub(super) struct Enumeration {
+    /// Its name, or the name of the variable that it is declared with.
+    pub(super) name: Box<str>,
+    /// The values and their numbers.
+    pub(super) values: Named<i64>,
+}
+
+/// The element and the limits of an array.
+#[derive(Debug)]
+pub(super) struct ArrayShape {
+    /// The elements' type.
+    pub(super) element: TypeId,
+    /// The dimensions, the first varying slowest.
+    pub(super) dimensions: Box<[Dimension]>,
+    /// How many elements there are.
+    pub(super) length: u32,
+}
+
+/// One dimension of an array.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(super) struct Dimension {
+    /// The lowest subscript.
+    pub(super) low: i64,
+    /// The highest subscript.
+    pub(super) high: i64,
+    /// How many cells lie between neighbours.
+    pub(super) stride: u32,
+}
+
+impl Dimension {
+    /// How many subscripts there are. Arrays are bounded, so 32 bits suffice.
+    pub(super) fn length(self) -> u32 {
+        u32::try_from(self.high.wrapping_sub(self.low).wrapping_add(1)).unwrap_or(0)
+    }
+}
+
+/// The elements of a structure, or the variables of a function block or program.
+#[derive(Debug)]
+pub(super) struct Structure {
+    /// Its name.
+    pub(super) name: Box<str>,
+    /// The index of the function block among the POUs; without meaning for a structure.
+    pub(super) pou: u32,
+    /// The elements.
+    pub(super) members: Named<Member>,
+}
+
+/// An element of a structure, or a variable of a function block.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Member {
+    /// Its declared type.
+    pub(super) ty: TypeId,
+    /// Where its cells begin, from those of the whole.
+    pub(super) offset: u32,
+    /// Which section it is declared in; a structure's elements count as VAR.
+    pub(super) kind: VariableKind,
+    /// It is a CONSTANT.
+    pub(super) constant: bool,
+}
+
+/// The value that a variable has without an initial value of its own.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum DefaultValue {
+    /// All cells 0, all texts empty.
+    Zero,
+    /// This raw form.
+    Constant(u64),
+    /// What this routine makes, run on the variable as its instance.
+    Routine(RoutineId),
+}
+
+/// A row of the table.
+#[derive(Debug)]
+struct Entry {
+    kind: Kind,
+    /// The type itself, or what an alias in the end stands for.
+    root: TypeId,
+    extent: Extent,
+    /// The name of an alias.
+    name: Option<Box<str>>,
+}
+
+/// What a value of a type takes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Extent {
+    /// How many cells a value takes.
+    pub(super) size: u32,
+    /// How many code units its texts may have in all.
+    pub(super) text_units: u64,
+    /// How deep types nest in it.
+    pub(super) depth: u32,
+    /// A function block is part of it.
+    pub(super) has_block: bool,
+    /// The value without an initial value.
+    pub(super) default: DefaultValue,
+}
+
+impl Extent {
+    /// One cell that is 0 at first.
+    pub(super) const PLAIN: Extent = Extent {
+        size: 1,
+        text_units: 0,
+        depth: 0,
+        has_block: false,
+        default: DefaultValue::Zero,
+    };
+}
+
+/// The default maximum length of STRING and WSTRING; the standard leaves it to the implementer.
+pub(super) const DEFAULT_CAPACITY: u32 = 254;
+
+/// Every type of a source text.
+#[derive(Debug)]
+pub(super) struct TypeTable {
+    entries: Vec<Entry>,
+    texts: FxHashMap<(ElementaryType, u32), TypeId>,
+    subranges: FxHashMap<Subrange, TypeId>,
+    arrays: FxHashMap<(TypeId, Box<[Dimension]>), TypeId>,
+}
+
+impl TypeTable {
+    /// The table with the elementary types in it.
+    pub(super) fn new() -> TypeTable {
+        let mut table = TypeTable {
+            entries: Vec::with_capacity(ElementaryType::ALL.len() + 8),
+            texts: FxHashMap::default(),
+            subranges: FxHashMap::default(),
+            arrays: FxHashMap::default(),
+        };
+        for ty in ElementaryType::ALL {
+            if ty.is_text() {
+                table.add_text(ty, DEFAULT_CAPACITY);
+            } else {
+                table.add(Kind::Elementary(ty), Extent::PLAIN);
+            }
+        }
+        table.add(Kind::Error, Extent::PLAIN);
+        table
+    }
+
+    /// Adds a type that is equal to no other.
+    pub(super) fn add(&mut self, kind: Kind, extent: Extent) -> TypeId {
+        // A source text of 64 MiB cannot declare 2^32 types.
+        let id = TypeId(u32::try_from(self.entries.len()).unwrap_or(u32::MAX));
+        self.entries.push(Entry {
+            kind,
+            root: id,
+            extent,
+            name: None,
+        });
+        id
+    }
+
+    /// Adds another name for a type, which may have a default value of its own.
+    pub(super) fn add_alias(&mut self, base: TypeId, name: &str, default: DefaultValue) -> TypeId {
+        let extent = Extent {
+            default,
+            ..*self.extent(base)
+        };
+        let root = self.root(base);
+        let id = self.add(Kind::Alias, extent);
+        let entry = &mut self.entries[id.0 as usize];
+        entry.root = root;
+        entry.name = Some(name.into());
+        id
+    }
+
+    /// The text type of this length.
+    pub(super) fn text(&mut self, ty: ElementaryType, capacity: u32) -> TypeId {
+        match self.texts.get(&(ty, capacity)) {
+            Some(&id) => id,
+            None if capacity == DEFAULT_CAPACITY => TypeId::of(ty),
+            None => self.add_text(ty, capacity),
+        }
+    }
+
+    fn add_text(&mut self, ty: ElementaryType, capacity: u32) -> TypeId {
+        let text_units = u64::from(capacity);
+        let id = self.add(
+            Kind::Text { ty, capacity },
+            Extent {
+                text_units,
+                ..Extent::PLAIN
+            },
+        );
+        if capacity != DEFAULT_CAPACITY {
+            self.texts.insert((ty, capacity), id);
+        }
+        id
+    }
+
+    /// The subrange with these limits.
+    pub(super) fn subrange(&mut self, subrange: Subrange) -> TypeId {
+        if let Some(&id) = self.subranges.get(&subrange) {
+            return id;
+        }
+        let default = if (subrange.low..=subrange.high).contains(&0) {
+            DefaultValue::Zero
+        } else {
+            DefaultValue::Constant(subrange.base.wrap(subrange.low))
+        };
+        let id = self.add(
+            Kind::Subrange(subrange),
+            Extent {
+                default,
+                ..Extent::PLAIN
+            },
+        );
+        self.subranges.insert(subrange, id);
+        id
+    }
+
+    /// The array type with these elements and dimensions, where it is there already.
+    pub(super) fn known_array(&self, element: TypeId, dimensions: &[Dimension]) -> Option<TypeId> {
+        self.arrays.get(&(element, dimensions.into())).copied()
+    }
+
+    /// Adds an array type.
+    pub(super) fn add_array(&mut self, shape: ArrayShape, extent: Extent) -> TypeId {
+        let key = (shape.element, shape.dimensions.clone());
+        let id = self.add(Kind::Array(Box::new(shape)), extent);
+        self.arrays.insert(key, id);
+        id
+    }
+
+    fn entry(&self, id: TypeId) -> &Entry {
+        let error = &self.entries[TypeId::ERROR.0 as usize];
+        self.entries.get(id.0 as usize).unwrap_or(error)
+    }
+
+    /// What a type in the end is: never an alias.
+    pub(super) fn kind(&self, id: TypeId) -> &Kind {
+        &self.entry(self.entry(id).root).kind
+    }
+
+    /// The type that an alias stands for, or the type itself.
+    pub(super) fn root(&self, id: TypeId) -> TypeId {
+        self.entry(id).root
+    }
+
+    /// The type that a value has: aliases, subranges and lengths of texts make no difference to it.
+    pub(super) fn value_type(&self, id: TypeId) -> TypeId {
+        if id.elementary().is_some() {
+            return id;
+        }
+        let root = self.root(id);
+        match self.kind(root) {
+            Kind::Subrange(subrange) => TypeId::of(subrange.base),
+            Kind::Text { ty, .. } => TypeId::of(*ty),
+            _ => root,
+        }
+    }
+
+    /// What a value of the type takes.
+    pub(super) fn extent(&self, id: TypeId) -> &Extent {
+        &self.entry(id).extent
+    }
+
+    /// How a message names a type.
+    pub(super) fn name(&self, id: TypeId) -> String {
+        let entry = self.entry(id);
+        if let Some(name) = &entry.name {
+            return name.to_string();
+        }
+        match &entry.kind {
+            Kind::Error | Kind::Alias => "?".to_owned(),
+            Kind::Elementary(ty) => ty.name().to_owned(),
+            Kind::Text { ty, capacity } if *capacity == DEFAULT_CAPACITY => ty.name().to_owned(),
+            Kind::Text { ty, capacity } => format!("{}[{capacity}]", ty.name()),
+            Kind::Subrange(Subrange { base, low, high }) => format!("{}({low}..{high})", base.name()),
+            Kind::Enumeration(enumeration) => enumeration.name.to_string(),
+            Kind::Structure(structure) | Kind::FunctionBlock(structure) => structure.name.to_string(),
+            Kind::Array(shape) => {
+                let limits: Vec<_> = shape
+                    .dimensions
+                    .iter()
+                    .map(|limit| format!("{}..{}", limit.low, limit.high))
+                    .collect();
+                format!("ARRAY[{}] OF {}", limits.join(", "), self.name(shape.element))
+            }
+        }
+    }
+}

@@ -1,0 +1,322 @@
+//! Declares the variables of POUs and the global ones.
+
+use super::constants::Constant;
+use super::declare::{Declarer, Deferred, narrow};
+use super::model::{Storage, Variable};
+use super::scope::{Folded, Named};
+use super::types::{DefaultValue, Extent, Kind, Member, Structure, TypeId};
+use crate::syntax::tree::{Name, PouKind, VariableBlock, VariableGroup, VariableKind};
+use stickler_types::Code;
+
+impl<'u> Declarer<'u, '_> {
+    /// Declares the variables of a POU, and gives a function block and a program their type.
+    pub(super) fn declare_variables(&mut self, index: usize) {
+        self.current = Some(index);
+        let first = self.model.variables.len();
+        let pou = self.model.pous[index].pou;
+        for block in &pou.blocks {
+            for group in &block.groups {
+                self.declare_group(index, block, group);
+            }
+        }
+        if pou.kind == PouKind::Function {
+            self.declare_result(index);
+        }
+        self.model.pous[index].variables = narrow(first)..narrow(self.model.variables.len());
+        if pou.kind != PouKind::Function {
+            self.make_instance_type(index);
+        }
+        self.current = None;
+    }
+
+    fn declare_group(&mut self, pou: usize, block: &'u VariableBlock<'u>, group: &'u VariableGroup<'u>) {
+        let hint = group.names.first().map_or("", |name| name.text);
+        let first = self.model.variables.len();
+        let later = match block.kind {
+            VariableKind::External => true,
+            // Nobody calls a program, so there VAR_IN_OUT declares variables like any others.
+            VariableKind::InOut => self.model.pous[pou].pou.kind != PouKind::Program,
+            _ => false,
+        };
+        let ty = if later {
+            TypeId::ERROR
+        } else {
+            self.specification(&group.specification, hint)
+        };
+        self.check_group(self.model.pous[pou].pou.kind, block, group, ty);
+        for name in &group.names {
+            self.declare_variable(pou, *name, block, group, ty);
+        }
+        if later {
+            self.deferred.push(Deferred {
+                pou,
+                variables: first..self.model.variables.len(),
+                specification: &group.specification,
+                hint,
+            });
+        }
+    }
+
+    /// What the rules say about a whole group at once.
+    fn check_group(
+        &mut self,
+        pou: PouKind,
+        block: &VariableBlock<'u>,
+        group: &VariableGroup<'u>,
+        ty: TypeId,
+    ) {
+        let held = !matches!(block.kind, VariableKind::InOut | VariableKind::External);
+        let has_block = held && self.model.types.extent(ty).has_block;
+        if has_block && pou == PouKind::Function {
+            let message = "a function keeps nothing between calls, so it can have no function block";
+            self.report(Code::FunctionBlockInFunction, group.specification.span, message);
+        }
+        if has_block && block.constant {
+            let message = "a function block cannot be CONSTANT";
+            self.report(Code::FunctionBlockNotConstant, group.specification.span, message);
+        } else if let (true, None, Some(name)) =
+            (held && block.constant, &group.initializer, group.names.first())
+            && block.kind != VariableKind::Input
+        {
+            let message = format!("constant `{}` needs an initial value", name.text);
+            self.report(Code::ConstantMustHaveInitializer, name.span, message);
+        }
+    }
+
+    fn declare_variable(
+        &mut self,
+        pou: usize,
+        name: Name<'u>,
+        block: &VariableBlock<'u>,
+        group: &'u VariableGroup<'u>,
+        ty: TypeId,
+    ) {
+        let index = narrow(self.model.variables.len());
+        self.enter_variable(pou, name, index);
+        let in_program = self.model.pous[pou].pou.kind == PouKind::Program;
+        let kind = match block.kind {
+            VariableKind::InOut if in_program => VariableKind::Local,
+            kind => kind,
+        };
+        if matches!(kind, VariableKind::Input | VariableKind::InOut) {
+            self.model.pous[pou].parameters.push(index);
+        }
+        let fixed = block.constant && matches!(block.kind, VariableKind::Local | VariableKind::Temporary);
+        let value = if fixed {
+            self.constant_value(group, ty)
+        } else {
+            None
+        };
+        self.model.variables.push(Variable {
+            name,
+            ty,
+            kind,
+            constant: block.constant,
+            storage: Storage::Absolute(0),
+            initializer: group.initializer.as_ref(),
+            repeated: group.names.first().is_none_or(|first| first.span != name.span),
+            value,
+        });
+    }
+
+    /// The number that a constant stands for, where its type is an integer type that has it.
+    fn constant_value(&self, group: &'u VariableGroup<'u>, ty: TypeId) -> Option<i128> {
+        let range = self
+            .model
+            .elementary(ty)
+            .filter(|ty| ty.is_integer())?
+            .integer_range()?;
+        match self.exact_initializer(group, group.initializer.as_ref()?) {
+            Constant::Value(value) => (range.0..=range.1).contains(&value).then_some(value),
+            _ => None,
+        }
+    }
+
+    fn enter_variable(&mut self, pou: usize, name: Name<'u>, index: u32) {
+        let entry = &mut self.model.pous[pou];
+        let own = entry.is_function() && Folded(entry.pou.name.text) == Folded(name.text);
+        if own || entry.scope.contains_key(&Folded(name.text)) {
+            let message = format!("`{}` is already declared in `{}`", name.text, entry.pou.name.text);
+            self.report(Code::SymbolDeclDuplicated, name.span, message);
+        } else {
+            entry.scope.insert(Folded(name.text), index);
+        }
+    }
+
+    /// The variable that has a function's own name, and holds its result.
+    fn declare_result(&mut self, pou: usize) {
+        let Some(result) = &self.model.pous[pou].pou.result else {
+            return;
+        };
+        let name = self.model.pous[pou].pou.name;
+        let ty = self.specification(result, name.text);
+        if self.model.types.extent(ty).has_block {
+            let message = "a function block cannot be the result of a function";
+            self.report(Code::FunctionBlockInFunction, result.span, message);
+        }
+        let index = narrow(self.model.variables.len());
+        self.model.variables.push(Variable {
+            name,
+            ty,
+            kind: VariableKind::Output,
+            constant: false,
+            storage: Storage::Absolute(0),
+            initializer: None,
+            repeated: false,
+            value: None,
+        });
+        let entry = &mut self.model.pous[pou];
+        entry.result = Some(index);
+        entry.scope.insert(Folded(name.text), index);
+    }
+
+    /// Lays the variables of a function block or program out, and makes them the members of a type.
+    fn make_instance_type(&mut self, pou: usize) {
+        let entry = &self.model.pous[pou];
+        let program = entry.pou.kind == PouKind::Program;
+        let (name, variables, span) = (entry.pou.name, entry.variables.clone(), entry.pou.name.span);
+        let mut extent = Extent {
+            size: 0,
+            has_block: true,
+            ..Extent::PLAIN
+        };
+        let mut members = Named::new();
+        let mut size = 0_u64;
+        let mut zero = true;
+        for index in variables {
+            let variable = &mut self.model.variables[index as usize];
+            let offset = u32::try_from(size).unwrap_or(u32::MAX);
+            let inner = *self.model.types.extent(variable.ty);
+            match variable.kind {
+                VariableKind::External => continue,
+                VariableKind::InOut => {
+                    variable.storage = Storage::InstancePointer(offset);
+                    size += 1;
+                }
+                _ => {
+                    variable.storage = Storage::Instance(offset);
+                    size += u64::from(inner.size);
+                    extent.text_units = extent.text_units.saturating_add(inner.text_units);
+                    extent.depth = extent.depth.max(inner.depth);
+                    zero &= variable.initializer.is_none() && inner.default == DefaultValue::Zero;
+                }
+            }
+            let (ty, kind, constant) = (variable.ty, variable.kind, variable.constant);
+            members.push(
+                variable.name.text,
+                Member {
+                    ty,
+                    offset,
+                    kind,
+                    constant,
+                },
+            );
+        }
+        if self.too_deep(extent.depth, span) || self.too_large(size, span) {
+            return;
+        }
+        extent.depth += 1;
+        extent.size = u32::try_from(size.max(1)).unwrap_or(u32::MAX);
+        if !zero {
+            extent.default = DefaultValue::Routine(self.model.pous[pou].initial);
+        }
+        let structure = Box::new(Structure {
+            name: name.text.into(),
+            pou: narrow(pou),
+            members,
+        });
+        let kind = if program {
+            Kind::Structure(structure)
+        } else {
+            Kind::FunctionBlock(structure)
+        };
+        self.model.pous[pou].ty = self.model.types.add(kind, extent);
+    }
+
+    /// Declares the global variables in the order of the text.
+    pub(super) fn declare_globals(&mut self) {
+        for block in std::mem::take(&mut self.global_blocks) {
+            for group in &block.groups {
+                let hint = group.names.first().map_or("", |name| name.text);
+                let ty = self.specification(&group.specification, hint);
+                self.check_group(PouKind::Program, block, group, ty);
+                let value = if block.constant {
+                    self.constant_value(group, ty)
+                } else {
+                    None
+                };
+                for name in &group.names {
+                    self.declare_global(*name, block, group, ty, value);
+                }
+            }
+        }
+    }
+
+    fn declare_global(
+        &mut self,
+        name: Name<'u>,
+        block: &VariableBlock<'u>,
+        group: &'u VariableGroup<'u>,
+        ty: TypeId,
+        value: Option<i128>,
+    ) {
+        let index = narrow(self.model.variables.len());
+        if self.model.globals.contains_key(&Folded(name.text)) {
+            let message = format!("global variable `{}` is already declared", name.text);
+            self.report(Code::SymbolDeclDuplicated, name.span, message);
+        } else {
+            self.model.globals.insert(Folded(name.text), index);
+        }
+        self.model.variables.push(Variable {
+            name,
+            ty,
+            kind: VariableKind::Global,
+            constant: block.constant,
+            storage: Storage::Absolute(0),
+            initializer: group.initializer.as_ref(),
+            repeated: group.names.first().is_none_or(|first| first.span != name.span),
+            value,
+        });
+    }
+
+    /// Gives VAR_IN_OUT and VAR_EXTERNAL their types, and the latter the variables that they stand for.
+    pub(super) fn resolve_deferred(&mut self) {
+        for deferred in std::mem::take(&mut self.deferred) {
+            self.current = Some(deferred.pou);
+            let ty = self.specification(deferred.specification, deferred.hint);
+            for index in deferred.variables {
+                self.model.variables[index].ty = ty;
+                if self.model.variables[index].kind == VariableKind::External {
+                    self.resolve_external(index);
+                }
+            }
+        }
+        self.current = None;
+    }
+
+    fn resolve_external(&mut self, index: usize) {
+        let (name, ty) = (self.model.variables[index].name, self.model.variables[index].ty);
+        let Some(&global) = self.model.globals.get(&Folded(name.text)) else {
+            let message = format!("there is no global variable `{}`", name.text);
+            self.report(Code::VariableUndefined, name.span, message);
+            self.model.variables[index].ty = TypeId::ERROR;
+            return;
+        };
+        let Variable {
+            ty: other,
+            constant,
+            value,
+            ..
+        } = *self.model.variable(global);
+        let known = ty != TypeId::ERROR && other != TypeId::ERROR;
+        if known && self.model.types.root(ty) != self.model.types.root(other) {
+            let (here, there) = (self.model.types.name(ty), self.model.types.name(other));
+            let message = format!("global variable `{}` is of type {there}, not {here}", name.text);
+            self.report(Code::AssignmentTypeMismatch, name.span, message);
+        }
+        let variable = &mut self.model.variables[index];
+        variable.constant |= constant;
+        variable.value = value;
+        variable.ty = other;
+    }
+}
