@@ -24,8 +24,8 @@ macro_rules! argument_codes {
         }
         P4023 FunctionCallNamedArgUndeclared {
             summary: "the function has no such parameter",
-            explanation: "An argument is given by a name that none of the function's parameters has. For the inputs of function blocks \
-                the code is P4002.",
+            explanation: "An argument is given by a name that none of the parameters has. Stickler's reference says so of the inputs of \
+                function blocks too, for which other compilers have P4002.",
             example: IronplcEd2 "
                 FUNCTION Double : INT
                 VAR_INPUT
@@ -155,22 +155,32 @@ macro_rules! argument_codes {
             explanation: "The right-hand side is the bare result of a function, and its type is neither the target's nor one that \
                 converts to it implicitly in the dialect. For any other expression the code is P4035.",
             example: IronplcEd2 "
+                FUNCTION Half : REAL
+                VAR_INPUT
+                    value : REAL;
+                END_VAR
+                    Half := value / 2.0;
+                END_FUNCTION
                 PROGRAM main
                 VAR
-                    a : REAL;
-                    b : INT;
+                    a : INT;
                 END_VAR
-                    b := SQRT(a);
+                    a := Half(5.0);
                 END_PROGRAM
                 ",
             fix: "Call a type conversion function.",
             repaired: "
+                FUNCTION Half : REAL
+                VAR_INPUT
+                    value : REAL;
+                END_VAR
+                    Half := value / 2.0;
+                END_FUNCTION
                 PROGRAM main
                 VAR
-                    a : REAL;
-                    b : INT;
+                    a : INT;
                 END_VAR
-                    b := REAL_TO_INT(SQRT(a));
+                    a := REAL_TO_INT(Half(5.0));
                 END_PROGRAM
                 ",
         }

@@ -4,8 +4,8 @@ macro_rules! compiler_codes {
     ($rest:tt $($entries:tt)*) => { gather! { $rest $($entries)*
         P9001 UnsupportedStdLibType {
             summary: "the standard type is not implemented",
-            explanation: "The standard defines the type or function block, and the compiler does not have it. Stickler's reference has all \
-                that the standard names; the example stands for a compiler without timers.",
+            explanation: "The standard defines the type or function block, and the compiler does not have it. Stickler's reference has \
+                none of the standard function blocks yet, and gives P2008 for them as for any type that is not declared.",
             example: elsewhere "
                 PROGRAM main
                 VAR

@@ -162,18 +162,28 @@ macro_rules! extension_codes {
             explanation: "By the grammar of the second edition the elements of a structure, and the inputs of an instance, are initialised \
                 with constants. Stickler's reference reads an expression here as in any other initial value.",
             example: elsewhere "
+                TYPE
+                    Tank : STRUCT
+                        level : INT;
+                    END_STRUCT;
+                END_TYPE
                 PROGRAM main
                 VAR
-                    base : TIME := T#100ms;
-                    delay : TON := (PT := base + T#5ms);
+                    base : INT := 5;
+                    tank_1 : Tank := (level := base + 1);
                 END_VAR
                 END_PROGRAM
                 ",
             fix: "Write the value.",
             repaired: "
+                TYPE
+                    Tank : STRUCT
+                        level : INT;
+                    END_STRUCT;
+                END_TYPE
                 PROGRAM main
                 VAR
-                    delay : TON := (PT := T#105ms);
+                    tank_1 : Tank := (level := 6);
                 END_VAR
                 END_PROGRAM
                 ",
@@ -219,8 +229,8 @@ macro_rules! extension_codes {
         }
         P4046 MethodNotFound {
             summary: "the function block has no such method",
-            explanation: "Neither the function block nor any that it extends declares the method. Stickler's reference has no methods: it \
-                answers P9999.",
+            explanation: "Neither the function block nor any that it extends declares the method. Stickler's reference has no methods: \
+                where one is called, it finds no element of the name, P4007.",
             example: elsewhere "
                 FUNCTION_BLOCK Motor
                 VAR

@@ -40,9 +40,9 @@ macro_rules! invocation_codes {
         }
         P4002 FunctionInvocationMissingInput {
             summary: "the function block has no such input",
-            explanation: "The invocation of a function block gives a value to an input that the function block does not declare. For \
-                functions the code is P4023.",
-            example: IronplcEd2 "
+            explanation: "The invocation of a function block gives a value to an input that the function block does not declare. \
+                Stickler's reference gives P4023, as it does for functions.",
+            example: elsewhere "
                 FUNCTION_BLOCK Pump
                 VAR_INPUT
                     start : BOOL;
@@ -74,7 +74,7 @@ macro_rules! invocation_codes {
             summary: "the invocation's arguments do not fit the function block's inputs",
             explanation: "An invocation that gives its arguments by position must give one for each input. One that gives them by name \
                 may leave inputs out: they keep their values.",
-            example: elsewhere "
+            example: IronplcEd2 "
                 FUNCTION_BLOCK Pump
                 VAR_INPUT
                     start : BOOL;
@@ -88,7 +88,7 @@ macro_rules! invocation_codes {
                     pump_1(TRUE);
                 END_PROGRAM
                 ",
-            fix: "Name the argument, or give all of them. Stickler's reference gives P4018 for a wrong number of arguments.",
+            fix: "Name the argument, or give all of them.",
             repaired: "
                 FUNCTION_BLOCK Pump
                 VAR_INPUT
@@ -288,8 +288,8 @@ macro_rules! invocation_codes {
         P4010 VariableMustBeConst {
             summary: "an external constant is not declared as one",
             explanation: "The global variable is CONSTANT, so the VAR_EXTERNAL that makes it known to a unit has to say so too: otherwise \
-                the unit could seem to write it.",
-            example: IronplcEd2 "
+                the unit could seem to write it. Stickler's reference takes the word of the global declaration.",
+            example: elsewhere "
                 VAR_GLOBAL CONSTANT
                     limit : INT := 17;
                 END_VAR

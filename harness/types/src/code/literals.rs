@@ -152,9 +152,9 @@ macro_rules! literal_codes {
                 END_TYPE
                 PROGRAM main
                 VAR
-                    same : BOOL;
+                    code : BOOL;
                 END_VAR
-                    same := Green = Green;
+                    code := Green;
                 END_PROGRAM
                 ",
             fix: "Write the type in front: `Color#Green`.",
@@ -165,9 +165,9 @@ macro_rules! literal_codes {
                 END_TYPE
                 PROGRAM main
                 VAR
-                    same : BOOL;
+                    code : Color;
                 END_VAR
-                    same := Color#Green = Color#Green;
+                    code := Color#Green;
                 END_PROGRAM
                 ",
         }

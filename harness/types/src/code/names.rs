@@ -236,18 +236,18 @@ macro_rules! name_codes {
             example: IronplcEd2 "
                 PROGRAM main
                 VAR
-                    a : REAL;
+                    a : INT;
                 END_VAR
-                    a := SQRT(2.0, 3.0);
+                    a := ABS(a, a);
                 END_PROGRAM
                 ",
             fix: "Give as many arguments as there are parameters.",
             repaired: "
                 PROGRAM main
                 VAR
-                    a : REAL;
+                    a : INT;
                 END_VAR
-                    a := SQRT(2.0);
+                    a := ABS(a);
                 END_PROGRAM
                 ",
         }

@@ -133,39 +133,39 @@ macro_rules! statement_codes {
             explanation: "A function starts afresh with each call, and an instance is there to remember. The third edition lets a function \
                 receive its caller's instance by VAR_IN_OUT.",
             example: IronplcEd2 "
-                FUNCTION Delayed : BOOL
-                VAR_INPUT
-                    signal : BOOL;
+                FUNCTION_BLOCK Counter
+                VAR_OUTPUT
+                    count : INT;
                 END_VAR
+                    count := count + 1;
+                END_FUNCTION_BLOCK
+                FUNCTION Next : INT
                 VAR
-                    timer : TON;
+                    counter_1 : Counter;
                 END_VAR
-                    timer(IN := signal, PT := T#1s);
-                    Delayed := timer.Q;
+                    Next := counter_1.count;
                 END_FUNCTION
                 PROGRAM main
                 VAR
-                    a : BOOL;
+                    a : INT;
                 END_VAR
-                    a := Delayed(TRUE);
+                    a := Next();
                 END_PROGRAM
                 ",
-            fix: "Make the function a function block.",
+            fix: "Make the function a function block, or hold the instance in the program.",
             repaired: "
-                FUNCTION_BLOCK Delayed
-                VAR_INPUT
-                    signal : BOOL;
+                FUNCTION_BLOCK Counter
+                VAR_OUTPUT
+                    count : INT;
                 END_VAR
-                VAR
-                    timer : TON;
-                END_VAR
-                    timer(IN := signal, PT := T#1s);
+                    count := count + 1;
                 END_FUNCTION_BLOCK
                 PROGRAM main
                 VAR
-                    delayed_1 : Delayed;
+                    counter_1 : Counter;
+                    a : INT;
                 END_VAR
-                    delayed_1(signal := TRUE);
+                    counter_1(count => a);
                 END_PROGRAM
                 ",
         }
