@@ -5,12 +5,34 @@
 //! rule about values that change their type. [`Dialect`] is the one place where a dialect's name becomes
 //! behaviour. Nothing here panics on any input: each stage returns its result and its diagnostics.
 //!
+//! [`check`], [`run`] and [`render`] go through the rooms in order:
+//!
+//! ```
+//! use stickler_reference::{Limits, Observation, Outcome, Request, run};
+//! use stickler_types::{DialectName, Value};
+//!
+//! let source = "PROGRAM main VAR big : DINT := 100000; small : INT; END_VAR
+//!     small := DINT_TO_INT(big); END_PROGRAM";
+//! let outcome = run(&Request {
+//!     dialect: DialectName::Matiec,
+//!     source,
+//!     scans: 1,
+//!     observe: &[Observation { name: "small", after: None }],
+//!     clock: &[],
+//!     set: &[],
+//!     limits: Limits::default(),
+//! });
+//! let small = Value::parse("INT#-31072").expect("a typed literal");
+//! assert_eq!(outcome, Ok(Outcome::Executed { values: vec![("small".to_owned(), small)] }));
+//! ```
+//!
 //! Architecture Invariant: this crate knows no files, no threads, no cases and no engines.
 
 pub mod conversion;
 pub mod diagnostic;
 pub mod dialect;
 pub mod execution;
+mod face;
 pub mod instruction;
 mod raw;
 pub mod semantics;
@@ -18,3 +40,7 @@ pub mod source;
 pub mod syntax;
 
 pub use dialect::Dialect;
+pub use face::{
+    ClockSetting, Limits, LocatedDiagnostic, Observation, Outcome, Request, RequestError, ValueSetting, check,
+    check_bytes, render, run,
+};

@@ -51,7 +51,7 @@ const fn modulo<const MODULUS: u64>(raw: u64, from: ElementaryType) -> u64 {
 #[inline]
 const fn eight_digits(number: u64) -> u64 {
     // Two parts below 10 000, of 32 bits each.
-    let fours = number % 10_000 | (number / 10_000) << 32;
+    let fours = (number % 10_000) | ((number / 10_000) << 32);
     // Four parts below 100, of 16 bits each.
     let hundreds = ((fours * 5_243) >> 19) & 0x0000_007F_0000_007F;
     let pairs = (fours - 100 * hundreds) | hundreds << 16;

@@ -245,7 +245,7 @@ fn is_nearest(nanoseconds: i128, ty: ElementaryType, raw: u64) -> bool {
         let value = decode(raw, ty);
         let (significand, exponent) = parts(value);
         assert!(
-            exponent <= 0 && exponent >= -80,
+            (-80..=0).contains(&exponent),
             "the test's numbers stay within 128 bits"
         );
         let milliseconds = i128::from(significand) * if value < 0.0 { -1 } else { 1 };

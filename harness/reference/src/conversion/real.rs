@@ -139,7 +139,7 @@ impl Exact {
         Exact {
             negative,
             magnitude: numerator / denominator,
-            inexact: numerator % denominator != 0,
+            inexact: !numerator.is_multiple_of(denominator),
             exponent: exponent.saturating_sub(shift.cast_signed()),
         }
     }

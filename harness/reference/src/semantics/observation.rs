@@ -64,7 +64,7 @@ impl Directory {
             }
         }
         let instances = model.instances.iter();
-        let instances = instances
+        let mut instances: Vec<_> = instances
             .map(|instance| {
                 (
                     instance.name.into(),
@@ -73,6 +73,8 @@ impl Directory {
                 )
             })
             .collect();
+        // Plain names are those of PROGRAM main, wherever in the configuration it runs.
+        instances.sort_by_cached_key(|(_, ty, _)| !model.types.name(*ty).eq_ignore_ascii_case("main"));
         Directory {
             types: model.types,
             globals,

@@ -1,0 +1,80 @@
+//! Checking and rendering: all that can be said about a source text without running it.
+
+use super::located::{LocatedDiagnostic, locate};
+use crate::diagnostic::Diagnostic;
+use crate::dialect::Dialect;
+use crate::semantics::{self, CheckedProgram};
+use crate::source::{self, LineIndex};
+use crate::syntax;
+use stickler_types::{Code, DialectName};
+
+/// A source text after all stages but the last.
+pub(super) struct Checked {
+    /// What can be run; `None` where the text has an error or no PROGRAM.
+    pub program: Option<CheckedProgram>,
+    /// What is wrong with the text.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Lines and columns of the text.
+    pub lines: LineIndex,
+}
+
+impl Checked {
+    pub fn new(source: &str, dialect: &Dialect) -> Checked {
+        let lines = LineIndex::new(source);
+        let (unit, mut diagnostics) = syntax::parse(source, dialect);
+        let (program, found) = semantics::check(&unit, source, &lines, dialect);
+        diagnostics.extend(found);
+        Checked {
+            program,
+            diagnostics,
+            lines,
+        }
+    }
+}
+
+/// Checks a source text: gives everything that is wrong with it, sorted by line, column and code; nothing
+/// where the dialect accepts it. A text without a PROGRAM is acceptable.
+#[must_use]
+pub fn check(source: &str, dialect: DialectName) -> Vec<LocatedDiagnostic> {
+    let checked = Checked::new(source, &Dialect::of(dialect));
+    locate(checked.diagnostics, source, &checked.lines)
+}
+
+/// Checks a source text that may be no text: gives it as it was read (see [`source::decode`]), which is
+/// what the positions refer to, and everything that is wrong with it.
+#[must_use]
+pub fn check_bytes(bytes: &[u8], dialect: DialectName) -> (String, Vec<LocatedDiagnostic>) {
+    let (text, mut diagnostics) = source::decode(bytes);
+    let checked = Checked::new(&text, &Dialect::of(dialect));
+    diagnostics.extend(checked.diagnostics);
+    let located = locate(diagnostics, &text, &checked.lines);
+    (text.into_owned(), located)
+}
+
+/// Gives a source text back in its normal form (design, section 4). What can be read is rendered, whether or
+/// not its names and types are right.
+///
+/// # Errors
+/// The diagnostics where the text cannot be read, or uses what its dialect does not enable.
+pub fn render(source: &str, dialect: DialectName) -> Result<String, Vec<LocatedDiagnostic>> {
+    let dialect = Dialect::of(dialect);
+    let lines = LineIndex::new(source);
+    let (unit, mut diagnostics) = syntax::parse(source, &dialect);
+    let (_, found) = semantics::check(&unit, source, &lines, &dialect);
+    diagnostics.extend(
+        found
+            .into_iter()
+            .filter(|diagnostic| diagnostic.code.not_enabled()),
+    );
+    if diagnostics.is_empty() {
+        Ok(syntax::render(&unit, source))
+    } else {
+        Err(locate(diagnostics, source, &lines))
+    }
+}
+
+/// What is said of a text that is acceptable and has nothing to run; it belongs to the last token.
+pub(super) fn nothing_to_run(source: &str, dialect: &Dialect) -> Diagnostic {
+    let span = syntax::last_token(source, dialect);
+    Diagnostic::new(Code::NoProgramDeclaration, span, "there is no PROGRAM to run")
+}

@@ -1,0 +1,13 @@
+//! The public face: a source text and a dialect in, diagnostics, values or rendered text out.
+
+mod diagnose;
+mod located;
+mod observe;
+mod request;
+mod run;
+mod settings;
+
+pub use diagnose::{check, check_bytes, render};
+pub use located::LocatedDiagnostic;
+pub use request::{ClockSetting, Limits, Observation, Outcome, Request, RequestError, ValueSetting};
+pub use run::run;

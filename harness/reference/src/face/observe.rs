@@ -1,0 +1,120 @@
+//! The values that a request asks for, taken from the machine by their names.
+
+use super::request::{Observation, RequestError};
+use crate::execution::Machine;
+use crate::semantics::{CheckedProgram, Observed, ObservedType};
+use stickler_types::{ElementaryType, Value};
+
+/// The values that a request asks for.
+pub(super) struct Observer<'a> {
+    wanted: Vec<Wanted<'a>>,
+    /// Those of `wanted` that are asked for after a certain scan, by that scan.
+    by_scan: Vec<(u32, usize)>,
+    /// How many of `by_scan` have been taken down.
+    taken: usize,
+}
+
+struct Wanted<'a> {
+    observation: Observation<'a>,
+    place: Observed,
+    value: Option<Value>,
+}
+
+impl<'a> Observer<'a> {
+    /// Finds each value's place.
+    pub fn new(
+        program: &CheckedProgram,
+        observe: &[Observation<'a>],
+        scans: u32,
+    ) -> Result<Observer<'a>, RequestError> {
+        let find = |observation: &Observation<'a>| {
+            check_scan(observation.name, observation.after.unwrap_or(0), scans)?;
+            Ok(Wanted {
+                observation: *observation,
+                place: resolve(program, observation.name)?,
+                value: None,
+            })
+        };
+        let wanted = observe.iter().map(find).collect::<Result<Vec<_>, _>>()?;
+        let scans = wanted.iter().enumerate();
+        let mut by_scan: Vec<_> = scans
+            .filter_map(|(index, wanted)| Some((wanted.observation.after?, index)))
+            .collect();
+        by_scan.sort_unstable();
+        Ok(Observer {
+            wanted,
+            by_scan,
+            taken: 0,
+        })
+    }
+
+    /// Takes down what is wanted after this scan; scans come in order, the start as scan 0.
+    pub fn after_scan(&mut self, scan: u32, machine: &Machine<'_>) {
+        while let Some(&(_, index)) = self.by_scan.get(self.taken).filter(|(after, _)| *after == scan) {
+            if let Some(wanted) = self.wanted.get_mut(index) {
+                wanted.value = read(&wanted.place, machine);
+            }
+            self.taken += 1;
+        }
+    }
+
+    /// Takes down what is wanted after the last scan, and gives everything.
+    pub fn finish(mut self, machine: &Machine<'_>) -> Vec<(String, Value)> {
+        for wanted in self
+            .wanted
+            .iter_mut()
+            .filter(|wanted| wanted.observation.after.is_none())
+        {
+            wanted.value = read(&wanted.place, machine);
+        }
+        self.wanted
+            .into_iter()
+            .filter_map(|wanted| Some((key(wanted.observation), wanted.value?)))
+            .collect()
+    }
+}
+
+fn key(observation: Observation<'_>) -> String {
+    match observation.after {
+        Some(scan) => format!("{}@{scan}", observation.name),
+        None => observation.name.to_owned(),
+    }
+}
+
+/// Whether a scan is among those that are run.
+pub(super) fn check_scan(name: &str, scan: u32, scans: u32) -> Result<(), RequestError> {
+    if scan <= scans {
+        Ok(())
+    } else {
+        Err(RequestError::NoSuchScan {
+            name: name.to_owned(),
+            scan,
+        })
+    }
+}
+
+/// The place of a value.
+pub(super) fn resolve(program: &CheckedProgram, name: &str) -> Result<Observed, RequestError> {
+    let unknown = |reason| RequestError::UnknownName {
+        name: name.to_owned(),
+        reason,
+    };
+    program.resolve(name).map_err(unknown)
+}
+
+fn read(place: &Observed, machine: &Machine<'_>) -> Option<Value> {
+    match &place.ty {
+        ObservedType::Plain(ty) => Some(Value::plain(*ty, machine.plain(place.address)?)),
+        ObservedType::Text(ty) => Some(Value::text(*ty, machine.text(place.address)?.to_vec())),
+        ObservedType::Enumerated { type_name, values } => {
+            let raw = machine.plain(place.address)?;
+            let named = values.iter().find(|(value, _)| value.cast_unsigned() == raw);
+            // Only named values can be assigned; a number would be a defect, and shows as one.
+            Some(
+                named.map_or(Value::plain(ElementaryType::Lint, raw), |(_, name)| {
+                    Value::enumerated(type_name.as_str(), name.as_str())
+                }),
+            )
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Running a program: check, start, scan by scan, and the values in between.
+
+use super::diagnose::{Checked, nothing_to_run};
+use super::located::locate;
+use super::observe::Observer;
+use super::request::{Outcome, Request, RequestError};
+use super::settings::Settings;
+use crate::dialect::Dialect;
+use crate::execution::{Machine, Stop};
+use crate::semantics::CheckedProgram;
+
+/// Runs a program and gives the values asked for.
+///
+/// # Errors
+/// [`RequestError`] where the request does not fit the program; a program that is not acceptable, or that faults,
+/// is an [`Outcome`].
+pub fn run(request: &Request<'_>) -> Result<Outcome, RequestError> {
+    let dialect = Dialect::of(request.dialect);
+    let mut checked = Checked::new(request.source, &dialect);
+    if checked.diagnostics.is_empty() {
+        if let Some(program) = &checked.program {
+            return execute(program, request);
+        }
+        checked.diagnostics.push(nothing_to_run(request.source, &dialect));
+    }
+    Ok(Outcome::Rejected(locate(
+        checked.diagnostics,
+        request.source,
+        &checked.lines,
+    )))
+}
+
+fn execute(program: &CheckedProgram, request: &Request<'_>) -> Result<Outcome, RequestError> {
+    let mut observer = Observer::new(program, request.observe, request.scans)?;
+    let mut settings = Settings::new(program, request.set, request.scans)?;
+    let mut machine = Machine::new(&program.program, request.limits.steps);
+    match scan_all(&mut machine, &mut observer, &mut settings, request.scans) {
+        Ok(()) => Ok(Outcome::Executed {
+            values: observer.finish(&machine),
+        }),
+        Err(Stop::Fault(fault)) => {
+            let values = observer.finish(&machine);
+            Ok(Outcome::Faulted {
+                fault: fault.kind,
+                line: fault.line,
+                values,
+            })
+        }
+        Err(Stop::Inconsistent(inconsistency)) => {
+            debug_assert!(false, "{inconsistency}");
+            Err(RequestError::Internal(inconsistency.to_string()))
+        }
+    }
+}
+
+/// The start counts as scan 0.
+fn scan_all(
+    machine: &mut Machine<'_>,
+    observer: &mut Observer<'_>,
+    settings: &mut Settings<'_>,
+    scans: u32,
+) -> Result<(), Stop> {
+    machine.startup()?;
+    observer.after_scan(0, machine);
+    for scan in 1..=scans {
+        settings.apply_before(scan, machine);
+        machine.scan()?;
+        observer.after_scan(scan, machine);
+    }
+    Ok(())
+}

@@ -1,0 +1,11 @@
+//! Whole programs through the public face: what each stage does only counts once they work together.
+
+mod arithmetic;
+mod conversions;
+mod faults;
+mod flow;
+mod pous;
+mod rejected;
+mod scans;
+mod support;
+mod variables;

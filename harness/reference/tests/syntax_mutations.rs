@@ -1,0 +1,222 @@
+//! Programs that are damaged at random, from a fixed seed: whatever comes of them, the syntax half of the
+//! reference gives a tree and diagnostics that point into the text, and what it accepts it renders.
+
+use stickler_reference::dialect::Dialect;
+use stickler_reference::source::{LineIndex, decode};
+use stickler_reference::syntax::{parse, render};
+use stickler_types::DialectName;
+
+/// Programs that use every production between them.
+const SAMPLES: [&str; 4] = [
+    "TYPE
+    Color : (RED, GREEN := 5, BLUE) := RED; Small : INT(-5..5) := 0; Alias : Color;
+    Rec : STRUCT a, b : INT := 3; c : ARRAY[0..3, 1..2] OF REAL := [8(1.5)]; s : STRING[10] := 'it$'s'; END_STRUCT;
+    Coded : BYTE (ON1 := 16#01, OFF1 := 2#1000_0000);
+END_TYPE
+VAR_GLOBAL CONSTANT g : LREAL := 1.0E-3; END_VAR
+CONFIGURATION conf
+    VAR_GLOBAL RETAIN h : Rec := (a := 1, c := [2(0.5), 6()]); END_VAR
+    RESOURCE res ON PLC TASK t(INTERVAL := T#10ms, PRIORITY := 1); PROGRAM p1 WITH t : main; END_RESOURCE
+END_CONFIGURATION
+PROGRAM main VAR x : INT; END_VAR x := 1; END_PROGRAM
+",
+    "FUNCTION f : DINT (* a comment (* not nested *)
+VAR_INPUT a : INT := 1; b : BOOL; END_VAR VAR_OUTPUT q : WORD; END_VAR VAR_IN_OUT v : ARRAY[1..2] OF INT; END_VAR
+VAR_TEMP t : TIME := T#-1d2h3m4.5s; END_VAR
+    IF a > 5 AND NOT b OR (a < -5) THEN f := a * 2 - -3 ** 2; ELSIF a = 0 XOR b THEN RETURN; ELSE q.3 := TRUE; END_IF;
+    CASE a OF 1, 2..5: f := 1; -1: f := 2; Color#RED: ; ELSE f := DINT#16#FF; END_CASE;
+END_FUNCTION
+",
+    "FUNCTION_BLOCK fb VAR_INPUT i : UINT; END_VAR VAR n : ARRAY[0..1] OF fb2; w : WSTRING := \"a$0041\"; END_VAR
+    FOR i := 0 TO 10 BY 2 DO n[i MOD 2](p := i, q => w, NOT r => s.t[1, 2].u); IF i = 5 THEN EXIT; END_IF; END_FOR;
+    WHILE i < 10 DO i := i + 1; CONTINUE; END_WHILE;
+    REPEAT i := SHL(i, 1) / 3; ; UNTIL i >= 100 & TRUE END_REPEAT;
+END_FUNCTION_BLOCK
+",
+    "PROGRAM dates VAR
+    d : DATE := D#2024-02-29; t : TOD := TOD#12:34:56.789; dt : DT := DT#2024-02-29-12:34:56; c : CHAR := CHAR#'a';
+    b : BYTE := 2#1010; r : REAL := REAL#-1.5E3; l : LTIME := LTIME#1us; s : STRING := STRING#'$$x';
+END_VAR
+    b.%X3 := a.b[1].7; {pragma} x := WORD#16#00FF OR 8#17; y := 1_000.5; z := BOOL#FALSE;
+END_PROGRAM
+",
+];
+
+/// Pieces that are put in where something was cut.
+const PIECES: [&str; 40] = [
+    ";", ":=", "(", ")", "[", "]", "(*", "*)", "//", "'", "\"", "$", ".", "..", "%X1", "#", "END_IF", "IF", "THEN",
+    "END_VAR", "VAR", "END_PROGRAM", "PROGRAM", "STRUCT", "ARRAY", "OF", "CASE", "REPEAT", "-", "NOT", "x", "5", "1.5",
+    "T#1s", "é", "\u{0}", "\n", "@", "REF_TO", "^",
+];
+
+/// A small generator of pseudo-random numbers (xorshift64*).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33) as usize % bound.max(1)
+    }
+}
+
+/// Where the words and marks of `text` begin and end, roughly.
+fn boundaries(text: &str) -> Vec<usize> {
+    let mut cuts: Vec<usize> = text
+        .char_indices()
+        .filter(|(_, character)| !character.is_alphanumeric() && *character != '_')
+        .flat_map(|(at, character)| [at, at + character.len_utf8()])
+        .collect();
+    cuts.extend([0, text.len()]);
+    cuts.sort_unstable();
+    cuts.dedup();
+    cuts
+}
+
+/// Cuts, doubles, swaps or replaces a piece of `text`.
+fn mutate_tokens(text: &str, random: &mut Random) -> String {
+    let cuts = boundaries(text);
+    let mut from = random.below(cuts.len());
+    let mut to = (from + 1 + random.below(4)).min(cuts.len() - 1);
+    if from > to {
+        std::mem::swap(&mut from, &mut to);
+    }
+    let (before, piece, after) = (&text[..cuts[from]], &text[cuts[from]..cuts[to]], &text[cuts[to]..]);
+    match random.below(5) {
+        0 => format!("{before}{after}"),
+        1 => format!("{before}{piece} {piece}{after}"),
+        2 => format!("{before} {} {after}", PIECES[random.below(PIECES.len())]),
+        3 => format!("{before}{piece} {} {after}", PIECES[random.below(PIECES.len())]),
+        _ => before.to_owned(),
+    }
+}
+
+/// Changes single bytes, which may leave no UTF-8.
+fn mutate_bytes(text: &str, random: &mut Random) -> Vec<u8> {
+    let mut bytes = text.as_bytes().to_vec();
+    for _ in 0..=random.below(3) {
+        let at = random.below(bytes.len());
+        match random.below(3) {
+            0 => bytes[at] ^= 1 << random.below(8),
+            1 => drop(bytes.remove(at)),
+            _ => bytes.insert(at, random.below(256) as u8),
+        }
+    }
+    bytes
+}
+
+/// Holds every promise of the parser and the renderer against a text; says whether it was accepted.
+fn hold(text: &str, dialect: &Dialect) -> bool {
+    let (unit, diagnostics) = parse(text, dialect);
+    let lines = LineIndex::new(text);
+    for diagnostic in &diagnostics {
+        let (start, end) = (diagnostic.span.start as usize, diagnostic.span.end as usize);
+        assert!(start <= end && end <= text.len(), "{diagnostic:?}\n{text}");
+        assert!(text.is_char_boundary(start) && text.is_char_boundary(end), "{diagnostic:?}\n{text}");
+        assert!(!diagnostic.code.as_str().is_empty() && !diagnostic.message.is_empty());
+        assert!(lines.position(text, diagnostic.span.start).line <= lines.lines());
+    }
+    for expression in &unit.expressions {
+        assert!(expression.span.start <= expression.span.end, "{expression:?}\n{text}");
+        assert!(!expression.span.text(text).is_empty(), "{expression:?}\n{text}");
+    }
+    let rendered = render(&unit, text);
+    if !diagnostics.is_empty() {
+        return false;
+    }
+    let (again, complaints) = parse(&rendered, dialect);
+    assert_eq!(complaints, [], "{text}\n{rendered}");
+    assert_eq!(render(&again, &rendered), rendered, "{text}");
+    let shapes = [format!("{unit:?}"), format!("{again:?}")].map(|shape| without_spans(&shape));
+    assert_eq!(shapes[0], shapes[1], "{text}\n{rendered}");
+    true
+}
+
+/// The tree without its spans, in one case, and with one form of bit access: what rendering has to keep.
+fn without_spans(tree: &str) -> String {
+    let mut shape = String::with_capacity(tree.len());
+    let mut rest = tree;
+    while let Some(at) = rest.find("Span {") {
+        shape.push_str(&rest[..at]);
+        rest = rest[at..].split_once('}').map_or("", |(_, rest)| rest);
+    }
+    shape.push_str(rest);
+    shape.to_ascii_uppercase().replace("FORM: BIT,", "FORM: SHORT,")
+}
+
+#[test]
+fn the_samples_are_accepted_and_keep_their_trees() {
+    for sample in SAMPLES {
+        for dialect in [DialectName::IronplcRusty, DialectName::Plcnext] {
+            let nested = sample.replace("(* not nested *)", if dialect == DialectName::Plcnext { "" } else { "*)" });
+            let text = nested.replace("a comment ", "a comment *) (* ").replace("*) *)", "*)");
+            let (_, diagnostics) = parse(&text, &Dialect::of(dialect));
+            assert_eq!(diagnostics, [], "{text}");
+            assert!(hold(&text, &Dialect::of(dialect)));
+        }
+    }
+}
+
+#[test]
+fn damaged_tokens_are_diagnosed() {
+    let mut random = Random(0x5EED_0001);
+    let mut accepted = 0;
+    for round in 0..4000 {
+        let mut text = SAMPLES[round % SAMPLES.len()].to_owned();
+        for _ in 0..=random.below(3) {
+            text = mutate_tokens(&text, &mut random);
+        }
+        accepted += usize::from(hold(&text, &Dialect::of(DialectName::ALL[round % DialectName::ALL.len()])));
+    }
+    assert!(accepted > 50, "{accepted} of the damaged texts were still programs");
+}
+
+#[test]
+fn damaged_bytes_are_diagnosed() {
+    let mut random = Random(0x5EED_0002);
+    for round in 0..4000 {
+        let bytes = mutate_bytes(SAMPLES[round % SAMPLES.len()], &mut random);
+        let (text, diagnostics) = decode(&bytes);
+        assert_eq!(diagnostics.is_empty(), std::str::from_utf8(&bytes).is_ok());
+        hold(&text, &Dialect::of(DialectName::ALL[round % DialectName::ALL.len()]));
+    }
+}
+
+#[test]
+fn shuffled_pieces_are_diagnosed() {
+    let mut random = Random(0x5EED_0003);
+    for round in 0..3000 {
+        let mut text = String::from("PROGRAM p VAR x : INT; END_VAR ");
+        for _ in 0..random.below(60) {
+            text.push_str(PIECES[random.below(PIECES.len())]);
+            text.push(' ');
+        }
+        hold(&text, &Dialect::of(DialectName::ALL[round % DialectName::ALL.len()]));
+    }
+}
+
+#[test]
+fn hostile_texts_need_little_stack() {
+    let deep: Vec<String> = ["(", "[", "f(", "a[", "-", "NOT ", "IF a THEN ", "CASE a OF 1: ", "(*", "a.", "+ a ** (b "]
+        .iter()
+        .map(|piece| format!("PROGRAM p x := {}", piece.repeat(100_000)))
+        .chain([
+            format!("PROGRAM p {}{} END_PROGRAM", "IF a THEN ".repeat(200), "END_IF; ".repeat(200)),
+            format!("PROGRAM p x := {}1{}; END_PROGRAM", "(".repeat(200), ")".repeat(200)),
+            format!("PROGRAM p x := {}1{}; END_PROGRAM", "a OR b XOR (".repeat(150), ")".repeat(150)),
+            format!("PROGRAM p x := 1{}; END_PROGRAM", "+1".repeat(500_000)),
+            format!("TYPE t : {}", "STRUCT a : ".repeat(100_000)),
+            format!("TYPE t : {}INT; END_TYPE", "ARRAY[1..2] OF ".repeat(199)),
+            format!("PROGRAM p VAR x : t := {}", "[(a := ".repeat(100_000)),
+            format!("PROGRAM p x := {}; END_PROGRAM", "9".repeat(1_000_000)),
+        ])
+        .collect();
+    let work = move || {
+        for text in &deep {
+            hold(text, &Dialect::of(DialectName::Plcnext));
+        }
+    };
+    let thread = std::thread::Builder::new().stack_size(2 << 20).spawn(work).expect("a thread");
+    thread.join().expect("no text overflows the stack");
+}
