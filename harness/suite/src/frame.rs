@@ -10,6 +10,7 @@ use crate::dialects::Dialects;
 use crate::error::Mistake;
 use crate::model::{Case, MatrixCell, WithdrawnCase};
 use crate::place::Lines;
+use crate::table::Budget;
 
 /// The file that cases come from.
 #[derive(Debug)]
@@ -23,6 +24,8 @@ pub(crate) struct FileContext<'a> {
     pub(crate) lines: Lines,
     pub(crate) dialects: &'a Dialects,
     pub(crate) type_names: &'a TypeNames,
+    /// How much the file may expand into.
+    pub(crate) budget: Budget,
 }
 
 /// What the cases of a probe have in common.

@@ -24,17 +24,23 @@ pub enum Severity {
 
 /// Reads the suite at `dir` and says everything that is wrong or doubtful, ordered by file and line.
 pub fn lint(dir: &Path) -> Vec<Finding> {
-    let suite = Suite::load(dir);
-    let errors = suite.errors.into_iter().map(|what| Finding {
-        severity: Severity::Error,
-        what,
-    });
-    let warnings = suite.remarks.into_iter().map(|what| Finding {
-        severity: Severity::Warning,
-        what,
-    });
-    let mut findings: Vec<Finding> = errors.chain(warnings).collect();
-    findings.sort_by(|a, b| (&a.what, a.severity).cmp(&(&b.what, b.severity)));
-    findings.dedup();
-    findings
+    Suite::load(dir).findings()
+}
+
+impl Suite {
+    /// Everything that is wrong or doubtful in the files of the suite, ordered by file and line.
+    pub fn findings(&self) -> Vec<Finding> {
+        let finding = |severity| {
+            move |what: &CaseFileError| Finding {
+                severity,
+                what: what.clone(),
+            }
+        };
+        let errors = self.errors.iter().map(finding(Severity::Error));
+        let warnings = self.remarks.iter().map(finding(Severity::Warning));
+        let mut findings: Vec<Finding> = errors.chain(warnings).collect();
+        findings.sort_by(|a, b| (&a.what, a.severity).cmp(&(&b.what, b.severity)));
+        findings.dedup();
+        findings
+    }
 }

@@ -154,6 +154,7 @@ fn read_file(file: &files::CaseFile, dialects: &Dialects, type_names: &TypeNames
         lines: Lines::new(&text),
         dialects,
         type_names,
+        budget: table::Budget::default(),
     };
     match file.kind {
         files::Kind::Program => single::read(&context),

@@ -1,12 +1,12 @@
 //! How much one file may expand into: a table of a few lines can stand for more cases than a machine can hold.
 
 /// What is left of the limits.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Budget {
     /// How many more cells or rows may be looked at.
-    looks: u64,
+    pub(crate) looks: u64,
     /// How many more bytes of programs may be written.
-    bytes: u64,
+    pub(crate) bytes: u64,
 }
 
 impl Default for Budget {

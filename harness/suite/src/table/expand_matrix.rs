@@ -51,7 +51,7 @@ pub(crate) fn expand(
     let mut expander = Expander {
         table,
         harvest,
-        budget: Budget::default(),
+        budget: table.context.budget,
         scratch: String::new(),
     };
     expander.check_keys(&probes);

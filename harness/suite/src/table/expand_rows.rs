@@ -72,7 +72,7 @@ pub(crate) fn expand(table: &Table<'_>, names: &[Box<str>], harvest: &mut Harves
         names,
         special,
         harvest,
-        budget: Budget::default(),
+        budget: table.context.budget,
         scratch: String::new(),
     };
     expander.check_keys(&probes);

@@ -30,7 +30,8 @@ pub(crate) fn of_row(
                 mistakes.push(Mistake::new(line, message).key("probe.values"));
                 return Vec::new();
             }
-            TextOr::List(list) => listed(list, row, context, mistakes),
+            TextOr::List(list) if !list.is_empty() => return listed(list, row, context, mistakes),
+            TextOr::List(_) => Vec::new(),
         },
     };
     if inputs.is_empty() && probe.takes_values() {

@@ -12,4 +12,5 @@ mod read;
 mod section;
 mod types;
 
+pub(crate) use budget::Budget;
 pub(crate) use read::read;

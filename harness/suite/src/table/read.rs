@@ -88,3 +88,63 @@ impl Table<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::TypeNames;
+    use crate::dialects::Dialects;
+    use crate::place::Lines;
+    use crate::table::Budget;
+
+    fn harvest(text: &str, budget: Budget) -> Harvest {
+        read(&FileContext {
+            file: "cases/a/f.toml".into(),
+            id: "a/f".to_owned(),
+            area: "a".into(),
+            text,
+            lines: Lines::new(text),
+            dialects: &Dialects::default(),
+            type_names: &TypeNames::default(),
+            budget,
+        })
+    }
+
+    #[test]
+    fn a_table_that_would_fill_the_memory_comes_to_an_end() {
+        let matrix = "title='t'\nbasis='b: c'\ndialects=['matiec']\nmatrix='BOOL INT\\nBOOL no no'\n\
+                      [[probe]]\nname='p'\nsource='{row} (*! error P0002 *)'\n";
+        let matrix = matrix
+            .replace("matrix='", "matrix=\"")
+            .replace("no no'", "no no\"");
+        let rows = "title='t'\nbasis='b: c'\ndialects=['matiec']\ncolumns=['a']\nrows=[['1'], ['2']]\n\
+                    [[probe]]\nname='p'\nsource='{a} (*! error P0002 *)'\n";
+        for text in [&*matrix, rows] {
+            assert_eq!(harvest(text, Budget::default()).cases.len(), 2);
+            for (budget, said) in [
+                (
+                    Budget {
+                        looks: 1,
+                        ..Budget::default()
+                    },
+                    "too many cells",
+                ),
+                (
+                    Budget {
+                        bytes: 500,
+                        ..Budget::default()
+                    },
+                    "more than 512 MiB",
+                ),
+            ] {
+                let harvest = harvest(text, budget);
+                assert_eq!(harvest.cases.len(), 1);
+                assert!(
+                    harvest.mistakes[0].message.contains(said),
+                    "{:?}",
+                    harvest.mistakes
+                );
+            }
+        }
+    }
+}
