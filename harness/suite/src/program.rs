@@ -13,6 +13,9 @@ use crate::place::TextPlace;
 use crate::scan::{RawMark, scan};
 use crate::template::Template;
 
+/// Above so many mistakes in the marks of one program, the rest is left out: they come from one cause.
+const MOST_MISTAKES: usize = 50;
+
 /// A program or a template of programs, with its marks.
 #[derive(Debug)]
 pub(crate) struct Program {
@@ -44,7 +47,7 @@ impl Program {
         if let Some(line) = found.unclosed {
             mistakes.push(Mistake::new(place.line(line), "the mark is not closed"));
         }
-        for &line in &found.hidden {
+        for &line in found.hidden.iter().take(MOST_MISTAKES) {
             let message = "`(*!` stands in a string or in another comment, where it is no mark";
             remarks.0.push(Mistake::new(place.line(line), message));
         }
@@ -54,6 +57,13 @@ impl Program {
         let mut marks = Vec::new();
         let mut spans = Vec::new();
         for raw in found.marks.iter().filter(|raw| raw.start >= marks_from) {
+            if mistakes.len() > MOST_MISTAKES {
+                mistakes.push(Mistake::new(
+                    place.line(raw.line),
+                    "further mistakes in marks are left out",
+                ));
+                break;
+            }
             match reader.read(raw) {
                 Ok(mark) => marks.push(mark),
                 Err(mistake) => mistakes.push(Mistake::new(place.line(mistake.line), mistake.message)),

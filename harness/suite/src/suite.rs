@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
 use stickler_types::DialectName;
@@ -49,8 +50,16 @@ impl Suite {
         let listing = files::list(&root);
         suite.errors.extend(listing.errors);
         suite.remarks.extend(listing.remarks);
-        for file in listing.files {
-            let harvest = read_file(&file, &suite.dialects, &type_names);
+        let dialects = &suite.dialects;
+        let harvests: Vec<Harvest> = listing
+            .files
+            .par_iter()
+            .map(|file| read_file(file, dialects, &type_names))
+            .collect();
+        suite
+            .cases
+            .reserve(harvests.iter().map(|harvest| harvest.cases.len()).sum());
+        for (file, harvest) in listing.files.iter().zip(harvests) {
             suite.take(&file.shown, harvest);
         }
         suite.drop_duplicates();

@@ -1,5 +1,7 @@
 //! The values that a row of a matrix takes in a probe: the key `values`.
 
+use std::borrow::Cow;
+
 use toml::Spanned;
 
 use crate::error::Mistake;
@@ -9,29 +11,30 @@ use crate::table::types::{Input, TypeInfo};
 use crate::toml_text::{Scalar, TextOr};
 
 /// The values of a row whose line in the file is `line`.
-pub(crate) fn of_row(
+pub(crate) fn of_row<'t>(
     probe: &Probe<'_>,
-    row: &TypeInfo,
+    row: &'t TypeInfo,
     line: u32,
     context: &FileContext<'_>,
     mistakes: &mut Vec<Mistake>,
-) -> Vec<Input> {
-    let ordinary = || row.ordinary.iter().cloned().collect();
+) -> Cow<'t, [Input]> {
+    let boundaries = || Cow::Borrowed(&*row.boundaries);
+    let ordinary = || Cow::Borrowed(row.ordinary.as_slice());
     let inputs = match &probe.key.values {
-        None if probe.takes_values() => row.boundaries.clone(),
+        None if probe.takes_values() => boundaries(),
         None => ordinary(),
         Some(values) => match values.get_ref() {
-            TextOr::Text(word) if word == "boundaries" => row.boundaries.clone(),
+            TextOr::Text(word) if word == "boundaries" => boundaries(),
             TextOr::Text(word) if word == "one" => ordinary(),
             TextOr::Text(word) => {
                 let message =
                     format!("`{word}` is no set of values; there are boundaries and one, and lists");
                 let line = context.lines.line(values.span().start);
                 mistakes.push(Mistake::new(line, message).key("probe.values"));
-                return Vec::new();
+                return Cow::default();
             }
-            TextOr::List(list) if !list.is_empty() => return listed(list, row, context, mistakes),
-            TextOr::List(_) => Vec::new(),
+            TextOr::List(list) if !list.is_empty() => return listed(list, row, context, mistakes).into(),
+            TextOr::List(_) => Cow::default(),
         },
     };
     if inputs.is_empty() && probe.takes_values() {

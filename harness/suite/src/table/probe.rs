@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use rustc_hash::FxHashSet;
 use stickler_types::DialectName;
 use toml::Spanned;
 
@@ -64,6 +65,7 @@ pub(crate) fn read<'a>(
         mistakes.push(Mistake::new(1, "the table has no [[probe]]").key("probe"));
     }
     let mut probes: Vec<Probe<'a>> = Vec::new();
+    let mut names = FxHashSet::default();
     for key in &file.probe {
         let mut reader = Reader {
             context,
@@ -72,7 +74,7 @@ pub(crate) fn read<'a>(
         };
         let probe = reader.probe(file, key.get_ref(), remarks);
         if let Some(probe) = probe.filter(|_| reader.mistakes.is_empty()) {
-            if probes.iter().any(|known| known.name == probe.name) {
+            if !names.insert(Arc::clone(&probe.name)) {
                 let message = format!("there are two probes `{}`", probe.name);
                 reader
                     .mistakes

@@ -285,3 +285,16 @@ fn the_suites_own_files_are_checked() {
     );
     assert_eq!(suite.cases.len(), 1);
 }
+
+#[test]
+fn a_program_of_many_broken_marks_is_said_in_a_few_lines() {
+    let text = format!("{PROGRAM}{}", "(*!*)\n(* (*! *)\n".repeat(20_000));
+    let folder = folder(&[("a/f.st", &text)]);
+    let found = lint(&folder.path().join("cases"));
+    assert!(found.len() < 120, "{}", found.len());
+    assert!(
+        found
+            .iter()
+            .any(|finding| finding.what.message.contains("further mistakes"))
+    );
+}

@@ -296,3 +296,14 @@ fn two_rows_with_the_same_program_are_said() {
         "{said}"
     );
 }
+
+#[test]
+fn a_table_has_no_thousand_columns() {
+    let columns: Vec<String> = (0..1000).map(|at| format!("\"c{at}\"")).collect();
+    one_mistake(
+        "area/file.toml",
+        &file(&columns.join(", "), "", CALL),
+        1,
+        "1000 columns; a table has at most 100",
+    );
+}
