@@ -1,5 +1,7 @@
 //! The table that says what a byte can begin or belong to.
 
+use crate::syntax::token::TokenKind;
+
 /// What a byte begins.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Class {
@@ -11,7 +13,9 @@ pub(super) enum Class {
     Digit,
     /// `'` or `"`.
     Quote,
-    /// Punctuation.
+    /// Punctuation that is a token by itself, whatever follows.
+    Mark,
+    /// Punctuation that may have to be read together with what follows.
     Punctuation,
     /// Nothing: control characters, other ASCII characters, everything beyond ASCII.
     Unknown,
@@ -27,8 +31,8 @@ pub(super) const CLASS: [Class; 256] = {
             b'a'..=b'z' | b'A'..=b'Z' | b'_' => Class::Letter,
             b'0'..=b'9' => Class::Digit,
             b'\'' | b'"' => Class::Quote,
-            b':' | b';' | b',' | b'(' | b')' | b'[' | b']' | b'.' | b'+' | b'-' | b'*' | b'/' | b'='
-            | b'<' | b'>' | b'&' | b'^' | b'?' | b'%' | b'{' => Class::Punctuation,
+            b';' | b',' | b')' | b'[' | b']' | b'+' | b'-' | b'&' | b'^' => Class::Mark,
+            b':' | b'(' | b'.' | b'*' | b'/' | b'=' | b'<' | b'>' | b'?' | b'%' | b'{' => Class::Punctuation,
             _ => Class::Unknown,
         };
         byte += 1;
@@ -46,4 +50,25 @@ pub(super) fn class(byte: u8) -> Class {
 #[inline]
 pub(super) fn is_word(byte: u8) -> bool {
     matches!(class(byte), Class::Letter | Class::Digit)
+}
+
+/// The token that each [`Class::Mark`] is.
+const MARKS: [TokenKind; 256] = {
+    let mut table = [TokenKind::Unknown; 256];
+    table[b';' as usize] = TokenKind::Semicolon;
+    table[b',' as usize] = TokenKind::Comma;
+    table[b')' as usize] = TokenKind::RightParen;
+    table[b'[' as usize] = TokenKind::LeftBracket;
+    table[b']' as usize] = TokenKind::RightBracket;
+    table[b'+' as usize] = TokenKind::Plus;
+    table[b'-' as usize] = TokenKind::Minus;
+    table[b'&' as usize] = TokenKind::Ampersand;
+    table[b'^' as usize] = TokenKind::Caret;
+    table
+};
+
+/// The token that a byte of [`Class::Mark`] is.
+#[inline]
+pub(super) fn mark(byte: u8) -> TokenKind {
+    MARKS[usize::from(byte)]
 }

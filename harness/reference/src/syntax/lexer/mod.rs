@@ -12,4 +12,4 @@ mod typed;
 #[cfg(test)]
 mod tests;
 
-pub(super) use scan::lex;
+pub(super) use scan::{Lexer, lex};

@@ -55,7 +55,7 @@ impl Lexer<'_, '_> {
         let first = self.at;
         let mut sound = self.digits();
         match self.peek(0) {
-            b'#' => return self.based(first),
+            b'#' => self.based(first),
             b'.' if self.peek(1).is_ascii_digit() => {
                 self.at += 1;
                 sound &= self.digits();

@@ -1,6 +1,6 @@
 //! The lexer's main loop, words and punctuation.
 
-use super::class::{Class, class, is_word};
+use super::class::{Class, class, is_word, mark};
 use crate::diagnostic::Diagnostics;
 use crate::dialect::Dialect;
 use crate::source::{MAXIMUM_LENGTH, Span};
@@ -9,107 +9,113 @@ use crate::syntax::token::{Token, TokenKind};
 use stickler_types::Code;
 
 /// The most tokens that are read of one text, which bounds the memory that its tree takes.
-const MAXIMUM_TOKENS: usize = 8 << 20;
+const MAXIMUM_TOKENS: usize = 16 << 20;
 
-/// What the lexer gives.
-#[derive(Debug)]
-pub(in crate::syntax) struct Lexed {
-    /// The tokens; the last one, and no other, is [`TokenKind::End`].
-    pub(in crate::syntax) tokens: Vec<Token>,
-    /// What is wrong so far.
-    pub(in crate::syntax) diagnostics: Diagnostics,
-    /// The text did not end where it seems to: a comment ran to its end, or a limit was met.
-    pub(in crate::syntax) truncated: bool,
-}
-
-/// The tokens of `text`, by the rules of `dialect`. Takes time and memory in proportion to the text.
-pub(in crate::syntax) fn lex(text: &str, dialect: &Dialect) -> Lexed {
-    let mut lexer = Lexer::new(text, dialect);
-    if text.len() > MAXIMUM_LENGTH {
-        let megabytes = MAXIMUM_LENGTH >> 20;
-        lexer.report(Code::LimitExceeded, 0, || {
-            format!("a source text is longer than {megabytes} MiB")
-        });
-        lexer.truncated = true;
-    } else {
-        lexer.scan();
-    }
-    let end = lexer
-        .tokens
-        .last()
-        .map_or(lexer.offset(), |token| token.span.end.max(lexer.offset()));
-    lexer.tokens.push(Token {
-        kind: TokenKind::End,
-        span: Span { start: end, end },
-    });
-    Lexed {
-        tokens: lexer.tokens,
-        diagnostics: lexer.diagnostics,
-        truncated: lexer.truncated,
-    }
-}
-
-/// The lexer's state.
-pub(super) struct Lexer<'s, 'd> {
+/// The lexer, which reads tokens a chunk at a time: as many as the parser asks for, and no more, so that they are
+/// still in the cache when the parser gets to them. Takes time in proportion to the text.
+pub(in crate::syntax) struct Lexer<'s, 'd> {
     pub(super) text: &'s str,
     pub(super) bytes: &'s [u8],
     /// The next byte.
     pub(super) at: usize,
     pub(super) dialect: &'d Dialect,
-    pub(super) truncated: bool,
-    tokens: Vec<Token>,
-    diagnostics: Diagnostics,
+    /// The tokens that have been read and not been dropped.
+    pub(in crate::syntax) tokens: Vec<Token>,
+    /// What is wrong so far; the parser adds to it.
+    pub(in crate::syntax) diagnostics: Diagnostics,
+    /// The text did not end where it seems to: a comment ran to its end, or a limit was met.
+    pub(in crate::syntax) truncated: bool,
+    /// The token at the end has been given.
+    ended: bool,
+    /// How many tokens have been dropped.
+    dropped: usize,
+}
+
+/// The lexer when it has read the whole of `text`.
+pub(in crate::syntax) fn lex<'s, 'd>(text: &'s str, dialect: &'d Dialect) -> Lexer<'s, 'd> {
+    let mut lexer = Lexer::new(text, dialect);
+    lexer.read(text.len() + 1);
+    lexer
 }
 
 impl<'s, 'd> Lexer<'s, 'd> {
-    fn new(text: &'s str, dialect: &'d Dialect) -> Lexer<'s, 'd> {
-        Lexer {
+    /// A lexer for `text` by the rules of `dialect`, which has read nothing yet.
+    pub(in crate::syntax) fn new(text: &'s str, dialect: &'d Dialect) -> Lexer<'s, 'd> {
+        let mut lexer = Lexer {
             text,
             bytes: text.as_bytes(),
-            at: 0,
+            at: if text.starts_with('\u{FEFF}') {
+                '\u{FEFF}'.len_utf8()
+            } else {
+                0
+            },
             dialect,
-            truncated: false,
-            tokens: Vec::with_capacity(text.len().min(MAXIMUM_LENGTH) / 4 + 1),
+            tokens: Vec::new(),
             diagnostics: Diagnostics::default(),
+            truncated: false,
+            ended: false,
+            dropped: 0,
+        };
+        if text.len() > MAXIMUM_LENGTH {
+            lexer.give_up(|| format!("a source text is longer than {} MiB", MAXIMUM_LENGTH >> 20));
+        }
+        lexer
+    }
+
+    /// Reads until there are `count` tokens, or the text ends: with a token [`TokenKind::End`], after which no
+    /// other comes.
+    pub(in crate::syntax) fn read(&mut self, count: usize) {
+        if self.ended {
+            return;
+        }
+        self.scan(count);
+        if !self.truncated && self.dropped + self.tokens.len() > MAXIMUM_TOKENS {
+            self.give_up(|| format!("a source text has more than {MAXIMUM_TOKENS} tokens"));
+        }
+        if self.tokens.len() < count {
+            self.ended = true;
+            self.push(TokenKind::End, self.at);
         }
     }
 
-    fn scan(&mut self) {
-        if self.text.starts_with('\u{FEFF}') {
-            self.at = '\u{FEFF}'.len_utf8();
-        }
-        while let Some(&byte) = self.bytes.get(self.at) {
+    /// Drops the first `count` tokens.
+    pub(in crate::syntax) fn drop_first(&mut self, count: usize) {
+        self.dropped += count;
+        self.tokens.drain(..count.min(self.tokens.len()));
+    }
+
+    fn scan(&mut self, count: usize) {
+        while self.tokens.len() < count {
+            self.skip(|byte| class(byte) == Class::Space);
+            let Some(&byte) = self.bytes.get(self.at) else {
+                return;
+            };
             match class(byte) {
-                Class::Space => self.at += 1,
                 Class::Letter => self.word(),
-                Class::Digit => self.number(),
+                Class::Mark => {
+                    self.at += 1;
+                    self.push(mark(byte), self.at - 1);
+                }
                 Class::Punctuation => self.punctuation(byte),
+                Class::Digit => self.number(),
                 Class::Quote => self.quoted(byte),
-                Class::Unknown => self.unknown(),
-            }
-            if self.tokens.len() >= MAXIMUM_TOKENS {
-                return self.give_up();
+                Class::Unknown | Class::Space => self.unknown(),
             }
         }
     }
 
-    fn give_up(&mut self) {
-        self.truncated = true;
+    /// Reads nothing more.
+    fn give_up(&mut self, message: impl FnOnce() -> String) {
         let start = self.at;
-        self.report(Code::LimitExceeded, start, || {
-            format!("a source text has {MAXIMUM_TOKENS} tokens or more")
-        });
+        self.report(Code::LimitExceeded, start, message);
+        self.truncated = true;
+        self.bytes = self.bytes.get(..self.at).unwrap_or(self.bytes);
     }
 
     /// The byte `ahead` places behind the next one; 0 behind the end, which begins nothing.
     #[inline]
     pub(super) fn peek(&self, ahead: usize) -> u8 {
         self.bytes.get(self.at + ahead).copied().unwrap_or(0)
-    }
-
-    /// The position as it is written in spans.
-    pub(super) fn offset(&self) -> u32 {
-        u32::try_from(self.at.min(self.bytes.len())).unwrap_or(u32::MAX)
     }
 
     /// Moves over the bytes that `belongs` holds for.
@@ -178,17 +184,10 @@ impl<'s, 'd> Lexer<'s, 'd> {
         let (kind, length) = match (byte, self.peek(1)) {
             (b':', b'=') => (Assign, 2),
             (b':', _) => (Colon, 1),
-            (b';', _) => (Semicolon, 1),
-            (b',', _) => (Comma, 1),
             (b'(', b'*') => return self.block_comment(),
             (b'(', _) => (LeftParen, 1),
-            (b')', _) => (RightParen, 1),
-            (b'[', _) => (LeftBracket, 1),
-            (b']', _) => (RightBracket, 1),
             (b'.', b'.') => (DotDot, 2),
             (b'.', _) => (Dot, 1),
-            (b'+', _) => (Plus, 1),
-            (b'-', _) => (Minus, 1),
             (b'*', b'*') => (Power, 2),
             (b'*', _) => (Star, 1),
             (b'/', b'/') => return self.line_comment(),
@@ -201,8 +200,6 @@ impl<'s, 'd> Lexer<'s, 'd> {
             (b'<', _) => (Less, 1),
             (b'>', b'=') => (GreaterOrEqual, 2),
             (b'>', _) => (Greater, 1),
-            (b'&', _) => (Ampersand, 1),
-            (b'^', _) => (Caret, 1),
             (b'?', b'=') => (AssignAttempt, 2),
             (b'{', _) => return self.pragma(),
             (b'%', _) => return self.percent(),

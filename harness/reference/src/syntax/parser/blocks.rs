@@ -115,7 +115,7 @@ impl<'s> Parser<'s, '_> {
             self.bump();
             self.header(TokenKind::EndRepeat)
         } else {
-            let span = self.token().span;
+            let span = self.previous_span();
             self.expected("`UNTIL`");
             self.close(TokenKind::EndRepeat);
             self.push(ExpressionKind::Error, span)
@@ -126,7 +126,7 @@ impl<'s> Parser<'s, '_> {
     /// An expression and the keyword behind it; what could not be read up to that keyword becomes an error.
     fn header(&mut self, closer: TokenKind) -> ExpressionId {
         self.header_of(closer, Self::expression).unwrap_or_else(|start| {
-            let span = start.to(self.previous_span(1));
+            let span = self.span_since(start);
             self.push(ExpressionKind::Error, span)
         })
     }
@@ -145,7 +145,7 @@ impl<'s> Parser<'s, '_> {
         }
         if read.is_ok() {
             self.missing(&quoted(closer.text()));
-            if self.starts_line(0) || self.kind().opens_statement() {
+            if self.starts_line() || self.kind().opens_statement() {
                 return read.map_err(|_| start); // Only the keyword is missing.
             }
         }
@@ -158,7 +158,8 @@ impl<'s> Parser<'s, '_> {
         self.bump();
         let header = self.header_of(TokenKind::Do, Self::for_list);
         let (control, from, to, by) = header.unwrap_or_else(|start| {
-            let error = self.push(ExpressionKind::Error, start);
+            let span = self.span_since(start);
+            let error = self.push(ExpressionKind::Error, span);
             (error, error, error, None)
         });
         let body = self.block(Block::For);
@@ -218,7 +219,10 @@ impl<'s> Parser<'s, '_> {
     fn case_branch(&mut self) -> CaseBranch {
         let labels = self
             .header_of(TokenKind::Colon, Self::case_labels)
-            .unwrap_or_else(|start| vec![CaseLabel::Value(self.push(ExpressionKind::Error, start))]);
+            .unwrap_or_else(|start| {
+                let span = self.span_since(start);
+                vec![CaseLabel::Value(self.push(ExpressionKind::Error, span))]
+            });
         let mut body = Vec::new();
         self.statements_until(&mut body, Self::at_case_label);
         CaseBranch { labels, body }

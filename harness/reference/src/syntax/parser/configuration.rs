@@ -19,9 +19,9 @@ impl<'s> Parser<'s, '_> {
                 continue;
             }
             // The programs that stand directly in the configuration share a resource without a header.
-            if !resources
+            if resources
                 .last()
-                .is_some_and(|resource: &Resource| resource.header.is_none())
+                .is_none_or(|resource: &Resource| resource.header.is_some())
             {
                 resources.push(Resource {
                     header: None,
@@ -41,7 +41,7 @@ impl<'s> Parser<'s, '_> {
             name: name?,
             globals,
             resources,
-            span: start.to(self.previous_span(1)),
+            span: start.to(self.previous_span()),
         })
     }
 

@@ -78,7 +78,7 @@ impl<'s> Parser<'s, '_> {
         if self.incomplete && kind == PouKind::FunctionBlock {
             return Some(unknown_type(name));
         }
-        let span = start.to(self.previous_span(1));
+        let span = start.to(self.previous_span());
         Some(Declaration::Pou(Pou {
             kind,
             name,
@@ -128,7 +128,7 @@ impl<'s> Parser<'s, '_> {
     fn stray_result(&self) -> bool {
         use TokenKind::*;
         self.kind() == Name
-            && !self.starts_line(0)
+            && !self.starts_line()
             && !matches!(
                 self.nth(1),
                 Assign | LeftParen | LeftBracket | Dot | Equal | Caret

@@ -146,7 +146,7 @@ impl<'s> Parser<'s, '_> {
         self.grow(0)?;
         Ok(self.push(
             ExpressionKind::Parenthesized(inner),
-            start.to(self.previous_span(1)),
+            start.to(self.previous_span()),
         ))
     }
 

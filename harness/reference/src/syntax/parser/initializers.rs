@@ -17,7 +17,7 @@ impl<'s> Parser<'s, '_> {
         };
         Ok(Initializer {
             kind,
-            span: start.to(self.previous_span(1)),
+            span: start.to(self.previous_span()),
         })
     }
 

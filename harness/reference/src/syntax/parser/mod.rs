@@ -3,6 +3,7 @@
 
 mod blocks;
 mod configuration;
+mod cursor;
 mod declarations;
 mod expressions;
 mod initializers;

@@ -70,7 +70,7 @@ impl<'s> Parser<'s, '_> {
         })?;
         self.height = height;
         self.grow(0)?;
-        let span = self.span_of(base).to(self.previous_span(1));
+        let span = self.span_of(base).to(self.previous_span());
         Ok(self.push(ExpressionKind::Index { base, subscripts }, span))
     }
 
@@ -94,7 +94,7 @@ impl<'s> Parser<'s, '_> {
         })?;
         self.height = height;
         self.grow(0)?;
-        let span = self.span_of(callee).to(self.previous_span(1));
+        let span = self.span_of(callee).to(self.previous_span());
         Ok(self.push(ExpressionKind::Call { callee, arguments }, span))
     }
 

@@ -23,7 +23,7 @@ impl Parser<'_, '_> {
                     self.bump();
                     return;
                 }
-                TokenKind::Name if self.open == 0 && begins(self.nth(1)) && self.starts_line(0) => return,
+                TokenKind::Name if self.open == 0 && begins(self.nth(1)) && self.starts_line() => return,
                 TokenKind::LeftParen | TokenKind::LeftBracket => self.open += 1,
                 TokenKind::RightParen | TokenKind::RightBracket => self.open = self.open.saturating_sub(1),
                 kind if kind.ends_statements() || kind.opens_section() || kind.opens_block() => return,
@@ -43,7 +43,7 @@ impl Parser<'_, '_> {
                     return;
                 }
                 TokenKind::Semicolon => return,
-                TokenKind::Name if self.nth(1) == TokenKind::Assign && self.starts_line(0) => return,
+                TokenKind::Name if self.nth(1) == TokenKind::Assign && self.starts_line() => return,
                 kind if kind.ends_statements() || kind.opens_section() || kind.opens_statement() => return,
                 _ => {
                     self.bump();
@@ -54,7 +54,7 @@ impl Parser<'_, '_> {
 
     /// Moves to the start of the next line, or to the next section, statement or END_… on this one.
     pub(super) fn skip_line(&mut self) {
-        while !self.starts_line(0) || self.position() == 0 {
+        while !self.starts_line() || self.position() == 0 {
             let kind = self.kind();
             if kind.ends_statements() || kind.opens_section() || kind.opens_statement() {
                 return;
@@ -126,15 +126,15 @@ impl Parser<'_, '_> {
         }
         if self.kind() == swallowed && self.previous_kind() == Some(TokenKind::Name) {
             self.back();
-            if self.starts_line(0) && self.previous_kind() == Some(TokenKind::Assign) {
-                return Err(self.expected_at(self.previous_span(1).after(), "a value"));
+            if self.starts_line() && self.previous_kind() == Some(TokenKind::Assign) {
+                return Err(self.expected_at(self.previous_span().after(), "a value"));
             }
             self.bump();
         }
-        let broken = self.expected_at(self.previous_span(1).after(), "`;`");
+        let broken = self.expected_at(self.previous_span().after(), "`;`");
         let kind = self.kind();
         let resumes = kind.ends_statements() || kind.opens_section() || kind.opens_statement();
-        if resumes || self.starts_line(0) {
+        if resumes || self.starts_line() {
             Ok(())
         } else {
             Err(broken)

@@ -2,12 +2,12 @@
 
 use super::blocks::Block;
 use super::expressions::Pending;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::source::Span;
-use crate::syntax::lexer::lex;
+use crate::source::{MAXIMUM_LENGTH, Span};
+use crate::syntax::lexer::Lexer;
 use crate::syntax::token::{Token, TokenKind};
-use crate::syntax::tree::{Expression, ExpressionId, ExpressionKind, Name, SourceUnit, VariableBlock};
+use crate::syntax::tree::{Expression, ExpressionId, ExpressionKind, SourceUnit, VariableBlock};
 use stickler_types::Code;
 
 /// How deep parentheses, subscripts, calls, prefix operators, statements, types and initial values may stand in
@@ -39,16 +39,20 @@ pub fn parse<'s>(text: &'s str, dialect: &Dialect) -> (SourceUnit<'s>, Vec<Diagn
         declarations,
         expressions: parser.expressions,
     };
-    (unit, parser.diagnostics.into_list())
+    (unit, parser.lexer.diagnostics.into_list())
 }
 
 /// The parser's state.
 pub(super) struct Parser<'s, 'd> {
     pub(super) text: &'s str,
     pub(super) dialect: &'d Dialect,
-    tokens: Vec<Token>,
-    current: Token,
-    position: usize,
+    pub(super) lexer: Lexer<'s, 'd>,
+    /// The next token.
+    pub(super) current: Token,
+    /// Its place among the lexer's tokens.
+    pub(super) index: usize,
+    /// How many tokens have been dropped before those.
+    pub(super) dropped: usize,
     pub(super) expressions: Vec<Expression<'s>>,
     /// Operators that wait for their right operand, of all expressions that are being read.
     pub(super) pending: Vec<Pending>,
@@ -65,26 +69,24 @@ pub(super) struct Parser<'s, 'd> {
     /// Something in the POU that is being read has been left out of the tree.
     pub(super) incomplete: bool,
     depth: usize,
-    diagnostics: Diagnostics,
-    truncated: bool,
     reported: Option<usize>,
     limit_reported: bool,
 }
 
 impl<'s, 'd> Parser<'s, 'd> {
     fn new(text: &'s str, dialect: &'d Dialect) -> Parser<'s, 'd> {
-        let lexed = lex(text, dialect);
-        let end = Token {
-            kind: TokenKind::End,
-            span: Span::default(),
-        };
-        Parser {
+        let mut parser = Parser {
             text,
             dialect,
-            current: lexed.tokens.first().copied().unwrap_or(end),
-            expressions: Vec::with_capacity(lexed.tokens.len() / 2),
-            tokens: lexed.tokens,
-            position: 0,
+            lexer: Lexer::new(text, dialect),
+            current: Token {
+                kind: TokenKind::End,
+                span: Span::default(),
+            },
+            index: 0,
+            dropped: 0,
+            // About as many as ordinary texts have.
+            expressions: Vec::with_capacity(text.len().min(MAXIMUM_LENGTH) / 8),
             pending: Vec::new(),
             height: 0,
             open: 0,
@@ -93,143 +95,11 @@ impl<'s, 'd> Parser<'s, 'd> {
             section_end: None,
             incomplete: false,
             depth: 0,
-            diagnostics: lexed.diagnostics,
-            truncated: lexed.truncated,
             reported: None,
             limit_reported: false,
-        }
-    }
-
-    /// The kind of the next token.
-    #[inline]
-    pub(super) fn kind(&self) -> TokenKind {
-        self.current.kind
-    }
-
-    /// The next token.
-    #[inline]
-    pub(super) fn token(&self) -> Token {
-        self.current
-    }
-
-    /// How many tokens have been read.
-    #[inline]
-    pub(super) fn position(&self) -> usize {
-        self.position
-    }
-
-    /// The kind of the token `ahead` places behind the next one.
-    #[inline]
-    pub(super) fn nth(&self, ahead: usize) -> TokenKind {
-        self.kind_at(self.position + ahead)
-    }
-
-    /// The kind of the token at `position`.
-    #[inline]
-    pub(super) fn kind_at(&self, position: usize) -> TokenKind {
-        self.tokens
-            .get(position)
-            .map_or(TokenKind::End, |token| token.kind)
-    }
-
-    /// Takes the next token; the end stays where it is.
-    #[inline]
-    pub(super) fn bump(&mut self) -> Token {
-        let token = self.current;
-        if let Some(next) = self.tokens.get(self.position + 1) {
-            self.current = *next;
-            self.position += 1;
-        }
-        token
-    }
-
-    /// Takes the next token if it is of this kind.
-    #[inline]
-    pub(super) fn eat(&mut self, kind: TokenKind) -> bool {
-        let found = self.kind() == kind;
-        if found {
-            self.bump();
-        }
-        found
-    }
-
-    /// Goes back by one token.
-    pub(super) fn back(&mut self) {
-        if let Some(token) = self
-            .position
-            .checked_sub(1)
-            .and_then(|before| self.tokens.get(before))
-        {
-            self.current = *token;
-            self.position -= 1;
-        }
-    }
-
-    /// The kind of the token before the next one.
-    pub(super) fn previous_kind(&self) -> Option<TokenKind> {
-        Some(self.tokens.get(self.position.checked_sub(1)?)?.kind)
-    }
-
-    /// The span of the token `behind` places before the next one.
-    #[inline]
-    pub(super) fn previous_span(&self, behind: usize) -> Span {
-        self.position
-            .checked_sub(behind)
-            .and_then(|at| self.tokens.get(at))
-            .map_or(Span::default(), |t| t.span)
-    }
-
-    /// A line feed stands between the token `ahead` places behind the next one and the token before that.
-    pub(super) fn starts_line(&self, ahead: usize) -> bool {
-        let at = self.position + ahead;
-        let (Some(before), Some(token)) = (
-            at.checked_sub(1).and_then(|at| self.tokens.get(at)),
-            self.tokens.get(at),
-        ) else {
-            return true;
         };
-        Span {
-            start: before.span.end,
-            end: token.span.start,
-        }
-        .text(self.text)
-        .contains('\n')
-    }
-
-    /// The text of the next token.
-    #[inline]
-    pub(super) fn word(&self) -> &'s str {
-        self.current.span.text(self.text)
-    }
-
-    /// The next token is a name with this text, in any case.
-    #[inline]
-    pub(super) fn at_word(&self, word: &str) -> bool {
-        self.kind() == TokenKind::Name && self.word().eq_ignore_ascii_case(word)
-    }
-
-    /// A name; `what` says whose.
-    #[inline]
-    pub(super) fn name(&mut self, what: &str) -> Parsed<Name<'s>> {
-        if self.kind() != TokenKind::Name {
-            return Err(self.expected(what));
-        }
-        let name = Name {
-            text: self.word(),
-            span: self.current.span,
-        };
-        self.bump();
-        Ok(name)
-    }
-
-    /// A mark that joins what stands on one line.
-    #[inline]
-    pub(super) fn require(&mut self, kind: TokenKind) -> Parsed<Token> {
-        if self.kind() == kind {
-            Ok(self.bump())
-        } else {
-            Err(self.missing(&quoted(kind.text())))
-        }
+        parser.start();
+        parser
     }
 
     /// Adds an expression to the arena.
@@ -272,22 +142,23 @@ impl<'s, 'd> Parser<'s, 'd> {
         if !self.limit_reported {
             self.limit_reported = true;
             let message = || format!("nested more than {NESTING_LIMIT} deep");
-            self.diagnostics
+            self.lexer
+                .diagnostics
                 .report(Code::LimitExceeded, self.current.span, message);
         }
-        self.reported = Some(self.position);
+        self.reported = Some(self.position());
         Broken
     }
 
     /// Keeps silent about the next token, whatever is expected in its place.
     pub(super) fn hush(&mut self) {
-        self.reported = Some(self.position);
+        self.reported = Some(self.position());
     }
 
     /// Reports something other than a syntax error.
     #[cold]
     pub(super) fn report(&mut self, code: Code, span: Span, message: impl FnOnce() -> String) {
-        self.diagnostics.report(code, span, message);
+        self.lexer.diagnostics.report(code, span, message);
     }
 
     /// Reports that `what` does not stand where the next token does.
@@ -295,7 +166,7 @@ impl<'s, 'd> Parser<'s, 'd> {
     pub(super) fn expected(&mut self, what: &str) -> Broken {
         let at_end = self.kind() == TokenKind::End;
         let span = if at_end {
-            self.previous_span(1).after()
+            self.previous_span().after()
         } else {
             self.current.span
         };
@@ -306,8 +177,8 @@ impl<'s, 'd> Parser<'s, 'd> {
     /// the place is behind the previous one.
     #[cold]
     pub(super) fn missing(&mut self, what: &str) -> Broken {
-        if self.starts_line(0) && !self.current.kind.is_reported() {
-            self.expected_at(self.previous_span(1).after(), what)
+        if self.starts_line() && !self.current.kind.is_reported() {
+            self.expected_at(self.previous_span().after(), what)
         } else {
             self.expected(what)
         }
@@ -324,12 +195,12 @@ impl<'s, 'd> Parser<'s, 'd> {
     #[cold]
     pub(super) fn syntax_error(&mut self, span: Span, message: impl FnOnce() -> String) -> Broken {
         let said = self.kind().is_reported()
-            || self.reported == Some(self.position)
-            || self.kind() == TokenKind::End && (self.truncated || self.limit_reported);
+            || self.reported == Some(self.position())
+            || self.kind() == TokenKind::End && (self.lexer.truncated || self.limit_reported);
         if !said {
-            self.diagnostics.report(Code::SyntaxError, span, message);
+            self.lexer.diagnostics.report(Code::SyntaxError, span, message);
         }
-        self.reported = Some(self.position);
+        self.reported = Some(self.position());
         Broken
     }
 

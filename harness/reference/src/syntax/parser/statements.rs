@@ -55,7 +55,7 @@ impl<'s> Parser<'s, '_> {
         match self.statement_kind() {
             Ok(kind) => {
                 let is_block = is_block(&kind);
-                let span = first.to(self.previous_span(1));
+                let span = first.to(self.previous_span());
                 let end = self.semicolon(TokenKind::Assign);
                 if is_block || end.is_ok() {
                     list.push(Statement { kind, span });

@@ -19,7 +19,7 @@ impl<'s> Parser<'s, '_> {
         })?;
         Ok(TypeSpecification {
             kind,
-            span: start.to(self.previous_span(1)),
+            span: start.to(self.previous_span()),
         })
     }
 
@@ -34,7 +34,7 @@ impl<'s> Parser<'s, '_> {
             TokenKind::LeftParen if is_text(&name) => {
                 let start = self.token().span;
                 let specification = self.text_type(name, TokenKind::RightParen)?;
-                let span = start.to(self.previous_span(1));
+                let span = start.to(self.previous_span());
                 self.report(Code::ParenStringLengthNotAllowed, span, || {
                     "the length of a string stands in square brackets".to_owned()
                 });
@@ -156,7 +156,7 @@ impl<'s> Parser<'s, '_> {
             self.bump();
             self.bump();
         }
-        self.unsupported(start.to(self.previous_span(1)), "names qualified by a namespace");
+        self.unsupported(start.to(self.previous_span()), "names qualified by a namespace");
     }
 
     /// Moves over a type whose use is not implemented.

@@ -54,7 +54,7 @@ impl<'s> Parser<'s, '_> {
             if using {
                 self.eat(TokenKind::Semicolon);
             }
-            self.unsupported(start.to(self.previous_span(1)), "namespaces (NAMESPACE, USING)");
+            self.unsupported(start.to(self.previous_span()), "namespaces (NAMESPACE, USING)");
             return None;
         }
         let class = self.at_word("CLASS");
@@ -111,7 +111,7 @@ impl<'s> Parser<'s, '_> {
         if found {
             self.incomplete = true;
             self.unsupported(
-                start.to(self.previous_span(1)),
+                start.to(self.previous_span()),
                 "inherited types (EXTENDS, IMPLEMENTS)",
             );
         }
@@ -149,7 +149,7 @@ impl<'s> Parser<'s, '_> {
             if matches!(self.kind(), TokenKind::Direct | TokenKind::Unknown) {
                 self.bump();
             }
-            self.unsupported(start.to(self.previous_span(1)), "located variables (`AT %IX0.0`)");
+            self.unsupported(start.to(self.previous_span()), "located variables (`AT %IX0.0`)");
         }
     }
 
@@ -190,7 +190,7 @@ impl<'s> Parser<'s, '_> {
         for _ in 0..=to {
             self.bump();
         }
-        let end = self.previous_span(1);
+        let end = self.previous_span();
         self.unsupported(
             start.to(end),
             "references and pointers (REF_TO, POINTER TO, REFERENCE TO)",
@@ -215,7 +215,7 @@ impl<'s> Parser<'s, '_> {
         if next == TokenKind::Name && self.at_word("JMP") {
             self.bump();
             self.bump();
-            self.unsupported(start.to(self.previous_span(1)), "jumps and labels (JMP)");
+            self.unsupported(start.to(self.previous_span()), "jumps and labels (JMP)");
             return Err(Broken);
         }
         if matches!(next, TokenKind::Name | TokenKind::Colon | TokenKind::LeftParen)
@@ -293,10 +293,7 @@ impl<'s> Parser<'s, '_> {
                 self.bump();
             }
             self.eat(TokenKind::RightParen);
-            self.unsupported(
-                start.to(self.previous_span(1)),
-                "connections of program instances",
-            );
+            self.unsupported(start.to(self.previous_span()), "connections of program instances");
         }
     }
 }

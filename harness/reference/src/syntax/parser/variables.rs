@@ -23,7 +23,7 @@ impl<'s> Parser<'s, '_> {
             constant,
             retention,
             groups,
-            span: start.to(self.previous_span(1)),
+            span: start.to(self.previous_span()),
         })
     }
 
@@ -121,15 +121,16 @@ impl<'s> Parser<'s, '_> {
         if self.section_end.is_some_and(|end| end >= self.position()) {
             return true;
         }
-        let mut at = self.position();
-        while !self.kind_at(at).closes()
-            && !self.kind_at(at).opens_section()
-            && self.kind_at(at) != TokenKind::End
-        {
-            at += 1;
-        }
-        let found = self.kind_at(at) == TokenKind::EndVar;
-        self.section_end = found.then_some(at);
+        let mut ahead = 0;
+        let closer = loop {
+            let kind = self.far_ahead(ahead);
+            if kind.closes() || kind.opens_section() || kind == TokenKind::End {
+                break kind;
+            }
+            ahead += 1;
+        };
+        let found = closer == TokenKind::EndVar;
+        self.section_end = found.then_some(self.position() + ahead);
         found
     }
 
@@ -148,7 +149,7 @@ impl<'s> Parser<'s, '_> {
                 }
             }
             Err(_) => {
-                let specification = error_specification(self.previous_span(1));
+                let specification = error_specification(self.previous_span());
                 self.skip_declaration();
                 VariableGroup {
                     names,
