@@ -1,0 +1,164 @@
+//! Input that nobody would write: diagnostics, never a panic, a hang or memory without bound.
+
+use crate::support::{DIALECT, attempt, program};
+use stickler_reference::{Outcome, check, check_bytes, render};
+use stickler_types::{Code, DialectName, Fault};
+
+/// Everything that can be asked about a source text; gives its codes in the ordinary dialect.
+fn codes(source: &str) -> Vec<Code> {
+    for dialect in DialectName::ALL {
+        let _ = (check(source, dialect), render(source, dialect));
+    }
+    let outcome = attempt(DIALECT, source, &["x"]);
+    let found = check(source, DIALECT);
+    assert!(
+        found.iter().all(|found| found.line > 0 && found.column > 0),
+        "{found:?}"
+    );
+    assert!(
+        found.is_empty() || matches!(outcome, Ok(Outcome::Rejected(_))),
+        "{outcome:?}"
+    );
+    found.into_iter().map(|found| found.code).collect()
+}
+
+#[test]
+fn nesting_without_end_meets_a_limit() {
+    let deep = 100_000;
+    let parentheses = format!("x := {}1{};", "(".repeat(deep), ")".repeat(deep));
+    assert_eq!(codes(&program("x : INT;", &parentheses)), [Code::LimitExceeded]);
+    let branches = format!("{}{}", "IF TRUE THEN ".repeat(deep), "END_IF; ".repeat(deep));
+    assert_eq!(codes(&program("x : INT;", &branches)), [Code::LimitExceeded]);
+    for opened in [
+        "(* ",
+        "x := (",
+        "IF TRUE THEN ",
+        "x[",
+        "F(a := ",
+        "NOT ",
+        "- ",
+        "CASE x OF 1: ",
+        "ARRAY[1..2] OF ",
+    ] {
+        assert!(
+            !codes(&program("x : INT;", &opened.repeat(deep))).is_empty(),
+            "{opened}"
+        );
+        assert!(!codes(&opened.repeat(deep)).is_empty(), "{opened}");
+    }
+}
+
+#[test]
+fn long_chains_are_no_nesting() {
+    let sum = format!("x := 0{};", " + 1".repeat(100_000));
+    let source = program("x : DINT;", &sum);
+    match attempt(DIALECT, &source, &["x"]) {
+        Ok(
+            Outcome::Executed { .. }
+            | Outcome::Faulted {
+                fault: Fault::StepLimit,
+                ..
+            },
+        ) => {}
+        other => panic!("{other:?}"),
+    }
+    let elsifs = format!(
+        "IF x = 1 THEN ; {} END_IF;",
+        "ELSIF x = 2 THEN x := 3; ".repeat(20_000)
+    );
+    assert_eq!(codes(&program("x : DINT;", &elsifs)), []);
+}
+
+#[test]
+fn numbers_and_names_of_any_length_are_read() {
+    let digits = "9".repeat(1_000);
+    assert_eq!(
+        codes(&program("x : INT;", &format!("x := {digits};"))),
+        [Code::ConstantOverflow]
+    );
+    assert!(!codes(&program(&format!("x : ARRAY[0..{}] OF INT;", 1_u128 << 127), ";")).is_empty());
+    assert!(
+        !codes(&program(
+            "x : ARRAY[0..340282366920938463463374607431768211456] OF INT;",
+            ";"
+        ))
+        .is_empty()
+    );
+    assert!(
+        !codes(&program(
+            "x : ARRAY[0..2000000000, 0..2000000000] OF ARRAY[0..9] OF LINT;",
+            ";"
+        ))
+        .is_empty()
+    );
+    let name = "n".repeat(1_000_000);
+    assert_eq!(
+        codes(&program(
+            &format!("{name} : INT; x : INT;"),
+            &format!("x := {name};")
+        )),
+        []
+    );
+}
+
+#[test]
+fn bytes_of_all_kinds_are_diagnosed() {
+    let all_bytes: Vec<u8> = (0..=255).cycle().take(5_000).collect();
+    for bytes in [
+        &all_bytes[..],
+        b"\0\0\0",
+        b"\xEF\xBB\xBF",
+        b"\xFF\xFE",
+        b"PROGRAM main\r\n\0END_PROGRAM",
+        b"'",
+        b"\"$",
+        b"16#",
+    ] {
+        for dialect in DialectName::ALL {
+            let (_, found) = check_bytes(bytes, dialect);
+            assert_eq!(found.is_empty(), bytes == b"\xEF\xBB\xBF", "{bytes:?}: {found:?}");
+        }
+    }
+    assert_eq!(
+        codes("PROGRAM main\r\nVAR x : INT; END_VAR\r\nx := 1;\r\nEND_PROGRAM\r\n"),
+        []
+    );
+}
+
+#[test]
+fn a_line_of_a_megabyte_has_its_columns() {
+    let source = program("x : INT;", &format!("{}x := y;", "x := 1; ".repeat(128 << 10)));
+    let found = check(&source, DIALECT);
+    let places: Vec<_> = found
+        .iter()
+        .map(|found| (found.code, found.line, found.column))
+        .collect();
+    assert_eq!(places, [(Code::VariableUndefined, 5, (1 << 20) + 6)]);
+}
+
+#[test]
+fn recursion_is_rejected_and_a_cycle_of_types_too() {
+    let source = "FUNCTION F : INT F := G(); END_FUNCTION FUNCTION G : INT G := F(); END_FUNCTION";
+    assert!(codes(source).contains(&Code::RecursiveCycle), "{:?}", codes(source));
+    assert!(!codes("TYPE A : STRUCT b : B; END_STRUCT; B : STRUCT a : A; END_STRUCT; END_TYPE").is_empty());
+    assert!(!codes("FUNCTION_BLOCK F VAR f : F; END_VAR END_FUNCTION_BLOCK").is_empty());
+}
+
+#[test]
+fn texts_that_grow_meet_the_step_limit() {
+    let source = program(
+        "x : INT; s : ARRAY[1..100000] OF STRING[60000]; t : STRING[60000] := 'abcdefgh'; i : DINT;",
+        "WHILE LEN(t) < 30000 DO t := CONCAT(t, t); END_WHILE;
+         FOR i := 1 TO 100000 DO s[i] := t; END_FOR;",
+    );
+    match attempt(DIALECT, &source, &["x"]) {
+        Ok(
+            Outcome::Faulted {
+                fault: Fault::StepLimit,
+                ..
+            }
+            | Outcome::Rejected(_),
+        ) => {}
+        other => panic!("{other:?}"),
+    }
+}
