@@ -1,5 +1,7 @@
 //! Finds the variable that a path names: `a[1]`, `rec.field[2].x`, `instance.name`.
 
+mod listing;
+
 use super::check::CheckedProgram;
 use super::model::{Model, Storage};
 use super::scope::Named;
@@ -90,10 +92,10 @@ impl Directory {
         {
             return Ok((found.0, found.1, rest));
         }
-        let instance = self
-            .instances
-            .iter()
-            .find(|(instance, ..)| instance.eq_ignore_ascii_case(name));
+        let called = |(instance, ..): &&(Box<str>, TypeId, u32)| instance.eq_ignore_ascii_case(name);
+        let runs =
+            |(_, ty, _): &&(Box<str>, TypeId, u32)| self.types.name(*ty).eq_ignore_ascii_case(name);
+        let instance = self.instances.iter().find(called).or_else(|| self.instances.iter().find(runs));
         if let Some((instance, ty, base)) = instance {
             let Some(rest) = rest.trim_start().strip_prefix('.') else {
                 return Err(format!(
@@ -177,8 +179,8 @@ impl Directory {
 impl CheckedProgram {
     /// The variable of a path: names with `.field` and `[subscripts]` behind them, in any case.
     ///
-    /// The first name is a variable of the program that runs first, or a program instance with one of its
-    /// variables behind it, or a global variable.
+    /// The first name is a variable of the program called `main` (or else of the one that runs first), or a
+    /// program instance or its program with one of its variables behind it, or a global variable.
     ///
     /// # Errors
     /// A message where nothing has that name, or what has it is of no elementary type.

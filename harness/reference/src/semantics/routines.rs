@@ -25,6 +25,7 @@ impl<'m> Lowering<'m> {
         let startup = self.startup();
         let scan = self.emitter.begin_new();
         for instance in &model.instances {
+            self.set_line(model.pous[instance.pou as usize].pou.name.span);
             self.emit(Instruction::Address(instance.base));
             self.emit(Instruction::CallInstance(model.pous[instance.pou as usize].body));
         }
@@ -43,6 +44,7 @@ impl<'m> Lowering<'m> {
     /// A function begins anew at each call; inputs that a call leaves out take their defaults.
     fn function(&mut self, entry: &'m PouEntry<'m>) {
         self.emitter.begin(entry.initial);
+        self.set_line(entry.pou.name.span);
         for &parameter in &entry.parameters {
             if self.model.variable(parameter).kind == VariableKind::Input {
                 self.begin_anew(parameter);
@@ -71,6 +73,7 @@ impl<'m> Lowering<'m> {
     /// An instance of a function block or program keeps its variables, VAR_TEMP excepted.
     fn instance(&mut self, entry: &'m PouEntry<'m>) {
         self.emitter.begin(entry.initial);
+        self.set_line(entry.pou.name.span);
         for index in entry.variables.clone() {
             let kind = self.model.variable(index).kind;
             if !matches!(
@@ -82,6 +85,8 @@ impl<'m> Lowering<'m> {
         }
         self.emit(Instruction::Return);
         self.emitter.begin(entry.body);
+        // A body without statements has steps all the same, and a limit that they exceed has a line.
+        self.set_line(entry.pou.name.span);
         for index in entry.variables.clone() {
             if self.model.variable(index).kind == VariableKind::Temporary {
                 self.begin_anew(index);
