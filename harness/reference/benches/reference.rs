@@ -154,7 +154,17 @@ fn conversions(criterion: &mut Criterion) {
     ] {
         let conversion = conversion(name);
         // All 32 bits vary, and the raw form of a signed operand is sign-extended.
-        let operands = || (0..OPERANDS).map(|n| conversion.from.wrap((n * 251).into()));
+        let signed = conversion.from.is_signed();
+        let operands = || {
+            (0..OPERANDS).map(move |n| {
+                let bits = (n * 251) as u32;
+                if signed {
+                    i64::from(bits.cast_signed()).cast_unsigned()
+                } else {
+                    bits.into()
+                }
+            })
+        };
         group.bench_function(name, |bencher| {
             bencher.iter(|| {
                 let mut sum = 0_u64;
