@@ -92,12 +92,12 @@ fn a_run_is_a_header_the_cases_in_order_and_a_footer() {
 
 #[test]
 fn events_do_not_depend_on_the_number_of_workers_nor_on_an_earlier_run() {
-    let moody = |request: &stickler_engines::RunRequest<'_>| match number(request.source) % 5 {
+    let moody = |request: &stickler_engines::RunRequest<'_>| match number(request.source) % 50 {
         0 => Outcome::Unsupported {
             reason: "a zero".to_owned(),
         },
         1 => panic!("a one"),
-        2 => Outcome::Rejected {
+        2..25 => Outcome::Rejected {
             diagnostics: Vec::new(),
         },
         _ => executed(&["x = INT#1"]),
@@ -106,7 +106,7 @@ fn events_do_not_depend_on_the_number_of_workers_nor_on_an_earlier_run() {
     let cases = numbered(500);
     let stream = |jobs| timeless(go(&with_jobs(jobs), &cases, &[&engine]).1);
     let alone = stream(1);
-    assert_eq!(footer(&alone).unwrap().totals.crash, 100);
+    assert_eq!(footer(&alone).unwrap().totals.crash, 10);
     for jobs in [1, 2, 7] {
         assert!(stream(jobs) == alone, "{jobs} workers give another stream");
     }
