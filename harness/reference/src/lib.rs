@@ -42,5 +42,5 @@ pub mod syntax;
 pub use dialect::Dialect;
 pub use face::{
     ClockSetting, Limits, LocatedDiagnostic, Observation, Outcome, Request, RequestError, ValueSetting, check,
-    check_bytes, render, run,
+    check_bytes, render, run, variables,
 };

@@ -51,6 +51,17 @@ pub fn check_bytes(bytes: &[u8], dialect: DialectName) -> (String, Vec<LocatedDi
     (text.into_owned(), located)
 }
 
+/// The names of all elementary values that [`run`](super::run()) can observe in a program, as paths in the order of
+/// their declarations, at most `most` of them; none where the text is not acceptable or has nothing to run.
+#[must_use]
+pub fn variables(source: &str, dialect: DialectName, most: usize) -> Vec<String> {
+    let checked = Checked::new(source, &Dialect::of(dialect));
+    checked
+        .program
+        .filter(|_| checked.diagnostics.is_empty())
+        .map_or_else(Vec::new, |program| program.variables(most))
+}
+
 /// Gives a source text back in its normal form (design, section 4). What can be read is rendered, whether or
 /// not its names and types are right.
 ///

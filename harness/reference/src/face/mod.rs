@@ -7,7 +7,7 @@ mod request;
 mod run;
 mod settings;
 
-pub use diagnose::{check, check_bytes, render};
+pub use diagnose::{check, check_bytes, render, variables};
 pub use located::LocatedDiagnostic;
 pub use request::{ClockSetting, Limits, Observation, Outcome, Request, RequestError, ValueSetting};
 pub use run::run;
