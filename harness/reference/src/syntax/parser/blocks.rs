@@ -145,6 +145,11 @@ impl<'s> Parser<'s, '_> {
         }
         if read.is_ok() {
             self.missing(&quoted(closer.text()));
+            if self.kind() == TokenKind::Semicolon && self.nth(1) == closer {
+                self.bump();
+                self.bump();
+                return read.map_err(|_| start);
+            }
             if self.starts_line() || self.kind().opens_statement() {
                 return read.map_err(|_| start); // Only the keyword is missing.
             }

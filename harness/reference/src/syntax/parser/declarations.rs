@@ -155,8 +155,9 @@ impl<'s> Parser<'s, '_> {
                 }
                 _ => {
                     self.expected("a type's name");
-                    self.bump();
-                    self.skip_declaration();
+                    if self.bump().kind != TokenKind::Semicolon {
+                        self.skip_declaration();
+                    }
                 }
             }
         }

@@ -23,7 +23,7 @@ impl Parser<'_, '_> {
                     self.bump();
                     return;
                 }
-                TokenKind::Name if self.open == 0 && begins(self.nth(1)) && self.starts_line() => return,
+                TokenKind::Name if self.is_anew() && begins(self.nth(1)) => return,
                 TokenKind::LeftParen | TokenKind::LeftBracket => self.open += 1,
                 TokenKind::RightParen | TokenKind::RightBracket => self.open = self.open.saturating_sub(1),
                 kind if kind.ends_statements() || kind.opens_section() || kind.opens_block() => return,
@@ -31,6 +31,12 @@ impl Parser<'_, '_> {
             }
             self.bump();
         }
+    }
+
+    /// The next token begins a line, and no bracket is open; or one is, but what should have closed it may stand
+    /// in a string that was not closed on the line before.
+    fn is_anew(&self) -> bool {
+        (self.open == 0 || self.previous_kind() == Some(TokenKind::Malformed)) && self.starts_line()
     }
 
     /// Moves behind `closer`, which ends the broken header of a statement, or up to what cannot belong to the
@@ -185,6 +191,13 @@ mod tests {
             3
         );
         assert_eq!(body_errors("x := 5 @ 3;\ny := §;").len(), 2);
+    }
+
+    #[test]
+    fn an_open_string_spoils_its_line_only() {
+        let errors = body_errors("s := 'abc;\nf('d);\nIF s = 'e THEN\ny := ;\nEND_IF;");
+        let lines: Vec<_> = errors.iter().map(|error| &error[..1]).collect();
+        assert_eq!(lines, ["1", "2", "3", "4"], "{errors:?}");
     }
 
     #[test]

@@ -191,10 +191,11 @@ impl<'s, 'd> Parser<'s, 'd> {
         self.syntax_error(span, || format!("expected {what}, found {found}"))
     }
 
-    /// Reports a syntax error, unless the next token has been complained about before.
+    /// Reports a syntax error, unless the next token or the one before it has been complained about before.
     #[cold]
     pub(super) fn syntax_error(&mut self, span: Span, message: impl FnOnce() -> String) -> Broken {
         let said = self.kind().is_reported()
+            || self.previous_kind().is_some_and(TokenKind::is_reported)
             || self.reported == Some(self.position())
             || self.kind() == TokenKind::End && (self.lexer.truncated || self.limit_reported);
         if !said {

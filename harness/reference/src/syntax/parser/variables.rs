@@ -96,8 +96,9 @@ impl<'s> Parser<'s, '_> {
                 }
                 _ => {
                     self.expected("a variable's name");
-                    self.bump();
-                    self.skip_declaration();
+                    if self.bump().kind != TokenKind::Semicolon {
+                        self.skip_declaration();
+                    }
                 }
             }
         }
