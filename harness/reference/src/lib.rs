@@ -41,6 +41,6 @@ pub mod syntax;
 
 pub use dialect::Dialect;
 pub use face::{
-    ClockSetting, Limits, LocatedDiagnostic, Observation, Outcome, Request, RequestError, ValueSetting, check,
-    check_bytes, render, run, variables,
+    ClockSetting, Limits, LocatedDiagnostic, Observation, Outcome, Request, RequestError, ValueSetting,
+    check, check_bytes, render, run, variables,
 };
