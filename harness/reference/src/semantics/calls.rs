@@ -32,6 +32,8 @@ pub(super) enum Callee {
 
 impl<'m> Lowering<'m> {
     /// What an expression calls. A function of the text hides a standard one of the same name.
+    ///
+    /// Basis: stickler-design: §3.1 (where acceptance is open the reference accepts).
     pub(super) fn callee(&mut self, id: ExpressionId) -> Callee {
         let ExpressionKind::Name(name) = self.expression(id).kind else {
             return match self.infer(id) {
@@ -40,14 +42,16 @@ impl<'m> Lowering<'m> {
                 _ => Callee::Nothing(Code::FunctionBlockNotInScope, "is no function block"),
             };
         };
-        if let Some((index, variable)) = self.variable(name.text) {
-            let own_result = self.entry().is_some_and(|entry| entry.result == Some(index));
-            return match self.pou {
-                Some(pou) if own_result => Callee::Function(pou),
-                _ => self.block_or_not(variable.ty),
-            };
+        let Some((_, variable)) = self.variable(name.text) else {
+            return self.named_callee(name);
+        };
+        // Only a function block is called by a variable's name, so any other variable hides no function, neither
+        // a function's result nor `max` in `max := MAX(max, n)`.
+        match (self.block_or_not(variable.ty), self.named_callee(name)) {
+            (block @ Callee::Block(_), _) => block,
+            (_, function @ (Callee::Function(_) | Callee::Standard(_) | Callee::Conversion(_))) => function,
+            (neither, _) => neither,
         }
-        self.named_callee(name)
     }
 
     fn block_or_not(&self, ty: TypeId) -> Callee {

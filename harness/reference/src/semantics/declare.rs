@@ -14,7 +14,7 @@ use crate::syntax::tree::{
     Configuration, Declaration, Initializer, InitializerKind, Name, Pou, PouKind, TypeDeclaration,
     TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
 };
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use stickler_types::{Code, ElementaryType};
 
 /// Makes the model.
@@ -32,6 +32,8 @@ pub(super) struct Declarer<'u, 'r> {
     pub(super) current: Option<usize>,
     /// Variables whose types need no size of their own: VAR_IN_OUT and VAR_EXTERNAL.
     pub(super) deferred: Vec<Deferred<'u>>,
+    /// A type of a later edition has been met.
+    pub(super) later: bool,
 }
 
 /// A type or function block to be resolved.
@@ -71,6 +73,7 @@ pub(super) fn declare<'u>(source: Source<'u>, reporter: &mut Reporter) -> (Model
         globals: Scope::default(),
         enumerated: Scope::default(),
         initial_values: Vec::new(),
+        passed_over: FxHashSet::default(),
         instances: Vec::new(),
         routines: 0,
     };
@@ -83,6 +86,7 @@ pub(super) fn declare<'u>(source: Source<'u>, reporter: &mut Reporter) -> (Model
         configurations: Vec::new(),
         current: None,
         deferred: Vec::new(),
+        later: false,
     };
     declarer.collect_names();
     declarer.evaluate_global_constants();

@@ -34,7 +34,10 @@ impl<'m> Lowering<'m> {
             return self.default_value(location, ty);
         };
         if ty == TypeId::ERROR {
-            return self.lower_initializer(initializer);
+            if !self.model.passed_over.contains(&initializer.span.start) {
+                self.lower_initializer(initializer);
+            }
+            return;
         }
         match (&initializer.kind, self.model.types.kind(ty)) {
             (InitializerKind::Expression(id), _) => {

@@ -41,6 +41,8 @@ mod specification;
 mod standard;
 mod statements;
 mod suggestion;
+#[cfg(test)]
+mod tests;
 mod types;
 mod variables;
 

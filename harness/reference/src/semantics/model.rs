@@ -2,13 +2,14 @@
 //! lie. It is made once, by `declare`, and only read while bodies are lowered.
 
 use super::scope::Scope;
-use super::types::{Kind, TypeId, TypeTable};
+use super::types::{TypeId, TypeTable};
 use crate::dialect::Dialect;
 use crate::instruction::RoutineId;
 use crate::source::LineIndex;
 use crate::syntax::tree::{
     Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableGroup, VariableKind,
 };
+use rustc_hash::FxHashSet;
 use std::ops::Range;
 use stickler_types::ElementaryType;
 
@@ -62,6 +63,8 @@ pub(super) struct Model<'u> {
     pub(super) enumerated: Scope<'u, EnumeratedName>,
     /// Routines that give the variables of a type their default value.
     pub(super) initial_values: Vec<(RoutineId, InitialValue<'u>)>,
+    /// Where initial values begin that are passed over, because their type needs a later edition.
+    pub(super) passed_over: FxHashSet<u32>,
     /// The program instances in the order in which they run.
     pub(super) instances: Vec<Instance<'u>>,
     /// How many routines have been given out.

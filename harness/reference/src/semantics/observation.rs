@@ -93,9 +93,12 @@ impl Directory {
             return Ok((found.0, found.1, rest));
         }
         let called = |(instance, ..): &&(Box<str>, TypeId, u32)| instance.eq_ignore_ascii_case(name);
-        let runs =
-            |(_, ty, _): &&(Box<str>, TypeId, u32)| self.types.name(*ty).eq_ignore_ascii_case(name);
-        let instance = self.instances.iter().find(called).or_else(|| self.instances.iter().find(runs));
+        let runs = |(_, ty, _): &&(Box<str>, TypeId, u32)| self.types.name(*ty).eq_ignore_ascii_case(name);
+        let instance = self
+            .instances
+            .iter()
+            .find(called)
+            .or_else(|| self.instances.iter().find(runs));
         if let Some((instance, ty, base)) = instance {
             let Some(rest) = rest.trim_start().strip_prefix('.') else {
                 return Err(format!(

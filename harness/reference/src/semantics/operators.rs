@@ -127,10 +127,33 @@ impl Rules<'_> {
         }
     }
 
-    /// What several values have in common, one more being added: a type, or untyped still.
-    pub(super) fn unite(self, left: Inferred, right: Inferred) -> Inferred {
+    /// The type that several values, none of which is an error, have in common: the one of theirs to which the
+    /// others convert. What does not go with the others is left out of account, and is to be found by
+    /// [`Self::goes_with`]; untyped values that do not go together give an error.
+    pub(super) fn common_of_all(self, values: &[Inferred]) -> Inferred {
+        let known = values
+            .iter()
+            .copied()
+            .find(|value| matches!(value, Inferred::Known(_)));
+        let values = values.iter().copied();
+        match known {
+            Some(known) => values.fold(known, |common, value| match self.unite(common, value) {
+                Inferred::Error => common,
+                united => united,
+            }),
+            None => values
+                .reduce(|left, right| self.unite(left, right))
+                .unwrap_or(Inferred::Error),
+        }
+    }
+
+    /// Whether a value goes with others that have a type in common.
+    pub(super) fn goes_with(self, value: Inferred, common: TypeId) -> bool {
+        fit(value, common, Context::CommonArgument, self.types, self.dialect) == Fit::Yes
+    }
+
+    fn unite(self, left: Inferred, right: Inferred) -> Inferred {
         match (left, right) {
-            (Inferred::Error, _) | (_, Inferred::Error) => Inferred::Error,
             (Inferred::Enumerated, Inferred::Enumerated) => Inferred::Enumerated,
             (
                 Inferred::Text { wide, single },

@@ -69,6 +69,10 @@ impl<'u> Declarer<'u, '_> {
 
     fn declared_type(&mut self, ty: &'u TypeDeclaration<'u>) -> TypeId {
         let base = self.specification(&ty.specification, ty.name.text);
+        if base == TypeId::ERROR {
+            // Its initial value would only be looked at in vain.
+            return TypeId::ERROR;
+        }
         let Some(initializer) = &ty.initializer else {
             return match ty.specification.kind {
                 // The names of structures and enumerations are their types' own.

@@ -41,6 +41,17 @@ impl<'u> Declarer<'u, '_> {
         }
     }
 
+    /// The type of a group of variables or elements. Where it needs a later edition, nothing more is said about
+    /// the group, its initial value included.
+    pub(super) fn group_type(&mut self, group: &'u VariableGroup<'u>, hint: &'u str) -> TypeId {
+        self.later = false;
+        let ty = self.specification(&group.specification, hint);
+        if let (true, Some(initializer)) = (self.later, &group.initializer) {
+            self.model.passed_over.insert(initializer.span.start);
+        }
+        ty
+    }
+
     /// The type of a name.
     ///
     /// Basis: stickler-design: §7 (P2008); P0010 for types of the third edition where the dialect lacks them,
@@ -66,6 +77,7 @@ impl<'u> Declarer<'u, '_> {
             Some(ty) => {
                 let message = format!("{} is a type of the third edition", ty.name());
                 self.report(Code::Std2013Feature, name.span, message);
+                self.later = true;
             }
             None if name.text.is_empty() => {}
             None => {
@@ -216,7 +228,7 @@ impl<'u> Declarer<'u, '_> {
         let mut zero = true;
         for group in groups {
             let hint = group.names.first().map_or("", |name| name.text);
-            let ty = self.specification(&group.specification, hint);
+            let ty = self.group_type(group, hint);
             let inner = *self.model.types.extent(ty);
             zero &= group.initializer.is_none() && inner.default == DefaultValue::Zero;
             extent.depth = extent.depth.max(inner.depth);

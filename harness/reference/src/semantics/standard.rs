@@ -183,14 +183,11 @@ impl Lowering<'_> {
 
     /// The type that several arguments have in common, if the function takes it.
     fn infer_common(&mut self, function: StandardFunction, values: &[ExpressionId]) -> Inferred {
+        let inferred: Vec<_> = values.iter().map(|&value| self.infer(value)).collect();
         let rules = self.rules();
-        let mut common = self.infer(values[0]);
-        for &value in &values[1..] {
-            let next = self.infer(value);
-            common = rules.unite(common, next);
-        }
-        match common {
+        match rules.common_of_all(&inferred) {
             Inferred::Known(ty) if !self.takes(function, ty) => Inferred::Error,
+            Inferred::Known(ty) if !inferred.iter().all(|&one| rules.goes_with(one, ty)) => Inferred::Error,
             common => common,
         }
     }
@@ -268,21 +265,13 @@ impl Lowering<'_> {
             }
             return None;
         }
-        let united = inferred
-            .iter()
-            .copied()
-            .reduce(|left, right| rules.unite(left, right))?;
-        let known = inferred.iter().find_map(|&one| match one {
-            Inferred::Known(ty) => Some(ty),
-            _ => None,
-        });
-        let ty = match united {
+        let common = rules.common_of_all(&inferred);
+        let ty = match common {
             Inferred::Known(ty) => Some(ty),
             Inferred::Text { wide, .. } => Some(TypeId::of(super::literals::text_type(wide))),
             Inferred::Enumerated => wanted,
-            Inferred::Integer(_) | Inferred::Real => self.settle_for(function, united, wanted),
-            // They do not go together: let the first typed one say what the others should be.
-            _ => known,
+            Inferred::Integer(_) | Inferred::Real => self.settle_for(function, common, wanted),
+            Inferred::Nothing | Inferred::Error | Inferred::Pending => None,
         };
         let target = ty.unwrap_or(TypeId::ERROR);
         if target != TypeId::ERROR && !self.takes(function, target) {
@@ -295,7 +284,7 @@ impl Lowering<'_> {
         for &value in values {
             sound &= self.coerce(value, target, Context::CommonArgument).ty != TypeId::ERROR;
         }
-        if target == TypeId::ERROR && united == Inferred::Error {
+        if common == Inferred::Error {
             let message = "the arguments have no type in common".to_owned();
             self.report(Code::FunctionCallArgTypeMismatch, self.span(values[0]), message);
         }

@@ -41,7 +41,7 @@ impl<'u> Declarer<'u, '_> {
         let ty = if later {
             TypeId::ERROR
         } else {
-            self.specification(&group.specification, hint)
+            self.group_type(group, hint)
         };
         self.check_group(self.model.pous[pou].pou.kind, block, group, ty);
         for name in &group.names {
@@ -238,7 +238,7 @@ impl<'u> Declarer<'u, '_> {
         for block in std::mem::take(&mut self.global_blocks) {
             for group in &block.groups {
                 let hint = group.names.first().map_or("", |name| name.text);
-                let ty = self.specification(&group.specification, hint);
+                let ty = self.group_type(group, hint);
                 self.check_group(PouKind::Program, block, group, ty);
                 let value = if block.constant {
                     self.constant_value(group, ty)
@@ -261,11 +261,10 @@ impl<'u> Declarer<'u, '_> {
         value: Option<i128>,
     ) {
         let index = narrow(self.model.variables.len());
-        if self.model.globals.contains_key(&Folded(name.text)) {
+        let known = *self.model.globals.entry(Folded(name.text)).or_insert(index);
+        if known != index {
             let message = format!("global variable `{}` is already declared", name.text);
             self.report(Code::SymbolDeclDuplicated, name.span, message);
-        } else {
-            self.model.globals.insert(Folded(name.text), index);
         }
         self.model.variables.push(Variable {
             name,

@@ -1,0 +1,101 @@
+//! Tests of the checker on whole source texts.
+
+mod calls;
+mod contexts;
+mod declarations;
+mod limits;
+mod literals;
+mod operators;
+mod places;
+mod statements;
+mod suggestions;
+mod types;
+mod values;
+
+use crate::diagnostic::Diagnostic;
+use crate::dialect::Dialect;
+use crate::semantics::check;
+use crate::source::LineIndex;
+use crate::{Limits, Observation, Outcome, Request, run};
+use stickler_types::{DialectName, Value};
+
+pub(super) const ED2: DialectName = DialectName::IronplcEd2;
+pub(super) const ED3: DialectName = DialectName::IronplcEd3;
+pub(super) const RUSTY: DialectName = DialectName::IronplcRusty;
+pub(super) const MATIEC: DialectName = DialectName::Matiec;
+pub(super) const PLCNEXT: DialectName = DialectName::Plcnext;
+
+/// What the checker says of a text that can be read.
+pub(super) fn diagnose(name: DialectName, text: &str) -> Vec<Diagnostic> {
+    let dialect = Dialect::of(name);
+    let (unit, diagnostics) = crate::syntax::parse(text, &dialect);
+    assert_eq!(diagnostics, [], "the text of a test can be read: {text}");
+    check(&unit, text, &LineIndex::new(text), &dialect).1
+}
+
+/// The lines and codes that the checker says, in order: `3 P4035`.
+pub(super) fn says_in(name: DialectName, text: &str) -> Vec<String> {
+    let lines = LineIndex::new(text);
+    let mut said: Vec<_> = diagnose(name, text)
+        .iter()
+        .map(|diagnostic| {
+            (
+                lines.position(text, diagnostic.span.start).line,
+                diagnostic.code.as_str(),
+            )
+        })
+        .collect();
+    said.sort_unstable();
+    said.into_iter()
+        .map(|(line, code)| format!("{line} {code}"))
+        .collect()
+}
+
+/// The same in the third edition.
+pub(super) fn says(text: &str) -> Vec<String> {
+    says_in(ED3, text)
+}
+
+/// The codes that the checker says of a program with these variables and this one statement.
+pub(super) fn codes_in(name: DialectName, variables: &str, statement: &str) -> Vec<String> {
+    let text = format!("PROGRAM main VAR {variables} END_VAR {statement} END_PROGRAM");
+    says_in(name, &text)
+        .into_iter()
+        .map(|mut said| said.split_off(2))
+        .collect()
+}
+
+/// The same in the third edition.
+pub(super) fn codes(variables: &str, statement: &str) -> Vec<String> {
+    codes_in(ED3, variables, statement)
+}
+
+/// Runs a program once; `expected` are lines as `x = INT#5`.
+pub(super) fn gives(text: &str, expected: &[&str]) {
+    gives_in(ED3, text, 1, expected);
+}
+
+/// The same for some dialect and number of scans.
+pub(super) fn gives_in(dialect: DialectName, text: &str, scans: u32, expected: &[&str]) {
+    let expected: Vec<_> = expected
+        .iter()
+        .map(|line| {
+            let (name, literal) = line.split_once(" = ").expect("`name = literal`");
+            (name.to_owned(), Value::parse(literal).expect("a literal"))
+        })
+        .collect();
+    let observe: Vec<_> = expected
+        .iter()
+        .map(|(name, _)| Observation { name, after: None })
+        .collect();
+    let outcome = run(&Request {
+        dialect,
+        source: text,
+        scans,
+        observe: &observe,
+        clock: &[],
+        set: &[],
+        limits: Limits::default(),
+    });
+    assert_eq!(outcome, Ok(Outcome::Executed { values: expected }), "{text}");
+}

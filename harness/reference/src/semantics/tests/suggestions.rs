@@ -1,0 +1,126 @@
+//! Applying a suggestion makes the program acceptable.
+
+use super::{ED3, diagnose};
+use crate::dialect::Dialect;
+use stickler_types::{DialectName, ElementaryType};
+
+/// Applies the suggestions of a text that has some, and says what the checker then says; `None` where it
+/// suggests nothing.
+fn repaired(name: DialectName, text: &str) -> Option<Vec<crate::diagnostic::Diagnostic>> {
+    let mut diagnostics = diagnose(name, text);
+    diagnostics.retain(|diagnostic| diagnostic.suggestion.is_some());
+    diagnostics.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.span.start));
+    let mut text = text.to_owned();
+    for diagnostic in &diagnostics {
+        let span = diagnostic.span.start as usize..diagnostic.span.end as usize;
+        text.replace_range(span, diagnostic.suggestion.as_deref()?);
+    }
+    (!diagnostics.is_empty()).then(|| diagnose(name, &text))
+}
+
+/// Programs in each of which a value of type FROM stands where one of type INTO is expected.
+const CONTEXTS: [&str; 9] = [
+    "PROGRAM main VAR a : FROM; b : INTO; END_VAR b := a; END_PROGRAM",
+    "PROGRAM main VAR a : FROM; b : INTO; END_VAR b := (a); END_PROGRAM",
+    "PROGRAM main VAR a : FROM; b : INTO := a; END_VAR END_PROGRAM",
+    "PROGRAM main VAR a : FROM; b : ARRAY[0..1] OF INTO := [a, a]; END_VAR b[1] := a; END_PROGRAM",
+    "TYPE S : STRUCT x : INTO; END_STRUCT; END_TYPE
+     PROGRAM main VAR a : FROM; b : S := (x := a); END_VAR b.x := a; END_PROGRAM",
+    "FUNCTION F : BOOL VAR_INPUT p : INTO; END_VAR END_FUNCTION
+     PROGRAM main VAR a : FROM; b : BOOL; END_VAR b := F(a); b := F(p := a); END_PROGRAM",
+    "FUNCTION F : FROM END_FUNCTION PROGRAM main VAR b : INTO; END_VAR b := F(); END_PROGRAM",
+    "FUNCTION F : INTO VAR_INPUT p : FROM; END_VAR F := p; END_FUNCTION
+     PROGRAM main VAR a : FROM; b : INTO; END_VAR b := F(a); END_PROGRAM",
+    "FUNCTION_BLOCK G VAR_INPUT p : INTO; END_VAR END_FUNCTION_BLOCK
+     PROGRAM main VAR a : FROM; b : G; END_VAR b(p := a); END_PROGRAM",
+];
+
+#[test]
+fn every_suggestion_between_elementary_types_makes_the_program_acceptable() {
+    for name in DialectName::ALL {
+        let dialect = Dialect::of(name);
+        let types = ElementaryType::ALL.into_iter().filter(|&ty| dialect.has(ty));
+        for (from, to) in types
+            .clone()
+            .flat_map(|from| types.clone().map(move |to| (from, to)))
+        {
+            for context in CONTEXTS {
+                let text = context.replace("FROM", from.name()).replace("INTO", to.name());
+                if let Some(left) = repaired(name, &text) {
+                    assert_eq!(left, [], "{name}: {text}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn each_pair_that_does_not_convert_but_has_a_function_has_a_suggestion() {
+    for name in DialectName::ALL {
+        let dialect = Dialect::of(name);
+        let types = ElementaryType::ALL.into_iter().filter(|&ty| dialect.has(ty));
+        for (from, to) in types
+            .clone()
+            .flat_map(|from| types.clone().map(move |to| (from, to)))
+        {
+            let text = CONTEXTS[0]
+                .replace("FROM", from.name())
+                .replace("INTO", to.name());
+            let converts = crate::conversion::implicit(from, to, &dialect).is_some();
+            let function = crate::conversion::conversion_function_name(from, to, &dialect);
+            let suggestions: Vec<_> = diagnose(name, &text)
+                .into_iter()
+                .map(|diagnostic| diagnostic.suggestion)
+                .collect();
+            let expected = if converts {
+                vec![]
+            } else {
+                vec![function.map(|function| format!("{function}(a)"))]
+            };
+            assert_eq!(suggestions, expected, "{name}: {text}");
+        }
+    }
+}
+
+#[test]
+fn a_suggestion_takes_the_whole_expression() {
+    let text = "PROGRAM main VAR a, b : DINT; s : INT; END_VAR s := a + b * 2; END_PROGRAM";
+    let diagnostics = diagnose(ED3, text);
+    assert_eq!(
+        diagnostics[0].suggestion.as_deref(),
+        Some("DINT_TO_INT(a + b * 2)")
+    );
+    assert_eq!(repaired(ED3, text), Some(vec![]));
+}
+
+#[test]
+fn arguments_of_standard_functions_have_suggestions_that_fit() {
+    for statement in [
+        "i := ABS(b);",
+        "w := SHL(i, 1);",
+        "i := MAX(i, d);",
+        "i := DINT_TO_INT(r);",
+        "w := ROL(w, r);",
+        "i := a[r];",
+        "IF i THEN ; END_IF;",
+        "i := SEL(i, i, i);",
+    ] {
+        let text = format!(
+            "PROGRAM main VAR i : INT; b : BOOL; w : WORD; d : REAL; r : LREAL; a : ARRAY[0..1] OF INT; END_VAR
+             {statement} END_PROGRAM"
+        );
+        let left = repaired(ED3, &text).unwrap_or_else(|| panic!("{statement} has a suggestion"));
+        let argument = left.iter().all(|diagnostic| diagnostic.suggestion.is_some());
+        assert!(
+            argument,
+            "{statement} is repaired, or what is left has its own suggestion: {left:?}"
+        );
+    }
+}
+
+#[test]
+fn a_function_of_the_text_with_the_name_of_a_conversion_is_not_suggested() {
+    let text = "FUNCTION DINT_TO_INT : BOOL VAR_INPUT x : BOOL; END_VAR END_FUNCTION
+        PROGRAM main VAR a : DINT; b : INT; END_VAR b := a; END_PROGRAM";
+    assert_eq!(diagnose(ED3, text)[0].suggestion, None);
+}
