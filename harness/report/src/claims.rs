@@ -1,6 +1,7 @@
 //! Claims: what each section of each document says, and how an engine stands to it. Every format leads with them,
 //! and every format takes them from here.
 
+use crate::overview::entry;
 use std::collections::BTreeMap;
 use stickler_run::{CaseEvent, Verdict};
 
@@ -45,7 +46,7 @@ impl Standing {
 
 /// Whether a case only records: nothing that the document says could have failed but that the program is accepted.
 fn is_open(event: &CaseEvent) -> bool {
-    !event.observations.is_empty() && matches!(event.expected.as_str(), "" | "accepted")
+    !event.observations.is_empty() && matches!(event.expected.as_str(), "accepted" | "accepted or rejected")
 }
 
 /// One section of one document, as one engine meets it.
@@ -70,8 +71,7 @@ pub struct Claims {
 impl Claims {
     /// Counts one case.
     pub fn take(&mut self, event: &CaseEvent) {
-        let claims = self.engines.entry(event.engine.clone()).or_default();
-        claims.entry(event.basis.clone()).or_default().count(event);
+        entry(entry(&mut self.engines, &event.engine), &event.basis).count(event);
     }
 
     /// Every claim, sorted by engine, document and section.

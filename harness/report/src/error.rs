@@ -14,14 +14,9 @@ pub enum ReportError {
         /// Why not.
         source: io::Error,
     },
-    /// An event or a document does not serialise.
-    #[error("cannot serialise {}", path.display())]
-    Serialise {
-        /// What was to be written.
-        path: PathBuf,
-        /// Why not.
-        source: Box<dyn std::error::Error + Send + Sync>,
-    },
+    /// An event does not serialise.
+    #[error("cannot serialise an event")]
+    Serialise(#[from] serde_json::Error),
 }
 
 impl ReportError {

@@ -27,10 +27,12 @@ mod pending;
 mod results;
 #[cfg(test)]
 mod sample;
+mod spool;
 pub mod summary;
 mod table;
 pub mod terminal;
 mod text;
+mod xml;
 
 pub use error::{LogError, ReportError};
 pub use folder::Reports;

@@ -44,9 +44,9 @@ impl Overview {
     fn take_case(&mut self, case: &CaseEvent) {
         self.claims.take(case);
         self.observations += case.observations.len() as u64;
-        let dialects = self.totals.entry(case.engine.clone()).or_default();
-        let areas = dialects.entry(case.dialect.clone()).or_default();
-        areas.entry(case.area.clone()).or_default().count(case.verdict);
+        let dialects = entry(&mut self.totals, &case.engine);
+        let areas = entry(dialects, &case.dialect);
+        entry(areas, &case.area).count(case.verdict);
         if !case.verdict.is_as_expected() {
             self.failed += 1;
             if self.failures.len() < KEPT_FAILURES {
@@ -82,6 +82,14 @@ impl Overview {
         }
         sum
     }
+}
+
+/// The entry of a key, made where it is missing. Unlike the map's own `entry`, it copies the key only then.
+pub(crate) fn entry<'m, V: Default>(map: &'m mut BTreeMap<String, V>, key: &str) -> &'m mut V {
+    if !map.contains_key(key) {
+        map.insert(key.to_owned(), V::default());
+    }
+    map.get_mut(key).expect("it is there or was just put there")
 }
 
 /// The case, with no more of its texts than any view shows: a foreign engine may say anything at any length.

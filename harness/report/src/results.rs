@@ -4,16 +4,20 @@ use crate::ReportError;
 use crate::claims::{Claims, Standing};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
+use crate::spool::Spool;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, Event, Footer, Grade, Header, Totals, Verdict};
+use stickler_run::{CaseEvent, Event, Footer, Header, Totals};
 
 /// The version of this format.
 const FORMAT: u32 = 1;
 
-/// Gathers the run. Cases and observations are serialised as they come; the document is written when it is whole,
-/// with the totals, which are known last, in front.
+/// How the JSON of a case event begins: what the document says by its key `cases` already.
+const TAG: &[u8] = br#"{"type":"case","#;
+
+/// Gathers the run. Cases are kept as the JSON that they came as; the document is written when it is whole, with the
+/// totals and claims, which are known last, in front.
 pub(crate) struct Results {
     file: PendingFile,
     cases: List,
@@ -33,33 +37,34 @@ impl Results {
         })
     }
 
-    /// Adds one event.
+    /// Adds one event, which is also given as JSON.
     ///
     /// # Errors
-    /// [`ReportError::Serialise`] where the event cannot be serialised.
-    pub(crate) fn take(&mut self, event: &Event) -> Result<(), ReportError> {
+    /// [`ReportError::Serialise`] where an observation cannot be serialised.
+    pub(crate) fn take(&mut self, event: &Event, json: &[u8]) -> Result<(), ReportError> {
         match event {
             // The header and the footer are taken from the overview, when the document is written.
             Event::Header(_) | Event::Footer(_) => Ok(()),
-            Event::Case(case) => self.take_case(case).map_err(|error| ReportError::Serialise {
-                path: self.file.path().to_owned(),
-                source: error.into(),
-            }),
+            Event::Case(case) => {
+                match json.strip_prefix(TAG) {
+                    Some(rest) => self.cases.push_json(&[b"{", rest]),
+                    None => self.cases.push_json(&[json]),
+                }
+                Ok(self.take_observations(case)?)
+            }
         }
     }
 
-    fn take_case(&mut self, case: &CaseEvent) -> serde_json::Result<()> {
-        self.cases.push(&CaseResult::new(case))?;
-        for observation in &case.observations {
+    fn take_observations(&mut self, case: &CaseEvent) -> serde_json::Result<()> {
+        case.observations.iter().try_for_each(|observation| {
             self.observations.push(&ObservationResult {
                 id: &case.id,
                 dialect: &case.dialect,
                 engine: &case.engine,
                 name: &observation.name,
                 value: &observation.value,
-            })?;
-        }
-        Ok(())
+            })
+        })
     }
 
     /// Writes the document. A run without header or footer has no results.
@@ -111,20 +116,27 @@ fn key(out: &mut impl Write, name: &str, value: &impl Serialize) -> io::Result<(
 /// A JSON array that grows, one element a line.
 #[derive(Default)]
 struct List {
-    bytes: Vec<u8>,
+    spool: Spool,
 }
 
 impl List {
     fn push(&mut self, element: &impl Serialize) -> serde_json::Result<()> {
-        if !self.bytes.is_empty() {
-            self.bytes.extend_from_slice(b",\n");
+        let json = serde_json::to_vec(element)?;
+        self.push_json(&[&json]);
+        Ok(())
+    }
+
+    /// Adds an element that is JSON already, in pieces.
+    fn push_json(&mut self, pieces: &[&[u8]]) {
+        if !self.spool.is_empty() {
+            self.spool.add(b",\n");
         }
-        serde_json::to_writer(&mut self.bytes, element)
+        pieces.iter().for_each(|piece| self.spool.add(piece));
     }
 
     fn write(&self, out: &mut impl Write, name: &str) -> io::Result<()> {
         write!(out, ",\n\"{name}\":[\n")?;
-        out.write_all(&self.bytes)?;
+        self.spool.write(out)?;
         out.write_all(b"\n]")
     }
 }
@@ -158,45 +170,6 @@ struct ClaimResult<'a> {
     source: &'a str,
     section: &'a str,
     standing: Standing,
-}
-
-#[derive(Serialize)]
-struct CaseResult<'a> {
-    id: &'a str,
-    dialect: &'a str,
-    engine: &'a str,
-    verdict: Verdict,
-    grade: Option<Grade>,
-    title: &'a str,
-    basis: &'a str,
-    area: &'a str,
-    file: &'a str,
-    line: u32,
-    expected: &'a str,
-    got: &'a str,
-    duration_us: u64,
-    rerun: &'a str,
-}
-
-impl<'a> CaseResult<'a> {
-    fn new(case: &'a CaseEvent) -> CaseResult<'a> {
-        CaseResult {
-            id: &case.id,
-            dialect: &case.dialect,
-            engine: &case.engine,
-            verdict: case.verdict,
-            grade: case.grade,
-            title: &case.title,
-            basis: &case.basis,
-            area: &case.area,
-            file: &case.file,
-            line: case.line,
-            expected: &case.expected,
-            got: &case.got,
-            duration_us: case.duration_us,
-            rerun: &case.rerun,
-        }
-    }
 }
 
 #[derive(Serialize)]

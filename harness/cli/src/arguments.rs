@@ -1,0 +1,271 @@
+//! The command line as clap reads it: commands, options and the help that teaches them by example.
+
+use crate::exit::Listing;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+use stickler_run::Shard;
+use stickler_types::DialectName;
+
+/// The conformance suite for compilers of IEC 61131-3 Structured Text.
+///
+/// Without a command, the whole suite runs on the reference implementation in every dialect, and the reports are
+/// written to reports/latest.
+#[derive(Parser, Debug)]
+#[command(name = "stickler", version, disable_help_subcommand = true, term_width = 80)]
+#[command(after_help = top_level_help())]
+pub struct Arguments {
+    /// What to do; `run` where nothing is said.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// The commands.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Run cases, judge what the engines did, write reports
+    #[command(after_help = RUN_EXAMPLES)]
+    Run(RunArguments),
+    /// List the cases, or with --basis the claims that they check
+    #[command(after_help = LIST_EXAMPLES)]
+    List(ListArguments),
+    /// Show one case: its program, what must happen, why, and how to run it again
+    #[command(after_help = SHOW_EXAMPLES)]
+    Show(ShowArguments),
+    /// Check the case files themselves
+    #[command(after_help = LINT_EXAMPLES)]
+    Lint(LintArguments),
+    /// Show the diagnostics of the reference for one file
+    #[command(after_help = CHECK_EXAMPLES)]
+    Check(CheckArguments),
+    /// Execute one file on the reference and print the final values
+    #[command(after_help = EVAL_EXAMPLES)]
+    Eval(EvalArguments),
+    /// Print one file in the normalised form of the reference
+    #[command(after_help = RENDER_EXAMPLES)]
+    Render(SourceArguments),
+    /// Serve the reference over the wire protocol on stdin and stdout
+    #[command(after_help = ENGINE_EXAMPLES)]
+    Engine,
+    /// Explain a diagnostic code, or list all of them
+    #[command(after_help = EXPLAIN_EXAMPLES)]
+    Explain(ExplainArguments),
+    /// Show which types convert implicitly: what the documents say beside what the reference does
+    #[command(after_help = MATRIX_EXAMPLES)]
+    Matrix(MatrixArguments),
+}
+
+/// Which cases a command works on.
+#[derive(Args, Debug, Default)]
+pub struct SelectionArguments {
+    /// Read the cases from DIR [default: conformance-cases here or in a folder above]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+    /// Only the case that TEXT names; where it names none, the cases whose `id@dialect` contains it, or, where
+    /// TEXT has a `*`, those that it fits from start to end
+    #[arg(long, value_name = "TEXT")]
+    pub filter: Option<String>,
+    /// Only cases of this dialect; may be repeated
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: Vec<DialectName>,
+}
+
+/// `stickler run`.
+#[derive(Args, Debug, Default)]
+pub struct RunArguments {
+    /// Which cases.
+    #[command(flatten)]
+    pub selection: SelectionArguments,
+    /// Run them on this engine; may be repeated [default: reference]
+    #[arg(long, value_name = "ENGINE")]
+    pub engine: Vec<String>,
+    /// Run part I of N of the cases
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
+    /// Run N cases at a time [default: one a processor]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+    /// Write the reports to DIR [default: reports/latest beside the folder of the cases]
+    #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
+    pub report: Option<PathBuf>,
+    /// Write no reports
+    #[arg(long)]
+    pub no_report: bool,
+}
+
+/// `stickler list`.
+#[derive(Args, Debug)]
+pub struct ListArguments {
+    /// Which cases.
+    #[command(flatten)]
+    pub selection: SelectionArguments,
+    /// List claims instead: each section of each document, how many cases check it, and in which files
+    #[arg(long)]
+    pub basis: bool,
+    /// Print one JSON object a line
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `stickler show`.
+#[derive(Args, Debug)]
+pub struct ShowArguments {
+    /// The case's id, with or without `@dialect`
+    #[arg(value_name = "CASE")]
+    pub case: String,
+    /// Read the cases from DIR [default: conformance-cases here or in a folder above]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+}
+
+/// `stickler lint`.
+#[derive(Args, Debug)]
+pub struct LintArguments {
+    /// The folder of the cases [default: conformance-cases here or in a folder above]
+    #[arg(value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+}
+
+/// A source file and the dialect to read it in.
+#[derive(Args, Debug)]
+pub struct SourceArguments {
+    /// A file of Structured Text; `-` reads stdin
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// The dialect to read it in
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: DialectName,
+}
+
+/// `stickler check`.
+#[derive(Args, Debug)]
+pub struct CheckArguments {
+    /// What to check.
+    #[command(flatten)]
+    pub source: SourceArguments,
+    /// Print the reply of the wire protocol instead: one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `stickler eval`.
+#[derive(Args, Debug)]
+pub struct EvalArguments {
+    /// What to execute.
+    #[command(flatten)]
+    pub source: SourceArguments,
+    /// Run N scans
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub scans: u32,
+    /// Print only this variable; may be repeated, may be a path [default: all elementary variables of the program]
+    #[arg(long, value_name = "NAME")]
+    pub observe: Vec<String>,
+}
+
+/// `stickler explain`.
+#[derive(Args, Debug)]
+pub struct ExplainArguments {
+    /// A code such as P4035; all codes are listed where none is given
+    #[arg(value_name = "CODE")]
+    pub code: Option<String>,
+}
+
+/// `stickler matrix`.
+#[derive(Args, Debug)]
+pub struct MatrixArguments {
+    /// Read the cases from DIR [default: conformance-cases here or in a folder above]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+    /// Only this dialect; may be repeated [default: all]
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: Vec<DialectName>,
+}
+
+fn dialects() -> impl TypedValueParser<Value = DialectName> {
+    PossibleValuesParser::new(DialectName::ALL.map(DialectName::as_str))
+        .try_map(|name| name.parse::<DialectName>())
+}
+
+fn top_level_help() -> String {
+    format!("{TOP_LEVEL_EXAMPLES}\n\n{Listing}")
+}
+
+const TOP_LEVEL_EXAMPLES: &str = "\
+Examples:
+  stickler                                          run everything, write reports/latest
+  stickler run --dialect matiec                     run the cases of one dialect
+  stickler list --basis                             which claims are checked, and where
+  stickler check motor.st --dialect ironplc-ed3     diagnostics for a program of yours
+  stickler explain P4035                            what a diagnostic means, and its fix
+
+From a clone, `cargo run --release --` stands for `stickler`.";
+
+const RUN_EXAMPLES: &str = "\
+Examples:
+  stickler run
+  stickler run --dialect ironplc-ed2 --dialect ironplc-ed3
+  stickler run --filter widening/                   every case of one folder
+  stickler run --filter '*(SINT,INT,*'              a pattern: only * is special
+  stickler run --shard 1/4 --report reports/part-1  a quarter of the cases
+  stickler run --cases my-cases --no-report         cases of your own";
+
+const LIST_EXAMPLES: &str = "\
+Examples:
+  stickler list --filter bit-access/ --dialect plcnext
+  stickler list --basis                             claims, with numbers of cases
+  stickler list --json                              for other programs";
+
+const SHOW_EXAMPLES: &str = "\
+Examples:
+  stickler show 'widening/integer::assignment(SINT,INT,-128)'
+  stickler show 'widening/integer::assignment(SINT,INT,-128)@ironplc-ed2'";
+
+const LINT_EXAMPLES: &str = "\
+Examples:
+  stickler lint
+  stickler lint my-cases";
+
+const CHECK_EXAMPLES: &str = "\
+Examples:
+  stickler check motor.st --dialect matiec
+  stickler check motor.st --dialect ironplc-ed3 --json
+  stickler check - --dialect plcnext < motor.st";
+
+const EVAL_EXAMPLES: &str = "\
+Examples:
+  stickler eval motor.st --dialect matiec
+  stickler eval motor.st --dialect ironplc-ed2 --scans 10 --observe speed --observe 'ramp[3].limit'
+
+The output can stand in the `values` mark of a case file.";
+
+const RENDER_EXAMPLES: &str = "\
+Examples:
+  stickler render motor.st --dialect ironplc-ed3
+  stickler render motor.st --dialect matiec > tidy.st";
+
+const ENGINE_EXAMPLES: &str = r#"Example:
+  $ echo '{"type":"hello","protocol":1}' | stickler engine
+  {"type":"hello","protocol":1,"name":"reference",...}
+
+One JSON object a line; section 4 of the design describes them."#;
+
+const EXPLAIN_EXAMPLES: &str = "\
+Examples:
+  stickler explain P4035
+  stickler explain                                  all codes, one a line";
+
+const MATRIX_EXAMPLES: &str = "\
+Examples:
+  stickler matrix
+  stickler matrix --dialect plcnext";
+
+#[cfg(test)]
+mod tests {
+    use super::Arguments;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_contradicts_itself_nowhere() {
+        Arguments::command().debug_assert();
+    }
+}

@@ -1,0 +1,42 @@
+//! `stickler check`: what the reference finds wrong with one file.
+
+use crate::arguments::CheckArguments;
+use crate::exit::Exit;
+use crate::{snippet, source_file};
+use std::io::{self, Write};
+use stickler_engines::protocol::Reply;
+use stickler_engines::{Diagnostic, Outcome};
+use stickler_reference::LocatedDiagnostic;
+
+/// Shows the diagnostics; a program without any gets one line that says so.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn execute(arguments: &CheckArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let (bytes, path) = source_file::read(&arguments.source.file)?;
+    let dialect = arguments.source.dialect;
+    let (text, diagnostics) = stickler_reference::check_bytes(&bytes, dialect);
+    let exit = if diagnostics.is_empty() {
+        Exit::AsExpected
+    } else {
+        Exit::Failures
+    };
+    match (arguments.json, exit) {
+        (true, _) => write_json(diagnostics, out)?,
+        (false, Exit::AsExpected) => writeln!(out, "{path}: accepted in {dialect}")?,
+        (false, _) => snippet::write(&diagnostics, &text, &path, out)?,
+    }
+    Ok(exit)
+}
+
+/// The reply of the wire protocol.
+fn write_json(diagnostics: Vec<LocatedDiagnostic>, out: &mut dyn Write) -> io::Result<()> {
+    let diagnostics: Vec<Diagnostic> = diagnostics.into_iter().map(Diagnostic::from).collect();
+    let outcome = if diagnostics.is_empty() {
+        Outcome::Accepted
+    } else {
+        Outcome::Rejected { diagnostics }
+    };
+    serde_json::to_writer(&mut *out, &Reply::from_outcome(0, outcome))?;
+    writeln!(out)
+}

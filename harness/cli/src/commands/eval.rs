@@ -1,0 +1,80 @@
+//! `stickler eval`: one file, executed on the reference.
+
+use crate::arguments::EvalArguments;
+use crate::exit::Exit;
+use crate::{output, snippet, source_file};
+use anyhow::bail;
+use std::io::{self, Write};
+use stickler_reference::{Limits, Observation, Outcome, Request};
+use stickler_types::Value;
+
+/// How many values are shown where none is asked for.
+const MOST: usize = 1000;
+
+/// Prints the final values, as a `values` mark has them. Of a program that is rejected, the diagnostics go to stderr; of
+/// one that faults, the values so far are printed and the fault goes to stderr.
+///
+/// # Errors
+/// A file that cannot be read; a name that is no variable.
+pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let (bytes, path) = source_file::read(&arguments.source.file)?;
+    let dialect = arguments.source.dialect;
+    let (text, diagnostics) = stickler_reference::check_bytes(&bytes, dialect);
+    if !diagnostics.is_empty() {
+        snippet::write(&diagnostics, &text, &path, &mut output::stderr())?;
+        return Ok(Exit::Failures);
+    }
+    let names = names(arguments, &text);
+    let observe: Vec<Observation<'_>> = names
+        .iter()
+        .map(|name| Observation { name, after: None })
+        .collect();
+    let request = Request {
+        dialect,
+        source: &text,
+        scans: arguments.scans,
+        observe: &observe,
+        clock: &[],
+        set: &[],
+        limits: Limits::default(),
+    };
+    match stickler_reference::run(&request) {
+        Ok(Outcome::Executed { values }) => {
+            write_values(&values, out)?;
+            Ok(Exit::AsExpected)
+        }
+        Ok(Outcome::Faulted { fault, line, values }) => {
+            write_values(&values, out)?;
+            out.flush()?;
+            output::complain(&anyhow::anyhow!(
+                "{path}:{line}: the program stops with the fault {fault}"
+            ));
+            Ok(Exit::Failures)
+        }
+        Ok(Outcome::Rejected(diagnostics)) => {
+            snippet::write(&diagnostics, &text, &path, &mut output::stderr())?;
+            Ok(Exit::Failures)
+        }
+        Err(error) => bail!(error),
+    }
+}
+
+/// What was asked for, or all there is.
+fn names(arguments: &EvalArguments, text: &str) -> Vec<String> {
+    if !arguments.observe.is_empty() {
+        return arguments.observe.clone();
+    }
+    let names = stickler_reference::variables(text, arguments.source.dialect, MOST);
+    if names.len() == MOST {
+        output::note(format!(
+            "only the first {MOST} values are shown; --observe NAME shows others"
+        ));
+    }
+    names
+}
+
+fn write_values(values: &[(String, Value)], out: &mut dyn Write) -> io::Result<()> {
+    values
+        .iter()
+        .try_for_each(|(name, value)| writeln!(out, "{name} = {value}"))
+}

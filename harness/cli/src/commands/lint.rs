@@ -1,0 +1,44 @@
+//! `stickler lint`: the case files themselves.
+
+use crate::arguments::LintArguments;
+use crate::case_folder::CaseFolder;
+use crate::exit::Exit;
+use anstyle::{AnsiColor, Style};
+use std::io::{self, Write};
+use stickler_suite::{Finding, Severity};
+
+const ERROR: Style = AnsiColor::Red.on_default().bold();
+const WARNING: Style = AnsiColor::Yellow.on_default().bold();
+
+/// Shows every finding. The exit code is 2 where a file is broken, 1 where all can be run but something is doubtful.
+///
+/// # Errors
+/// No folder of cases.
+pub fn execute(arguments: &LintArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let folder = CaseFolder::locate(arguments.cases.as_deref())?;
+    let findings = stickler_suite::lint(&folder.path);
+    findings.iter().try_for_each(|finding| write(finding, out))?;
+    match findings.len() {
+        0 => writeln!(out, "{}: nothing to complain about", folder.path.display())?,
+        1 => writeln!(out, "\n1 finding")?,
+        number => writeln!(out, "\n{number} findings")?,
+    }
+    Ok(findings
+        .iter()
+        .map(|finding| exit(finding.severity))
+        .fold(Exit::AsExpected, Exit::worst))
+}
+
+fn write(finding: &Finding, out: &mut dyn Write) -> io::Result<()> {
+    match finding.severity {
+        Severity::Error => writeln!(out, "{ERROR}error:{ERROR:#} {}", finding.what),
+        Severity::Warning => writeln!(out, "{WARNING}warning:{WARNING:#} {}", finding.what),
+    }
+}
+
+fn exit(severity: Severity) -> Exit {
+    match severity {
+        Severity::Error => Exit::Usage,
+        Severity::Warning => Exit::Failures,
+    }
+}

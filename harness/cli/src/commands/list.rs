@@ -1,0 +1,119 @@
+//! `stickler list`: the cases, or the claims that they check.
+
+use crate::arguments::ListArguments;
+use crate::case_folder::{self, CaseFolder};
+use crate::exit::Exit;
+use anstyle::Style;
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::{self, Write};
+use stickler_report::claims::split_basis;
+use stickler_run::select;
+use stickler_suite::Case;
+
+const BOLD: Style = Style::new().bold();
+const DIM: Style = Style::new().dimmed();
+
+/// Lists what was selected.
+///
+/// # Errors
+/// No folder of cases; nothing selected.
+pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let suite = CaseFolder::locate(arguments.selection.cases.as_deref())?.load();
+    let plan = case_folder::plan(&arguments.selection, None);
+    let cases = select(&plan, &suite.cases);
+    if cases.is_empty() {
+        return Ok(case_folder::nothing_selected(&suite));
+    }
+    match (arguments.basis, arguments.json) {
+        (false, false) => cases
+            .iter()
+            .try_for_each(|case| writeln!(out, "{}@{}", case.id, case.dialect))?,
+        (false, true) => cases
+            .iter()
+            .try_for_each(|case| write_json(out, &CaseLine::new(case)))?,
+        (true, json) => write_claims(out, &claims(&cases), json)?,
+    }
+    Ok(case_folder::exit_of(&suite))
+}
+
+#[derive(Serialize)]
+struct CaseLine<'a> {
+    id: &'a str,
+    dialect: &'a str,
+    title: &'a str,
+    basis: &'a str,
+    file: &'a str,
+    line: u32,
+    tags: Vec<&'a str>,
+}
+
+impl<'a> CaseLine<'a> {
+    fn new(case: &'a Case) -> CaseLine<'a> {
+        CaseLine {
+            id: &case.id,
+            dialect: case.dialect.as_str(),
+            title: &case.title,
+            basis: &case.basis,
+            file: &case.file,
+            line: case.line,
+            tags: case.tags.iter().map(AsRef::as_ref).collect(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct ClaimLine<'a> {
+    source: &'a str,
+    section: &'a str,
+    cases: usize,
+    files: BTreeSet<&'a str>,
+}
+
+/// The claims of these cases, sorted by document and section.
+fn claims<'a>(cases: &[&'a Case]) -> Vec<ClaimLine<'a>> {
+    let mut claims: BTreeMap<(&str, &str), ClaimLine<'_>> = BTreeMap::new();
+    for case in cases {
+        let (source, section) = split_basis(&case.basis);
+        let claim = claims.entry((source, section)).or_insert_with(|| ClaimLine {
+            source,
+            section,
+            cases: 0,
+            files: BTreeSet::new(),
+        });
+        claim.cases += 1;
+        claim.files.insert(&case.file);
+    }
+    claims.into_values().collect()
+}
+
+fn write_claims(out: &mut dyn Write, claims: &[ClaimLine<'_>], json: bool) -> io::Result<()> {
+    if json {
+        return claims.iter().try_for_each(|claim| write_json(out, claim));
+    }
+    let mut source = None;
+    for claim in claims {
+        if source != Some(claim.source) {
+            let gap = if source.is_some() { "\n" } else { "" };
+            let sections = claims.iter().filter(|other| other.source == claim.source);
+            let cases: usize = sections.map(|section| section.cases).sum();
+            writeln!(out, "{gap}{BOLD}{}{BOLD:#}  {cases} cases", claim.source)?;
+            source = Some(claim.source);
+        }
+        let section = if claim.section.is_empty() {
+            "(whole document)"
+        } else {
+            claim.section
+        };
+        writeln!(out, "{:>8}  {section}", claim.cases)?;
+        for file in &claim.files {
+            writeln!(out, "          {DIM}{file}{DIM:#}")?;
+        }
+    }
+    Ok(())
+}
+
+fn write_json(out: &mut dyn Write, line: &impl Serialize) -> io::Result<()> {
+    serde_json::to_writer(&mut *out, line)?;
+    writeln!(out)
+}

@@ -1,0 +1,229 @@
+//! `stickler matrix`: which types convert implicitly, documents beside the reference.
+
+use crate::arguments::MatrixArguments;
+use crate::case_folder::{self, CaseFolder};
+use crate::exit::Exit;
+use anstyle::{AnsiColor, Style};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use stickler_engines::{Engine, Outcome, Reference, Session};
+use stickler_run::RunError;
+use stickler_suite::{Case, MatrixCell, Word};
+use stickler_types::{DialectName, ElementaryType};
+
+const BOLD: Style = Style::new().bold();
+const DIM: Style = Style::new().dimmed();
+const YES: Style = AnsiColor::Green.on_default();
+const BAD: Style = AnsiColor::Red.on_default().bold();
+
+/// How wide a table may be.
+const WIDTH: usize = 80;
+
+/// How wide the first column is: the longest name of a type and a space.
+const HEAD: usize = 8;
+
+/// The probe whose cells the matrix is made of.
+const PROBE: &str = "assignment";
+
+/// The types that are always shown. Basis: implicit-conversion-table, its rows and columns.
+const TYPES: [ElementaryType; 20] = [
+    ElementaryType::Bool,
+    ElementaryType::Sint,
+    ElementaryType::Int,
+    ElementaryType::Dint,
+    ElementaryType::Lint,
+    ElementaryType::Usint,
+    ElementaryType::Uint,
+    ElementaryType::Udint,
+    ElementaryType::Ulint,
+    ElementaryType::Real,
+    ElementaryType::Lreal,
+    ElementaryType::Byte,
+    ElementaryType::Word,
+    ElementaryType::Dword,
+    ElementaryType::Lword,
+    ElementaryType::Time,
+    ElementaryType::Date,
+    ElementaryType::Tod,
+    ElementaryType::Dt,
+    ElementaryType::String,
+];
+
+/// What the documents say of each pair, from the case files.
+type Documents = BTreeMap<(ElementaryType, ElementaryType), Word>;
+
+/// Shows one table a dialect.
+///
+/// # Errors
+/// No folder of cases, or no matrix in it.
+pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let suite = CaseFolder::locate(arguments.cases.as_deref())?.load();
+    let reference = Reference::default();
+    let mut session = reference.session().map_err(RunError::Engine)?;
+    let mut exit = case_folder::exit_of(&suite);
+    if !suite.cases.iter().any(|case| case.cell.is_some()) {
+        return Ok(case_folder::nothing_selected(&suite));
+    }
+    let asked = if arguments.dialect.is_empty() {
+        &DialectName::ALL[..]
+    } else {
+        &arguments.dialect
+    };
+    for dialect in asked {
+        let matrix = Matrix::new(*dialect, documents(&suite.cases, *dialect), session.as_mut());
+        matrix.write(out)?;
+        if matrix.differing() > 0 {
+            exit = exit.worst(Exit::Failures);
+        }
+    }
+    legend(out)?;
+    Ok(exit)
+}
+
+fn documents(cases: &[Case], dialect: DialectName) -> Documents {
+    cases
+        .iter()
+        .filter(|case| case.dialect == dialect)
+        .filter_map(|case| case.cell.as_deref())
+        .filter(|cell| &*cell.probe == PROBE)
+        .filter_map(|cell: &MatrixCell| {
+            let pair = (
+                ElementaryType::from_name(&cell.row)?,
+                ElementaryType::from_name(&cell.column)?,
+            );
+            Some((pair, cell.word))
+        })
+        .collect()
+}
+
+/// One dialect: what is said and what is done.
+struct Matrix {
+    dialect: DialectName,
+    types: Vec<ElementaryType>,
+    documents: Documents,
+    accepted: BTreeMap<(ElementaryType, ElementaryType), bool>,
+}
+
+impl Matrix {
+    fn new(dialect: DialectName, documents: Documents, session: &mut dyn Session) -> Matrix {
+        let named = |ty: &ElementaryType| documents.keys().any(|(row, column)| row == ty || column == ty);
+        let types: Vec<ElementaryType> = ElementaryType::ALL
+            .into_iter()
+            .filter(|ty| TYPES.contains(ty) || named(ty))
+            .collect();
+        let pairs = types
+            .iter()
+            .flat_map(|row| types.iter().map(|column| (*row, *column)));
+        let accepted = pairs
+            .map(|pair| (pair, accepts(session, dialect, pair)))
+            .collect();
+        Matrix {
+            dialect,
+            types,
+            documents,
+            accepted,
+        }
+    }
+
+    /// Whether the reference does what the documents do not say.
+    fn differs(&self, pair: (ElementaryType, ElementaryType)) -> bool {
+        let accepted = self.accepted.get(&pair).copied().unwrap_or(false);
+        match self.documents.get(&pair) {
+            Some(Word::Yes | Word::Same) => !accepted,
+            Some(Word::No) => accepted,
+            Some(Word::Open) | None => false,
+        }
+    }
+
+    fn differing(&self) -> usize {
+        self.documents.keys().filter(|pair| self.differs(**pair)).count()
+    }
+
+    fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        let (said, differing) = (self.documents.len(), self.differing());
+        writeln!(
+            out,
+            "{BOLD}{}{BOLD:#}  the documents speak of {said} pairs, {differing} differ",
+            self.dialect
+        )?;
+        for columns in self.blocks() {
+            write!(out, "{:HEAD$}", "")?;
+            columns
+                .iter()
+                .try_for_each(|column| write!(out, " {BOLD}{:>1$}{BOLD:#}", column.name(), width(*column)))?;
+            writeln!(out)?;
+            for row in &self.types {
+                write!(out, "{BOLD}{:<HEAD$}{BOLD:#}", row.name())?;
+                columns
+                    .iter()
+                    .try_for_each(|column| self.write_cell((*row, *column), out))?;
+                writeln!(out)?;
+            }
+            writeln!(out)?;
+        }
+        Ok(())
+    }
+
+    /// The columns, in pieces that fit the width.
+    fn blocks(&self) -> Vec<&[ElementaryType]> {
+        let mut blocks = Vec::new();
+        let (mut start, mut used) = (0, HEAD);
+        for (index, column) in self.types.iter().enumerate() {
+            let needed = 1 + width(*column);
+            if used + needed > WIDTH {
+                blocks.push(&self.types[start..index]);
+                (start, used) = (index, HEAD);
+            }
+            used += needed;
+        }
+        blocks.push(&self.types[start..]);
+        blocks
+    }
+
+    fn write_cell(&self, pair: (ElementaryType, ElementaryType), out: &mut dyn Write) -> io::Result<()> {
+        let accepted = self.accepted.get(&pair).copied().unwrap_or(false);
+        let said = match self.documents.get(&pair) {
+            Some(Word::Yes) => 'y',
+            Some(Word::Same) => '=',
+            Some(Word::No) => 'n',
+            Some(Word::Open) => '?',
+            None => ' ',
+        };
+        let done = if accepted { '+' } else { '-' };
+        let differs = self.differs(pair);
+        let mark = if differs { '!' } else { ' ' };
+        let style = match (differs, accepted) {
+            (true, _) => BAD,
+            (false, true) => YES,
+            (false, false) => DIM,
+        };
+        // At the right, so that no line ends in blanks.
+        let padding = width(pair.1) - 3;
+        write!(out, " {:padding$}{style}{mark}{said}{done}{style:#}", "")
+    }
+}
+
+fn width(column: ElementaryType) -> usize {
+    column.name().len().max(3)
+}
+
+/// Whether the reference takes a value of one type for a variable of the other.
+fn accepts(session: &mut dyn Session, dialect: DialectName, pair: (ElementaryType, ElementaryType)) -> bool {
+    let (from, into) = (pair.0.name(), pair.1.name());
+    let source = format!(
+        "PROGRAM main\nVAR\n    from : {from};\n    into : {into};\nEND_VAR\n    into := from;\nEND_PROGRAM\n"
+    );
+    matches!(session.check(dialect, &source), Outcome::Accepted)
+}
+
+fn legend(out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "A row is the value's type, a column the target's. In a cell, first the documents:"
+    )?;
+    writeln!(
+        out,
+        "y yes, n no, = same type, ? open, blank not said; then the reference: + accepts,"
+    )?;
+    writeln!(out, "- rejects. ! stands where they differ.")
+}

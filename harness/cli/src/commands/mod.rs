@@ -1,0 +1,38 @@
+//! One module a command.
+
+mod check;
+mod engine;
+mod eval;
+mod explain;
+mod lint;
+mod list;
+mod matrix;
+mod render;
+mod run;
+mod show;
+
+use crate::arguments::{Arguments, Command, RunArguments};
+use crate::exit::Exit;
+use std::io::Write;
+
+/// Does what the command line says; results go to `out`.
+///
+/// # Errors
+/// What kept the command from its work.
+pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    match arguments
+        .command
+        .unwrap_or_else(|| Command::Run(RunArguments::default()))
+    {
+        Command::Run(arguments) => run::execute(&arguments, out),
+        Command::List(arguments) => list::execute(&arguments, out),
+        Command::Show(arguments) => show::execute(&arguments, out),
+        Command::Lint(arguments) => lint::execute(&arguments, out),
+        Command::Check(arguments) => check::execute(&arguments, out),
+        Command::Eval(arguments) => eval::execute(&arguments, out),
+        Command::Render(arguments) => render::execute(&arguments, out),
+        Command::Engine => engine::execute(),
+        Command::Explain(arguments) => explain::execute(&arguments, out),
+        Command::Matrix(arguments) => matrix::execute(&arguments, out),
+    }
+}

@@ -1,0 +1,31 @@
+//! `stickler render`: one file in normal form.
+
+use crate::arguments::SourceArguments;
+use crate::exit::Exit;
+use crate::{output, snippet, source_file};
+use std::io::Write;
+use stickler_reference::source;
+
+/// Prints the normalised source; of a file that cannot be read as a program, the diagnostics go to stderr.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn execute(arguments: &SourceArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let (bytes, path) = source_file::read(&arguments.file)?;
+    let (text, broken) = source::decode(&bytes);
+    // Bytes that are no text were replaced; giving the replacement back as the source would hide that.
+    let rendered = match broken.is_empty() {
+        true => stickler_reference::render(&text, arguments.dialect),
+        false => Err(stickler_reference::check_bytes(&bytes, arguments.dialect).1),
+    };
+    match rendered {
+        Ok(rendered) => {
+            out.write_all(rendered.as_bytes())?;
+            Ok(Exit::AsExpected)
+        }
+        Err(diagnostics) => {
+            snippet::write(&diagnostics, &text, &path, &mut output::stderr())?;
+            Ok(Exit::Failures)
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! `stickler run`: cases over engines, judged and reported.
+
+use crate::arguments::RunArguments;
+use crate::case_folder::{self, CaseFolder};
+use crate::exit::{Exit, NoSuchEngine};
+use crate::progress::Progress;
+use crate::{interrupt, shell};
+use jiff::{Timestamp, Unit};
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use stickler_engines::{Engine, Reference};
+use stickler_report::terminal::{self, Surroundings};
+use stickler_report::{Overview, ReportError, Reports};
+use stickler_run::{Event, Plan, Summary, select};
+
+/// Runs, writes the reports, shows a summary.
+///
+/// # Errors
+/// A wrong command line, an engine that cannot be run, no case, or reports that cannot be written. All but a disk that
+/// fills up is found before the first case.
+pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let engines = engines(&arguments.engine)?;
+    let engines: Vec<&dyn Engine> = engines.iter().map(AsRef::as_ref).collect();
+    let folder = CaseFolder::locate(arguments.selection.cases.as_deref())?;
+    let suite = folder.load();
+    let plan = plan(arguments);
+    if select(&plan, &suite.cases).is_empty() {
+        return Ok(case_folder::nothing_selected(&suite));
+    }
+    let report_folder = report_folder(arguments, &folder);
+    let cancel = interrupt::flag()?;
+    let mut desk = Desk::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
+    let summary = stickler_run::run(&plan, &suite, &engines, &mut |event| desk.take(&event), cancel);
+    let overview = desk.finish()?;
+    let shown = report_folder.map(|folder| folder.display().to_string());
+    show(&overview, shown.as_deref(), out)?;
+    Ok(exit(&summary?).worst(case_folder::exit_of(&suite)))
+}
+
+/// The engines of these names, each once; the reference where none is named.
+fn engines(names: &[String]) -> Result<Vec<Box<dyn Engine>>, NoSuchEngine> {
+    match names.iter().find(|name| *name != "reference") {
+        Some(unknown) => Err(NoSuchEngine(unknown.clone())),
+        None => Ok(vec![Box::new(Reference::default())]),
+    }
+}
+
+fn plan(arguments: &RunArguments) -> Plan {
+    let now = Timestamp::now();
+    Plan {
+        jobs: arguments.jobs.map_or(0, usize::from),
+        // Rounding a time to seconds fails only at the end of time.
+        started: now.round(Unit::Second).unwrap_or(now).to_string(),
+        command: shell::command_line(),
+        ..case_folder::plan(&arguments.selection, arguments.shard)
+    }
+}
+
+fn report_folder(arguments: &RunArguments, folder: &CaseFolder) -> Option<PathBuf> {
+    match &arguments.report {
+        _ if arguments.no_report => None,
+        Some(named) => Some(named.clone()),
+        None => Some(folder.root.join("reports").join("latest")),
+    }
+}
+
+/// Where the events of a run arrive, and go on to every report.
+struct Desk<'c> {
+    overview: Overview,
+    reports: Option<Reports>,
+    progress: Option<Progress>,
+    /// Why the reports are no longer written.
+    broken: Option<ReportError>,
+    cancel: &'c AtomicBool,
+}
+
+impl<'c> Desk<'c> {
+    fn new(reports: Option<Reports>, cancel: &'c AtomicBool) -> Desk<'c> {
+        Desk {
+            overview: Overview::default(),
+            reports,
+            progress: None,
+            broken: None,
+            cancel,
+        }
+    }
+
+    fn take(&mut self, event: &Event) {
+        self.overview.take(event);
+        match event {
+            Event::Header(header) => self.progress = Some(Progress::new(header.cases)),
+            Event::Case(_) => self
+                .progress
+                .iter()
+                .for_each(|bar| bar.advance(self.overview.failed)),
+            Event::Footer(_) => {}
+        }
+        if self.broken.is_none()
+            && let Some(Err(error)) = self.reports.as_mut().map(|reports| reports.take(event))
+        {
+            // Going on would be work for nothing.
+            self.cancel.store(true, Ordering::Relaxed);
+            self.broken = Some(error);
+        }
+    }
+
+    /// Completes the reports.
+    fn finish(self) -> Result<Overview, ReportError> {
+        self.progress.iter().for_each(Progress::finish);
+        if let Some(error) = self.broken {
+            return Err(error);
+        }
+        if let Some(reports) = self.reports {
+            reports.finish(&self.overview)?;
+        }
+        Ok(self.overview)
+    }
+}
+
+/// The summary on the terminal. Where nobody reads it, the run still counts: its reports are written.
+fn show(overview: &Overview, reports: Option<&str>, out: &mut dyn Write) -> io::Result<()> {
+    let written = terminal::write(out, overview, Surroundings { reports }).and_then(|()| out.flush());
+    match written {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        other => other,
+    }
+}
+
+fn exit(summary: &Summary) -> Exit {
+    match (summary.cancelled, summary.totals.unexpected()) {
+        (true, _) => Exit::Interrupted,
+        (false, 0) => Exit::AsExpected,
+        (false, _) => Exit::Failures,
+    }
+}

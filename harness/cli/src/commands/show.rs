@@ -1,0 +1,162 @@
+//! `stickler show`: one case.
+
+use crate::arguments::{SelectionArguments, ShowArguments};
+use crate::case_folder::{self, CaseFolder};
+use crate::exit::Exit;
+use crate::output;
+use anstyle::Style;
+use anyhow::bail;
+use std::io::{self, Write};
+use stickler_engines::Outcome;
+use stickler_run::{Answers, Grade, Plan, judge};
+use stickler_suite::{Case, Suite};
+
+const BOLD: Style = Style::new().bold();
+const DIM: Style = Style::new().dimmed();
+
+/// How many names are suggested for one that is no case.
+const SUGGESTIONS: usize = 5;
+
+/// Longer names are compared with no id: they are no slips of the finger.
+const LONGEST_NAME: usize = 200;
+
+/// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
+///
+/// # Errors
+/// No folder of cases; no such case, with those that look like it.
+pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let suite = CaseFolder::locate(arguments.cases.as_deref())?.load();
+    let named: Vec<&Case> = suite
+        .cases
+        .iter()
+        .filter(|case| is_named(case, &arguments.case))
+        .collect();
+    if named.is_empty() {
+        bail!("{}", no_such_case(&suite, &arguments.case));
+    }
+    let selection = SelectionArguments {
+        cases: arguments.cases.clone(),
+        ..SelectionArguments::default()
+    };
+    let plan = case_folder::plan(&selection, None);
+    for (number, group) in groups(&named).iter().enumerate() {
+        if number > 0 {
+            writeln!(out, "\n{DIM}{}{DIM:#}\n", "-".repeat(80))?;
+        }
+        write_group(group, &plan, out)?;
+    }
+    Ok(case_folder::exit_of(&suite))
+}
+
+fn is_named(case: &Case, name: &str) -> bool {
+    match name.strip_prefix(&*case.id) {
+        Some("") => true,
+        Some(rest) => rest.strip_prefix('@') == Some(case.dialect.as_str()),
+        None => false,
+    }
+}
+
+/// The cases that differ in nothing but the dialect, together.
+fn groups<'a>(cases: &[&'a Case]) -> Vec<Vec<&'a Case>> {
+    let mut groups: Vec<Vec<&Case>> = Vec::new();
+    for case in cases {
+        match groups
+            .iter_mut()
+            .find(|group| group.first().is_some_and(|first| same(first, case)))
+        {
+            Some(group) => group.push(case),
+            None => groups.push(vec![case]),
+        }
+    }
+    groups
+}
+
+fn same(one: &Case, other: &Case) -> bool {
+    *one == Case {
+        dialect: one.dialect,
+        ..other.clone()
+    }
+}
+
+fn write_group(group: &[&Case], plan: &Plan, out: &mut dyn Write) -> io::Result<()> {
+    let Some(case) = group.first() else { return Ok(()) };
+    let dialects: Vec<&str> = group.iter().map(|case| case.dialect.as_str()).collect();
+    writeln!(out, "{BOLD}{}{BOLD:#}\n{}\n", case.id, case.title)?;
+    if let Some(summary) = &case.summary {
+        writeln!(out, "{}\n", output::wrap(summary))?;
+    }
+    writeln!(out, "{DIM}basis{DIM:#}     {}", case.basis)?;
+    writeln!(out, "{DIM}dialects{DIM:#}  {}", dialects.join(", "))?;
+    writeln!(out, "{DIM}at{DIM:#}        {}:{}", case.file, case.line)?;
+    if !case.tags.is_empty() {
+        writeln!(out, "{DIM}tags{DIM:#}      {}", case.tags.join(", "))?;
+    }
+    if case.scans != 1 {
+        writeln!(out, "{DIM}scans{DIM:#}     {}", case.scans)?;
+    }
+    writeln!(out, "\n{BOLD}Program{BOLD:#}\n")?;
+    for (number, line) in case.source.lines().enumerate() {
+        writeln!(out, "{DIM}{:>4}{DIM:#}  {line}", number + 1)?;
+    }
+    writeln!(out, "\n{BOLD}Expected{BOLD:#}\n")?;
+    write_expectation(case, out)?;
+    writeln!(out, "\n{BOLD}Run it{BOLD:#}\n")?;
+    group
+        .iter()
+        .try_for_each(|case| writeln!(out, "  {}", plan.rerun(case, "reference")))
+}
+
+/// As reports write it. What an engine answers does not change what is expected, so any answer will do.
+fn write_expectation(case: &Case, out: &mut dyn Write) -> io::Result<()> {
+    let answers = Answers::of_run(Outcome::Unsupported {
+        reason: String::new(),
+    });
+    let expected = judge(case, &answers, Grade::Code).expected;
+    for line in expected.lines() {
+        writeln!(out, "  {line}")?;
+    }
+    let asserted = |name: &str| case.expectation.values.iter().any(|value| &*value.name == name);
+    for observed in case.observe.iter().filter(|observed| !asserted(&observed.name)) {
+        writeln!(
+            out,
+            "  {} : {} is recorded and not judged",
+            observed.name, observed.ty
+        )?;
+    }
+    Ok(())
+}
+
+fn no_such_case(suite: &Suite, name: &str) -> String {
+    let close = suggestions(suite, name);
+    if close.is_empty() {
+        return format!("there is no case `{name}`; `stickler list` lists all");
+    }
+    format!(
+        "there is no case `{name}`; did you mean one of these?\n  {}",
+        close.join("\n  ")
+    )
+}
+
+/// Ids that contain the name, or else those that are spelled most like it.
+fn suggestions<'a>(suite: &'a Suite, name: &str) -> Vec<&'a str> {
+    let name = name.split('@').next().unwrap_or(name);
+    let mut ids: Vec<&str> = suite.cases.iter().map(|case| &*case.id).collect();
+    ids.sort_unstable();
+    ids.dedup();
+    let mut close: Vec<&str> = ids
+        .iter()
+        .copied()
+        .filter(|id| id.contains(name))
+        .take(SUGGESTIONS)
+        .collect();
+    if close.is_empty() && name.len() <= LONGEST_NAME {
+        let mut near: Vec<(usize, &str)> = ids
+            .iter()
+            .map(|id| (strsim::levenshtein(id, name), *id))
+            .filter(|(distance, id)| *distance <= id.len() / 3)
+            .collect();
+        near.sort_unstable();
+        close = near.into_iter().map(|(_, id)| id).take(SUGGESTIONS).collect();
+    }
+    close
+}

@@ -1,0 +1,147 @@
+//! The exit codes of `stickler`: one list, from which the code, the help text and the README are held.
+
+use std::fmt;
+use std::process::ExitCode;
+use stickler_run::RunError;
+
+/// How a command ended, as its caller sees it.
+///
+/// Where several apply, [`Exit::worst`] decides: what kept a command from doing its work outranks what the work
+/// found, so that a pipeline never takes a half-read suite for a verdict on a compiler.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Exit {
+    /// All is as expected.
+    AsExpected,
+    /// An engine did not do what a case expects; `check`, `eval` and `render`: the program is rejected or faults;
+    /// `matrix`: a cell differs; `lint`: a finding.
+    Failures,
+    /// The command line, a case file, or a file or folder that was named cannot be used.
+    Usage,
+    /// An engine could not be run at all.
+    EngineNotRun,
+    /// The filters left no case.
+    NothingSelected,
+    /// Stopped by Ctrl-C; the event log lacks its footer.
+    Interrupted,
+}
+
+impl Exit {
+    /// Every exit code, in the order of their numbers.
+    pub const ALL: [Exit; 6] = [
+        Exit::AsExpected,
+        Exit::Failures,
+        Exit::Usage,
+        Exit::EngineNotRun,
+        Exit::NothingSelected,
+        Exit::Interrupted,
+    ];
+
+    /// The number that the process ends with.
+    ///
+    /// Basis: section 5 of the design; 130 is what shells give a process that SIGINT ended.
+    pub const fn number(self) -> u8 {
+        match self {
+            Exit::AsExpected => 0,
+            Exit::Failures => 1,
+            Exit::Usage => 2,
+            Exit::EngineNotRun => 3,
+            Exit::NothingSelected => 4,
+            Exit::Interrupted => 130,
+        }
+    }
+
+    /// One line for the help text.
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Exit::AsExpected => "all is as expected",
+            Exit::Failures => "conformance failures (check, eval, render: the program is rejected or faults)",
+            Exit::Usage => "wrong usage, a broken case file, or a file or folder that cannot be used",
+            Exit::EngineNotRun => "an engine could not be run",
+            Exit::NothingSelected => "no case selected",
+            Exit::Interrupted => "stopped by Ctrl-C",
+        }
+    }
+
+    /// The one of two that the process reports: 130 over 3 over 2 over 4 over 1 over 0.
+    pub fn worst(self, other: Exit) -> Exit {
+        if self.rank() >= other.rank() { self } else { other }
+    }
+
+    const fn rank(self) -> u8 {
+        match self {
+            Exit::AsExpected => 0,
+            Exit::Failures => 1,
+            Exit::NothingSelected => 2,
+            Exit::Usage => 3,
+            Exit::EngineNotRun => 4,
+            Exit::Interrupted => 5,
+        }
+    }
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> ExitCode {
+        ExitCode::from(exit.number())
+    }
+}
+
+/// The exit code of an error that ended a command.
+///
+/// All that is not said otherwise here is [`Exit::Usage`]: a file that cannot be read, a folder that cannot be written.
+pub fn of_error(error: &anyhow::Error) -> Exit {
+    match error.downcast_ref::<RunError>() {
+        Some(RunError::NoCaseSelected) => Exit::NothingSelected,
+        Some(RunError::Engine(_) | RunError::Workers(_)) => Exit::EngineNotRun,
+        None if error.is::<NoSuchEngine>() => Exit::EngineNotRun,
+        None => Exit::Usage,
+    }
+}
+
+/// An engine that this version cannot run.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error(
+    "there is no engine `{0}`; the only one so far is `reference`, adapters to other compilers come later"
+)]
+pub struct NoSuchEngine(pub String);
+
+/// The list of exit codes as `--help` shows it.
+pub struct Listing;
+
+impl fmt::Display for Listing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "Exit codes:")?;
+        for exit in Exit::ALL {
+            writeln!(f, "  {:>3}  {}", exit.number(), exit.meaning())?;
+        }
+        write!(f, "Where several apply: 130 over 3 over 2 over 4 over 1.")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Exit;
+
+    #[test]
+    fn what_kept_a_command_from_its_work_outranks_what_the_work_found() {
+        assert_eq!(Exit::Failures.worst(Exit::Usage), Exit::Usage);
+        assert_eq!(Exit::Usage.worst(Exit::Failures), Exit::Usage);
+        assert_eq!(Exit::NothingSelected.worst(Exit::Usage), Exit::Usage);
+        assert_eq!(Exit::EngineNotRun.worst(Exit::Interrupted), Exit::Interrupted);
+        assert_eq!(Exit::AsExpected.worst(Exit::Failures), Exit::Failures);
+    }
+
+    #[test]
+    fn the_readme_has_the_same_list() {
+        let readme = include_str!("../../../README.md");
+        for exit in Exit::ALL {
+            let row = format!("\n| {} | {} |\n", exit.number(), exit.meaning());
+            assert!(readme.contains(&row), "{row}");
+        }
+    }
+
+    #[test]
+    fn the_numbers_are_the_designs() {
+        let numbers: Vec<u8> = Exit::ALL.iter().map(|exit| exit.number()).collect();
+        assert_eq!(numbers, [0, 1, 2, 3, 4, 130]);
+    }
+}

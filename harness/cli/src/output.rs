@@ -1,0 +1,84 @@
+//! The two streams: results on stdout, all else on stderr; colours only where they belong.
+
+use anstyle::{AnsiColor, Style};
+use std::fmt::Display;
+use std::io::{self, BufWriter, Write};
+
+const ERROR: Style = AnsiColor::Red.on_default().bold();
+const NOTE: Style = Style::new().bold();
+
+/// Standard output, gathered into large pieces, its styles stripped where it is no terminal or `NO_COLOR` is set.
+pub fn stdout() -> impl Write {
+    BufWriter::with_capacity(1 << 16, anstream::stdout())
+}
+
+/// Standard error, its styles stripped as those of [`stdout`] are.
+pub fn stderr() -> impl Write {
+    anstream::stderr()
+}
+
+/// Whether the error says only that nobody reads on, as in `stickler list | head`.
+pub fn reader_is_gone(error: &anyhow::Error) -> bool {
+    error
+        .chain()
+        .filter_map(|cause| cause.downcast_ref::<io::Error>())
+        .any(|cause| cause.kind() == io::ErrorKind::BrokenPipe)
+}
+
+/// Writes an error and its causes to stderr.
+pub fn complain(error: &anyhow::Error) {
+    let causes: Vec<String> = error.chain().map(ToString::to_string).collect();
+    // Where stderr is closed there is nobody to tell.
+    let _ = writeln!(anstream::stderr(), "{ERROR}error:{ERROR:#} {}", causes.join(": "));
+}
+
+/// Writes something worth knowing to stderr.
+pub fn note(text: impl Display) {
+    // As above.
+    let _ = writeln!(anstream::stderr(), "{NOTE}note:{NOTE:#} {text}");
+}
+
+/// How wide a paragraph is.
+const WIDTH: usize = 80;
+
+/// A paragraph in lines of at most 80 characters, but for words that are longer.
+pub fn wrap(paragraph: &str) -> String {
+    let mut text = String::with_capacity(paragraph.len() + 1);
+    let mut column = 0;
+    for word in paragraph.split_whitespace() {
+        let width = word.chars().count();
+        match column {
+            0 => {}
+            _ if column + 1 + width > WIDTH => {
+                text.push('\n');
+                column = 0;
+            }
+            _ => {
+                text.push(' ');
+                column += 1;
+            }
+        }
+        text.push_str(word);
+        column += width;
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{WIDTH, wrap};
+
+    #[test]
+    fn a_paragraph_is_broken_between_words_and_loses_none() {
+        let paragraph = "word ".repeat(100) + &"x".repeat(WIDTH + 5) + " end";
+        let wrapped = wrap(&paragraph);
+        assert!(wrapped.split_whitespace().eq(paragraph.split_whitespace()));
+        assert!(
+            wrapped
+                .lines()
+                .all(|line| line.len() <= WIDTH || !line.contains(' ')),
+            "{wrapped}"
+        );
+        assert!(wrapped.lines().count() <= 9, "{wrapped}");
+    }
+}

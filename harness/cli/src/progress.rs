@@ -1,0 +1,35 @@
+//! The bar that shows how far a run is, on stderr and only where that is a terminal.
+
+use indicatif::{ProgressBar, ProgressStyle};
+use std::time::Duration;
+
+/// How far a run is.
+pub struct Progress {
+    bar: ProgressBar,
+}
+
+impl Progress {
+    /// A bar for so many cases; it shows nothing where stderr is no terminal.
+    pub fn new(cases: u64) -> Progress {
+        let bar = ProgressBar::new(cases);
+        // The template is a constant; if it were wrong, the bar would look plain.
+        if let Ok(style) = ProgressStyle::with_template("{wide_bar} {human_pos}/{human_len} {elapsed}{msg}") {
+            bar.set_style(style);
+        }
+        bar.enable_steady_tick(Duration::from_millis(100));
+        Progress { bar }
+    }
+
+    /// One case more, and how many of all so far were not as expected.
+    pub fn advance(&self, failed: u64) {
+        self.bar.inc(1);
+        if failed > 0 && self.bar.position().is_multiple_of(64) {
+            self.bar.set_message(format!(", {failed} not as expected"));
+        }
+    }
+
+    /// Takes the bar away.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}

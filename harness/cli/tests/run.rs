@@ -1,0 +1,227 @@
+//! What a run leaves behind: reports, exit codes, and a readable log when it is cut short.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use stickler_report::events::{self, Completeness};
+use stickler_run::Event;
+
+const SUITE: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/tests/cmd/suite.in/conformance-cases"
+);
+
+fn stickler(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_stickler"));
+    // Rerun commands name `stickler` itself unless cargo ran it, and here cargo runs the tests.
+    command
+        .env("CARGO_MANIFEST_DIR", "")
+        .current_dir(folder)
+        .args(arguments)
+        .stdin(Stdio::null());
+    command
+}
+
+fn output(folder: &Path, arguments: &[&str]) -> Output {
+    stickler(folder, arguments).output().expect("the command runs")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn read_log(path: &Path) -> (Vec<Event>, Completeness) {
+    let mut events = Vec::new();
+    let bytes = fs::read(path).expect("an event log");
+    let completeness = events::read(&bytes[..], &mut |event| events.push(event)).expect("a readable log");
+    (events, completeness)
+}
+
+#[test]
+fn a_run_writes_every_report_about_the_same_cases() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let run = output(folder.path(), &["run", "--cases", SUITE]);
+    assert_eq!(run.status.code(), Some(1), "{}", text(&run.stderr));
+    let latest = folder.path().join("reports/latest");
+    let (events, completeness) = read_log(&latest.join("events.jsonl"));
+    assert_eq!(completeness, Completeness::Complete);
+    let cases = events
+        .iter()
+        .filter(|event| matches!(event, Event::Case(_)))
+        .count();
+    let results: serde_json::Value =
+        serde_json::from_slice(&fs::read(latest.join("results.json")).expect("results")).expect("JSON");
+    assert_eq!(results["cases"].as_array().map(Vec::len), Some(cases));
+    assert_eq!(results["engines"][0]["totals"]["pass"], cases - 1);
+    let junit = fs::read_to_string(latest.join("junit.xml")).expect("JUnit");
+    let claims = results["claims"].as_array().map_or(0, Vec::len);
+    assert_eq!(junit.matches("<testcase ").count(), claims + cases);
+    assert_eq!(junit.matches("<failure ").count(), 2, "the case and its claim");
+    let summary = fs::read_to_string(latest.join("summary.md")).expect("a summary");
+    assert!(
+        summary.starts_with(&format!("# Stickler: 1 of {cases} cases not as expected\n")),
+        "{summary}"
+    );
+}
+
+#[test]
+fn the_rerun_command_of_a_failure_runs_that_case_alone() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    output(folder.path(), &["run", "--cases", SUITE]);
+    let (events, _) = read_log(&folder.path().join("reports/latest/events.jsonl"));
+    let rerun = events.iter().find_map(|event| match event {
+        Event::Case(case) if !case.verdict.is_as_expected() => Some(case.rerun.clone()),
+        _ => None,
+    });
+    let rerun = rerun.expect("a failure");
+    let arguments = rerun.strip_prefix("stickler ").expect("a command line");
+    let program = env!("CARGO_BIN_EXE_stickler");
+    let shell = Command::new("sh")
+        .current_dir(folder.path())
+        .args(["-c", &format!("'{program}' {arguments}")])
+        .output()
+        .expect("a shell");
+    assert_eq!(shell.status.code(), Some(1), "{rerun}");
+    assert!(
+        text(&shell.stdout).contains("1 of 1 case not as expected"),
+        "{}",
+        text(&shell.stdout)
+    );
+}
+
+#[test]
+fn the_parts_of_a_divided_run_are_the_whole() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let ids = |arguments: &[&str], report: &str| {
+        let common = ["run", "--cases", SUITE, "--report", report];
+        output(folder.path(), &[&common, arguments].concat());
+        let (events, _) = read_log(&folder.path().join(report).join("events.jsonl"));
+        let mut ids: Vec<String> = events
+            .iter()
+            .filter_map(|event| match event {
+                Event::Case(case) => Some(format!("{}@{}", case.id, case.dialect)),
+                Event::Header(_) | Event::Footer(_) => None,
+            })
+            .collect();
+        ids.sort();
+        ids
+    };
+    let mut parts = [ids(&["--shard", "1/2"], "one"), ids(&["--shard", "2/2"], "two")].concat();
+    parts.sort();
+    assert_eq!(parts, ids(&[], "whole"));
+}
+
+#[test]
+fn a_report_folder_that_cannot_be_written_is_an_error_before_the_run() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("blocked"), "").expect("a file in the way");
+    let run = output(
+        folder.path(),
+        &["run", "--cases", SUITE, "--report", "blocked/latest"],
+    );
+    assert_eq!(run.status.code(), Some(2));
+    assert!(
+        text(&run.stderr).contains("cannot write blocked/latest"),
+        "{}",
+        text(&run.stderr)
+    );
+    assert_eq!(text(&run.stdout), "", "nothing was run");
+}
+
+#[test]
+fn a_filter_that_leaves_nothing_keeps_the_reports_of_the_last_run() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    output(folder.path(), &["run", "--cases", SUITE]);
+    let run = output(
+        folder.path(),
+        &["run", "--cases", SUITE, "--filter", "nothing-like-this"],
+    );
+    assert_eq!(run.status.code(), Some(4));
+    let (_, completeness) = read_log(&folder.path().join("reports/latest/events.jsonl"));
+    assert_eq!(completeness, Completeness::Complete);
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_error() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut list = stickler(folder.path(), &["list", "--cases", SUITE])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    drop(list.stdout.take());
+    let end = list.wait_with_output().expect("the command ends");
+    assert_eq!(end.status.code(), Some(0));
+    assert_eq!(text(&end.stderr), "");
+}
+
+/// A suite that takes minutes: each case runs into the step limit.
+fn slow_suite(folder: &Path) {
+    let cases = folder.join("conformance-cases/language");
+    fs::create_dir_all(&cases).expect("a folder of cases");
+    fs::copy(
+        format!("{SUITE}/dialects.toml"),
+        folder.join("conformance-cases/dialects.toml"),
+    )
+    .expect("dialects");
+    fs::copy(
+        format!("{SUITE}/suite.toml"),
+        folder.join("conformance-cases/suite.toml"),
+    )
+    .expect("a version");
+    let rows: String = (0..2000).map(|number| format!("[\"{number}\"],\n")).collect();
+    let table = format!(
+        "title = \"Endless\"\nbasis = \"stickler-design: §4\"\ndialects = [\"matiec\"]\n\
+         columns = [\"number\"]\nrows = [\n{rows}]\n\n[[probe]]\nname = \"loop\"\nsource = \"\"\"\n\
+         PROGRAM main\nVAR\n    a : INT := {{number}};\nEND_VAR\n\
+         WHILE a = a DO (*! fault step-limit *)\n    a := a;\nEND_WHILE;\nEND_PROGRAM\n\"\"\"\n"
+    );
+    fs::write(cases.join("endless.toml"), table).expect("a table");
+}
+
+/// Waits until the log has its header, or the run is over.
+fn wait_for_header(run: &mut Child, log: &Path) {
+    while fs::read(log).map_or(true, |bytes| !bytes.contains(&b'\n')) {
+        assert_eq!(
+            run.try_wait().expect("a child"),
+            None,
+            "the run ended before it began"
+        );
+        std::thread::yield_now();
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_a_readable_log_that_is_marked_as_cut_short() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    slow_suite(folder.path());
+    let mut run = stickler(folder.path(), &["run", "--jobs", "1"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    let log = folder.path().join("reports/latest/events.jsonl");
+    wait_for_header(&mut run, &log);
+    let killed = Command::new("kill")
+        .args(["-INT", &run.id().to_string()])
+        .status()
+        .expect("kill");
+    assert!(killed.success());
+    let end = run.wait_with_output().expect("the run ends");
+    assert_eq!(end.status.code(), Some(130), "{}", text(&end.stderr));
+    let (_, completeness) = read_log(&log);
+    let Completeness::Truncated { cases } = completeness else {
+        panic!("the run was cut short")
+    };
+    assert!(cases < 2000);
+    assert!(
+        text(&end.stdout).contains("Cut short after"),
+        "{}",
+        text(&end.stdout)
+    );
+    let left: Vec<_> = fs::read_dir(log.parent().expect("a folder"))
+        .expect("the folder")
+        .collect();
+    assert_eq!(left.len(), 1, "only the log is left: {left:?}");
+}
