@@ -215,9 +215,13 @@ impl<'u> Declarer<'u, '_> {
             _ => false,
         };
         match initializer.kind {
-            InitializerKind::Expression(id) if counts => {
-                self.evaluate(id).map_or(Constant::NotInteger, Constant::Value)
-            }
+            InitializerKind::Expression(id) if counts => match self.evaluate(id) {
+                Ok(number) => Constant::Value(number),
+                // This may well be an initial value, if not one that is known here.
+                Err(Some(reason)) if reason.code == Code::VariableMustBeConst => Constant::NotInteger,
+                // Lowering says what is wrong with it.
+                Err(_) => Constant::Silent,
+            },
             _ => Constant::NotInteger,
         }
     }

@@ -107,7 +107,7 @@ impl<'m> Lowering<'m> {
 
     fn name(&mut self, id: ExpressionId, name: Name<'m>, wanted: Option<TypeId>) -> Value {
         if let Some((_, variable)) = self.variable(name.text) {
-            return match (variable.value, variable.ty.elementary()) {
+            return match (variable.number(), variable.ty.elementary()) {
                 (Some(number), Some(ty)) => {
                     self.emit(Instruction::Push(ty.wrap(number)));
                     Value {

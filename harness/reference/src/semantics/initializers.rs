@@ -187,11 +187,9 @@ impl<'m> Lowering<'m> {
 
     /// The number that an expression stands for; where it stands for none, that is said.
     fn constant(&mut self, id: ExpressionId) -> Option<i128> {
-        let lookup = |name: Name<'m>| match self.variable(name.text) {
-            None => Constant::Unknown,
-            Some((_, variable)) if !variable.constant => Constant::Variable,
-            Some((_, variable)) if variable.ty == TypeId::ERROR => Constant::Silent,
-            Some((_, variable)) => variable.value.map_or(Constant::NotInteger, Constant::Value),
+        let lookup = |name: Name<'m>| {
+            let variable = self.variable(name.text);
+            variable.map_or(Constant::Unknown, |(_, variable)| variable.value)
         };
         match (Evaluator {
             source: self.model.source,

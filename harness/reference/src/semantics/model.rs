@@ -1,6 +1,7 @@
 //! What the declarations of a source text say: types, program organization units, variables and where they
 //! lie. It is made once, by `declare`, and only read while bodies are lowered.
 
+use super::constants::Constant;
 use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
 use crate::dialect::Dialect;
@@ -131,8 +132,18 @@ pub(super) struct Variable<'u> {
     pub(super) initializer: Option<&'u Initializer<'u>>,
     /// It shares the initial value with a variable before it, which is not to be complained about twice.
     pub(super) repeated: bool,
+    /// What its name means in a constant expression.
+    pub(super) value: Constant,
+}
+
+impl Variable<'_> {
     /// The number that a constant of an integer type stands for.
-    pub(super) value: Option<i128>,
+    pub(super) fn number(&self) -> Option<i128> {
+        match self.value {
+            Constant::Value(number) => Some(number),
+            _ => None,
+        }
+    }
 }
 
 /// Where a variable lies.

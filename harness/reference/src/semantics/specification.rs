@@ -320,13 +320,7 @@ impl<'u> Declarer<'u, '_> {
         let variable = local.map(|&index| self.model.variable(index));
         match variable.filter(|variable| variable.kind != VariableKind::External) {
             None => self.exact.get(&name).copied().unwrap_or(Constant::Unknown),
-            Some(variable) if !variable.constant => Constant::Variable,
-            Some(variable) => match variable.value {
-                Some(value) => Constant::Value(value),
-                None if variable.ty == TypeId::ERROR => Constant::Silent,
-                None if variable.initializer.is_none() => Constant::Missing,
-                None => Constant::NotInteger,
-            },
+            Some(variable) => variable.value,
         }
     }
 }

@@ -6,7 +6,7 @@ use super::model::{Storage, Variable};
 use super::scope::{Folded, Named};
 use super::types::{DefaultValue, Extent, Kind, Member, Structure, TypeId};
 use crate::syntax::tree::{Name, PouKind, VariableBlock, VariableGroup, VariableKind};
-use stickler_types::Code;
+use stickler_types::{Code, ElementaryType};
 
 impl<'u> Declarer<'u, '_> {
     /// Declares the variables of a POU, and gives a function block and a program their type.
@@ -92,7 +92,6 @@ impl<'u> Declarer<'u, '_> {
         ty: TypeId,
     ) {
         let index = narrow(self.model.variables.len());
-        self.enter_variable(pou, name, index);
         let in_program = self.model.pous[pou].pou.kind == PouKind::Program;
         let kind = match block.kind {
             VariableKind::InOut if in_program => VariableKind::Local,
@@ -105,8 +104,10 @@ impl<'u> Declarer<'u, '_> {
         let value = if fixed {
             self.constant_value(group, ty)
         } else {
-            None
+            Constant::Variable
         };
+        // Only now is the name known: a constant is not made of itself.
+        self.enter_variable(pou, name, index);
         self.model.variables.push(Variable {
             name,
             ty,
@@ -119,16 +120,29 @@ impl<'u> Declarer<'u, '_> {
         });
     }
 
-    /// The number that a constant stands for, where its type is an integer type that has it.
-    fn constant_value(&self, group: &'u VariableGroup<'u>, ty: TypeId) -> Option<i128> {
-        let range = self
-            .model
-            .elementary(ty)
-            .filter(|ty| ty.is_integer())?
-            .integer_range()?;
-        match self.exact_initializer(group, group.initializer.as_ref()?) {
-            Constant::Value(value) => (range.0..=range.1).contains(&value).then_some(value),
-            _ => None,
+    /// What the name of a constant means in a constant expression.
+    fn constant_value(&self, group: &'u VariableGroup<'u>, ty: TypeId) -> Constant {
+        let Some(initializer) = &group.initializer else {
+            return Constant::Missing;
+        };
+        let elementary = self.model.elementary(ty);
+        match (
+            self.exact_initializer(group, initializer),
+            elementary.and_then(ElementaryType::integer_range),
+        ) {
+            _ if ty == TypeId::ERROR => Constant::Silent,
+            (Constant::Value(value), Some((low, high)))
+                if elementary.is_some_and(ElementaryType::is_integer) =>
+            {
+                // That it does not fit is said where the initial value is lowered.
+                if (low..=high).contains(&value) {
+                    Constant::Value(value)
+                } else {
+                    Constant::Silent
+                }
+            }
+            (Constant::Value(_), _) => Constant::NotInteger,
+            (other, _) => other,
         }
     }
 
@@ -163,7 +177,7 @@ impl<'u> Declarer<'u, '_> {
             storage: Storage::Absolute(0),
             initializer: None,
             repeated: false,
-            value: None,
+            value: Constant::Variable,
         });
         let entry = &mut self.model.pous[pou];
         entry.result = Some(index);
@@ -243,7 +257,7 @@ impl<'u> Declarer<'u, '_> {
                 let value = if block.constant {
                     self.constant_value(group, ty)
                 } else {
-                    None
+                    Constant::Variable
                 };
                 for name in &group.names {
                     self.declare_global(*name, block, group, ty, value);
@@ -258,7 +272,7 @@ impl<'u> Declarer<'u, '_> {
         block: &VariableBlock<'u>,
         group: &'u VariableGroup<'u>,
         ty: TypeId,
-        value: Option<i128>,
+        value: Constant,
     ) {
         let index = narrow(self.model.variables.len());
         let known = *self.model.globals.entry(Folded(name.text)).or_insert(index);

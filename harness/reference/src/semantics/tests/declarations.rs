@@ -151,6 +151,12 @@ fn initial_values_know_what_was_declared_before_them() {
     );
     assert_eq!(codes("a : INT := b; b : INT;", ""), ["P4007"]);
     assert_eq!(codes("a : INT := a;", ""), ["P4007"]);
+    let own = "END_VAR VAR CONSTANT a : INT := a; END_VAR VAR b : ARRAY[0..a] OF INT;";
+    assert_eq!(codes(own, ""), ["P4007"]);
+    let unfit = "END_VAR VAR CONSTANT a : SINT := 300; END_VAR VAR b : ARRAY[0..a] OF INT;";
+    assert_eq!(codes(unfit, ""), ["P2026"]);
+    let variable = "v : INT; END_VAR VAR CONSTANT a : INT := v; END_VAR VAR b : ARRAY[0..a] OF INT;";
+    assert_eq!(codes(variable, ""), ["P4031"]);
     assert_eq!(says("VAR_GLOBAL\na : INT := b; b : INT; END_VAR"), ["2 P4007"]);
 }
 
