@@ -1,20 +1,22 @@
-//! `junit.xml`: the run for continuous integration. The first test suite is the claims, one test a claim; then comes one
-//! test suite an engine, dialect and area, one test a case.
+//! `junit.xml`: the run for continuous integration. The first test suite is the claims, one test a claim; where case files
+//! are broken, the next is those; then comes one test suite an engine, dialect and area, one test a case.
 //!
 //! It is written by hand: there are a hundred thousand tests, most of which have nothing to say, and a tree of them
 //! costs more than running them. Its tests read it back with quick-junit.
 
+mod case;
+mod suite;
+
+use crate::ReportError;
 use crate::claims::{Claim, Standing};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
-use crate::spool::Spool;
-use crate::xml::{add_attribute, add_text};
-use crate::{ReportError, diff};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::{self, Write as _};
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, Event, Verdict};
+use stickler_run::Event;
+use suite::{Counts, Kind, Problem, Suite, Test};
 
 /// Gathers the run: test suites are apart in the file, and their cases are not in the stream of events.
 pub(crate) struct Junit {
@@ -39,12 +41,12 @@ impl Junit {
         match event {
             // The times of header and footer are taken from the overview, when the document is written.
             Event::Header(_) | Event::Footer(_) => {}
-            Event::Case(case) => {
-                let name = format!("{}.{}.{}", case.engine, case.dialect, case.area);
+            Event::Case(event) => {
+                let name = format!("{}.{}.{}", event.engine, event.dialect, event.area);
                 self.suites
                     .entry(name)
                     .or_insert_with_key(|name| Suite::new(name))
-                    .take(case);
+                    .add(&case::test(event));
             }
         }
     }
@@ -58,14 +60,15 @@ impl Junit {
             return Ok(());
         };
         let path = self.file.path().to_owned();
-        let claims = claims(overview);
-        self.write(&claims, footer.duration_ms)
+        let mut leading = vec![claims(overview)];
+        leading.extend(broken_files(overview));
+        self.write(&leading, footer.duration_ms)
             .map_err(ReportError::writing(&path))?;
         self.file.commit()
     }
 
-    fn write(&mut self, claims: &Suite, duration_ms: u64) -> io::Result<()> {
-        let suites = || std::iter::once(claims).chain(self.suites.values());
+    fn write(&mut self, leading: &[Suite], duration_ms: u64) -> io::Result<()> {
+        let suites = || leading.iter().chain(self.suites.values());
         let sum = |count: fn(&Counts) -> u64| suites().map(|suite| count(&suite.counts)).sum();
         let counts = Counts {
             tests: sum(|counts| counts.tests),
@@ -74,144 +77,14 @@ impl Junit {
             skipped: sum(|counts| counts.skipped),
             microseconds: duration_ms * 1000,
         };
-        let out = &mut self.file;
+        let Junit { file: out, suites } = self;
         writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;
         writeln!(out, "<testsuites name=\"stickler\"{}>", counts.attributes())?;
-        claims.write(out)?;
-        self.suites.values().try_for_each(|suite| suite.write(out))?;
+        leading
+            .iter()
+            .chain(suites.values())
+            .try_for_each(|suite| suite.write(out))?;
         writeln!(out, "</testsuites>")
-    }
-}
-
-/// One test suite: its tests as XML, and their numbers, which stand before them.
-struct Suite {
-    name: String,
-    counts: Counts,
-    tests: Spool,
-}
-
-#[derive(Clone, Copy, Default)]
-struct Counts {
-    tests: u64,
-    failures: u64,
-    errors: u64,
-    skipped: u64,
-    microseconds: u64,
-}
-
-impl Counts {
-    fn attributes(&self) -> String {
-        format!(
-            " tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{}\"",
-            self.tests,
-            self.failures,
-            self.errors,
-            self.skipped,
-            seconds(self.microseconds)
-        )
-    }
-}
-
-impl Suite {
-    fn new(name: &str) -> Suite {
-        Suite {
-            name: name.to_owned(),
-            counts: Counts::default(),
-            tests: Spool::default(),
-        }
-    }
-
-    fn take(&mut self, case: &CaseEvent) {
-        self.counts.microseconds += case.duration_us;
-        self.begin(&case.id, case.duration_us);
-        let problem = problem(case.verdict);
-        if problem.is_none() && case.observations.is_empty() {
-            return self.tests.add(b"/>\n");
-        }
-        self.tests.add(b">\n");
-        if let Some((kind, message)) = problem {
-            self.problem(
-                kind,
-                case.verdict.as_str(),
-                &format!("{message}: {}", case.title),
-                &description(case),
-            );
-        }
-        if !case.observations.is_empty() {
-            self.output(case);
-        }
-        self.tests.add(b"</testcase>\n");
-    }
-
-    fn begin(&mut self, name: &str, microseconds: u64) {
-        self.counts.tests += 1;
-        self.tests.add(b"<testcase");
-        add_attribute(&mut self.tests, "name", name);
-        add_attribute(&mut self.tests, "classname", &self.name);
-        add_attribute(&mut self.tests, "time", &seconds(microseconds));
-    }
-
-    fn problem(&mut self, kind: Kind, type_name: &str, message: &str, text: &str) {
-        let (element, counter) = match kind {
-            Kind::Failure => ("failure", &mut self.counts.failures),
-            Kind::Error => ("error", &mut self.counts.errors),
-            Kind::Skipped => ("skipped", &mut self.counts.skipped),
-        };
-        *counter += 1;
-        let out = &mut self.tests;
-        out.add(b"<");
-        out.add(element.as_bytes());
-        add_attribute(out, "type", type_name);
-        add_attribute(out, "message", message);
-        out.add(b">");
-        add_text(out, text);
-        out.add(b"</");
-        out.add(element.as_bytes());
-        out.add(b">\n");
-    }
-
-    fn output(&mut self, case: &CaseEvent) {
-        let out = &mut self.tests;
-        out.add(b"<system-out>observed, where no document says what must be:\n");
-        for observation in &case.observations {
-            add_text(out, &observation.name);
-            out.add(b" = ");
-            add_text(out, &observation.value);
-            out.add(b"\n");
-        }
-        out.add(b"</system-out>\n");
-    }
-
-    fn write(&self, out: &mut impl io::Write) -> io::Result<()> {
-        let mut head = Spool::default();
-        head.add(b"<testsuite");
-        add_attribute(&mut head, "name", &self.name);
-        head.add(self.counts.attributes().as_bytes());
-        head.add(b">\n");
-        head.write(out)?;
-        self.tests.write(out)?;
-        out.write_all(b"</testsuite>\n")
-    }
-}
-
-/// What JUnit calls a test that did not simply pass.
-#[derive(Clone, Copy)]
-enum Kind {
-    Failure,
-    Error,
-    Skipped,
-}
-
-fn problem(verdict: Verdict) -> Option<(Kind, &'static str)> {
-    match verdict {
-        Verdict::Pass => None,
-        Verdict::Fail => Some((Kind::Failure, "not as expected")),
-        Verdict::Xpass => Some((Kind::Failure, "passes, but its baseline expects it not to")),
-        Verdict::Crash => Some((Kind::Error, "the engine crashed")),
-        Verdict::Timeout => Some((Kind::Error, "the engine did not answer in time")),
-        Verdict::Error => Some((Kind::Error, "the engine made no sense")),
-        Verdict::Xfail => Some((Kind::Skipped, "fails, as its baseline expects")),
-        Verdict::Unsupported => Some((Kind::Skipped, "the engine does not support it")),
     }
 }
 
@@ -219,8 +92,6 @@ fn problem(verdict: Verdict) -> Option<(Kind, &'static str)> {
 fn claims(overview: &Overview) -> Suite {
     let mut suite = Suite::new("claims");
     for claim in overview.claims.iter() {
-        suite.begin(&claim_name(&claim, overview.totals.len() > 1), 0);
-        suite.tests.add(b">\n");
         let Standing {
             passed,
             failed,
@@ -228,15 +99,41 @@ fn claims(overview: &Overview) -> Suite {
             unsupported,
         } = claim.standing;
         let standing = format!("passed {passed}, failed {failed}, open {open}, unsupported {unsupported}");
-        if failed > 0 {
-            let message = format!("{failed} of {} cases fail", claim.standing.cases());
-            suite.problem(Kind::Failure, "claim", &message, &standing);
-        }
-        suite.tests.add(b"<system-out>");
-        suite.tests.add(standing.as_bytes());
-        suite.tests.add(b"</system-out>\n</testcase>\n");
+        let problem = (failed > 0).then(|| Problem {
+            kind: Kind::Failure,
+            type_name: "claim",
+            message: format!("{failed} of {} cases fail", claim.standing.cases()),
+            text: standing.clone(),
+        });
+        let name = claim_name(&claim, overview.totals.len() > 1);
+        suite.add(&Test {
+            name: &name,
+            microseconds: 0,
+            problem,
+            output: standing,
+        });
     }
     suite
+}
+
+/// The mistakes in case files as a test suite, where there are any: a CI service must not show a clean run.
+fn broken_files(overview: &Overview) -> Option<Suite> {
+    let broken = overview.header.as_ref().map(|header| &header.broken_files)?;
+    let mut suite = (!broken.is_empty()).then(|| Suite::new("case-files"))?;
+    for mistake in broken {
+        let problem = Problem {
+            kind: Kind::Error,
+            type_name: "case-file",
+            message: "some cases were not run".to_owned(),
+            text: mistake.clone(),
+        };
+        suite.add(&Test {
+            name: mistake,
+            problem: Some(problem),
+            ..Test::default()
+        });
+    }
+    Some(suite)
 }
 
 fn claim_name(claim: &Claim<'_>, name_engine: bool) -> String {
@@ -251,23 +148,6 @@ fn claim_name(claim: &Claim<'_>, name_engine: bool) -> String {
     name
 }
 
-fn description(case: &CaseEvent) -> String {
-    format!(
-        "{file}:{line}\nbasis: {basis}\nexpected: {expected}\ngot: {got}\n{diff}rerun: {rerun}\n",
-        file = case.file,
-        line = case.line,
-        basis = case.basis,
-        expected = case.expected,
-        got = case.got,
-        diff = diff::text(&case.expected, &case.got),
-        rerun = case.rerun,
-    )
-}
-
-fn seconds(microseconds: u64) -> String {
-    format!("{}.{:06}", microseconds / 1_000_000, microseconds % 1_000_000)
-}
-
 #[cfg(test)]
 mod tests {
     use super::Junit;
@@ -275,14 +155,18 @@ mod tests {
     use crate::sample;
     use quick_junit::{NonSuccessKind, Report, TestCaseStatus, TestSuite};
     use std::fs;
-    use stickler_run::{CaseEvent, Verdict};
+    use stickler_run::{CaseEvent, Event, Verdict};
 
     fn document(cases: Vec<CaseEvent>) -> Report {
+        document_of(&sample::run_of(cases))
+    }
+
+    fn document_of(events: &[Event]) -> Report {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("junit.xml");
         let mut junit = Junit::create(path.clone()).expect("a file");
         let mut overview = Overview::default();
-        for event in &sample::run_of(cases) {
+        for event in events {
             junit.take(event);
             overview.take(event);
         }
@@ -376,6 +260,20 @@ mod tests {
         assert_eq!(
             claim.system_out.as_deref(),
             Some("passed 2, failed 0, open 0, unsupported 0")
+        );
+    }
+
+    #[test]
+    fn a_broken_case_file_is_an_error() {
+        let mut events = sample::run_of(vec![sample::case("a", Verdict::Pass)]);
+        if let Event::Header(header) = &mut events[0] {
+            header.broken_files = vec!["a.st:1: `colour`: unknown key".to_owned()];
+        }
+        let report = document_of(&events);
+        assert_eq!((report.tests, report.errors), (3, 1));
+        assert_eq!(
+            report.test_suites[1].test_cases[0].name.as_str(),
+            "a.st:1: `colour`: unknown key"
         );
     }
 

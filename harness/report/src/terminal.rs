@@ -4,25 +4,22 @@
 //! the claims, then the totals, then one line that says how it went. It is written with ANSI styles; the caller's
 //! stream strips them where they do not belong.
 
-use crate::diff::{self, DiffLine, Side};
+mod failure;
+
 use crate::overview::Overview;
 use crate::table::{Cell, Table};
 use crate::text::{clip, counted, duration, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
-use stickler_run::{CaseEvent, Totals, Verdict};
+use stickler_run::{Totals, Verdict};
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
 const GOOD: Style = AnsiColor::Green.on_default();
 const BAD: Style = AnsiColor::Red.on_default();
-const BAD_PIECE: Style = AnsiColor::Red.on_default().bold().underline();
-const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
 
-/// How many failures are shown whole, and how much of each text.
+/// How many failures are shown whole.
 const SHOWN_FAILURES: usize = 40;
-const SHOWN_LINES: usize = 40;
-const SHOWN_CHARACTERS: usize = 400;
 
 /// What the summary needs to know beside the run.
 #[derive(Clone, Copy, Debug, Default)]
@@ -44,7 +41,7 @@ pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>)
 
 fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
     for case in overview.failures.iter().take(SHOWN_FAILURES) {
-        write_failure(out, case, overview.totals.len() > 1)?;
+        failure::write(out, case, overview.totals.len() > 1)?;
     }
     let rest = overview.failed.saturating_sub(SHOWN_FAILURES as u64);
     if rest > 0 {
@@ -58,71 +55,6 @@ fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings
         )?;
     }
     Ok(())
-}
-
-/// Writes one case that is not as expected, and how to run it again.
-///
-/// # Errors
-/// Those of `out`.
-pub fn write_failure(out: &mut dyn Write, case: &CaseEvent, name_engine: bool) -> io::Result<()> {
-    let verdict = case.verdict.as_str().to_uppercase();
-    write!(
-        out,
-        "{BAD}{verdict}{BAD:#} {BOLD}{}@{}{BOLD:#}",
-        case.id, case.dialect
-    )?;
-    if name_engine {
-        write!(out, " on {}", case.engine)?;
-    }
-    writeln!(out, "\n     {}", visible(&case.title))?;
-    writeln!(out, "     {DIM}basis   {DIM:#} {}", visible(&case.basis))?;
-    writeln!(out, "     {DIM}at      {DIM:#} {}:{}", case.file, case.line)?;
-    if case.verdict == Verdict::Xpass {
-        writeln!(out, "     {DIM}passes, but its baseline expects it not to{DIM:#}")?;
-    }
-    write_comparison(out, case)?;
-    writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&case.rerun))
-}
-
-/// One-line texts stand under each other; longer ones as a diff that shows both.
-fn write_comparison(out: &mut dyn Write, case: &CaseEvent) -> io::Result<()> {
-    let expected = clip(&visible(&case.expected), SHOWN_LINES, SHOWN_CHARACTERS);
-    let got = clip(&visible(&case.got), SHOWN_LINES, SHOWN_CHARACTERS);
-    let lines = diff::lines(&expected, &got);
-    if expected.lines().count() > 1 || got.lines().count() > 1 || lines.is_empty() {
-        writeln!(
-            out,
-            "     {DIM}diff    {DIM:#} {GOOD}- expected{GOOD:#} {BAD}+ got{BAD:#}"
-        )?;
-        for line in &lines {
-            write!(out, "              ")?;
-            write_diff_line(out, line)?;
-        }
-        return Ok(());
-    }
-    for (label, side) in [("expected", Side::Expected), ("got     ", Side::Got)] {
-        write!(out, "     {DIM}{label}{DIM:#} ")?;
-        match lines.iter().find(|line| line.side == side) {
-            Some(line) => write_diff_line(out, line)?,
-            None => writeln!(out, "{} (nothing)", side.sign())?,
-        }
-    }
-    Ok(())
-}
-
-fn write_diff_line(out: &mut dyn Write, line: &DiffLine) -> io::Result<()> {
-    let (plain, marked) = match line.side {
-        Side::Gap => return writeln!(out, "  {DIM}...{DIM:#}"),
-        Side::Both => (DIM, DIM),
-        Side::Expected => (GOOD, GOOD_PIECE),
-        Side::Got => (BAD, BAD_PIECE),
-    };
-    write!(out, "{plain}{}{plain:#} ", line.side.sign())?;
-    for (differs, piece) in &line.pieces {
-        let style = if *differs { marked } else { plain };
-        write!(out, "{style}{piece}{style:#}")?;
-    }
-    writeln!(out)
 }
 
 fn write_claims(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
@@ -221,19 +153,32 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             "Reports: {folder}/summary.md; every case is in results.json beside it."
         )?;
     }
+    let broken = overview
+        .header
+        .as_ref()
+        .map_or(0, |header| header.broken_files.len());
+    if broken > 0 {
+        let mistakes = counted(broken as u64, "mistake", "mistakes");
+        writeln!(
+            out,
+            "{BAD}{mistakes} in case files: some cases were not run.{BAD:#}"
+        )?;
+    }
     let cases = counted(sum.all(), "case", "cases");
-    match (&overview.footer, overview.failed) {
-        (None, _) => writeln!(out, "{BAD}Cut short after {cases}.{BAD:#}"),
-        (Some(footer), 0) => {
-            let time = duration(footer.duration_ms);
+    let Some(footer) = &overview.footer else {
+        return writeln!(out, "{BAD}Cut short after {cases}.{BAD:#}");
+    };
+    let time = duration(footer.duration_ms);
+    match overview.failed {
+        0 => {
+            let style = if broken > 0 { BAD } else { GOOD };
             writeln!(
                 out,
-                "{GOOD}{cases} in {time}: all as expected{}.{GOOD:#}",
+                "{style}{cases} in {time}: all as expected{}.{style:#}",
                 kinds(&sum, true)
             )
         }
-        (Some(footer), failed) => {
-            let time = duration(footer.duration_ms);
+        failed => {
             let kinds = kinds(&sum, false);
             writeln!(
                 out,
@@ -355,6 +300,19 @@ Reports: reports/latest/summary.md; every case is in results.json beside it.
     fn a_run_that_was_cut_short_says_so_last() {
         let events = sample::run();
         assert!(shown(&events[..3]).ends_with("Cut short after 2 cases.\n"));
+    }
+
+    #[test]
+    fn a_run_of_a_broken_suite_does_not_end_as_if_all_were_well() {
+        let mut events = sample::run_of(vec![sample::case("a", Verdict::Pass)]);
+        if let Event::Header(header) = &mut events[0] {
+            header.broken_files = vec!["a.st:1: wrong".to_owned()];
+        }
+        let text = shown(&events);
+        assert!(
+            text.contains("\n1 mistake in case files: some cases were not run.\n1 case in"),
+            "{text}"
+        );
     }
 
     #[test]

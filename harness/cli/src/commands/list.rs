@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use stickler_report::claims::split_basis;
 use stickler_run::select;
-use stickler_suite::Case;
+use stickler_suite::{Case, WithdrawnCase};
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
@@ -22,17 +22,28 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
     let suite = CaseFolder::locate(arguments.selection.cases.as_deref())?.load();
     let plan = case_folder::plan(&arguments.selection, None);
     let cases = select(&plan, &suite.cases);
-    if cases.is_empty() {
+    let withdrawn: Vec<Case> = suite
+        .withdrawn
+        .iter()
+        .map(|withdrawn| withdrawn.case.clone())
+        .collect();
+    let withdrawn = select(&plan, &withdrawn);
+    if cases.is_empty() && withdrawn.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));
     }
-    match (arguments.basis, arguments.json) {
-        (false, false) => cases
-            .iter()
-            .try_for_each(|case| writeln!(out, "{}@{}", case.id, case.dialect))?,
-        (false, true) => cases
-            .iter()
-            .try_for_each(|case| write_json(out, &CaseLine::new(case)))?,
-        (true, json) => write_claims(out, &claims(&cases), json)?,
+    if arguments.basis {
+        write_claims(out, &claims(&cases), arguments.json)?;
+        return Ok(case_folder::exit_of(&suite));
+    }
+    let withdrawn = withdrawn
+        .into_iter()
+        .map(|case| CaseLine::withdrawn(case, &suite.withdrawn));
+    for line in cases.iter().map(|case| CaseLine::new(case)).chain(withdrawn) {
+        match (arguments.json, &line.withdrawn) {
+            (true, _) => write_json(out, &line)?,
+            (false, None) => writeln!(out, "{}@{}", line.id, line.dialect)?,
+            (false, Some(why)) => writeln!(out, "{}@{} (withdrawn {why})", line.id, line.dialect)?,
+        }
     }
     Ok(case_folder::exit_of(&suite))
 }
@@ -46,6 +57,9 @@ struct CaseLine<'a> {
     file: &'a str,
     line: u32,
     tags: Vec<&'a str>,
+    /// The day and the reason, of a case that is no longer run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    withdrawn: Option<String>,
 }
 
 impl<'a> CaseLine<'a> {
@@ -58,6 +72,19 @@ impl<'a> CaseLine<'a> {
             file: &case.file,
             line: case.line,
             tags: case.tags.iter().map(AsRef::as_ref).collect(),
+            withdrawn: None,
+        }
+    }
+
+    fn withdrawn(case: &'a Case, all: &[WithdrawnCase]) -> CaseLine<'a> {
+        let same = |other: &&WithdrawnCase| (&other.case.id, other.case.dialect) == (&case.id, case.dialect);
+        let why = all
+            .iter()
+            .find(same)
+            .map(|found| format!("{}: {}", found.date, found.reason));
+        CaseLine {
+            withdrawn: why,
+            ..CaseLine::new(case)
         }
     }
 }

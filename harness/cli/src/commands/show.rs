@@ -26,9 +26,11 @@ const LONGEST_NAME: usize = 200;
 /// No folder of cases; no such case, with those that look like it.
 pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let suite = CaseFolder::locate(arguments.cases.as_deref())?.load();
+    let withdrawn = suite.withdrawn.iter().map(|withdrawn| &withdrawn.case);
     let named: Vec<&Case> = suite
         .cases
         .iter()
+        .chain(withdrawn)
         .filter(|case| is_named(case, &arguments.case))
         .collect();
     if named.is_empty() {
@@ -43,7 +45,8 @@ pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result
         if number > 0 {
             writeln!(out, "\n{DIM}{}{DIM:#}\n", "-".repeat(80))?;
         }
-        write_group(group, &plan, out)?;
+        write_group(group, out)?;
+        write_end(group, &suite, &plan, out)?;
     }
     Ok(case_folder::exit_of(&suite))
 }
@@ -78,7 +81,7 @@ fn same(one: &Case, other: &Case) -> bool {
     }
 }
 
-fn write_group(group: &[&Case], plan: &Plan, out: &mut dyn Write) -> io::Result<()> {
+fn write_group(group: &[&Case], out: &mut dyn Write) -> io::Result<()> {
     let Some(case) = group.first() else { return Ok(()) };
     let dialects: Vec<&str> = group.iter().map(|case| case.dialect.as_str()).collect();
     writeln!(out, "{BOLD}{}{BOLD:#}\n{}\n", case.id, case.title)?;
@@ -96,10 +99,26 @@ fn write_group(group: &[&Case], plan: &Plan, out: &mut dyn Write) -> io::Result<
     }
     writeln!(out, "\n{BOLD}Program{BOLD:#}\n")?;
     for (number, line) in case.source.lines().enumerate() {
-        writeln!(out, "{DIM}{:>4}{DIM:#}  {line}", number + 1)?;
+        let gap = if line.is_empty() { "" } else { "  " };
+        writeln!(out, "{DIM}{:>4}{DIM:#}{gap}{line}", number + 1)?;
     }
     writeln!(out, "\n{BOLD}Expected{BOLD:#}\n")?;
-    write_expectation(case, out)?;
+    write_expectation(case, out)
+}
+
+/// How to run the cases, or why they are no longer run.
+fn write_end(group: &[&Case], suite: &Suite, plan: &Plan, out: &mut dyn Write) -> io::Result<()> {
+    let withdrawn = suite
+        .withdrawn
+        .iter()
+        .find(|withdrawn| group.contains(&&withdrawn.case));
+    if let Some(found) = withdrawn {
+        return writeln!(
+            out,
+            "\n{BOLD}Withdrawn{BOLD:#} on {}: {}",
+            found.date, found.reason
+        );
+    }
     writeln!(out, "\n{BOLD}Run it{BOLD:#}\n")?;
     group
         .iter()

@@ -1,0 +1,60 @@
+//! A case as a test of JUnit.
+
+use super::suite::{Kind, Problem, Test};
+use crate::diff;
+use std::fmt::Write;
+use stickler_run::{CaseEvent, Verdict};
+
+/// The test of a case.
+pub(super) fn test(case: &CaseEvent) -> Test<'_> {
+    let problem = kind(case.verdict).map(|(kind, message)| Problem {
+        kind,
+        type_name: case.verdict.as_str(),
+        message: format!("{message}: {}", case.title),
+        text: description(case),
+    });
+    Test {
+        name: &case.id,
+        microseconds: case.duration_us,
+        problem,
+        output: observations(case),
+    }
+}
+
+fn observations(case: &CaseEvent) -> String {
+    let mut text = String::new();
+    if !case.observations.is_empty() {
+        text.push_str("observed, where no document says what must be:\n");
+    }
+    for observation in &case.observations {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{} = {}", observation.name, observation.value);
+    }
+    text
+}
+
+fn kind(verdict: Verdict) -> Option<(Kind, &'static str)> {
+    match verdict {
+        Verdict::Pass => None,
+        Verdict::Fail => Some((Kind::Failure, "not as expected")),
+        Verdict::Xpass => Some((Kind::Failure, "passes, but its baseline expects it not to")),
+        Verdict::Crash => Some((Kind::Error, "the engine crashed")),
+        Verdict::Timeout => Some((Kind::Error, "the engine did not answer in time")),
+        Verdict::Error => Some((Kind::Error, "the engine made no sense")),
+        Verdict::Xfail => Some((Kind::Skipped, "fails, as its baseline expects")),
+        Verdict::Unsupported => Some((Kind::Skipped, "the engine does not support it")),
+    }
+}
+
+fn description(case: &CaseEvent) -> String {
+    format!(
+        "{file}:{line}\nbasis: {basis}\nexpected: {expected}\ngot: {got}\n{diff}rerun: {rerun}\n",
+        file = case.file,
+        line = case.line,
+        basis = case.basis,
+        expected = case.expected,
+        got = case.got,
+        diff = diff::text(&case.expected, &case.got),
+        rerun = case.rerun,
+    )
+}

@@ -1,0 +1,80 @@
+//! One case that is not as expected, with all that is needed to look into it.
+
+use super::{BAD, BOLD, DIM, GOOD};
+use crate::diff::{self, DiffLine, Side};
+use crate::text::{clip, visible};
+use anstyle::{AnsiColor, Style};
+use std::io::{self, Write};
+use stickler_run::{CaseEvent, Verdict};
+
+const BAD_PIECE: Style = AnsiColor::Red.on_default().bold().underline();
+const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
+
+/// How much of each text is shown.
+const SHOWN_LINES: usize = 40;
+const SHOWN_CHARACTERS: usize = 400;
+
+/// Writes one case that is not as expected, and how to run it again.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write(out: &mut dyn Write, case: &CaseEvent, name_engine: bool) -> io::Result<()> {
+    let verdict = case.verdict.as_str().to_uppercase();
+    write!(
+        out,
+        "{BAD}{verdict}{BAD:#} {BOLD}{}@{}{BOLD:#}",
+        case.id, case.dialect
+    )?;
+    if name_engine {
+        write!(out, " on {}", case.engine)?;
+    }
+    writeln!(out, "\n     {}", visible(&case.title))?;
+    writeln!(out, "     {DIM}basis   {DIM:#} {}", visible(&case.basis))?;
+    writeln!(out, "     {DIM}at      {DIM:#} {}:{}", case.file, case.line)?;
+    if case.verdict == Verdict::Xpass {
+        writeln!(out, "     {DIM}passes, but its baseline expects it not to{DIM:#}")?;
+    }
+    write_comparison(out, case)?;
+    writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&case.rerun))
+}
+
+/// One-line texts stand under each other; longer ones as a diff that shows both.
+fn write_comparison(out: &mut dyn Write, case: &CaseEvent) -> io::Result<()> {
+    let expected = clip(&visible(&case.expected), SHOWN_LINES, SHOWN_CHARACTERS);
+    let got = clip(&visible(&case.got), SHOWN_LINES, SHOWN_CHARACTERS);
+    let lines = diff::lines(&expected, &got);
+    if expected.lines().count() > 1 || got.lines().count() > 1 || lines.is_empty() {
+        writeln!(
+            out,
+            "     {DIM}diff    {DIM:#} {GOOD}- expected{GOOD:#} {BAD}+ got{BAD:#}"
+        )?;
+        for line in &lines {
+            write!(out, "              ")?;
+            write_diff_line(out, line)?;
+        }
+        return Ok(());
+    }
+    for (label, side) in [("expected", Side::Expected), ("got     ", Side::Got)] {
+        write!(out, "     {DIM}{label}{DIM:#} ")?;
+        match lines.iter().find(|line| line.side == side) {
+            Some(line) => write_diff_line(out, line)?,
+            None => writeln!(out, "{} (nothing)", side.sign())?,
+        }
+    }
+    Ok(())
+}
+
+fn write_diff_line(out: &mut dyn Write, line: &DiffLine) -> io::Result<()> {
+    let (plain, marked) = match line.side {
+        Side::Gap => return writeln!(out, "  {DIM}...{DIM:#}"),
+        Side::Both => (DIM, DIM),
+        Side::Expected => (GOOD, GOOD_PIECE),
+        Side::Got => (BAD, BAD_PIECE),
+    };
+    write!(out, "{plain}{}{plain:#} ", line.side.sign())?;
+    for (differs, piece) in &line.pieces {
+        let style = if *differs { marked } else { plain };
+        write!(out, "{style}{piece}{style:#}")?;
+    }
+    writeln!(out)
+}
