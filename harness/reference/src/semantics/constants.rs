@@ -64,7 +64,7 @@ impl<'u> Evaluator<'_, 'u> {
             ExpressionKind::Literal(literal)
                 if matches!(literal.kind, LiteralKind::Integer | LiteralKind::BasedInteger) =>
             {
-                self.integer(id, literal.prefix, literal.text)
+                self.integer(id, literal.prefix(), literal.text())
             }
             ExpressionKind::Name(name) => self.name(*name),
             ExpressionKind::Parenthesized(inner) => self.evaluate(*inner),

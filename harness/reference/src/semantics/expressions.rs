@@ -93,7 +93,7 @@ impl<'m> Lowering<'m> {
                 wanted,
             ),
             ExpressionKind::Name(name) => self.name(id, *name, wanted),
-            ExpressionKind::EnumeratedValue { type_name, value } => self.enumerated(*type_name, *value),
+            ExpressionKind::EnumeratedValue(word) => self.enumerated(word.prefix(), word.value()),
             ExpressionKind::Field { .. }
             | ExpressionKind::Index { .. }
             | ExpressionKind::PartialAccess { .. } => self.read(id),
@@ -208,7 +208,7 @@ impl<'m> Lowering<'m> {
         let span = self.span(id);
         if operator == UnaryOperator::Negate
             && let ExpressionKind::Literal(literal) = &self.expression(operand).kind
-            && literal.prefix.is_none()
+            && literal.prefix().is_none()
             && self.infer_literal(literal, true).is_untyped_number()
         {
             return self.literal(

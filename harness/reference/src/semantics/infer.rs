@@ -51,7 +51,7 @@ impl<'m> Lowering<'m> {
         match &self.expression(id).kind {
             ExpressionKind::Literal(literal) => self.infer_literal(literal, false),
             ExpressionKind::Name(name) => self.infer_name(*name),
-            ExpressionKind::EnumeratedValue { type_name, value } => self.infer_enumerated(*type_name, *value),
+            ExpressionKind::EnumeratedValue(word) => self.infer_enumerated(word.prefix(), word.value()),
             ExpressionKind::Field { base, field } => self.infer_field(*base, *field),
             ExpressionKind::Index { base, subscripts } => self.infer_element(*base, subscripts.len()),
             ExpressionKind::PartialAccess {
@@ -151,7 +151,7 @@ impl<'m> Lowering<'m> {
     fn infer_unary(&mut self, operator: UnaryOperator, operand: ExpressionId) -> Inferred {
         if operator == UnaryOperator::Negate
             && let ExpressionKind::Literal(literal) = &self.expression(operand).kind
-            && literal.prefix.is_none()
+            && literal.prefix().is_none()
         {
             let inferred = self.infer_literal(literal, true);
             if inferred.is_untyped_number() {

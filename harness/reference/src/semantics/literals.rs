@@ -24,7 +24,7 @@ pub(super) struct Signed<'u> {
 impl<'m> Lowering<'m> {
     /// The type of a literal by itself.
     pub(super) fn infer_literal(&self, literal: &Literal<'_>, negative: bool) -> Inferred {
-        if let Some(prefix) = literal.prefix {
+        if let Some(prefix) = literal.prefix() {
             let ty = ElementaryType::from_literal_prefix(prefix.text);
             return match ty.filter(|&ty| self.model.source.dialect.has(ty)) {
                 Some(ty) => Inferred::from(ty),
@@ -33,13 +33,13 @@ impl<'m> Lowering<'m> {
         }
         match literal.kind {
             LiteralKind::Integer | LiteralKind::BasedInteger => {
-                let value = untyped_integer(literal.text, negative);
+                let value = untyped_integer(literal.text(), negative);
                 Inferred::Integer(value.map_or(Magnitude::Ulint, Magnitude::of))
             }
             LiteralKind::Real => Inferred::Real,
             LiteralKind::Boolean => Inferred::Known(TypeId::BOOL),
-            LiteralKind::SingleByteText => text_literal(literal.text, false),
-            LiteralKind::DoubleByteText => text_literal(literal.text, true),
+            LiteralKind::SingleByteText => text_literal(literal.text(), false),
+            LiteralKind::DoubleByteText => text_literal(literal.text(), true),
             LiteralKind::Duration => Inferred::from(ElementaryType::Time),
             LiteralKind::Date => Inferred::from(ElementaryType::Date),
             LiteralKind::TimeOfDay => Inferred::from(ElementaryType::Tod),
@@ -50,7 +50,7 @@ impl<'m> Lowering<'m> {
     /// Pushes the value of a literal in the type that it has or takes.
     pub(super) fn literal(&mut self, signed: Signed<'m>, wanted: Option<TypeId>) -> Value {
         let literal = signed.literal;
-        if let Some(prefix) = literal.prefix {
+        if let Some(prefix) = literal.prefix() {
             return match ElementaryType::from_literal_prefix(prefix.text) {
                 Some(ty) if self.model.source.dialect.has(ty) => self.literal_of(signed, ty),
                 Some(ty) => {
@@ -103,12 +103,12 @@ impl<'m> Lowering<'m> {
     fn integer_literal(&mut self, signed: Signed<'m>, ty: ElementaryType) -> Value {
         let literal = signed.literal;
         let value = match literal.kind {
-            LiteralKind::Boolean => Ok(i128::from(literal.text.eq_ignore_ascii_case("TRUE"))),
-            LiteralKind::Integer | LiteralKind::BasedInteger if literal.prefix.is_some() => {
-                literal::integer(literal.text)
+            LiteralKind::Boolean => Ok(i128::from(literal.text().eq_ignore_ascii_case("TRUE"))),
+            LiteralKind::Integer | LiteralKind::BasedInteger if literal.prefix().is_some() => {
+                literal::integer(literal.text())
             }
             LiteralKind::Integer | LiteralKind::BasedInteger => {
-                untyped_integer(literal.text, signed.negative)
+                untyped_integer(literal.text(), signed.negative)
                     .ok_or(LiteralError::Overflow { at: 0, range: "" })
             }
             _ => Err(LiteralError::Overflow { at: 0, range: "" }),
@@ -141,7 +141,7 @@ impl<'m> Lowering<'m> {
             self.report(Code::StringEncodingMismatch, signed.span, message);
             return Value::ERROR;
         }
-        match literal::text(literal.text) {
+        match literal::text(literal.text()) {
             Ok(units) if ty.is_text() => {
                 self.emitter.push_text(units);
                 Value::of(ty)
@@ -199,7 +199,7 @@ impl<'m> Lowering<'m> {
 
 /// The value of a literal whose raw form is neither an integer nor a text.
 fn read(signed: Signed<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
-    let text = signed.literal.text;
+    let text = signed.literal.text();
     match ty.family() {
         Family::Real => {
             let raw = real(signed.literal, ty)?;
@@ -220,10 +220,10 @@ fn read(signed: Signed<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
 /// A number as a real, rounded once from its digits.
 fn real(literal: &Literal<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
     match literal.kind {
-        LiteralKind::Real => literal::real(literal.text, ty),
-        LiteralKind::Integer => literal::real(&format!("{}.0", literal.text), ty),
+        LiteralKind::Real => literal::real(literal.text(), ty),
+        LiteralKind::Integer => literal::real(&format!("{}.0", literal.text()), ty),
         _ => {
-            let value = literal::unsigned_integer(literal.text)?;
+            let value = literal::unsigned_integer(literal.text())?;
             let (raw, finite) = if ty == ElementaryType::Real {
                 (u64::from((value as f32).to_bits()), (value as f32).is_finite())
             } else {

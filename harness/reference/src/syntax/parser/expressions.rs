@@ -1,10 +1,9 @@
 //! Expressions: operators by precedence, prefix operators, parentheses, literals.
 
 use super::state::{HEIGHT_LIMIT, Parsed, Parser};
-use crate::source::Span;
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{
-    BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Name, UnaryOperator,
+    BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Prefixed, UnaryOperator,
 };
 
 /// An infix operator that waits for its right operand.
@@ -152,14 +151,10 @@ impl<'s> Parser<'s, '_> {
 
     /// `COLOR#RED`.
     fn enumerated_value(&mut self) -> ExpressionId {
-        let (type_name, behind, start) = self.split_prefix();
+        let value = Prefixed::new(self.word(), self.token().span.start);
         let span = self.bump().span;
-        let value = Name {
-            text: behind,
-            span: Span { start, end: span.end },
-        };
         self.height = 1;
-        self.push(ExpressionKind::EnumeratedValue { type_name, value }, span)
+        self.push(ExpressionKind::EnumeratedValue(value), span)
     }
 
     /// A literal, which stands here.
@@ -192,36 +187,12 @@ impl<'s> Parser<'s, '_> {
 
     #[inline]
     fn plain(&self, kind: LiteralKind) -> ExpressionKind<'s> {
-        ExpressionKind::Literal(Literal {
-            prefix: None,
-            kind,
-            text: self.word(),
-        })
+        ExpressionKind::Literal(Literal::new(kind, self.word(), self.token().span.start, 0))
     }
 
     fn typed(&self, kind: LiteralKind) -> ExpressionKind<'s> {
-        let (prefix, text, _) = self.split_prefix();
-        ExpressionKind::Literal(Literal {
-            prefix: Some(prefix),
-            kind,
-            text,
-        })
-    }
-
-    /// What stands before and behind the `#` of the next token, and where the latter begins.
-    fn split_prefix(&self) -> (Name<'s>, &'s str, u32) {
-        let word = self.word();
-        let start = self.token().span.start;
-        let (prefix, behind) = word.split_once('#').unwrap_or((word, ""));
-        let end = start + prefix.len() as u32;
-        (
-            Name {
-                text: prefix,
-                span: Span { start, end },
-            },
-            behind,
-            end + 1,
-        )
+        let prefix = self.word().find('#').unwrap_or(0);
+        ExpressionKind::Literal(Literal::new(kind, self.word(), self.token().span.start, prefix))
     }
 }
 

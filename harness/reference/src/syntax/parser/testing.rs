@@ -85,11 +85,11 @@ fn group(all: &[Expression], id: ExpressionId) -> String {
         ExpressionKind::Name(name) => name.text.to_owned(),
         ExpressionKind::Literal(literal) => {
             let prefix = literal
-                .prefix
+                .prefix()
                 .map_or(String::new(), |prefix| format!("{}#", prefix.text));
-            format!("{prefix}{:?}:{}", literal.kind, literal.text).replace("Integer:2", "2")
+            format!("{prefix}{:?}:{}", literal.kind, literal.text()).replace("Integer:2", "2")
         }
-        ExpressionKind::EnumeratedValue { type_name, value } => format!("{}#{}", type_name.text, value.text),
+        ExpressionKind::EnumeratedValue(word) => format!("{}#{}", word.prefix().text, word.value().text),
         ExpressionKind::Parenthesized(inner) => format!("[{}]", group(all, *inner)),
         ExpressionKind::Unary { operator, operand } => {
             let sign = match operator {

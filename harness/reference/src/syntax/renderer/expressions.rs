@@ -18,7 +18,8 @@ impl<'u, 's> Writer<'u, 's> {
                 self.put(spelling);
                 return shape;
             }
-            ExpressionKind::EnumeratedValue { type_name, value } => {
+            ExpressionKind::EnumeratedValue(enumerated) => {
+                let (type_name, value) = (enumerated.prefix(), enumerated.value());
                 let spelling = self.names.type_name(type_name.text).unwrap_or(type_name.text);
                 self.put(spelling);
                 self.put("#");
@@ -134,14 +135,14 @@ impl<'u, 's> Writer<'u, 's> {
 
     /// A literal as it stands, but its prefix and the words TRUE and FALSE in capitals.
     fn literal(&mut self, literal: &Literal) {
-        if let Some(prefix) = literal.prefix {
+        if let Some(prefix) = literal.prefix() {
             self.capitals(prefix.text);
             self.put("#");
         }
         if literal.kind == LiteralKind::Boolean {
-            self.capitals(literal.text);
+            self.capitals(literal.text());
         } else {
-            self.put(literal.text);
+            self.put(literal.text());
         }
     }
 
