@@ -190,6 +190,7 @@ impl<'u> Declarer<'u, '_> {
             for group in &block.groups {
                 let value = match &group.initializer {
                     _ if !block.constant => Constant::Variable,
+                    None if self.says_initial_value(group) => Constant::Silent,
                     None => Constant::Missing,
                     Some(initializer) => self.exact_initializer(group, initializer),
                 };

@@ -120,7 +120,7 @@ impl<'m> Lowering<'m> {
             let place = self.outside(variable, instance);
             self.begin_store(place);
             if variable.kind == VariableKind::InOut {
-                self.pass_by_reference(argument, variable.ty);
+                self.pass_by_reference(argument, variable);
             } else {
                 self.coerce(argument, variable.ty, Context::Argument);
             }
@@ -138,7 +138,8 @@ impl<'m> Lowering<'m> {
     /// Puts the address of an argument on the stack.
     ///
     /// Basis: stickler-design: §8 (VAR_IN_OUT needs the same type); ironplc-problem-codes: P4058, P4059, P4060.
-    fn pass_by_reference(&mut self, argument: ExpressionId, ty: TypeId) {
+    fn pass_by_reference(&mut self, argument: ExpressionId, parameter: &Variable<'_>) {
+        let ty = parameter.ty;
         let span = self.span(argument);
         if !self.is_variable(argument) {
             let value = self.value(argument, None);
@@ -168,7 +169,7 @@ impl<'m> Lowering<'m> {
             let (needed, given) = (types.name(ty), types.name(place.ty));
             let message = format!("VAR_IN_OUT needs a variable of type {needed}, not {given}");
             self.report(Code::FunctionCallInOutArgTypeMismatch, span, message);
-        } else if place.constant {
+        } else if place.constant && !parameter.constant {
             self.report(
                 Code::InOutArgNotWritable,
                 span,

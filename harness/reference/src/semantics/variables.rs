@@ -5,7 +5,7 @@ use super::declare::{Declarer, Deferred, narrow};
 use super::model::{Storage, Variable};
 use super::scope::{Folded, Named};
 use super::types::{DefaultValue, Extent, Kind, Member, Structure, TypeId};
-use crate::syntax::tree::{Name, PouKind, VariableBlock, VariableGroup, VariableKind};
+use crate::syntax::tree::{Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind};
 use stickler_types::{Code, ElementaryType};
 
 impl<'u> Declarer<'u, '_> {
@@ -66,6 +66,10 @@ impl<'u> Declarer<'u, '_> {
         ty: TypeId,
     ) {
         let held = !matches!(block.kind, VariableKind::InOut | VariableKind::External);
+        if let (false, Some(initializer)) = (held, &group.initializer) {
+            let message = "what stands for another variable has no initial value of its own";
+            self.report(Code::InitializerTypeMismatch, initializer.span, message);
+        }
         let has_block = held && self.model.types.extent(ty).has_block;
         if has_block && pou == PouKind::Function {
             let message = "a function keeps nothing between calls, so it can have no function block";
@@ -74,13 +78,28 @@ impl<'u> Declarer<'u, '_> {
         if has_block && block.constant {
             let message = "a function block cannot be CONSTANT";
             self.report(Code::FunctionBlockNotConstant, group.specification.span, message);
-        } else if let (true, None, Some(name)) =
-            (held && block.constant, &group.initializer, group.names.first())
+        } else if held
+            && block.constant
             && block.kind != VariableKind::Input
+            && !self.says_initial_value(group)
+            && let Some(name) = group.names.first()
         {
             let message = format!("constant `{}` needs an initial value", name.text);
             self.report(Code::ConstantMustHaveInitializer, name.span, message);
         }
+    }
+
+    /// Whether a group has an initial value, if perhaps one that could not be read.
+    pub(super) fn says_initial_value(&self, group: &VariableGroup<'u>) -> bool {
+        let behind = self
+            .model
+            .source
+            .text
+            .get(group.specification.span.end as usize..)
+            .unwrap_or("");
+        group.initializer.is_some()
+            || matches!(group.specification.kind, TypeSpecificationKind::Error)
+            || behind.trim_start().starts_with(":=")
     }
 
     fn declare_variable(
@@ -123,7 +142,12 @@ impl<'u> Declarer<'u, '_> {
     /// What the name of a constant means in a constant expression.
     fn constant_value(&self, group: &'u VariableGroup<'u>, ty: TypeId) -> Constant {
         let Some(initializer) = &group.initializer else {
-            return Constant::Missing;
+            let silent = self.says_initial_value(group);
+            return if silent {
+                Constant::Silent
+            } else {
+                Constant::Missing
+            };
         };
         let elementary = self.model.elementary(ty);
         match (

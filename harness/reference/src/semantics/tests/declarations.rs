@@ -133,6 +133,11 @@ fn constants_need_a_value_and_function_blocks_are_none() {
         ["2 P4008"]
     );
     assert_eq!(says("VAR_GLOBAL CONSTANT\na : INT; END_VAR"), ["2 P4008"]);
+    let used = "END_VAR VAR CONSTANT a : INT; END_VAR VAR b : ARRAY[0..a] OF INT;";
+    assert_eq!(codes(used, ""), ["P4008", "P4032"]);
+    let text = "FUNCTION f : INT VAR_IN_OUT a : INT :=
+5; END_VAR f := a; END_FUNCTION";
+    assert_eq!(says(text), ["2 P4022"]);
     let block = "FUNCTION_BLOCK f END_FUNCTION_BLOCK PROGRAM p VAR CONSTANT\nx : f; END_VAR END_PROGRAM";
     assert_eq!(says(block), ["2 P4009"]);
     let function = "FUNCTION_BLOCK f END_FUNCTION_BLOCK FUNCTION g : INT VAR\nx : f; END_VAR END_FUNCTION";
