@@ -1,11 +1,12 @@
 //! Declarations: POUs, variable sections, types, initial values, configurations.
 
-use super::names::Shape;
+use super::names::{Folded, Shape};
 use super::writer::Writer;
 use crate::syntax::tree::{
     ArrayElement, Configuration, Declaration, Initializer, InitializerKind, Name, Pou, PouKind, Resource,
     TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
+use rustc_hash::FxHashMap;
 use stickler_types::ElementaryType;
 
 impl<'u, 's> Writer<'u, 's> {
@@ -228,6 +229,8 @@ impl<'u, 's> Writer<'u, 's> {
     }
 
     fn resource_items(&mut self, resource: &'u Resource<'s>) {
+        let names = resource.tasks.iter().map(|task| task.name.text);
+        let tasks: FxHashMap<_, _> = names.map(|name| (Folded(name), name)).collect();
         for task in &resource.tasks {
             self.begin();
             self.put("TASK ");
@@ -249,12 +252,8 @@ impl<'u, 's> Writer<'u, 's> {
             self.put("PROGRAM ");
             self.put(program.name.text);
             if let Some(task) = &program.task {
-                let declared = resource
-                    .tasks
-                    .iter()
-                    .find(|one| one.name.text.eq_ignore_ascii_case(task.text));
                 self.put(" WITH ");
-                self.put(declared.map_or(task.text, |one| one.name.text));
+                self.put(tasks.get(&Folded(task.text)).copied().unwrap_or(task.text));
             }
             self.put(" : ");
             self.put(self.names.pou_name(program.type_name.text));

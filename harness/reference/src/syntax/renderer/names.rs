@@ -9,7 +9,7 @@ use std::hash::{Hash, Hasher};
 
 /// A name that equals, and hashes like, the same name in another case.
 #[derive(Clone, Copy)]
-struct Folded<'s>(&'s str);
+pub(super) struct Folded<'s>(pub(super) &'s str);
 
 impl PartialEq for Folded<'_> {
     fn eq(&self, other: &Folded) -> bool {

@@ -1,0 +1,181 @@
+//! Program organization units, variables, types and initial values.
+
+use super::{Configuration, ExpressionId, Name, Statement};
+use crate::source::Span;
+
+/// A declaration at the top level of a source text.
+#[derive(Debug)]
+pub enum Declaration<'s> {
+    /// PROGRAM, FUNCTION or FUNCTION_BLOCK.
+    Pou(Pou<'s>),
+    /// TYPE … END_TYPE.
+    Types(Vec<TypeDeclaration<'s>>),
+    /// VAR_GLOBAL … END_VAR outside a configuration.
+    Globals(VariableBlock<'s>),
+    /// CONFIGURATION … END_CONFIGURATION.
+    Configuration(Configuration<'s>),
+}
+
+/// The kind of a program organization unit.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PouKind {
+    /// PROGRAM.
+    Program,
+    /// FUNCTION.
+    Function,
+    /// FUNCTION_BLOCK.
+    FunctionBlock,
+}
+
+/// A program organization unit.
+#[derive(Debug)]
+pub struct Pou<'s> {
+    /// PROGRAM, FUNCTION or FUNCTION_BLOCK.
+    pub kind: PouKind,
+    /// Its name.
+    pub name: Name<'s>,
+    /// The result type of a function; `None` for other kinds, and for a function without a result.
+    pub result: Option<TypeSpecification<'s>>,
+    /// The variable sections.
+    pub blocks: Vec<VariableBlock<'s>>,
+    /// The statements.
+    pub body: Vec<Statement>,
+    /// From the first keyword to the last.
+    pub span: Span,
+    /// The closing keyword.
+    pub end: Span,
+}
+
+/// Which section a variable is declared in.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum VariableKind {
+    /// VAR.
+    Local,
+    /// VAR_TEMP.
+    Temporary,
+    /// VAR_INPUT.
+    Input,
+    /// VAR_OUTPUT.
+    Output,
+    /// VAR_IN_OUT.
+    InOut,
+    /// VAR_EXTERNAL.
+    External,
+    /// VAR_GLOBAL.
+    Global,
+}
+
+/// One variable section, VAR … END_VAR.
+#[derive(Debug)]
+pub struct VariableBlock<'s> {
+    /// Which section it is.
+    pub kind: VariableKind,
+    /// CONSTANT stands behind the section's keyword.
+    pub constant: bool,
+    /// RETAIN or NON_RETAIN as written; it has no effect on a run, and is kept for the renderer.
+    pub retention: Option<&'s str>,
+    /// The declarations.
+    pub groups: Vec<VariableGroup<'s>>,
+    /// From VAR… to END_VAR.
+    pub span: Span,
+}
+
+/// `a, b : TYPE := initializer;`: also the fields of a structure.
+#[derive(Debug)]
+pub struct VariableGroup<'s> {
+    /// The names declared.
+    pub names: Vec<Name<'s>>,
+    /// Their common type.
+    pub specification: TypeSpecification<'s>,
+    /// Their common initial value.
+    pub initializer: Option<Initializer<'s>>,
+}
+
+/// `name : specification := initializer;` in TYPE … END_TYPE.
+#[derive(Debug)]
+pub struct TypeDeclaration<'s> {
+    /// The new type's name.
+    pub name: Name<'s>,
+    /// What it stands for.
+    pub specification: TypeSpecification<'s>,
+    /// The default initial value.
+    pub initializer: Option<Initializer<'s>>,
+}
+
+/// A type as written in a declaration.
+#[derive(Debug)]
+pub struct TypeSpecification<'s> {
+    /// What is written.
+    pub kind: TypeSpecificationKind<'s>,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The forms of a type in a declaration.
+#[derive(Debug)]
+pub enum TypeSpecificationKind<'s> {
+    /// An elementary or declared type's name, STRING and WSTRING without a length among them.
+    Named(Name<'s>),
+    /// `STRING[n]` or `WSTRING[n]`.
+    Text {
+        /// The keyword.
+        name: Name<'s>,
+        /// The maximum length.
+        length: ExpressionId,
+    },
+    /// `INT(low..high)`.
+    Subrange {
+        /// The base type.
+        base: Name<'s>,
+        /// The lower and the upper limit.
+        limits: (ExpressionId, ExpressionId),
+    },
+    /// `ARRAY[low..high, …] OF element`.
+    Array {
+        /// The limits of each dimension.
+        dimensions: Vec<(ExpressionId, ExpressionId)>,
+        /// The elements' type.
+        element: Box<TypeSpecification<'s>>,
+    },
+    /// `(RED, GREEN := 5, BLUE)`, with a base type in front where one is written.
+    Enumeration {
+        /// `INT` of `INT (RED, GREEN)`.
+        base: Option<Name<'s>>,
+        /// The values' names and what they are given.
+        values: Vec<(Name<'s>, Option<ExpressionId>)>,
+    },
+    /// `STRUCT … END_STRUCT`.
+    Structure(Vec<VariableGroup<'s>>),
+    /// Where the text could not be read, or names something that is not implemented; a diagnostic has been
+    /// given, and nothing more is said about what is declared with it.
+    Error,
+}
+
+/// An initial value.
+#[derive(Debug)]
+pub struct Initializer<'s> {
+    /// What is written.
+    pub kind: InitializerKind<'s>,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The forms of an initial value.
+#[derive(Debug)]
+pub enum InitializerKind<'s> {
+    /// An expression.
+    Expression(ExpressionId),
+    /// `[1, 2, 3(0)]`.
+    Array(Vec<ArrayElement<'s>>),
+    /// `(x := 1, y := 2)`.
+    Structure(Vec<(Name<'s>, Initializer<'s>)>),
+}
+
+/// One entry of an array's initial value.
+#[derive(Debug)]
+pub struct ArrayElement<'s> {
+    /// `3` of `3(0)`.
+    pub repetition: Option<ExpressionId>,
+    /// The value; `None` for `3()`, which leaves the default.
+    pub value: Option<Initializer<'s>>,
+}

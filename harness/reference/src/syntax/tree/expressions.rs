@@ -1,0 +1,186 @@
+//! Expressions.
+
+use super::{ExpressionId, Literal, Name, Prefixed};
+use crate::source::Span;
+
+/// An expression.
+#[derive(Debug)]
+pub struct Expression<'s> {
+    /// What it is.
+    pub kind: ExpressionKind<'s>,
+    /// From its first token to its last.
+    pub span: Span,
+}
+
+/// The forms of an expression.
+#[derive(Debug)]
+pub enum ExpressionKind<'s> {
+    /// A literal.
+    Literal(Literal<'s>),
+    /// A variable, an enumerated value or (as a callee) a function.
+    Name(Name<'s>),
+    /// `TYPE#VALUE` where TYPE is not elementary: an enumerated value.
+    EnumeratedValue(Prefixed<'s>),
+    /// `base.field`.
+    Field {
+        /// The structure or function block.
+        base: ExpressionId,
+        /// The element.
+        field: Name<'s>,
+    },
+    /// `base[i, j]`.
+    Index {
+        /// The array.
+        base: ExpressionId,
+        /// The subscripts.
+        subscripts: Vec<ExpressionId>,
+    },
+    /// `base.3`, `base.%X3`, `base.%B1` …
+    PartialAccess {
+        /// The variable.
+        base: ExpressionId,
+        /// Which form is written.
+        form: PartialAccessForm,
+        /// The index as written; `u64::MAX` stands for anything larger.
+        index: u64,
+        /// The suffix from the point on.
+        suffix: Span,
+    },
+    /// A call of a function, a function block or (as TIME()) anything that looks like one.
+    Call {
+        /// What is called.
+        callee: ExpressionId,
+        /// The arguments.
+        arguments: Vec<Argument<'s>>,
+    },
+    /// A prefix operator.
+    Unary {
+        /// The operator.
+        operator: UnaryOperator,
+        /// Its operand.
+        operand: ExpressionId,
+    },
+    /// An infix operator.
+    Binary {
+        /// The operator.
+        operator: BinaryOperator,
+        /// The left operand.
+        left: ExpressionId,
+        /// The right operand.
+        right: ExpressionId,
+    },
+    /// `(inner)`.
+    Parenthesized(ExpressionId),
+    /// Where the text could not be read; a diagnostic has been given, and nothing more is said about it.
+    Error,
+}
+
+/// The forms of partial access.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PartialAccessForm {
+    /// `.n`.
+    Short,
+    /// `.%Xn`.
+    Bit,
+    /// `.%Bn`.
+    Byte,
+    /// `.%Wn`.
+    Word,
+    /// `.%Dn`.
+    DoubleWord,
+    /// `.%Ln`.
+    LongWord,
+}
+
+/// An argument of a call.
+#[derive(Debug)]
+pub enum Argument<'s> {
+    /// `value`.
+    Positional(ExpressionId),
+    /// `name := value`.
+    Named {
+        /// The parameter.
+        name: Name<'s>,
+        /// The value.
+        value: ExpressionId,
+    },
+    /// `name => target` or `NOT name => target`.
+    Output {
+        /// The output parameter.
+        name: Name<'s>,
+        /// NOT stands before the name.
+        negated: bool,
+        /// The variable that takes it.
+        target: ExpressionId,
+    },
+}
+
+/// Prefix operators.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum UnaryOperator {
+    /// `-`.
+    Negate,
+    /// `+`.
+    Plus,
+    /// `NOT`.
+    Not,
+}
+
+/// Infix operators, loosest first; each group's precedence is Table 71 of the third edition.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum BinaryOperator {
+    /// `OR`.
+    Or,
+    /// `XOR`.
+    Xor,
+    /// `AND`, `&`.
+    And,
+    /// `=`.
+    Equal,
+    /// `<>`.
+    NotEqual,
+    /// `<`.
+    Less,
+    /// `>`.
+    Greater,
+    /// `<=`.
+    LessOrEqual,
+    /// `>=`.
+    GreaterOrEqual,
+    /// `+`.
+    Add,
+    /// `-`.
+    Subtract,
+    /// `*`.
+    Multiply,
+    /// `/`.
+    Divide,
+    /// `MOD`.
+    Modulo,
+    /// `**`.
+    Power,
+}
+
+impl BinaryOperator {
+    /// The operator as the renderer and messages write it.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            BinaryOperator::Or => "OR",
+            BinaryOperator::Xor => "XOR",
+            BinaryOperator::And => "AND",
+            BinaryOperator::Equal => "=",
+            BinaryOperator::NotEqual => "<>",
+            BinaryOperator::Less => "<",
+            BinaryOperator::Greater => ">",
+            BinaryOperator::LessOrEqual => "<=",
+            BinaryOperator::GreaterOrEqual => ">=",
+            BinaryOperator::Add => "+",
+            BinaryOperator::Subtract => "-",
+            BinaryOperator::Multiply => "*",
+            BinaryOperator::Divide => "/",
+            BinaryOperator::Modulo => "MOD",
+            BinaryOperator::Power => "**",
+        }
+    }
+}

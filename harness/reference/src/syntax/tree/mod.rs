@@ -1,0 +1,24 @@
+//! The syntax tree: what the parser builds, the checker reads and the renderer writes back.
+//!
+//! Expressions live in one arena and are named by [`ExpressionId`], so that a chain of a million operators
+//! can be built, walked along its left spine and dropped without recursion. Everything else nests no deeper
+//! than the parser's nesting limit.
+
+mod configuration;
+mod declarations;
+mod expressions;
+mod literals;
+mod statements;
+mod unit;
+
+pub use configuration::{Configuration, ProgramInstance, Resource, Task};
+pub use declarations::{
+    ArrayElement, Declaration, Initializer, InitializerKind, Pou, PouKind, TypeDeclaration,
+    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+};
+pub use expressions::{
+    Argument, BinaryOperator, Expression, ExpressionKind, PartialAccessForm, UnaryOperator,
+};
+pub use literals::{Literal, LiteralKind, Prefixed};
+pub use statements::{CaseBranch, CaseLabel, Statement, StatementKind};
+pub use unit::{ExpressionId, Name, SourceUnit};
