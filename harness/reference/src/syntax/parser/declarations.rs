@@ -67,6 +67,7 @@ impl<'s> Parser<'s, '_> {
                 self.expected("variables of the POU (VAR_GLOBAL stands outside of it)");
             }
             blocks.extend(self.variable_block());
+            self.stray_semicolon();
         }
         self.blocks.push(Block::Pou);
         let body = self.statements();
@@ -109,11 +110,16 @@ impl<'s> Parser<'s, '_> {
             result = (kind == PouKind::Function).then(|| error_specification(self.token().span));
             self.skip_line();
         }
+        self.stray_semicolon();
+        (Some(name), result)
+    }
+
+    /// A `;` in front of a variable section, which is no empty statement yet.
+    fn stray_semicolon(&mut self) {
         if self.kind() == TokenKind::Semicolon && self.nth(1).opens_section() {
             self.expected("variables, statements or the end");
             self.bump();
         }
-        (Some(name), result)
     }
 
     fn result_type(&mut self) -> TypeSpecification<'s> {
@@ -275,6 +281,10 @@ mod tests {
             ["2:1 P0002 expected a name, found the keyword `VAR`"]
         );
         assert_eq!(errors("PROGRAM p;\nVAR x : INT; END_VAR END_PROGRAM").len(), 1);
+        assert_eq!(
+            errors("PROGRAM p VAR END_VAR;\nVAR x : INT; END_VAR END_PROGRAM").len(),
+            1
+        );
         assert_eq!(
             errors("FUNCTION f INT\nVAR x : INT; END_VAR END_FUNCTION"),
             ["1:12 P0002 expected `:`, found `INT`"]

@@ -1,0 +1,80 @@
+//! How fast the syntax half is, on ten megabytes of each of three kinds of text. The aim of section 9 of the design is
+//! 100 MB/s through lexer and parser on one core, for the usual text.
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use std::hint::black_box;
+use std::time::Duration;
+use stickler_reference::Dialect;
+use stickler_reference::source::LineIndex;
+use stickler_reference::syntax::{parse, render};
+use stickler_types::DialectName;
+
+const LENGTH: usize = 10_000_000;
+
+/// A function block as people write them.
+const USUAL: &str = "
+(* Keeps the mean of the last samples, and drives the motor by it. *)
+FUNCTION_BLOCK Motor
+VAR_INPUT
+    start : BOOL;            (* the start command *)
+    speed : REAL := 10.5;
+    mode  : INT;
+END_VAR
+VAR
+    samples : ARRAY[0..15] OF REAL := [16(0.0)];
+    index   : UINT;
+    status  : WORD := 16#00FF;
+    delay   : TIME := T#1s500ms;
+END_VAR
+    samples[index] := speed * 1.25 + INT_TO_REAL(mode);
+    index := (index + 1) MOD 16;
+    IF start OR status.3 AND NOT status.4 THEN
+        status.0 := FALSE;
+    ELSIF mode = 3 AND speed > 100.0 THEN
+        speed := LIMIT(0.0, speed - samples[15] / 16.0, 50.0);
+    ELSE
+        FOR index := 0 TO 15 BY 1 DO
+            speed := speed + samples[index] / 16.0;
+        END_FOR;
+    END_IF;
+END_FUNCTION_BLOCK
+";
+
+/// A program without a space that could be left out: the worst case, two tokens every three bytes; no aim is set for it.
+const DENSE: &str = "PROGRAM p x:=a+b*c-d[i];y:=(x+1)*2;f(a,b);END_PROGRAM\n";
+
+/// Mostly a comment.
+const COMMENTED: &str = "(* A long comment, as generators and careful people write them above a program that is
+   short: who wrote it, when, by which document, and what it must never do. *)\nPROGRAM p x := 1; END_PROGRAM\n";
+
+fn syntax(criterion: &mut Criterion) {
+    let dialect = Dialect::of(DialectName::IronplcEd3);
+    for (name, piece) in [("usual", USUAL), ("dense", DENSE), ("commented", COMMENTED)] {
+        let text = piece.repeat(LENGTH / piece.len());
+        let (unit, diagnostics) = parse(&text, &dialect);
+        assert_eq!(diagnostics, [], "the benchmark's text is acceptable");
+        let mut group = criterion.benchmark_group(name);
+        group
+            .throughput(Throughput::Bytes(text.len() as u64))
+            .sample_size(20);
+        group.measurement_time(Duration::from_secs(4));
+        group.bench_function("lex and parse", |bencher| {
+            // The tree is dropped outside the measurement.
+            bencher.iter_batched(
+                || (),
+                |()| parse(black_box(&text), &dialect),
+                BatchSize::PerIteration,
+            );
+        });
+        group.bench_function("render", |bencher| {
+            bencher.iter(|| render(black_box(&unit), &text))
+        });
+        group.bench_function("line index", |bencher| {
+            bencher.iter(|| LineIndex::new(black_box(&text)))
+        });
+        group.finish();
+    }
+}
+
+criterion_group!(benches, syntax);
+criterion_main!(benches);
