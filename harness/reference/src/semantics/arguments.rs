@@ -21,6 +21,8 @@ pub(super) struct Bound {
     pub(super) captures: Vec<Capture>,
     /// Some VAR_INPUT is left out.
     pub(super) omitted: bool,
+    /// An argument is for no parameter; it may well have been meant for one that is left out.
+    unknown: bool,
 }
 
 /// `name => target` or `NOT name => target`.
@@ -85,6 +87,7 @@ impl<'m> Lowering<'m> {
                 Argument::Named { name, value } => match self.parameter(entry, *name, &mut given) {
                     Some(parameter) => bound.inputs.push((parameter, *value)),
                     None => {
+                        bound.unknown = true;
                         self.value(*value, None);
                     }
                 },
@@ -147,29 +150,24 @@ impl<'m> Lowering<'m> {
         None
     }
 
-    /// Notes whether inputs are left out, and says so of VAR_IN_OUT.
+    /// Notes whether inputs are left out, and says so of VAR_IN_OUT: of the first only, lest each of many calls
+    /// be held against each of many parameters.
     fn find_omitted(&mut self, entry: &PouEntry<'_>, call: Span, bound: &mut Bound) {
         if bound.inputs.len() == entry.parameters.len() {
             return;
         }
+        bound.omitted = true;
         let given: FxHashSet<_> = bound.inputs.iter().map(|&(parameter, _)| parameter).collect();
-        for &parameter in entry
-            .parameters
-            .iter()
-            .filter(|parameter| !given.contains(parameter))
-        {
-            let variable = self.model.variable(parameter);
-            if variable.kind != VariableKind::InOut {
-                bound.omitted = true;
-                continue;
-            }
-            let code = if entry.is_function() {
-                Code::FunctionCallWrongArgCount
-            } else {
-                Code::FunctionInvocationMissingInput
-            };
-            let message = format!("VAR_IN_OUT `{}` needs an argument", variable.name.text);
-            self.report(code, call, message);
-        }
+        let missing = entry.in_outs.iter().find(|parameter| !given.contains(parameter));
+        let Some(&missing) = missing.filter(|_| !bound.unknown) else {
+            return;
+        };
+        let code = if entry.is_function() {
+            Code::FunctionCallWrongArgCount
+        } else {
+            Code::FunctionInvocationMissingInput
+        };
+        let name = self.model.variable(missing).name.text;
+        self.report(code, call, format!("VAR_IN_OUT `{name}` needs an argument"));
     }
 }

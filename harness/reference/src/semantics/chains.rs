@@ -1,10 +1,11 @@
 //! Lowers infix operators. A chain may be a million operators long, so its left spine is walked without
 //! recursion: down, to learn what each operator takes, and up, to emit the code.
 
+use super::common::settle;
 use super::constants::combine;
 use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
-use super::operators::{Action, Operation, Signature, settle};
+use super::operators::{Action, Operation, Signature};
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};

@@ -4,7 +4,7 @@
 
 use super::constants::Constant;
 use super::layout::Memory;
-use super::model::{Definition, Instance, Model, PouEntry, Source};
+use super::model::{Definition, Initial, InitialValue, Instance, Model, PouEntry, Source};
 use super::reporter::Reporter;
 use super::scope::{Folded, Scope};
 use super::types::{TypeId, TypeTable};
@@ -139,6 +139,7 @@ impl<'u> Declarer<'u, '_> {
             enumerated: Scope::default(),
             result: None,
             parameters: Vec::new(),
+            in_outs: Vec::new(),
             ty: TypeId::ERROR,
             body,
             initial,
@@ -231,6 +232,12 @@ impl<'u> Declarer<'u, '_> {
     pub(super) fn routine(&mut self) -> RoutineId {
         self.model.routines += 1;
         self.model.routines - 1
+    }
+
+    /// Says what a routine does that has been handed out: it makes the default value of a type.
+    pub(super) fn define_routine(&mut self, routine: RoutineId, value: InitialValue<'u>) {
+        let pou = self.current.map(narrow);
+        self.model.initial_values.push(Initial { routine, value, pou });
     }
 
     /// Reports something wrong.

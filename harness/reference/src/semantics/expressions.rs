@@ -1,5 +1,6 @@
 //! Lowers expressions: puts a value on the stack, in its own type or converted to the one that is expected.
 
+use super::common::settle;
 use super::contexts::{Context, Fit, fit};
 use super::infer::{defined, defined_for};
 use super::inferred::Inferred;
@@ -7,7 +8,6 @@ use super::literals::Signed;
 use super::locations::check_range;
 use super::lowering::{Lowering, Value};
 use super::model::EnumeratedName;
-use super::operators::settle;
 use super::types::{Kind, Subrange, TypeId};
 use crate::conversion::implicit;
 use crate::instruction::Instruction;

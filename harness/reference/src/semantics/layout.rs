@@ -173,7 +173,7 @@ impl Declarer<'_, '_> {
             for index in self.model.pous[instance.pou as usize].variables.clone() {
                 let variable = &mut self.model.variables[index as usize];
                 if let Storage::Instance(offset) = variable.storage {
-                    variable.storage = Storage::Absolute(instance.base + offset);
+                    variable.storage = Storage::Absolute(instance.base.saturating_add(offset));
                 }
             }
         }

@@ -3,9 +3,9 @@
 //! Basis: iec-61131-3: Tables 5 to 9; stickler-design: §7 (a sign directly before an untyped literal belongs to
 //! it), §8 (untyped literals); ironplc-problem-codes: P2026, P2038, P2039, P2040.
 
+use super::common::settle;
 use super::inferred::{Inferred, Magnitude};
 use super::lowering::{Lowering, Value};
-use super::operators::settle;
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use crate::source::Span;

@@ -4,11 +4,11 @@
 //! wrong is said once, and nothing is said about what follows from something wrong. Once anything has been
 //! reported the code is thrown away, so code for what is wrong need not make sense.
 
+use super::common::Rules;
 use super::emitter::Emitter;
 use super::inferred::Inferred;
 use super::layout::Memory;
 use super::model::{Model, PouEntry, Variable};
-use super::operators::Rules;
 use super::reporter::Reporter;
 use super::scope::Folded;
 use super::statements::Loop;
@@ -31,6 +31,8 @@ pub(super) struct Lowering<'m> {
     pub(super) pou: Option<u32>,
     /// In an initial value, variables of its own scope are known up to here.
     pub(super) visible: u32,
+    /// The variables of the POU are not where the code is run, so that only its constants are known.
+    pub(super) constants_only: bool,
     /// The loops around the statement, the innermost last.
     pub(super) loops: Vec<Loop>,
     /// Which POU calls which, with the first place where it does.
@@ -77,6 +79,7 @@ impl<'m> Lowering<'m> {
             inferred: vec![Inferred::Pending; model.source.unit.expressions.len()],
             pou: None,
             visible: u32::MAX,
+            constants_only: false,
             loops: Vec::new(),
             calls: Vec::new(),
             known_calls: FxHashSet::default(),
@@ -139,8 +142,10 @@ impl<'m> Lowering<'m> {
         let limited = local.is_some() || self.pou.is_none();
         let index = *local.or_else(|| self.model.globals.get(&Folded(name)))?;
         let variable = &self.model.variables[index as usize];
-        let later = limited && index >= self.visible && variable.kind != VariableKind::External;
-        (!later).then_some((index, variable))
+        let external = variable.kind == VariableKind::External;
+        let later = limited && index >= self.visible && !external;
+        let away = self.constants_only && local.is_some() && !external && variable.number().is_none();
+        (!later && !away).then_some((index, variable))
     }
 
     /// A plain cell of one's own, for what must be kept while other code runs. Recursion is forbidden, so it

@@ -63,7 +63,7 @@ pub(super) struct Model<'u> {
     /// The values of enumerations that have a name.
     pub(super) enumerated: Scope<'u, EnumeratedName>,
     /// Routines that give the variables of a type their default value.
-    pub(super) initial_values: Vec<(RoutineId, InitialValue<'u>)>,
+    pub(super) initial_values: Vec<Initial<'u>>,
     /// Where initial values begin that are passed over, because their type needs a later edition.
     pub(super) passed_over: FxHashSet<u32>,
     /// The program instances in the order in which they run.
@@ -98,6 +98,8 @@ pub(super) struct PouEntry<'u> {
     pub(super) result: Option<u32>,
     /// The parameters that a call gives by position: VAR_INPUT and VAR_IN_OUT in order.
     pub(super) parameters: Vec<u32>,
+    /// The VAR_IN_OUT among them.
+    pub(super) in_outs: Vec<u32>,
     /// The type of a function block or program, whose members its variables are.
     pub(super) ty: TypeId,
     /// The body.
@@ -166,6 +168,15 @@ pub(super) enum EnumeratedName {
     One(TypeId, i64),
     /// More than one has it.
     Several,
+}
+
+/// A routine that gives a variable, which is its instance, the default value of its type.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Initial<'u> {
+    pub(super) routine: RoutineId,
+    pub(super) value: InitialValue<'u>,
+    /// The POU with whose variables the type is declared, if it is; of these only constants are known there.
+    pub(super) pou: Option<u32>,
 }
 
 /// What the variables of a type begin with.

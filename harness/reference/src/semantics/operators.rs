@@ -3,11 +3,10 @@
 //! Basis: stickler-design: §8 (mixed operands: one converts to the other, or nothing; no third type is sought);
 //! iec-61131-3: the tables of the arithmetic, comparison, bitwise and time functions.
 
-use super::contexts::{Context, Fit, fit};
+use super::common::Rules;
 use super::inferred::Inferred;
-use super::types::{Kind, TypeId, TypeTable};
+use super::types::{Kind, TypeId};
 use crate::conversion::implicit;
-use crate::dialect::Dialect;
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
 use crate::syntax::tree::BinaryOperator;
 use stickler_types::{ElementaryType, Family};
@@ -53,13 +52,6 @@ pub(super) enum Signature {
     Silent,
 }
 
-/// The rules that decide: the table of types and the dialect.
-#[derive(Clone, Copy)]
-pub(super) struct Rules<'a> {
-    pub(super) types: &'a TypeTable,
-    pub(super) dialect: &'a Dialect,
-}
-
 impl Rules<'_> {
     /// What an operator makes of its operands.
     pub(super) fn signature(self, operator: BinaryOperator, left: Inferred, right: Inferred) -> Signature {
@@ -93,107 +85,6 @@ impl Rules<'_> {
             Group::Arithmetic(arithmetic) => self.arithmetic(arithmetic, known, known),
             Group::Power => self.power(known, right),
         }
-    }
-
-    fn untyped(self, left: Inferred, right: Inferred) -> Signature {
-        match (left, right) {
-            (Inferred::Integer(left), Inferred::Integer(right)) => {
-                Signature::Untyped(Inferred::Integer(left.max(right)))
-            }
-            (Inferred::Real, Inferred::Real) => Signature::Untyped(Inferred::Real),
-            _ if self.dialect.integer_literal_as_real => Signature::Untyped(Inferred::Real),
-            _ => Signature::Undefined,
-        }
-    }
-
-    /// The type that both operands take: the one's, if the other converts to it.
-    fn common(self, left: Inferred, right: Inferred) -> Option<TypeId> {
-        match (left, right) {
-            (Inferred::Known(left), Inferred::Known(right)) => self.common_of_known(left, right),
-            (Inferred::Known(ty), other) | (other, Inferred::Known(ty)) => self.fits(other, ty).then_some(ty),
-            (Inferred::Integer(left), Inferred::Integer(right)) => Some(TypeId::of(left.max(right).ty())),
-            (Inferred::Real | Inferred::Integer(_), Inferred::Real | Inferred::Integer(_)) => {
-                let real = TypeId::of(ElementaryType::Lreal);
-                (self.fits(left, real) && self.fits(right, real)).then_some(real)
-            }
-            (Inferred::Text { wide, .. }, Inferred::Text { wide: other, .. }) => {
-                (wide == other).then_some(TypeId::of(if wide {
-                    ElementaryType::Wstring
-                } else {
-                    ElementaryType::String
-                }))
-            }
-            _ => None,
-        }
-    }
-
-    /// The type that several values, none of which is an error, have in common: the one of theirs to which the
-    /// others convert. What does not go with the others is left out of account, and is to be found by
-    /// [`Self::goes_with`]; untyped values that do not go together give an error.
-    pub(super) fn common_of_all(self, values: &[Inferred]) -> Inferred {
-        let known = values
-            .iter()
-            .copied()
-            .find(|value| matches!(value, Inferred::Known(_)));
-        let values = values.iter().copied();
-        match known {
-            Some(known) => values.fold(known, |common, value| match self.unite(common, value) {
-                Inferred::Error => common,
-                united => united,
-            }),
-            None => values
-                .reduce(|left, right| self.unite(left, right))
-                .unwrap_or(Inferred::Error),
-        }
-    }
-
-    /// Whether a value goes with others that have a type in common.
-    pub(super) fn goes_with(self, value: Inferred, common: TypeId) -> bool {
-        fit(value, common, Context::CommonArgument, self.types, self.dialect) == Fit::Yes
-    }
-
-    fn unite(self, left: Inferred, right: Inferred) -> Inferred {
-        match (left, right) {
-            (Inferred::Enumerated, Inferred::Enumerated) => Inferred::Enumerated,
-            (
-                Inferred::Text { wide, single },
-                Inferred::Text {
-                    wide: other,
-                    single: too,
-                },
-            ) if wide == other => Inferred::Text {
-                wide,
-                single: single && too,
-            },
-            _ if left.is_untyped_number() && right.is_untyped_number() => match self.untyped(left, right) {
-                Signature::Untyped(inferred) => inferred,
-                _ => Inferred::Error,
-            },
-            _ => self.common(left, right).map_or(Inferred::Error, Inferred::Known),
-        }
-    }
-
-    fn common_of_known(self, left: TypeId, right: TypeId) -> Option<TypeId> {
-        if left == right {
-            return Some(left);
-        }
-        let (from, to) = (left.elementary()?, right.elementary()?);
-        let rightward = implicit(from, to, self.dialect).is_some();
-        let leftward = implicit(to, from, self.dialect).is_some();
-        match (leftward, rightward) {
-            (true, false) => Some(left),
-            (false, true) => Some(right),
-            // UDINT and TIME, or the short and the long form of a type: a duration is no number, and the long
-            // form is the wider.
-            (true, true) if to.is_duration() && !from.is_duration() => Some(right),
-            (true, true) if to.is_third_edition() => Some(right),
-            (true, true) => Some(left),
-            (false, false) => None,
-        }
-    }
-
-    fn fits(self, value: Inferred, ty: TypeId) -> bool {
-        fit(value, ty, Context::Operand, self.types, self.dialect) == Fit::Yes
     }
 
     fn comparison(self, operator: ComparisonOperator, left: Inferred, right: Inferred) -> Option<Operation> {
@@ -348,20 +239,6 @@ impl Rules<'_> {
             action: Action::Power { base, exponent },
             result: TypeId::of(base),
         })
-    }
-}
-
-/// The type that an untyped expression takes: the one that is wanted, where such an expression can have it, and
-/// else the default.
-pub(super) fn settle(untyped: Inferred, wanted: Option<TypeId>) -> Option<ElementaryType> {
-    let wanted = wanted.and_then(TypeId::elementary);
-    match untyped {
-        Inferred::Integer(magnitude) => {
-            let takes = |ty: &ElementaryType| ty.integer_range().is_some() || ty.is_real();
-            Some(wanted.filter(takes).unwrap_or(magnitude.ty()))
-        }
-        Inferred::Real => Some(wanted.filter(|ty| ty.is_real()).unwrap_or(ElementaryType::Lreal)),
-        _ => None,
     }
 }
 

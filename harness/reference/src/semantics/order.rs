@@ -88,14 +88,10 @@ impl<'u> Declarer<'u, '_> {
             return self.model.types.add_alias(base, ty.name.text, default);
         }
         let routine = self.routine();
-        let id = self
-            .model
-            .types
-            .add_alias(base, ty.name.text, DefaultValue::Routine(routine));
+        self.define_routine(routine, InitialValue::Declared(base, initializer));
         self.model
-            .initial_values
-            .push((routine, InitialValue::Declared(base, initializer)));
-        id
+            .types
+            .add_alias(base, ty.name.text, DefaultValue::Routine(routine))
     }
 
     /// The number of the value that a declared enumeration begins with, where it is plainly one of its own.

@@ -2,7 +2,7 @@
 
 use super::locations::{Location, Place};
 use super::lowering::Lowering;
-use super::model::PouEntry;
+use super::model::{Initial, PouEntry};
 use crate::instruction::{Instruction, Program};
 use crate::syntax::tree::VariableKind;
 
@@ -10,9 +10,11 @@ impl<'m> Lowering<'m> {
     /// Lowers everything that is declared.
     pub(super) fn lower(mut self) -> Program {
         let model = self.model;
-        for &(routine, value) in &model.initial_values {
+        for &Initial { routine, value, pou } in &model.initial_values {
+            (self.pou, self.constants_only) = (pou, true);
             self.initial_value(routine, value);
         }
+        self.constants_only = false;
         for (entry, pou) in model.pous.iter().zip(0..) {
             self.pou = Some(pou);
             if entry.is_function() {

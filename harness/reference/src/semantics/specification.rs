@@ -211,9 +211,7 @@ impl<'u> Declarer<'u, '_> {
         };
         let id = self.model.types.add_array(shape, extent);
         if let DefaultValue::Routine(routine) = default {
-            self.model
-                .initial_values
-                .push((routine, InitialValue::Elements(id)));
+            self.define_routine(routine, InitialValue::Elements(id));
         }
         id
     }
@@ -265,9 +263,7 @@ impl<'u> Declarer<'u, '_> {
         };
         let id = self.model.types.add(Kind::Structure(Box::new(structure)), extent);
         if let DefaultValue::Routine(routine) = extent.default {
-            self.model
-                .initial_values
-                .push((routine, InitialValue::Structure(id, groups)));
+            self.define_routine(routine, InitialValue::Structure(id, groups));
         }
         id
     }

@@ -2,10 +2,10 @@
 //!
 //! Basis: iec-61131-3: the tables of the numeric, bit shift, selection and string functions.
 
+use super::common::settle;
 use super::contexts::Context;
 use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
-use super::operators::settle;
 use super::types::{Kind, TypeId};
 use crate::instruction::{Instruction, StandardFunction};
 use crate::source::Span;

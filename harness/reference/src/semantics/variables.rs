@@ -1,4 +1,4 @@
-//! Declares the variables of POUs and the global ones.
+//! Declares the variables of POUs.
 
 use super::constants::Constant;
 use super::declare::{Declarer, Deferred, narrow};
@@ -58,7 +58,7 @@ impl<'u> Declarer<'u, '_> {
     }
 
     /// What the rules say about a whole group at once.
-    fn check_group(
+    pub(super) fn check_group(
         &mut self,
         pou: PouKind,
         block: &VariableBlock<'u>,
@@ -119,6 +119,9 @@ impl<'u> Declarer<'u, '_> {
         if matches!(kind, VariableKind::Input | VariableKind::InOut) {
             self.model.pous[pou].parameters.push(index);
         }
+        if kind == VariableKind::InOut {
+            self.model.pous[pou].in_outs.push(index);
+        }
         let fixed = block.constant && matches!(block.kind, VariableKind::Local | VariableKind::Temporary);
         let value = if fixed {
             self.constant_value(group, ty)
@@ -140,7 +143,7 @@ impl<'u> Declarer<'u, '_> {
     }
 
     /// What the name of a constant means in a constant expression.
-    fn constant_value(&self, group: &'u VariableGroup<'u>, ty: TypeId) -> Constant {
+    pub(super) fn constant_value(&self, group: &'u VariableGroup<'u>, ty: TypeId) -> Constant {
         let Some(initializer) = &group.initializer else {
             let silent = self.says_initial_value(group);
             return if silent {
@@ -269,91 +272,5 @@ impl<'u> Declarer<'u, '_> {
             Kind::FunctionBlock(structure)
         };
         self.model.pous[pou].ty = self.model.types.add(kind, extent);
-    }
-
-    /// Declares the global variables in the order of the text.
-    pub(super) fn declare_globals(&mut self) {
-        for block in std::mem::take(&mut self.global_blocks) {
-            for group in &block.groups {
-                let hint = group.names.first().map_or("", |name| name.text);
-                let ty = self.group_type(group, hint);
-                self.check_group(PouKind::Program, block, group, ty);
-                let value = if block.constant {
-                    self.constant_value(group, ty)
-                } else {
-                    Constant::Variable
-                };
-                for name in &group.names {
-                    self.declare_global(*name, block, group, ty, value);
-                }
-            }
-        }
-    }
-
-    fn declare_global(
-        &mut self,
-        name: Name<'u>,
-        block: &VariableBlock<'u>,
-        group: &'u VariableGroup<'u>,
-        ty: TypeId,
-        value: Constant,
-    ) {
-        let index = narrow(self.model.variables.len());
-        let known = *self.model.globals.entry(Folded(name.text)).or_insert(index);
-        if known != index {
-            let message = format!("global variable `{}` is already declared", name.text);
-            self.report(Code::SymbolDeclDuplicated, name.span, message);
-        }
-        self.model.variables.push(Variable {
-            name,
-            ty,
-            kind: VariableKind::Global,
-            constant: block.constant,
-            storage: Storage::Absolute(0),
-            initializer: group.initializer.as_ref(),
-            repeated: group.names.first().is_none_or(|first| first.span != name.span),
-            value,
-        });
-    }
-
-    /// Gives VAR_IN_OUT and VAR_EXTERNAL their types, and the latter the variables that they stand for.
-    pub(super) fn resolve_deferred(&mut self) {
-        for deferred in std::mem::take(&mut self.deferred) {
-            self.current = Some(deferred.pou);
-            let ty = self.specification(deferred.specification, deferred.hint);
-            for index in deferred.variables {
-                self.model.variables[index].ty = ty;
-                if self.model.variables[index].kind == VariableKind::External {
-                    self.resolve_external(index);
-                }
-            }
-        }
-        self.current = None;
-    }
-
-    fn resolve_external(&mut self, index: usize) {
-        let (name, ty) = (self.model.variables[index].name, self.model.variables[index].ty);
-        let Some(&global) = self.model.globals.get(&Folded(name.text)) else {
-            let message = format!("there is no global variable `{}`", name.text);
-            self.report(Code::VariableUndefined, name.span, message);
-            self.model.variables[index].ty = TypeId::ERROR;
-            return;
-        };
-        let Variable {
-            ty: other,
-            constant,
-            value,
-            ..
-        } = *self.model.variable(global);
-        let known = ty != TypeId::ERROR && other != TypeId::ERROR;
-        if known && self.model.types.root(ty) != self.model.types.root(other) {
-            let (here, there) = (self.model.types.name(ty), self.model.types.name(other));
-            let message = format!("global variable `{}` is of type {there}, not {here}", name.text);
-            self.report(Code::AssignmentTypeMismatch, name.span, message);
-        }
-        let variable = &mut self.model.variables[index];
-        variable.constant |= constant;
-        variable.value = value;
-        variable.ty = other;
     }
 }

@@ -75,6 +75,7 @@ fn a_function_block_takes_its_inputs_by_name() {
     }
     for (wrong, code) in [
         ("c();", "P4002"),
+        ("c(sun := d);", "P4023"),
         ("c(5);", "P4003"),
         ("c(1, 2, 3);", "P4003"),
         ("c(5, sum := d);", "P4001"),

@@ -166,6 +166,20 @@ fn initial_values_know_what_was_declared_before_them() {
 }
 
 #[test]
+fn initial_values_in_a_structure_know_the_constants_around_it() {
+    let declare = |name: &str| {
+        format!(
+            "END_VAR VAR CONSTANT k : INT := 4; END_VAR VAR v : INT; s : STRUCT x : INT := {name}; END_STRUCT;"
+        )
+    };
+    gives(
+        &format!("PROGRAM main VAR {} END_VAR END_PROGRAM", declare("k * 2")),
+        &["s.x = INT#8"],
+    );
+    assert_eq!(codes(&declare("v"), ""), ["P4007"]);
+}
+
+#[test]
 fn a_common_initial_value_is_complained_about_once() {
     assert_eq!(codes("a, b, c : INT := 1.5;", ""), ["P4022"]);
     assert_eq!(codes("a, b, c : NIX := 5;", ""), ["P2008"]);
