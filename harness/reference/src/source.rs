@@ -143,6 +143,10 @@ fn narrow(length: usize) -> u32 {
     u32::try_from(length).unwrap_or(u32::MAX)
 }
 
+/// What is said of bytes that were no text, and of the characters that stand for them: the same, so that who
+/// hears it twice of one place can drop one.
+pub(crate) const NO_TEXT: &str = "bytes that are no UTF-8 text";
+
 /// Makes text of bytes: a byte-order mark in front is dropped, and each place that is no UTF-8 becomes U+FFFD.
 ///
 /// Gives the text, borrowed where nothing had to be replaced, and a P0003 for each such place, whose span
@@ -177,9 +181,7 @@ pub fn decode(bytes: &[u8]) -> (Cow<'_, str>, Vec<Diagnostic>) {
 
 fn report_broken(diagnostics: &mut Diagnostics, place: Option<Span>) {
     if let Some(span) = place {
-        diagnostics.report(Code::UnexpectedToken, span, || {
-            "bytes that are no UTF-8 text".to_owned()
-        });
+        diagnostics.report(Code::UnexpectedToken, span, || NO_TEXT.to_owned());
     }
 }
 

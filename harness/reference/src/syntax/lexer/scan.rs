@@ -3,7 +3,7 @@
 use super::class::{Class, class, is_word, mark};
 use crate::diagnostic::Diagnostics;
 use crate::dialect::Dialect;
-use crate::source::{MAXIMUM_LENGTH, Span};
+use crate::source::{MAXIMUM_LENGTH, NO_TEXT, Span};
 use crate::syntax::keyword;
 use crate::syntax::token::{Token, TokenKind};
 use stickler_types::Code;
@@ -221,8 +221,12 @@ impl<'s, 'd> Lexer<'s, 'd> {
     /// The text from `start` to here matches nothing.
     pub(super) fn push_unknown(&mut self, start: usize) {
         let text = self.span_from(start).text(self.text);
-        self.report(Code::UnexpectedToken, start, || {
-            format!("{} begins no token", describe(text))
+        let replaced = text
+            .chars()
+            .all(|character| character == char::REPLACEMENT_CHARACTER);
+        self.report(Code::UnexpectedToken, start, || match replaced {
+            true => NO_TEXT.to_owned(),
+            false => format!("{} begins no token", describe(text)),
         });
         self.push(TokenKind::Unknown, start);
     }

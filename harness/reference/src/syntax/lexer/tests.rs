@@ -183,6 +183,12 @@ fn unknown_characters_are_reported_once_a_run() {
 }
 
 #[test]
+fn bytes_that_are_no_text_are_reported_in_the_same_words_as_by_their_decoder() {
+    let (text, diagnostics) = crate::source::decode(b"a \xFF\xFE b");
+    assert_eq!(lex(&text, ED2).diagnostics.into_list(), diagnostics);
+}
+
+#[test]
 fn comments_nest_where_the_dialect_nests_them() {
     assert_eq!(kinds("(* a (* b *) x"), [Name]);
     let nested = lex("(* a (* b *) x *) y", ED3);
