@@ -102,11 +102,17 @@ impl<'m> Lowering<'m> {
                 None => Inferred::Nothing,
             },
             Callee::Standard(standard) => self.infer_standard(standard, arguments),
-            Callee::Conversion(conversion) => match self.converted(&conversion, arguments) {
-                Some(argument) => Inferred::from(conversion.result_type(argument, None)),
-                None => Inferred::Error,
-            },
+            Callee::Conversion(conversion) => self.infer_conversion(&conversion, arguments),
             Callee::Nothing(..) | Callee::Silent => Inferred::Error,
+        }
+    }
+
+    /// The type of most results depends on nothing else, so it is known whatever is wrong with the argument.
+    fn infer_conversion(&mut self, conversion: &ConversionFunction, arguments: &[Argument<'_>]) -> Inferred {
+        match (conversion.result, self.converted(conversion, arguments)) {
+            (ResultType::Exactly(ty), _) => Inferred::from(ty),
+            (_, Some(argument)) => Inferred::from(conversion.result_type(argument, None)),
+            (_, None) => Inferred::Error,
         }
     }
 
@@ -249,29 +255,41 @@ impl<'m> Lowering<'m> {
         arguments: &[Argument<'_>],
         wanted: Option<TypeId>,
     ) -> Value {
+        let value = match conversion.result {
+            ResultType::Exactly(ty) => Value::of(ty),
+            _ => Value::ERROR,
+        };
         let argument = match single_argument(arguments, span) {
             Ok(argument) => argument,
-            Err(fault) => return self.refuse(fault, arguments),
+            Err(fault) => {
+                self.refuse(fault, arguments);
+                return value;
+            }
         };
         let Some(from) = self.converted(conversion, arguments) else {
-            let inferred = self.infer(argument);
-            let value = self.value(argument, None);
-            if value.ty != TypeId::ERROR || inferred == Inferred::Nothing {
-                let (Parameter::Exactly(expected)
-                | Parameter::AnyOf {
-                    default: expected, ..
-                }) = conversion.parameter;
-                self.report_misfit(argument, inferred, TypeId::of(expected), Context::Argument);
-            }
-            return Value::ERROR;
+            self.refuse_converted(conversion, argument);
+            return value;
         };
-        let value = self.coerce(argument, TypeId::of(from), Context::Argument);
+        let given = self.coerce(argument, TypeId::of(from), Context::Argument);
         let to = conversion.result_type(from, wanted.and_then(TypeId::elementary));
         self.emit_at(span, Instruction::Convert(conversion.conversion(from, to)));
-        if value.ty == TypeId::ERROR {
-            Value::ERROR
+        if given.ty == TypeId::ERROR {
+            value
         } else {
             Value::of(to)
+        }
+    }
+
+    /// Says that an argument is of no type that a conversion function takes.
+    fn refuse_converted(&mut self, conversion: &ConversionFunction, argument: ExpressionId) {
+        let inferred = self.infer(argument);
+        let value = self.value(argument, None);
+        if value.ty != TypeId::ERROR || inferred == Inferred::Nothing {
+            let (Parameter::Exactly(expected)
+            | Parameter::AnyOf {
+                default: expected, ..
+            }) = conversion.parameter;
+            self.report_misfit(argument, inferred, TypeId::of(expected), Context::Argument);
         }
     }
 }

@@ -23,8 +23,10 @@ pub(super) enum Context {
     Capture,
     /// The condition of IF, WHILE, REPEAT.
     Condition,
-    /// A subscript, a bound of FOR, a label of CASE.
+    /// A subscript, a bound of FOR.
     Integer,
+    /// A label of CASE, which is a constant, so that no conversion can be suggested.
+    Label,
     /// An operand, whose operator has already been found to be defined.
     Operand,
 }
@@ -35,7 +37,9 @@ impl Context {
     /// Basis: stickler-design: §7 ("Which code where").
     pub(super) const fn code(self) -> Code {
         match self {
-            Context::Assignment | Context::Capture | Context::Integer => Code::AssignmentTypeMismatch,
+            Context::Assignment | Context::Capture | Context::Integer | Context::Label => {
+                Code::AssignmentTypeMismatch
+            }
             Context::CallResult => Code::FunctionCallReturnTypeMismatch,
             Context::Initializer => Code::InitializerTypeMismatch,
             Context::Argument | Context::CommonArgument => Code::FunctionCallArgTypeMismatch,

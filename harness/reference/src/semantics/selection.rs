@@ -129,18 +129,12 @@ impl<'m> Lowering<'m> {
             return None;
         }
         let value = if selector.ty.elementary().is_some() {
-            self.integer(id, selector.of, Context::Integer)?
+            self.integer(id, selector.of, Context::Label)?
         } else {
             let inferred = self.infer(id);
             let dialect = self.model.source.dialect;
-            let misfit = fit(
-                inferred,
-                selector.ty,
-                Context::Integer,
-                &self.model.types,
-                dialect,
-            ) == Fit::No;
-            let value = self.coerce(id, selector.ty, Context::Integer);
+            let misfit = fit(inferred, selector.ty, Context::Label, &self.model.types, dialect) == Fit::No;
+            let value = self.coerce(id, selector.ty, Context::Label);
             if misfit || value.ty == TypeId::ERROR {
                 return None;
             }

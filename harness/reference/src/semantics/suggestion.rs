@@ -32,7 +32,7 @@ impl<'m> Lowering<'m> {
             _ => format!("{value} is no {name} here"),
         };
         let suggestion = match (inferred.elementary(), target.elementary()) {
-            (Some(from), Some(to)) => self.conversion_call(id, from, to),
+            (Some(from), Some(to)) if context != Context::Label => self.conversion_call(id, from, to),
             _ => None,
         };
         let span = self.span(id);

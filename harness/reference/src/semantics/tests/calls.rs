@@ -220,13 +220,11 @@ fn conversion_functions_check_their_argument() {
     ] {
         assert_eq!(codes(variables, wrong), [code], "{wrong}");
     }
-    assert!(
-        codes(
-            variables,
-            "d := INT_TO_DINT(i) + INT_TO_DINT(INT_TO_DINT(i) = d);"
-        )
-        .contains(&"P4026".to_owned())
-    );
+    let nested = "d := INT_TO_DINT(i) + INT_TO_DINT(INT_TO_DINT(i) = d);";
+    assert_eq!(codes(variables, nested), ["P4026"]);
+    // The result's type is known whatever the argument is.
+    assert_eq!(codes(variables, "i := INT_TO_REAL(d);"), ["P4026", "P4027"]);
+    assert_eq!(codes(variables, "i := TO_REAL(x) + 1.0;"), ["P4007", "P4035"]);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Statements.
 
-use super::{codes, gives};
+use super::{ED3, codes, diagnose, gives};
 
 #[test]
 fn statements_stand_where_they_belong() {
@@ -70,6 +70,12 @@ fn a_case_selects_by_integers_that_fit() {
 }
 
 #[test]
+fn a_label_has_no_suggestion_for_it_must_stay_a_constant() {
+    let text = "PROGRAM main VAR i : INT; END_VAR CASE i OF TRUE: ; END_CASE; END_PROGRAM";
+    assert_eq!(diagnose(ED3, text)[0].suggestion, None);
+}
+
+#[test]
 fn a_case_takes_the_first_branch_that_fits() {
     gives(
         "PROGRAM main VAR i : INT; n : ARRAY[-3..12] OF INT; u : ULINT := 18446744073709551615; k : INT; END_VAR
@@ -111,7 +117,7 @@ fn a_for_loop_takes_integers() {
         let said = if wrong.starts_with("FOR 5")
             && crate::syntax::parse(
                 &format!("PROGRAM p {wrong} END_PROGRAM"),
-                &crate::Dialect::of(super::ED3),
+                &crate::Dialect::of(ED3),
             )
             .1
             .len()
