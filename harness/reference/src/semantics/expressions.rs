@@ -34,7 +34,10 @@ impl<'m> Lowering<'m> {
         // What does not fit is lowered all the same, for what is wrong inside.
         let value = self.value(id, (fits == Fit::Yes).then_some(to));
         if fits == Fit::No {
-            if value.ty != TypeId::ERROR || inferred == Inferred::Nothing {
+            // A type that is known is wrong here whatever is wrong inside; a literal that could not be read in
+            // its default type is not said to be of the wrong type as well.
+            let known = matches!(inferred, Inferred::Known(_) | Inferred::Nothing);
+            if known || value.ty != TypeId::ERROR {
                 self.report_misfit(id, inferred, to, context);
             }
             return Value::ERROR;

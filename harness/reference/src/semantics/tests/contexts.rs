@@ -105,13 +105,17 @@ fn zero_and_one_are_the_literals_of_bool() {
 #[test]
 fn what_is_wrong_inside_is_said_too() {
     assert_eq!(codes("b : BOOL; i : INT;", "b := i + x;"), ["P4007"]);
-    assert_eq!(codes("b : BOOL; i : INT;", "b := i + INT#40000;"), ["P2026"]);
+    assert_eq!(
+        codes("b : BOOL; i : INT;", "b := i + INT#40000;"),
+        ["P2026", "P4035"]
+    );
+    assert_eq!(codes("t : TIME;", "t := 99999999999999999999;"), ["P2026"]);
     assert_eq!(
         codes(
             "s : SINT; i : INT; a : ARRAY[0..1] OF INT;",
             "s := i + a[x] + a[2];"
         ),
-        ["P2027", "P4007"]
+        ["P2027", "P4007", "P4035"]
     );
     assert_eq!(codes("", "x := y + z;"), ["P4007", "P4007", "P4007"]);
 }
