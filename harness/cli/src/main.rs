@@ -29,7 +29,6 @@ fn main() -> ExitCode {
     });
     match result {
         Ok(exit) => exit.into(),
-        Err(error) if output::reader_is_gone(&error) => exit::Exit::AsExpected.into(),
         Err(error) => {
             // What was found so far stands before what went wrong; neither can be told anyone if both streams fail.
             let _ = out.flush();

@@ -8,21 +8,58 @@ const ERROR: Style = AnsiColor::Red.on_default().bold();
 const NOTE: Style = Style::new().bold();
 
 /// Standard output, gathered into large pieces, its styles stripped where it is no terminal or `NO_COLOR` is set.
+/// Once nobody reads on, as in `stickler list | head`, what is written is dropped: the command still ends with the
+/// exit code that it has earned, for a pipe must not turn a failed run into a green one.
 pub fn stdout() -> impl Write {
-    BufWriter::with_capacity(1 << 16, anstream::stdout())
+    BufWriter::with_capacity(
+        1 << 16,
+        WhileRead {
+            inner: anstream::stdout(),
+            read: true,
+        },
+    )
+}
+
+/// Writes for as long as somebody reads.
+struct WhileRead<W> {
+    inner: W,
+    read: bool,
+}
+
+impl<W> WhileRead<W> {
+    /// What an attempt to write gave, or `dropped` where nobody reads any more.
+    fn unless_gone<T>(&mut self, attempt: io::Result<T>, dropped: T) -> io::Result<T> {
+        match attempt {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {
+                self.read = false;
+                Ok(dropped)
+            }
+            other => other,
+        }
+    }
+}
+
+impl<W: Write> Write for WhileRead<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if !self.read {
+            return Ok(bytes.len());
+        }
+        let attempt = self.inner.write(bytes);
+        self.unless_gone(attempt, bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        if !self.read {
+            return Ok(());
+        }
+        let attempt = self.inner.flush();
+        self.unless_gone(attempt, ())
+    }
 }
 
 /// Standard error, its styles stripped as those of [`stdout`] are.
 pub fn stderr() -> impl Write {
     anstream::stderr()
-}
-
-/// Whether the error says only that nobody reads on, as in `stickler list | head`.
-pub fn reader_is_gone(error: &anyhow::Error) -> bool {
-    error
-        .chain()
-        .filter_map(|cause| cause.downcast_ref::<io::Error>())
-        .any(|cause| cause.kind() == io::ErrorKind::BrokenPipe)
 }
 
 /// Writes an error and its causes to stderr.

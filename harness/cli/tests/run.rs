@@ -155,6 +155,20 @@ fn a_reader_that_goes_away_is_no_error() {
     assert_eq!(text(&end.stderr), "");
 }
 
+#[test]
+fn a_reader_that_goes_away_does_not_turn_a_rejection_into_success() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("bad.st"), "PROGRAM main x := 1; END_PROGRAM").expect("a program");
+    let mut check = stickler(folder.path(), &["check", "bad.st", "--dialect", "matiec"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    drop(check.stdout.take());
+    let end = check.wait_with_output().expect("the command ends");
+    assert_eq!(end.status.code(), Some(1), "{}", text(&end.stderr));
+}
+
 /// A suite that takes minutes: each case runs into the step limit.
 fn slow_suite(folder: &Path) {
     let cases = folder.join("conformance-cases/language");
@@ -220,6 +234,7 @@ fn ctrl_c_leaves_a_readable_log_that_is_marked_as_cut_short() {
         "{}",
         text(&end.stdout)
     );
+    assert!(text(&end.stdout).contains("events.jsonl, as far as the run came"));
     let left: Vec<_> = fs::read_dir(log.parent().expect("a folder"))
         .expect("the folder")
         .collect();

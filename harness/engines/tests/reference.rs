@@ -138,7 +138,10 @@ fn more_scans_than_anyone_has_time_for_end_at_the_step_limit() {
         json!({"type":"run","id":1,"dialect":"matiec","source":"PROGRAM main\nEND_PROGRAM\n",
         "scans":u32::MAX}),
     );
-    assert_eq!((&reply["fault"], &reply["line"]), (&json!("step-limit"), &json!(1)));
+    assert_eq!(
+        (&reply["fault"], &reply["line"]),
+        (&json!("step-limit"), &json!(1))
+    );
 }
 
 #[test]

@@ -148,10 +148,14 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
         )?;
     }
     if let Some(folder) = around.reports {
-        writeln!(
-            out,
-            "Reports: {folder}/summary.md; every case is in results.json beside it."
-        )?;
+        // A run that was cut short leaves its log and nothing else.
+        match overview.footer {
+            Some(_) => writeln!(
+                out,
+                "Reports: {folder}/summary.md; every case is in results.json beside it."
+            ),
+            None => writeln!(out, "Reports: {folder}/events.jsonl, as far as the run came."),
+        }?;
     }
     let broken = overview
         .header

@@ -6,7 +6,7 @@ use crate::exit::{Exit, NoSuchEngine};
 use crate::progress::Progress;
 use crate::{interrupt, shell};
 use jiff::{Timestamp, Unit};
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use stickler_engines::{Engine, Reference};
@@ -34,7 +34,13 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     let summary = stickler_run::run(&plan, &suite, &engines, &mut |event| desk.take(&event), cancel);
     let overview = desk.finish()?;
     let shown = report_folder.map(|folder| folder.display().to_string());
-    show(&overview, shown.as_deref(), out)?;
+    terminal::write(
+        out,
+        &overview,
+        Surroundings {
+            reports: shown.as_deref(),
+        },
+    )?;
     Ok(exit(&summary?).worst(case_folder::exit_of(&suite)))
 }
 
@@ -115,15 +121,6 @@ impl<'c> Desk<'c> {
             reports.finish(&self.overview)?;
         }
         Ok(self.overview)
-    }
-}
-
-/// The summary on the terminal. Where nobody reads it, the run still counts: its reports are written.
-fn show(overview: &Overview, reports: Option<&str>, out: &mut dyn Write) -> io::Result<()> {
-    let written = terminal::write(out, overview, Surroundings { reports }).and_then(|()| out.flush());
-    match written {
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        other => other,
     }
 }
 

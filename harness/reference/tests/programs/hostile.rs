@@ -139,7 +139,11 @@ fn a_line_of_a_megabyte_has_its_columns() {
 #[test]
 fn recursion_is_rejected_and_a_cycle_of_types_too() {
     let source = "FUNCTION F : INT F := G(); END_FUNCTION FUNCTION G : INT G := F(); END_FUNCTION";
-    assert!(codes(source).contains(&Code::RecursiveCycle), "{:?}", codes(source));
+    assert!(
+        codes(source).contains(&Code::RecursiveCycle),
+        "{:?}",
+        codes(source)
+    );
     assert!(!codes("TYPE A : STRUCT b : B; END_STRUCT; B : STRUCT a : A; END_STRUCT; END_TYPE").is_empty());
     assert!(!codes("FUNCTION_BLOCK F VAR f : F; END_VAR END_FUNCTION_BLOCK").is_empty());
 }
