@@ -1,8 +1,7 @@
 //! `junit.xml`: the run for continuous integration. The first test suite is the claims, one test a claim; where case files
 //! are broken, the next is those; then comes one test suite an engine, dialect and area, one test a case.
 //!
-//! It is written by hand: there are a hundred thousand tests, most of which have nothing to say, and a tree of them
-//! costs more than running them. Its tests read it back with quick-junit.
+//! The document is quick-junit's, which knows what XML and JUnit's readers take.
 
 mod case;
 mod suite;
@@ -11,12 +10,14 @@ use crate::ReportError;
 use crate::claims::{Claim, Standing};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
+use quick_junit::Report;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::io::{self, Write as _};
+use std::io;
 use std::path::PathBuf;
+use std::time::Duration;
 use stickler_run::Event;
-use suite::{Counts, Kind, Problem, Suite, Test};
+use suite::{Kind, Problem, Suite, Test};
 
 /// Gathers the run: test suites are apart in the file, and their cases are not in the stream of events.
 pub(crate) struct Junit {
@@ -46,7 +47,7 @@ impl Junit {
                 self.suites
                     .entry(name)
                     .or_insert_with_key(|name| Suite::new(name))
-                    .add(&case::test(event));
+                    .add(case::test(event));
             }
         }
     }
@@ -60,31 +61,16 @@ impl Junit {
             return Ok(());
         };
         let path = self.file.path().to_owned();
-        let mut leading = vec![claims(overview)];
-        leading.extend(broken_files(overview));
-        self.write(&leading, footer.duration_ms)
+        let mut report = Report::new("stickler");
+        report.set_time(Duration::from_millis(footer.duration_ms));
+        report.add_test_suite(claims(overview).finish());
+        report.add_test_suites(broken_files(overview).map(Suite::finish));
+        report.add_test_suites(self.suites.into_values().map(Suite::finish));
+        report
+            .serialize(&mut self.file)
+            .map_err(io::Error::other)
             .map_err(ReportError::writing(&path))?;
         self.file.commit()
-    }
-
-    fn write(&mut self, leading: &[Suite], duration_ms: u64) -> io::Result<()> {
-        let suites = || leading.iter().chain(self.suites.values());
-        let sum = |count: fn(&Counts) -> u64| suites().map(|suite| count(&suite.counts)).sum();
-        let counts = Counts {
-            tests: sum(|counts| counts.tests),
-            failures: sum(|counts| counts.failures),
-            errors: sum(|counts| counts.errors),
-            skipped: sum(|counts| counts.skipped),
-            microseconds: duration_ms * 1000,
-        };
-        let Junit { file: out, suites } = self;
-        writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;
-        writeln!(out, "<testsuites name=\"stickler\"{}>", counts.attributes())?;
-        leading
-            .iter()
-            .chain(suites.values())
-            .try_for_each(|suite| suite.write(out))?;
-        writeln!(out, "</testsuites>")
     }
 }
 
@@ -106,7 +92,7 @@ fn claims(overview: &Overview) -> Suite {
             text: standing.clone(),
         });
         let name = claim_name(&claim, overview.totals.len() > 1);
-        suite.add(&Test {
+        suite.add(Test {
             name: &name,
             microseconds: 0,
             problem,
@@ -127,7 +113,7 @@ fn broken_files(overview: &Overview) -> Option<Suite> {
             message: "some cases were not run".to_owned(),
             text: mistake.clone(),
         };
-        suite.add(&Test {
+        suite.add(Test {
             name: mistake,
             problem: Some(problem),
             ..Test::default()

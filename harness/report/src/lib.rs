@@ -32,7 +32,6 @@ pub mod summary;
 mod table;
 pub mod terminal;
 mod text;
-mod xml;
 
 pub use error::{LogError, ReportError};
 pub use folder::Reports;

@@ -1,39 +1,12 @@
-//! One test suite of a JUnit document, as text: its tests come one by one, and their numbers stand before them.
+//! Test suites in the terms of JUnit, as quick-junit has them.
 
-use crate::spool::Spool;
-use crate::xml::{add_attribute, add_text};
-use std::io;
+use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
+use std::time::Duration;
 
-/// One test suite.
+/// One test suite, which knows the time of its tests.
 pub(super) struct Suite {
-    name: String,
-    /// The numbers of its tests.
-    pub(super) counts: Counts,
-    tests: Spool,
-}
-
-/// The numbers of a suite, or of all.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Counts {
-    pub(super) tests: u64,
-    pub(super) failures: u64,
-    pub(super) errors: u64,
-    pub(super) skipped: u64,
-    pub(super) microseconds: u64,
-}
-
-impl Counts {
-    /// As attributes, each with a space before it.
-    pub(super) fn attributes(&self) -> String {
-        format!(
-            " tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{}\"",
-            self.tests,
-            self.failures,
-            self.errors,
-            self.skipped,
-            seconds(self.microseconds)
-        )
-    }
+    suite: TestSuite,
+    time: Duration,
 }
 
 /// One test.
@@ -55,90 +28,63 @@ pub(super) struct Problem<'a> {
     pub(super) kind: Kind,
     /// What Stickler calls it.
     pub(super) type_name: &'a str,
-    /// One line.
+    /// One line; line ends and tabs in it become spaces, as a reader of the attribute would have them.
     pub(super) message: String,
     /// All that is to be said.
     pub(super) text: String,
+}
+
+/// What JUnit calls a test that did not simply pass.
+#[derive(Clone, Copy)]
+pub(super) enum Kind {
+    /// It gave the wrong answer.
+    Failure,
+    /// It gave no answer.
+    Error,
+    /// It counts neither way.
+    Skipped,
 }
 
 impl Suite {
     /// A test suite without tests.
     pub(super) fn new(name: &str) -> Suite {
         Suite {
-            name: name.to_owned(),
-            counts: Counts::default(),
-            tests: Spool::default(),
+            suite: TestSuite::new(name),
+            time: Duration::ZERO,
         }
     }
 
     /// Adds a test.
-    pub(super) fn add(&mut self, test: &Test<'_>) {
-        self.counts.tests += 1;
-        self.counts.microseconds += test.microseconds;
-        let out = &mut self.tests;
-        out.add(b"<testcase");
-        add_attribute(out, "name", test.name);
-        add_attribute(out, "classname", &self.name);
-        add_attribute(out, "time", &seconds(test.microseconds));
-        if test.problem.is_none() && test.output.is_empty() {
-            return out.add(b"/>\n");
-        }
-        out.add(b">\n");
-        if let Some(problem) = &test.problem {
-            self.add_problem(problem);
-        }
-        let out = &mut self.tests;
+    pub(super) fn add(&mut self, test: Test<'_>) {
+        let time = Duration::from_micros(test.microseconds);
+        let mut case = TestCase::new(
+            test.name,
+            test.problem.map_or_else(TestCaseStatus::success, status),
+        );
+        case.set_classname(self.suite.name.clone()).set_time(time);
         if !test.output.is_empty() {
-            out.add(b"<system-out>");
-            add_text(out, &test.output);
-            out.add(b"</system-out>\n");
+            case.set_system_out(test.output);
         }
-        out.add(b"</testcase>\n");
+        self.time += time;
+        self.suite.add_test_case(case);
     }
 
-    fn add_problem(&mut self, problem: &Problem<'_>) {
-        let (element, counter) = match problem.kind {
-            Kind::Failure => ("failure", &mut self.counts.failures),
-            Kind::Error => ("error", &mut self.counts.errors),
-            Kind::Skipped => ("skipped", &mut self.counts.skipped),
-        };
-        *counter += 1;
-        let out = &mut self.tests;
-        out.add(b"<");
-        out.add(element.as_bytes());
-        add_attribute(out, "type", problem.type_name);
-        add_attribute(out, "message", &problem.message);
-        out.add(b">");
-        add_text(out, &problem.text);
-        out.add(b"</");
-        out.add(element.as_bytes());
-        out.add(b">\n");
-    }
-
-    /// Writes the whole suite.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub(super) fn write(&self, out: &mut impl io::Write) -> io::Result<()> {
-        let mut head = Spool::default();
-        head.add(b"<testsuite");
-        add_attribute(&mut head, "name", &self.name);
-        head.add(self.counts.attributes().as_bytes());
-        head.add(b">\n");
-        head.write(out)?;
-        self.tests.write(out)?;
-        out.write_all(b"</testsuite>\n")
+    /// The whole suite.
+    pub(super) fn finish(mut self) -> TestSuite {
+        self.suite.set_time(self.time);
+        self.suite
     }
 }
 
-/// What JUnit calls a test that did not simply pass.
-#[derive(Clone, Copy)]
-pub(super) enum Kind {
-    Failure,
-    Error,
-    Skipped,
-}
-
-fn seconds(microseconds: u64) -> String {
-    format!("{}.{:06}", microseconds / 1_000_000, microseconds % 1_000_000)
+fn status(problem: Problem<'_>) -> TestCaseStatus {
+    let mut status = match problem.kind {
+        Kind::Failure => TestCaseStatus::non_success(NonSuccessKind::Failure),
+        Kind::Error => TestCaseStatus::non_success(NonSuccessKind::Error),
+        Kind::Skipped => TestCaseStatus::skipped(),
+    };
+    status
+        .set_type(problem.type_name)
+        .set_message(problem.message.replace(['\n', '\t'], " "))
+        .set_description(problem.text);
+    status
 }
