@@ -81,6 +81,8 @@ fn describe(case: &Case, judgement: &Judgement) -> String {
         lines.lines().for_each(|line| text.extend(["    ", line, "\n"]));
     }
     let _ = writeln!(text, "  diff:");
+    // Both end their last line, or it would differ from an equal line that is not the last.
+    let (expected, got) = (format!("{expected}\n"), format!("{got}\n"));
     for change in TextDiff::from_lines(expected.as_str(), got.as_str()).iter_all_changes() {
         let line = change.value().trim_end_matches('\n');
         let _ = writeln!(text, "    {}{line}", change.tag());
