@@ -1,0 +1,1 @@
+//! What every type conversion function must give, by exact arithmetic.

@@ -1,0 +1,1 @@
+//! Every input of a conversion function, held against exact arithmetic.

@@ -1,0 +1,1 @@
+//! The program that writes the row tables of the conformance suite whose values are computed.
