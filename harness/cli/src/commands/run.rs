@@ -2,14 +2,14 @@
 
 use crate::arguments::RunArguments;
 use crate::case_folder::{self, CaseFolder};
-use crate::exit::{Exit, NoSuchEngine};
+use crate::exit::Exit;
 use crate::progress::Progress;
-use crate::{interrupt, shell};
+use crate::{engines, interrupt, shell};
 use jiff::{Timestamp, Unit};
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
-use stickler_engines::{Engine, Reference};
+use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
 use stickler_run::{Event, Plan, Summary, select};
@@ -20,7 +20,7 @@ use stickler_run::{Event, Plan, Summary, select};
 /// A wrong command line, an engine that cannot be run, no case, or reports that cannot be written. All but a disk that
 /// fills up is found before the first case.
 pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let engines = engines(&arguments.engine)?;
+    let engines = engines::by_names(&arguments.engine)?;
     let engines: Vec<&dyn Engine> = engines.iter().map(AsRef::as_ref).collect();
     let folder = CaseFolder::locate(arguments.selection.cases.as_deref())?;
     let suite = folder.load();
@@ -42,14 +42,6 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         },
     )?;
     Ok(exit(&summary?).worst(case_folder::exit_of(&suite)))
-}
-
-/// The engines of these names, each once; the reference where none is named.
-fn engines(names: &[String]) -> Result<Vec<Box<dyn Engine>>, NoSuchEngine> {
-    match names.iter().find(|name| *name != "reference") {
-        Some(unknown) => Err(NoSuchEngine(unknown.clone())),
-        None => Ok(vec![Box::new(Reference::default())]),
-    }
 }
 
 fn plan(arguments: &RunArguments) -> Plan {
