@@ -1,1 +1,31 @@
 //! What every type conversion function must give, by exact arithmetic.
+//!
+//! This crate is the suite's oracle: the generator of row tables, `stickler sweep` and the property tests ask it, and the
+//! reference implementation never does, nor is it ever asked. It computes with integers and exact fractions only, so that
+//! every number is rounded at most once, at the end, by a rule that stands here in words. There is no floating point arithmetic.
+//!
+//! | question | answered by |
+//! |---|---|
+//! | which functions does a dialect have, and between which types? | [`functions`], [`signatures`] |
+//! | what must a call give, and which document says so? | [`expected`] |
+//! | what would it give by other rules? | [`value`] with other [`Choices`] |
+//!
+//! Where no document says what a call gives, the answer is *open*: [`Expected::basis`] is `None`, and the value is what IEC
+//! 60559 and two's complement suggest, by the choices of the dialect.
+//!
+//! Basis: stickler-design: §8 (arithmetic rules, and what *open* means); the rules themselves name theirs.
+
+mod basis;
+mod catalogue;
+mod choices;
+mod integer;
+mod pair;
+mod real;
+mod signature;
+mod value;
+
+pub use basis::{Expected, expected};
+pub use catalogue::{functions, signatures};
+pub use choices::{BitStringText, Choices, Outside, RealText, RealToInteger, TextReading};
+pub use signature::{Operation, Signature};
+pub use value::value;

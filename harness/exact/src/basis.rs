@@ -1,0 +1,195 @@
+//! Which document says what a call gives, if one does: what the suite asserts, and what it only observes.
+//!
+//! Whatever is not said here is open. An overloaded name (`TO_INT`) is open whatever it is given, for no document of a
+//! dialect has it: the ForgeIEC page says that every conversion is `<SRC>_TO_<DST>`, and so does IronPLC's.
+
+use crate::choices::Choices;
+use crate::integer;
+use crate::real::{self, Real, Rounding, Whole};
+use crate::signature::{Operation, Signature};
+use crate::value::value;
+use stickler_types::{DialectName, ElementaryType, Family, Value};
+
+/// What a call gives.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Expected {
+    /// The value.
+    pub value: Value,
+    /// The document and section that say so, as the suite writes a basis: `source: section`. `None` where the call is open.
+    pub basis: Option<&'static str>,
+}
+
+/// What a call of a conversion function must give in a dialect, and by which document.
+///
+/// Takes a signature of [`crate::signatures`] and one operand for each of its types. Where no document says what the call
+/// gives, the basis is `None` and the value is that of stickler-design: §8. See [`value`] for operands that do not fit.
+#[must_use]
+pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
+    let basis = match (&signature.operands[..], operands) {
+        (&[from], [operand]) if signature.takes(operands) => Call {
+            signature,
+            from,
+            to: signature.result,
+            rules: Rules::of(dialect),
+        }
+        .basis(operand),
+        _ => None,
+    };
+    Expected {
+        value: value(signature, operands, &Choices::of(dialect)),
+        basis,
+    }
+}
+
+const NAMING: &str = "forgeiec-conversion-functions: The naming pattern";
+const RANGE: &str = "forgeiec-conversion-functions: Range and precision";
+const TRUNC: &str = "forgeiec-conversion-functions: TRUNC vs. ROUND";
+const IRONPLC_EXPLICIT: &str = "ironplc-type-conversions: Explicit Conversion Functions";
+const IRONPLC_NARROWING: &str = "ironplc-type-conversions: Narrowing Conversions";
+const DESIGN: &str = "stickler-design: §8";
+
+/// Whose documents apply.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Rules {
+    Ironplc,
+    Matiec,
+    Plcnext,
+}
+
+impl Rules {
+    const fn of(dialect: DialectName) -> Rules {
+        match dialect {
+            DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty => Rules::Ironplc,
+            DialectName::Matiec => Rules::Matiec,
+            DialectName::Plcnext => Rules::Plcnext,
+        }
+    }
+
+    /// The basis where one of the first two says something, and PLCnext's documents nothing.
+    fn documented(self, basis: &'static str) -> Option<&'static str> {
+        (self != Rules::Plcnext).then_some(basis)
+    }
+
+    /// The basis where only the ForgeIEC page says something.
+    fn only_matiec(self, basis: &'static str) -> Option<&'static str> {
+        (self == Rules::Matiec).then_some(basis)
+    }
+}
+
+/// A call with one argument.
+#[derive(Clone, Copy)]
+struct Call<'s> {
+    signature: &'s Signature,
+    from: ElementaryType,
+    to: ElementaryType,
+    rules: Rules,
+}
+
+impl Call<'_> {
+    fn basis(self, operand: &Value) -> Option<&'static str> {
+        let name = &self.signature.function[..];
+        match self.signature.operation {
+            Operation::Convert if name.starts_with("TO_") => None,
+            Operation::Convert => match *operand {
+                Value::Plain { raw, .. } => self.of_conversion(raw),
+                _ => None,
+            },
+            Operation::Truncate => match *operand {
+                Value::Plain { raw, .. } => self.of_truncation(name, raw),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// `<SRC>_TO_<DST>`.
+    fn of_conversion(self, raw: u64) -> Option<&'static str> {
+        use Family::{BitString, Boolean, Real, Signed, Unsigned};
+        match (self.from.family(), self.to.family()) {
+            (Signed | Unsigned | BitString, Signed | Unsigned) | (Signed | Unsigned, BitString) => {
+                self.of_integers(raw)
+            }
+            (BitString, BitString) => self.rules.documented(DESIGN),
+            (Boolean, Signed | Unsigned | BitString | Real) | (Signed | Unsigned | BitString, Boolean) => {
+                self.rules.documented(NAMING)
+            }
+            // "0 → FALSE, anything else → TRUE" speaks of numbers, and a NaN is none.
+            (Real, Boolean) if real::decode(raw, self.from) == real::Real::NotANumber => None,
+            (Real, Boolean) => self.rules.documented(NAMING),
+            (Signed | Unsigned, Real) => Some(DESIGN),
+            (Real, Real) if self.to == ElementaryType::Real => Some(RANGE),
+            (Real, Real) => Some(DESIGN),
+            (Real, Signed | Unsigned) => self.of_real_to_integer(raw),
+            _ => None,
+        }
+    }
+
+    /// Integers among each other and to bit strings, bit strings to integers.
+    fn of_integers(self, raw: u64) -> Option<&'static str> {
+        match self.rules {
+            Rules::Plcnext => None,
+            Rules::Matiec if self.from.is_bit_string() => Some(NAMING),
+            Rules::Matiec => Some(RANGE),
+            Rules::Ironplc if self.from.bits() > self.to.bits() => Some(IRONPLC_NARROWING),
+            Rules::Ironplc if integer::holds(self.to, integer::number(raw, self.from)) => {
+                Some(IRONPLC_EXPLICIT)
+            }
+            // IronPLC's page does not say what a change of sign gives; the design does.
+            Rules::Ironplc => Some(DESIGN),
+        }
+    }
+
+    /// A real number to an integer by `<SRC>_TO_<DST>`.
+    fn of_real_to_integer(self, raw: u64) -> Option<&'static str> {
+        match self.truncated(raw) {
+            Truncated::Inside => match self.rules {
+                Rules::Ironplc => Some(IRONPLC_EXPLICIT),
+                Rules::Matiec => Some(RANGE),
+                Rules::Plcnext => None,
+            },
+            Truncated::Outside => self.rules.only_matiec(RANGE),
+            Truncated::NoNumber => self.rules.only_matiec(DESIGN),
+        }
+    }
+
+    /// TRUNC and its kin. Of those that name a type the ForgeIEC page has three; the others are open.
+    fn of_truncation(self, name: &str, raw: u64) -> Option<&'static str> {
+        let truncated = self.truncated(raw);
+        match name {
+            "TRUNC" if truncated == Truncated::Inside => self.rules.documented(TRUNC),
+            "TRUNC_INT" | "TRUNC_DINT" | "TRUNC_LINT" => match truncated {
+                Truncated::Inside => self.rules.only_matiec(NAMING),
+                Truncated::Outside => self.rules.only_matiec(RANGE),
+                Truncated::NoNumber => self.rules.only_matiec(DESIGN),
+            },
+            _ => None,
+        }
+    }
+
+    /// Where the truncated operand lies.
+    fn truncated(self, raw: u64) -> Truncated {
+        let Real::Finite {
+            negative,
+            significand,
+            exponent,
+        } = real::decode(raw, self.from)
+        else {
+            return Truncated::NoNumber;
+        };
+        match real::to_whole(negative, significand, exponent, Rounding::TowardZero) {
+            Whole::Number(number) if integer::holds(self.to, number) => Truncated::Inside,
+            _ => Truncated::Outside,
+        }
+    }
+}
+
+/// Where a truncated real number lies.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Truncated {
+    /// Within the range of the target.
+    Inside,
+    /// Outside it.
+    Outside,
+    /// Nowhere: it is a NaN or an infinity.
+    NoNumber,
+}

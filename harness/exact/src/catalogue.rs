@@ -1,0 +1,168 @@
+//! The catalogue of conversion functions: every name of a dialect with its signatures.
+//!
+//! It is written out once for each dialect, from pairs of types and a few patterns of names, and looked up afterwards.
+
+use crate::pair;
+use crate::signature::{Operation, Signature};
+use std::collections::HashMap;
+use std::sync::LazyLock;
+use stickler_types::{DialectName, ElementaryType};
+
+/// Every signature of a function in a dialect; none where the dialect has no conversion function of this name.
+///
+/// The name may be in any ASCII case, and spell the types `TOD`, `DT`, `LTOD` and `LDT` out: `TIME_OF_DAY`. The signatures are
+/// in the order of their operand types, and then of their result types, as [`ElementaryType::ALL`] has them; each carries the
+/// name as it was given, in upper case.
+///
+/// | name | takes | gives |
+/// |---|---|---|
+/// | `<SRC>_TO_<DST>` | SRC | DST, which is another type |
+/// | `TO_<DST>` | any type that has a meaning in DST, DST among them | DST |
+/// | `TRUNC` | REAL, LREAL | DINT |
+/// | `TRUNC_<INTEGER>` | REAL, LREAL | the integer |
+/// | `<REAL>_TRUNC_<INTEGER>` | REAL or LREAL | the integer |
+/// | `ROUND`, `CEIL`, `CEILING`, `FLOOR`, not in `matiec` | REAL, LREAL | DINT, LINT |
+///
+/// Basis: forgeiec-conversion-functions: The naming pattern, TRUNC vs. ROUND; ironplc-type-conversions: Explicit Conversion
+/// Functions; iec-61131-3: Table 22 (the overloaded names of the third edition).
+#[must_use]
+pub fn signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
+    // No name is longer, and a hostile one is not worth copying.
+    const LONGEST: usize = "LDATE_AND_TIME_TO_LTIME_OF_DAY".len();
+    if function.len() > LONGEST {
+        return Vec::new();
+    }
+    let name = function.to_ascii_uppercase();
+    let Some(known) = Catalogue::of(dialect).by_name.get(&short_spelling(&name)) else {
+        return Vec::new();
+    };
+    let renamed = known.iter().map(|signature| Signature {
+        function: name.clone(),
+        ..signature.clone()
+    });
+    renamed.collect()
+}
+
+/// Every name of a conversion function that a dialect has, each once, in upper case and the short spelling of the types.
+///
+/// The order is always the same: the pairs of types, the overloaded names, truncation and rounding.
+#[must_use]
+pub fn functions(dialect: DialectName) -> Vec<String> {
+    Catalogue::of(dialect).names.clone()
+}
+
+/// The same name with the short keywords of the types.
+fn short_spelling(name: &str) -> String {
+    // `LTIME_OF_DAY` and `LDATE_AND_TIME` contain the spellings of the short types, and become `LTOD` and `LDT` with them.
+    name.replace("TIME_OF_DAY", "TOD").replace("DATE_AND_TIME", "DT")
+}
+
+/// The functions of one dialect.
+struct Catalogue {
+    names: Vec<String>,
+    by_name: HashMap<String, Vec<Signature>>,
+}
+
+/// One for each dialect, in the order of the declaration.
+static CATALOGUES: LazyLock<[Catalogue; DialectName::ALL.len()]> =
+    LazyLock::new(|| DialectName::ALL.map(Catalogue::written_out));
+
+impl Catalogue {
+    fn of(dialect: DialectName) -> &'static Catalogue {
+        &CATALOGUES[dialect as usize]
+    }
+
+    fn written_out(dialect: DialectName) -> Catalogue {
+        let mut catalogue = Catalogue {
+            names: Vec::new(),
+            by_name: HashMap::new(),
+        };
+        let types: Vec<ElementaryType> = ElementaryType::ALL
+            .into_iter()
+            .filter(|ty| has_third_edition(dialect) || !ty.is_third_edition())
+            .collect();
+        catalogue.add_pairs(&types);
+        catalogue.add_truncations();
+        if dialect != DialectName::Matiec {
+            catalogue.add_roundings();
+        }
+        catalogue
+    }
+
+    /// Adds one signature to the function of this name.
+    fn add(&mut self, name: String, from: ElementaryType, to: ElementaryType, operation: Operation) {
+        self.add_signature(Signature {
+            function: name,
+            operands: vec![from],
+            result: to,
+            operation,
+        });
+    }
+
+    fn add_signature(&mut self, signature: Signature) {
+        let signatures = self.by_name.entry(signature.function.clone()).or_default();
+        if signatures.is_empty() {
+            self.names.push(signature.function.clone());
+        }
+        signatures.push(signature);
+    }
+
+    /// `<SRC>_TO_<DST>` and `TO_<DST>`.
+    fn add_pairs(&mut self, types: &[ElementaryType]) {
+        let pairs = || {
+            let all = types
+                .iter()
+                .flat_map(|&from| types.iter().map(move |&to| (from, to)));
+            all.filter(|&(from, to)| pair::has_meaning(from, to))
+        };
+        for (from, to) in pairs().filter(|(from, to)| from != to) {
+            self.add(format!("{from}_TO_{to}"), from, to, Operation::Convert);
+        }
+        for (from, to) in pairs() {
+            self.add(format!("TO_{to}"), from, to, Operation::Convert);
+        }
+    }
+
+    /// `TRUNC`, `TRUNC_<INTEGER>`, `<REAL>_TRUNC_<INTEGER>`.
+    fn add_truncations(&mut self) {
+        let integers = || ElementaryType::ALL.into_iter().filter(|ty| ty.is_integer());
+        for from in REALS {
+            self.add(
+                "TRUNC".to_owned(),
+                from,
+                ElementaryType::Dint,
+                Operation::Truncate,
+            );
+            for to in integers() {
+                self.add(format!("TRUNC_{to}"), from, to, Operation::Truncate);
+                self.add(format!("{from}_TRUNC_{to}"), from, to, Operation::Truncate);
+            }
+        }
+    }
+
+    /// `ROUND`, `CEIL`, `CEILING`, `FLOOR`.
+    fn add_roundings(&mut self) {
+        for (name, operation) in [
+            ("ROUND", Operation::Round),
+            ("CEIL", Operation::Ceiling),
+            ("CEILING", Operation::Ceiling),
+            ("FLOOR", Operation::Floor),
+        ] {
+            for (from, to) in REALS
+                .into_iter()
+                .zip([ElementaryType::Dint, ElementaryType::Lint])
+            {
+                self.add(name.to_owned(), from, to, operation);
+            }
+        }
+    }
+}
+
+const REALS: [ElementaryType; 2] = [ElementaryType::Real, ElementaryType::Lreal];
+
+/// Whether a dialect has the types that the third edition added.
+///
+/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); stickler-design: §8.
+const fn has_third_edition(dialect: DialectName) -> bool {
+    !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec)
+}

@@ -1,0 +1,51 @@
+//! What identifies one conversion: the function's name, its types, and what it does.
+
+use stickler_types::{ElementaryType, Value};
+
+/// One conversion function together with the types of its arguments and of its result.
+///
+/// A name that takes or gives several types has one signature for each combination: `BCD_TO_INT` has four.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub struct Signature {
+    /// The function's name in upper case.
+    pub function: String,
+    /// The types of the arguments in their order: two for `CONCAT_…`, one for all others.
+    pub operands: Vec<ElementaryType>,
+    /// The type of the result.
+    pub result: ElementaryType,
+    /// What the function does.
+    pub operation: Operation,
+}
+
+impl Signature {
+    /// Whether the operands are of the types of the signature, in their order.
+    #[must_use]
+    pub fn takes(&self, operands: &[Value]) -> bool {
+        let types = operands.iter().map(|operand| match operand {
+            Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
+            Value::Enumerated { .. } => None,
+        });
+        types.eq(self.operands.iter().map(|&ty| Some(ty)))
+    }
+}
+
+/// What a conversion function does.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Operation {
+    /// The value in the other type, by the rule for the pair of types: `<SRC>_TO_<DST>`, `TO_<DST>`.
+    Convert,
+    /// The integer next to a real number toward zero: `TRUNC` and its kin.
+    Truncate,
+    /// The integer nearest to a real number, ties to even: `ROUND`.
+    Round,
+    /// The least integer not below a real number: `CEIL`, `CEILING`.
+    Ceiling,
+    /// The greatest integer not above a real number: `FLOOR`.
+    Floor,
+    /// The number that binary-coded decimal digits spell.
+    FromBcd,
+    /// A number as binary-coded decimal digits.
+    ToBcd,
+    /// A date and a time of day as one moment: `CONCAT_DATE_TOD` and its kin.
+    Concatenate,
+}

@@ -1,0 +1,240 @@
+//! Values of the number families, computed by hand from the documents and from the definition of IEC 60559.
+
+use stickler_exact::{Choices, Outside, RealToInteger, Signature, expected, signatures, value};
+use stickler_types::{DialectName, ElementaryType, Value};
+
+/// The one signature of a function in a dialect.
+fn only(function: &str, dialect: DialectName) -> Signature {
+    let mut found = signatures(function, dialect);
+    assert_eq!(found.len(), 1, "{function}");
+    found.remove(0)
+}
+
+/// The signature of a function that takes an operand of this type.
+fn taking(function: &str, operand: &Value, dialect: DialectName) -> Signature {
+    signatures(function, dialect)
+        .into_iter()
+        .find(|signature| signature.operands[0].name() == operand.type_name())
+        .unwrap_or_else(|| panic!("{function} takes no {operand}"))
+}
+
+/// What a function gives for an operand, both as typed literals.
+fn given(function: &str, operand: &str, dialect: DialectName) -> String {
+    let operand = Value::parse(operand).unwrap();
+    expected(&taking(function, &operand, dialect), &[operand], dialect)
+        .value
+        .to_string()
+}
+
+#[track_caller]
+fn check(dialect: DialectName, rows: &[(&str, &str, &str)]) {
+    for (function, operand, result) in rows {
+        assert_eq!(
+            given(function, operand, dialect),
+            *result,
+            "{function}({operand})"
+        );
+    }
+}
+
+#[test]
+fn the_documents_own_examples() {
+    check(
+        DialectName::Matiec,
+        &[
+            ("DINT_TO_INT", "DINT#100000", "INT#-31072"),
+            ("SINT_TO_WORD", "SINT#-1", "WORD#16#FFFF"),
+            ("BYTE_TO_INT", "BYTE#16#FF", "INT#255"),
+            ("INT_TO_BOOL", "INT#256", "BOOL#TRUE"),
+            ("BOOL_TO_BYTE", "BOOL#TRUE", "BYTE#16#01"),
+            ("TRUNC", "REAL#-2.9", "DINT#-2"),
+            ("TRUNC_INT", "REAL#40000.7", "INT#-25536"),
+            ("REAL_TO_INT", "REAL#2.7", "INT#2"),
+        ],
+    );
+}
+
+#[test]
+fn integers_wrap_and_bit_strings_have_no_sign() {
+    check(
+        DialectName::IronplcEd3,
+        &[
+            ("LINT_TO_SINT", "LINT#128", "SINT#-128"),
+            ("LINT_TO_SINT", "LINT#-129", "SINT#127"),
+            ("SINT_TO_ULINT", "SINT#-1", "ULINT#18446744073709551615"),
+            (
+                "ULINT_TO_LINT",
+                "ULINT#9223372036854775808",
+                "LINT#-9223372036854775808",
+            ),
+            ("WORD_TO_SINT", "WORD#16#0080", "SINT#-128"),
+            ("BYTE_TO_LINT", "BYTE#16#80", "LINT#128"),
+            ("LWORD_TO_BYTE", "LWORD#16#123456789ABCDEF0", "BYTE#16#F0"),
+            ("TO_INT", "INT#-5", "INT#-5"),
+        ],
+    );
+}
+
+#[test]
+fn integers_become_reals_with_one_rounding_to_even() {
+    check(
+        DialectName::Matiec,
+        &[
+            ("DINT_TO_REAL", "DINT#16777217", "REAL#16777216.0"),
+            ("DINT_TO_REAL", "DINT#16777219", "REAL#16777220.0"),
+            ("DINT_TO_REAL", "DINT#-16777217", "REAL#-16777216.0"),
+            (
+                "LINT_TO_LREAL",
+                "LINT#9007199254740993",
+                "LREAL#9007199254740992.0",
+            ),
+            (
+                "LINT_TO_LREAL",
+                "LINT#9007199254740995",
+                "LREAL#9007199254740996.0",
+            ),
+            (
+                "ULINT_TO_LREAL",
+                "ULINT#18446744073709551615",
+                "LREAL#1.8446744073709552E19",
+            ),
+            // 2^62 + 2^38 + 1: by way of LREAL it would first round to the tie 2^62 + 2^38, and then down to 2^62.
+            ("LINT_TO_REAL", "LINT#4611686293305294849", "REAL#4.6116866E18"),
+            ("LINT_TO_REAL", "LINT#4611686293305294848", "REAL#4.611686E18"),
+        ],
+    );
+}
+
+#[test]
+fn lreal_becomes_real_with_one_rounding_to_even() {
+    check(
+        DialectName::Plcnext,
+        &[
+            ("LREAL_TO_REAL", "LREAL#0.1", "REAL#0.1"),
+            ("LREAL_TO_REAL", "LREAL#16777217.0", "REAL#16777216.0"),
+            ("LREAL_TO_REAL", "LREAL#-0.0", "REAL#-0.0"),
+            ("LREAL_TO_REAL", "LREAL#NaN", "REAL#NaN"),
+            ("LREAL_TO_REAL", "LREAL#-Infinity", "REAL#-Infinity"),
+            // 2^128 - 2^103 is the tie between the largest finite number and the next, which there is not.
+            ("LREAL_TO_REAL", "LREAL#3.4028235677973366E38", "REAL#Infinity"),
+            (
+                "LREAL_TO_REAL",
+                "LREAL#3.4028235677973362E38",
+                "REAL#3.4028235E38",
+            ),
+            // 2^-150 is half of the least number; what is greater becomes that.
+            ("LREAL_TO_REAL", "LREAL#7.006492321624085E-46", "REAL#0.0"),
+            ("LREAL_TO_REAL", "LREAL#7.006492321624087E-46", "REAL#1.0E-45"),
+            ("LREAL_TO_REAL", "LREAL#-1.0E-60", "REAL#-0.0"),
+            ("LREAL_TO_REAL", "LREAL#5.0E-324", "REAL#0.0"),
+            ("REAL_TO_LREAL", "REAL#0.1", "LREAL#0.10000000149011612"),
+            ("REAL_TO_LREAL", "REAL#1.0E-45", "LREAL#1.401298464324817E-45"),
+            ("REAL_TO_LREAL", "REAL#NaN", "LREAL#NaN"),
+        ],
+    );
+}
+
+#[test]
+fn a_real_becomes_an_integer_as_its_dialect_rounds() {
+    check(
+        DialectName::IronplcEd2,
+        &[
+            ("REAL_TO_INT", "REAL#-0.9", "INT#0"),
+            ("LREAL_TO_DINT", "LREAL#2.9999999999999996", "DINT#2"),
+            ("LREAL_TO_INT", "LREAL#65536.0", "INT#0"),
+            (
+                "LREAL_TO_LINT",
+                "LREAL#9223372036854775808.0",
+                "LINT#-9223372036854775808",
+            ),
+            ("LREAL_TO_ULINT", "LREAL#-1.0", "ULINT#18446744073709551615"),
+            ("LREAL_TO_ULINT", "LREAL#1.0E300", "ULINT#0"),
+            ("LREAL_TO_BYTE", "LREAL#257.5", "BYTE#16#01"),
+            ("REAL_TO_DINT", "REAL#NaN", "DINT#0"),
+            ("REAL_TO_DINT", "REAL#-Infinity", "DINT#0"),
+        ],
+    );
+    check(
+        DialectName::Plcnext,
+        &[
+            ("REAL_TO_INT", "REAL#0.5", "INT#0"),
+            ("REAL_TO_INT", "REAL#1.5", "INT#2"),
+            ("REAL_TO_INT", "REAL#-2.5", "INT#-2"),
+            ("REAL_TO_INT", "REAL#0.49999997", "INT#0"),
+            ("LREAL_TO_INT", "LREAL#32767.5", "INT#-32768"),
+            ("ROUND", "REAL#2.5", "DINT#2"),
+            ("ROUND", "LREAL#3.5", "LINT#4"),
+            ("CEIL", "REAL#-2.5", "DINT#-2"),
+            ("CEILING", "LREAL#5.0E-324", "LINT#1"),
+            ("FLOOR", "REAL#-2.5", "DINT#-3"),
+            ("FLOOR", "LREAL#-5.0E-324", "LINT#-1"),
+            ("TRUNC_USINT", "LREAL#255.9", "USINT#255"),
+            ("LREAL_TRUNC_SINT", "LREAL#-128.9", "SINT#-128"),
+        ],
+    );
+}
+
+#[test]
+fn other_choices_round_away_and_saturate() {
+    let choices = Choices {
+        real_to_integer: RealToInteger::HalfAwayFromZero,
+        outside: Outside::Saturate,
+        ..Choices::of(DialectName::Matiec)
+    };
+    for (function, operand, result) in [
+        ("REAL_TO_INT", "REAL#0.5", "INT#1"),
+        ("REAL_TO_INT", "REAL#-2.5", "INT#-3"),
+        ("REAL_TO_INT", "REAL#0.49999997", "INT#0"),
+        ("REAL_TO_INT", "REAL#40000.0", "INT#32767"),
+        ("REAL_TO_INT", "REAL#-40000.0", "INT#-32768"),
+        ("REAL_TO_UINT", "REAL#-1.0", "UINT#0"),
+        ("REAL_TO_WORD", "REAL#Infinity", "WORD#16#FFFF"),
+        ("REAL_TO_SINT", "REAL#-Infinity", "SINT#-128"),
+        ("REAL_TO_SINT", "REAL#NaN", "SINT#0"),
+        ("LREAL_TO_LINT", "LREAL#1.0E300", "LINT#9223372036854775807"),
+        ("TRUNC", "LREAL#1.0E10", "DINT#2147483647"),
+        // Saturation is a matter of reals; integers among each other wrap.
+        ("DINT_TO_INT", "DINT#40000", "INT#-25536"),
+    ] {
+        let operand = Value::parse(operand).unwrap();
+        let signature = taking(function, &operand, DialectName::Matiec);
+        assert_eq!(
+            value(&signature, &[operand], &choices).to_string(),
+            result,
+            "{function}"
+        );
+    }
+}
+
+#[test]
+fn only_zero_is_false() {
+    check(
+        DialectName::Matiec,
+        &[
+            ("LREAL_TO_BOOL", "LREAL#-0.0", "BOOL#FALSE"),
+            ("LREAL_TO_BOOL", "LREAL#5.0E-324", "BOOL#TRUE"),
+            ("REAL_TO_BOOL", "REAL#NaN", "BOOL#TRUE"),
+            ("LWORD_TO_BOOL", "LWORD#16#8000000000000000", "BOOL#TRUE"),
+            ("BOOL_TO_LREAL", "BOOL#TRUE", "LREAL#1.0"),
+            ("BOOL_TO_SINT", "BOOL#TRUE", "SINT#1"),
+        ],
+    );
+}
+
+#[test]
+fn operands_that_do_not_fit_give_the_default() {
+    let signature = only("INT_TO_DINT", DialectName::Matiec);
+    let zero = Value::plain(ElementaryType::Dint, 0);
+    let choices = Choices::of(DialectName::Matiec);
+    let real = Value::parse("REAL#5.0").unwrap();
+    let integer = Value::parse("INT#5").unwrap();
+    for operands in [
+        vec![],
+        vec![real],
+        vec![integer.clone(), integer],
+        vec![Value::enumerated("COLOR", "RED")],
+    ] {
+        assert_eq!(value(&signature, &operands, &choices), zero);
+        assert_eq!(expected(&signature, &operands, DialectName::Matiec).basis, None);
+    }
+}
