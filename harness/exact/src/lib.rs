@@ -9,6 +9,7 @@
 //! | which functions does a dialect have, and between which types? | [`functions`], [`signatures`] |
 //! | what must a call give, and which document says so? | [`expected`] |
 //! | what would it give by other rules? | [`value`] with other [`Choices`] |
+//! | the same, for billions of operands? | [`Bulk`] |
 //!
 //! Where no document says what a call gives, the answer is *open*: [`Expected::basis`] is `None`, and the value is what IEC
 //! 60559 and two's complement suggest, by the choices of the dialect.
@@ -16,6 +17,7 @@
 //! Basis: stickler-design: §8 (arithmetic rules, and what *open* means); the rules themselves name theirs.
 
 mod basis;
+mod bulk;
 mod catalogue;
 mod choices;
 mod integer;
@@ -25,6 +27,7 @@ mod signature;
 mod value;
 
 pub use basis::{Expected, expected};
+pub use bulk::Bulk;
 pub use catalogue::{functions, signatures};
 pub use choices::{BitStringText, Choices, Outside, RealText, RealToInteger, TextReading};
 pub use signature::{Operation, Signature};

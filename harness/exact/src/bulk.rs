@@ -1,0 +1,128 @@
+//! The exact arithmetic a second time, quick enough for every input of a 32-bit source.
+//!
+//! What [`value`](crate::value) computes with integers and fractions of any size is computed here within 64 and
+//! 128 bits, with shifts, masks and tables; there is no floating point in it either. The two are held to each
+//! other by tests at every boundary and by samples, so a sweep may trust this one.
+//!
+//! Architecture Invariant: nothing in here is taken from the reference, so that a mistake in one of them shows.
+
+mod decimal;
+mod integer;
+mod moment;
+mod real;
+#[cfg(test)]
+mod tests;
+
+use crate::{Choices, Operation, Signature};
+use real::{RealResult, Rounding};
+use stickler_types::{ElementaryType, Family};
+
+/// One conversion over many raw forms.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Bulk {
+    rule: Rule,
+    from: ElementaryType,
+    to: ElementaryType,
+}
+
+/// What happens to a value, as far as it has to be told apart.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Rule {
+    /// The number modulo 2^n.
+    Modulo,
+    /// The number, and `?` where CHAR does not have the character.
+    Replaced,
+    /// Whether the number is not zero.
+    Truth,
+    /// The same of a REAL.
+    RealTruth,
+    /// The nearest real.
+    Nearest(RealResult),
+    /// REAL as it is.
+    Same,
+    /// REAL as LREAL.
+    Lengthened,
+    /// REAL as an integer.
+    Integral(Rounding, crate::Outside),
+    /// A number of units of time.
+    Units,
+    /// The same, of a REAL.
+    RealUnits,
+    /// Decimal digits as the number that they spell.
+    Digits,
+    /// A number as decimal digits.
+    Decimal,
+}
+
+impl Bulk {
+    /// The quick form of a function, where it has one: a single operand of at most 32 bits that is no text, and
+    /// a result that is no text.
+    #[must_use]
+    pub fn new(signature: &Signature, choices: &Choices) -> Option<Bulk> {
+        let [from] = signature.operands[..] else {
+            return None;
+        };
+        let to = signature.result;
+        if from.bits() > 32 || from.is_text() || to.is_text() {
+            return None;
+        }
+        let rule = match signature.operation {
+            Operation::FromBcd => Rule::Digits,
+            Operation::ToBcd => Rule::Decimal,
+            Operation::Concatenate => return None,
+            operation if from.is_real() => of_real(to, operation, choices),
+            _ => of_number(from, to),
+        };
+        Some(Bulk { rule, from, to })
+    }
+
+    /// Writes the raw form of the result for the raw form of each operand; the shorter of the two slices decides
+    /// how many. A NaN of the result is the quiet one without a payload.
+    pub fn fill(&self, operands: &[u64], results: &mut [u64]) {
+        let Bulk { rule, from, to } = *self;
+        match rule {
+            Rule::Modulo => integer::modulo(operands, results, to),
+            Rule::Replaced => integer::replaced(operands, results),
+            Rule::Truth => integer::truth(operands, results),
+            Rule::RealTruth => real::truth(operands, results),
+            Rule::Nearest(result) => real::nearest(operands, results, result),
+            Rule::Same => real::same(operands, results),
+            Rule::Lengthened => real::lengthened(operands, results),
+            Rule::Integral(rounding, outside) => real::integral(operands, results, to, rounding, outside),
+            Rule::Units => moment::units(operands, results, to),
+            Rule::RealUnits => moment::real_units(operands, results, to),
+            Rule::Digits => decimal::number(operands, results, to),
+            Rule::Decimal => decimal::digits(operands, results, from, to),
+        }
+    }
+}
+
+fn of_real(to: ElementaryType, operation: Operation, choices: &Choices) -> Rule {
+    match to.family() {
+        Family::Boolean => Rule::RealTruth,
+        Family::Real if to == ElementaryType::Real => Rule::Same,
+        Family::Real => Rule::Lengthened,
+        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => Rule::RealUnits,
+        _ => Rule::Integral(Rounding::of(operation, choices), choices.outside),
+    }
+}
+
+fn of_number(from: ElementaryType, to: ElementaryType) -> Rule {
+    match to.family() {
+        Family::Boolean if from == ElementaryType::Bool => Rule::Modulo,
+        Family::Boolean => Rule::Truth,
+        Family::Real if to == ElementaryType::Real => Rule::Nearest(RealResult::Single),
+        Family::Real => Rule::Nearest(RealResult::Double),
+        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => Rule::Units,
+        Family::Character if from.is_character() && to == ElementaryType::Char => Rule::Replaced,
+        _ => Rule::Modulo,
+    }
+}
+
+/// Applies a rule to each operand.
+#[inline(always)]
+fn each(operands: &[u64], results: &mut [u64], rule: impl Fn(u64) -> u64) {
+    for (operand, result) in operands.iter().zip(results) {
+        *result = rule(*operand);
+    }
+}

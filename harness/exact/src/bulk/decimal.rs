@@ -1,0 +1,82 @@
+//! Binary-coded decimal, by tables that are counted out digit by digit, as an odometer turns.
+
+use super::each;
+use super::integer::Narrow;
+use std::sync::LazyLock;
+use stickler_types::ElementaryType;
+
+/// How many numbers four digits write.
+const FOUR_DIGITS: usize = 10_000;
+
+/// The four digits of each number below 10 000.
+static DIGITS: LazyLock<Box<[u16; FOUR_DIGITS]>> = LazyLock::new(|| {
+    let mut table = Box::new([0; FOUR_DIGITS]);
+    let mut odometer = 0_u16;
+    for digits in table.iter_mut() {
+        *digits = odometer;
+        odometer = turned(odometer);
+    }
+    table
+});
+
+/// The odometer one further: a wheel that shows 9 goes back to 0 and takes the next one with it.
+fn turned(odometer: u16) -> u16 {
+    let (mut next, mut wheel) = (odometer, 0);
+    while wheel < 16 && (next >> wheel) & 0xF == 9 {
+        next &= !(0xF << wheel);
+        wheel += 4;
+    }
+    if wheel < 16 { next + (1 << wheel) } else { 0 }
+}
+
+/// The number that the digits spell, modulo 2^n; a digit above 9 counts with its value.
+pub fn number(operands: &[u64], results: &mut [u64], to: ElementaryType) {
+    let narrow = Narrow::to(to);
+    each(operands, results, |operand| narrow.of(spelled(operand)));
+}
+
+/// Eight digits, the sources here having no more. Basis: forgeiec-conversion-functions: BCD encoding.
+#[inline(always)]
+fn spelled(digits: u64) -> u64 {
+    let mut number = 0;
+    let mut weight = 1;
+    // Unrolled by the compiler: the count is a constant.
+    for place in 0..8 {
+        number += ((digits >> (4 * place)) & 0xF) * weight;
+        weight *= 10;
+    }
+    number
+}
+
+/// As many of the number's decimal digits as the target holds: the number modulo 10^n, -1 being 99.
+pub fn digits(operands: &[u64], results: &mut [u64], from: ElementaryType, to: ElementaryType) {
+    // The number of groups is a constant in each of these loops.
+    match to.bits() {
+        8 => grouped::<1>(operands, results, from, 0xFF),
+        16 => grouped::<1>(operands, results, from, 0xFFFF),
+        32 => grouped::<2>(operands, results, from, 0xFFFF_FFFF),
+        _ => grouped::<4>(operands, results, from, u64::MAX),
+    }
+}
+
+/// The digits of `GROUPS` times four, of which `mask` keeps those that the target holds.
+fn grouped<const GROUPS: u32>(operands: &[u64], results: &mut [u64], from: ElementaryType, mask: u64) {
+    // A multiple of all that is taken away at the front, above the least number of a 32-bit source, makes every
+    // number positive and changes no digit that is kept.
+    let lift = match GROUPS {
+        _ if !from.is_signed() => 0,
+        1 => 10_u64.pow(10),
+        _ => 10_u64.pow(16),
+    };
+    let table = &**DIGITS;
+    each(operands, results, |operand| {
+        let mut rest = operand.wrapping_add(lift);
+        let mut digits = 0;
+        for group in 0..GROUPS {
+            // The remainder of a division by the length of the table is an index into it.
+            digits |= u64::from(table[(rest % FOUR_DIGITS as u64) as usize]) << (16 * group);
+            rest /= FOUR_DIGITS as u64;
+        }
+        digits & mask
+    });
+}

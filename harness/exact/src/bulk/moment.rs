@@ -1,0 +1,63 @@
+//! Numbers as durations, dates and times of day.
+//!
+//! A duration and a time of day count in milliseconds, a date and a date with a time in seconds since 1970-01-01.
+//! Basis: forgeiec-conversion-functions: The naming pattern (`DINT_TO_TIME` "interprets as ms"); all but TIME is
+//! open, and is as the documentation of the reference has it.
+
+use super::each;
+use super::real::{Parts, Rounding};
+use stickler_types::{ElementaryType, Family};
+
+/// Nanoseconds of a day.
+const DAY: i64 = 86_400_000_000_000;
+
+/// Nanoseconds of the unit in which numbers count for a type.
+const fn unit(ty: ElementaryType) -> u64 {
+    match ty.family() {
+        Family::Date | Family::DateAndTime => 1_000_000_000,
+        _ => 1_000_000,
+    }
+}
+
+/// Whole units, modulo 2^64 nanoseconds.
+pub fn units(operands: &[u64], results: &mut [u64], to: ElementaryType) {
+    let unit = unit(to);
+    match to.family() {
+        // A product modulo 2^64 is the same whether its factors are signed or not.
+        Family::Duration | Family::DateAndTime => {
+            each(operands, results, |operand| operand.wrapping_mul(unit));
+        }
+        _ => each(operands, results, |operand| held(operand.wrapping_mul(unit), to)),
+    }
+}
+
+/// The same of a REAL, rounded to the nearest nanosecond, ties to even; what is not finite gives 0.
+pub fn real_units(operands: &[u64], results: &mut [u64], to: ElementaryType) {
+    let unit = unit(to);
+    each(operands, results, |operand| {
+        let parts = Parts::of(operand);
+        if parts.finite {
+            held(parts.signed(parts.magnitude(unit, Rounding::HalfToEven)), to)
+        } else {
+            0
+        }
+    });
+}
+
+/// Nanoseconds as the type holds them: a date is the day that they lie in, a time of day the part behind it.
+#[inline(always)]
+fn held(nanoseconds: u64, to: ElementaryType) -> u64 {
+    let number = nanoseconds.cast_signed();
+    let kept = match to.family() {
+        Family::Date => {
+            let behind_midnight = number.rem_euclid(DAY);
+            // The first day that 64 bits reach begins before them; the next one stands for it.
+            number
+                .checked_sub(behind_midnight)
+                .unwrap_or_else(|| number + (DAY - behind_midnight))
+        }
+        Family::TimeOfDay => number.rem_euclid(DAY),
+        _ => number,
+    };
+    kept.cast_unsigned()
+}

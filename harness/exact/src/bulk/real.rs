@@ -1,0 +1,258 @@
+//! REAL: its parts taken out of its bits and put into others, rounded at most once, without floating point.
+
+use super::each;
+use super::integer::Narrow;
+use crate::{Choices, Operation, Outside, RealToInteger};
+use stickler_types::ElementaryType;
+
+/// How a number with a fraction becomes an integer.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Rounding {
+    /// Without its fraction.
+    Truncate,
+    /// The nearest, of two the even one.
+    HalfToEven,
+    /// The nearest, of two the one farther from zero.
+    HalfAwayFromZero,
+    /// The next above.
+    Up,
+    /// The next below.
+    Down,
+}
+
+impl Rounding {
+    /// That of an operation, or the one chosen for conversions.
+    #[must_use]
+    pub const fn of(operation: Operation, choices: &Choices) -> Rounding {
+        match operation {
+            Operation::Round => Rounding::HalfToEven,
+            Operation::Ceiling => Rounding::Up,
+            Operation::Floor => Rounding::Down,
+            Operation::Convert => match choices.real_to_integer {
+                RealToInteger::Truncate => Rounding::Truncate,
+                RealToInteger::HalfToEven => Rounding::HalfToEven,
+                RealToInteger::HalfAwayFromZero => Rounding::HalfAwayFromZero,
+            },
+            _ => Rounding::Truncate,
+        }
+    }
+}
+
+/// Which of the reals a result is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum RealResult {
+    /// REAL.
+    Single,
+    /// LREAL.
+    Double,
+}
+
+/// The quiet NaN of REAL and of LREAL.
+const SINGLE_NAN: u64 = 0x7FC0_0000;
+const DOUBLE_NAN: u64 = 0x7FF8_0000_0000_0000;
+
+/// What a REAL's bits say: `significand * 2^exponent`, unless it is not finite.
+#[derive(Clone, Copy)]
+pub struct Parts {
+    /// Its sign.
+    pub negative: bool,
+    /// Below 2^24.
+    pub significand: u64,
+    /// From -149 to 104.
+    pub exponent: i32,
+    /// Neither infinite nor NaN; otherwise the significand says which, being 0 for an infinity.
+    pub finite: bool,
+}
+
+impl Parts {
+    /// Takes them out of a REAL's raw form.
+    #[inline(always)]
+    #[must_use]
+    pub const fn of(raw: u64) -> Parts {
+        let biased = ((raw >> 23) & 0xFF) as i32;
+        let fraction = raw & 0x7F_FFFF;
+        let finite = biased != 0xFF;
+        // The leading bit is not written; numbers near zero and what is not finite have none.
+        let leading = (finite && biased != 0) as u64;
+        Parts {
+            negative: raw >> 31 & 1 == 1,
+            significand: fraction | leading << 23,
+            exponent: (if biased == 0 { 1 } else { biased }) - 150,
+            finite,
+        }
+    }
+
+    /// The magnitude multiplied by a factor below 2^30 and rounded to an integer, modulo 2^64.
+    #[inline(always)]
+    #[must_use]
+    pub const fn magnitude(self, factor: u64, rounding: Rounding) -> u64 {
+        let product = self.significand * factor;
+        if self.exponent >= 0 {
+            let shift = self.exponent.unsigned_abs();
+            return if shift < 64 { product << shift } else { 0 };
+        }
+        // The product has less than 62 bits, so that beyond 63 places nothing but the shift itself would change.
+        let places = self.exponent.unsigned_abs();
+        let places = if places > 63 { 63 } else { places };
+        let whole = product >> places;
+        let rest = product & ((1 << places) - 1);
+        let half = 1 << (places - 1);
+        let up = match rounding {
+            Rounding::Truncate => false,
+            Rounding::HalfToEven => rest + (whole & 1) > half,
+            Rounding::HalfAwayFromZero => rest >= half,
+            Rounding::Up => rest != 0 && !self.negative,
+            Rounding::Down => rest != 0 && self.negative,
+        };
+        whole + up as u64
+    }
+
+    /// A magnitude with the sign of the number, modulo 2^64.
+    #[inline(always)]
+    #[must_use]
+    pub const fn signed(self, magnitude: u64) -> u64 {
+        if self.negative {
+            magnitude.wrapping_neg()
+        } else {
+            magnitude
+        }
+    }
+}
+
+/// Whether the number is not zero, as NaN is not.
+pub fn truth(operands: &[u64], results: &mut [u64]) {
+    // All but the sign.
+    each(operands, results, |operand| u64::from(operand & 0x7FFF_FFFF != 0));
+}
+
+/// REAL as it is.
+pub fn same(operands: &[u64], results: &mut [u64]) {
+    each(operands, results, |operand| {
+        let parts = Parts::of(operand);
+        if parts.finite || parts.significand == 0 {
+            operand
+        } else {
+            SINGLE_NAN
+        }
+    });
+}
+
+/// REAL as LREAL, which holds every REAL.
+pub fn lengthened(operands: &[u64], results: &mut [u64]) {
+    each(operands, results, |operand| {
+        let parts = Parts::of(operand);
+        let sign = (parts.negative as u64) << 63;
+        match (parts.finite, parts.significand) {
+            (true, 0) => sign,
+            (true, significand) => sign | composed(significand, parts.exponent, 52),
+            (false, 0) => sign | 0x7FF << 52,
+            (false, _) => DOUBLE_NAN,
+        }
+    });
+}
+
+/// The LREAL of a significand that has at most 53 bits and is not 0.
+#[inline(always)]
+const fn composed(significand: u64, exponent: i32, fraction_bits: u32) -> u64 {
+    let leading = 63 - significand.leading_zeros();
+    let aligned = significand << (fraction_bits - leading);
+    // The leading bit, which is not written, adds one to the exponent.
+    let biased = (exponent + leading as i32 + 1022) as u64;
+    (biased << fraction_bits) + aligned
+}
+
+/// The real next to a number of at most 33 bits, ties to even.
+pub fn nearest(operands: &[u64], results: &mut [u64], result: RealResult) {
+    match result {
+        RealResult::Single => each(operands, results, |operand| {
+            let (sign, magnitude) = sign_and_magnitude(operand);
+            sign << 31 | nearest_single(magnitude)
+        }),
+        RealResult::Double => each(operands, results, |operand| {
+            let (sign, magnitude) = sign_and_magnitude(operand);
+            let bits = if magnitude == 0 {
+                0
+            } else {
+                composed(magnitude, 0, 52)
+            };
+            sign << 63 | bits
+        }),
+    }
+}
+
+/// A signed integer's raw form is two's complement; an unsigned one of 32 bits never looks negative.
+#[inline(always)]
+const fn sign_and_magnitude(raw: u64) -> (u64, u64) {
+    (raw >> 63, raw.cast_signed().unsigned_abs())
+}
+
+#[inline(always)]
+const fn nearest_single(magnitude: u64) -> u64 {
+    if magnitude == 0 {
+        return 0;
+    }
+    let zeros = magnitude.leading_zeros();
+    // The leading bit at the top, 24 bits to keep, 40 to round away.
+    let normal = magnitude << zeros;
+    let (kept, rest) = (normal >> 40, normal & ((1 << 40) - 1));
+    let up = (rest + (kept & 1) > 1 << 39) as u64;
+    // The leading bit adds one to the exponent, and so does a carry out of the fraction.
+    let biased = (126 + 63 - zeros) as u64;
+    (biased << 23) + kept + up
+}
+
+/// REAL as an integer or bit string.
+pub fn integral(
+    operands: &[u64],
+    results: &mut [u64],
+    to: ElementaryType,
+    rounding: Rounding,
+    outside: Outside,
+) {
+    // The rounding is a constant in each of these loops.
+    macro_rules! one_loop_for_each {
+        ($($rounding:ident)*) => {
+            match (outside, rounding) {
+                $((Outside::Wrap, Rounding::$rounding) => wrapped(operands, results, to, Rounding::$rounding),)*
+                (Outside::Saturate, _) => saturated(operands, results, to, rounding),
+            }
+        };
+    }
+    one_loop_for_each!(Truncate HalfToEven HalfAwayFromZero Up Down);
+}
+
+/// Modulo 2^n; what is not finite gives 0.
+#[inline(always)]
+fn wrapped(operands: &[u64], results: &mut [u64], to: ElementaryType, rounding: Rounding) {
+    let narrow = Narrow::to(to);
+    each(operands, results, |operand| {
+        let parts = Parts::of(operand);
+        if parts.finite {
+            narrow.of(parts.signed(parts.magnitude(1, rounding)))
+        } else {
+            0
+        }
+    });
+}
+
+/// The nearest that the type has; NaN gives 0.
+fn saturated(operands: &[u64], results: &mut [u64], to: ElementaryType, rounding: Rounding) {
+    let (least, greatest) = to.integer_range().unwrap_or((0, 0));
+    each(operands, results, |operand| {
+        let parts = Parts::of(operand);
+        let number = match (parts.finite, parts.significand) {
+            // From 2^88 on the number itself is not needed, nor where it is infinite.
+            (true, _) if parts.exponent < 64 => i128::from(parts.significand) << parts.exponent.max(0),
+            (true, _) | (false, 0) => i128::MAX,
+            (false, _) => 0,
+        };
+        let magnitude = if parts.finite && parts.exponent < 0 {
+            parts.magnitude(1, rounding).into()
+        } else {
+            number
+        };
+        let number = if parts.negative { -magnitude } else { magnitude };
+        // The low bits are the raw form of a number in the range, sign and all.
+        number.clamp(least, greatest) as u64
+    });
+}

@@ -1,0 +1,122 @@
+//! The quick form held to the exact one: at the boundaries of every source, and on scattered operands.
+
+use super::Bulk;
+use crate::{Choices, Operation, Outside, RealToInteger, Signature, functions, signatures, value};
+use std::collections::HashSet;
+use stickler_types::{DialectName, ElementaryType, Value};
+
+/// Every signature that has a quick form, each once whatever its name.
+fn quick_signatures() -> Vec<Signature> {
+    let mut seen = HashSet::new();
+    let dialect = DialectName::IronplcEd3;
+    let all = functions(dialect)
+        .into_iter()
+        .flat_map(|name| signatures(&name, dialect));
+    all.filter(|signature| Bulk::new(signature, &Choices::of(dialect)).is_some())
+        .filter(|signature| seen.insert((signature.operation, signature.operands.clone(), signature.result)))
+        .collect()
+}
+
+/// Each way in which numbers are converted.
+fn all_choices() -> impl Iterator<Item = Choices> {
+    use RealToInteger::{HalfAwayFromZero, HalfToEven, Truncate};
+    [Truncate, HalfToEven, HalfAwayFromZero]
+        .into_iter()
+        .flat_map(|real_to_integer| {
+            [Outside::Wrap, Outside::Saturate].map(|outside| (real_to_integer, outside))
+        })
+        .map(|(real_to_integer, outside)| Choices {
+            real_to_integer,
+            outside,
+            ..Choices::of(DialectName::Matiec)
+        })
+}
+
+/// Bits around each power of two and of ten, around each exponent of REAL, and scattered ones.
+fn operands(ty: ElementaryType) -> Vec<u64> {
+    let mut bits: Vec<i64> = (0..=32)
+        .map(|n| 1 << n)
+        .chain((0..10).map(|n| 10_i64.pow(n)))
+        .collect();
+    if ty.is_real() {
+        bits.extend((0..512).map(|exponent| exponent << 23));
+        // Halves, and what lies beside them.
+        bits.extend((0..16).map(|n| i64::from((n as f32 / 2.0).to_bits())));
+        bits.extend((0..64).map(|n| i64::from(((1_u64 << n) as f32 + 0.5).to_bits())));
+    }
+    let near = bits.iter().flat_map(|bits| (-3..=3).map(move |by| bits + by));
+    let scattered = (0..1500_i64).map(|n| n.wrapping_mul(0x5851_F42D_4C95_7F2D) >> 7);
+    let both = near.chain(scattered).flat_map(|bits| [bits, -bits]);
+    both.map(|bits| ty.wrap(bits.into())).collect()
+}
+
+#[test]
+fn the_quick_form_agrees_with_the_exact_one() {
+    let found = quick_signatures();
+    assert!(found.len() > 150, "only {}", found.len());
+    for signature in &found {
+        let from = signature.operands[0];
+        let operands = operands(from);
+        // Only a real number's conversion depends on a choice.
+        let choices = all_choices().take(if from.is_real() { 6 } else { 1 });
+        for choices in choices {
+            let bulk = Bulk::new(signature, &choices).expect("it has a quick form");
+            let mut results = vec![0; operands.len()];
+            bulk.fill(&operands, &mut results);
+            for (operand, result) in operands.iter().zip(results) {
+                let operand = Value::plain(from, *operand);
+                let exact = value(signature, std::slice::from_ref(&operand), &choices);
+                let quick = Value::plain(signature.result, result);
+                assert_eq!(
+                    quick, exact,
+                    "{} of {operand} with {choices:?}",
+                    signature.function
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn every_signature_of_at_most_32_bits_without_texts_has_a_quick_form() {
+    for dialect in DialectName::ALL {
+        for signature in functions(dialect)
+            .iter()
+            .flat_map(|name| signatures(name, dialect))
+        {
+            let plain = |ty: &ElementaryType| !ty.is_text() && ty.bits() <= 32;
+            let quick = signature.operands.len() == 1
+                && signature.operands.iter().all(plain)
+                && !signature.result.is_text();
+            let bulk = Bulk::new(&signature, &Choices::of(dialect));
+            assert_eq!(bulk.is_some(), quick, "{signature:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_held_together_can_fall_apart() {
+    // The same comparison with another rule finds the difference.
+    let signature = &signatures("REAL_TO_INT", DialectName::Matiec)[0];
+    let operand = 2.5_f32.to_bits().into();
+    let with = |real_to_integer| {
+        let choices = Choices {
+            real_to_integer,
+            ..Choices::of(DialectName::Matiec)
+        };
+        let mut result = [0];
+        let bulk = Bulk::new(signature, &choices).expect("it has a quick form");
+        bulk.fill(&[operand], &mut result);
+        result[0]
+    };
+    assert_eq!(signature.operation, Operation::Convert);
+    assert_eq!(
+        [
+            RealToInteger::Truncate,
+            RealToInteger::HalfToEven,
+            RealToInteger::HalfAwayFromZero
+        ]
+        .map(with),
+        [2, 2, 3]
+    );
+}
