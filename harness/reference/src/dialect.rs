@@ -1,6 +1,6 @@
 //! The one place where a dialect's name becomes behaviour.
 
-use crate::conversion::Rounding;
+use crate::conversion::{BitStringText, ConversionChoices, RealText, Rounding};
 use stickler_types::{DialectName, ElementaryType};
 
 /// The language rules of one documented system. Each field names a choice that the sources make differently
@@ -31,17 +31,8 @@ pub struct Dialect {
     pub third_edition_types: bool,
     /// ROUND, CEIL, CEILING, FLOOR are not known.
     pub only_standard_rounding: bool,
-    /// How REAL becomes an integer in a conversion function that is not TRUNC.
-    pub real_to_integer: RealToInteger,
-}
-
-/// How REAL becomes an integer in a conversion function that is not TRUNC.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum RealToInteger {
-    /// Toward zero.
-    Truncate,
-    /// To nearest, ties to even (IEC 60559).
-    HalfToEven,
+    /// What conversion functions, and implicit conversions, do where systems differ.
+    pub conversions: ConversionChoices,
 }
 
 /// Which pairs of elementary types convert implicitly.
@@ -96,7 +87,7 @@ impl Dialect {
             nested_comments: false,
             third_edition_types: false,
             only_standard_rounding: false,
-            real_to_integer: RealToInteger::Truncate,
+            conversions: ConversionChoices::COMMON,
         }
     }
 
@@ -135,7 +126,8 @@ impl Dialect {
     /// matiec as the ForgeIEC page documents it; where that page is silent, as measured.
     ///
     /// Basis: forgeiec-conversion-functions: matiec conformance (no automatic widening), TRUNC vs. ROUND;
-    /// stickler-design: §8 (literals, bit access, measured).
+    /// stickler-design: §8 (literals, bit access, the texts of reals and bit strings, measured). That the
+    /// compiler itself rounds half to even is no fact of this dialect: the page says that it truncates.
     #[must_use]
     pub const fn matiec() -> Dialect {
         Dialect {
@@ -150,7 +142,11 @@ impl Dialect {
             nested_comments: false,
             third_edition_types: false,
             only_standard_rounding: true,
-            real_to_integer: RealToInteger::Truncate,
+            conversions: ConversionChoices {
+                real_text: RealText::SignificantDigits(10),
+                bit_string_text: BitStringText::Shortest,
+                ..ConversionChoices::COMMON
+            },
         }
     }
 
@@ -172,7 +168,7 @@ impl Dialect {
             nested_comments: true,
             third_edition_types: true,
             only_standard_rounding: false,
-            real_to_integer: RealToInteger::HalfToEven,
+            conversions: ConversionChoices::COMMON.rounding(Rounding::HalfToEven),
         }
     }
 
@@ -180,15 +176,6 @@ impl Dialect {
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
         self.third_edition_types || !ty.is_third_edition()
-    }
-}
-
-impl From<RealToInteger> for Rounding {
-    fn from(choice: RealToInteger) -> Rounding {
-        match choice {
-            RealToInteger::Truncate => Rounding::TowardZero,
-            RealToInteger::HalfToEven => Rounding::HalfToEven,
-        }
     }
 }
 

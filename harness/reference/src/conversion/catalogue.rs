@@ -3,7 +3,7 @@
 //! Basis: forgeiec-conversion-functions: The naming pattern; ironplc-type-conversions: Explicit Conversion
 //! Functions ("for all type pairs … `<SOURCE>_TO_<TARGET>`").
 
-use super::{Conversion, ConversionRule, Rounding};
+use super::{Conversion, ConversionChoices, ConversionRule, Rounding};
 use crate::dialect::Dialect;
 use std::sync::LazyLock;
 use stickler_types::ElementaryType;
@@ -52,7 +52,7 @@ pub struct ConversionFunction {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Meaning {
     /// By the pair of types.
-    Pair(Rounding),
+    Pair(ConversionChoices),
     /// [`ConversionRule::FromBcd`].
     FromBcd,
     /// [`ConversionRule::ToBcd`].
@@ -88,7 +88,7 @@ fn sources_of(to: ElementaryType) -> Vec<ElementaryType> {
 }
 
 fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
-    ConversionRule::between(from, to, Rounding::TowardZero).is_some()
+    ConversionRule::between(from, to, &ConversionChoices::COMMON).is_some()
 }
 
 impl ConversionFunction {
@@ -114,12 +114,23 @@ impl ConversionFunction {
         }
     }
 
+    /// The types that the result may have for an argument's type: one, or where the call's target decides each
+    /// that it may ask for.
+    pub fn results(&self, argument: ElementaryType) -> impl Iterator<Item = ElementaryType> + use<> {
+        let several: &[_] = match self.result {
+            ResultType::OfTarget { allowed, .. } => allowed,
+            _ => &[],
+        };
+        let one = several.is_empty().then(|| self.result_type(argument, None));
+        several.iter().copied().chain(one)
+    }
+
     /// The conversion that a call performs. Takes the argument's type, which [`Self::accepts`] must allow, and
     /// the result's type as [`Self::result_type`] gives it; for other types it keeps the raw form.
     #[must_use]
     pub fn conversion(&self, argument: ElementaryType, result: ElementaryType) -> Conversion {
         let rule = match self.meaning {
-            Meaning::Pair(rounding) => ConversionRule::between(argument, result, rounding),
+            Meaning::Pair(choices) => ConversionRule::between(argument, result, &choices),
             Meaning::FromBcd => Some(ConversionRule::FromBcd),
             Meaning::ToBcd => Some(ConversionRule::ToBcd),
         };
@@ -131,7 +142,8 @@ impl ConversionFunction {
     }
 }
 
-/// The conversion function of this name, in any ASCII case; `None` where the dialect has none.
+/// The conversion function of one argument of this name, in any ASCII case; `None` where the dialect has none.
+/// Those of two arguments are found by [`super::concatenation`].
 ///
 /// | name | takes | gives |
 /// |---|---|---|
@@ -168,6 +180,7 @@ fn by_upper_case_name(name: &str, dialect: &Dialect) -> Option<ConversionFunctio
         return truncation(
             Parameter::Exactly(elementary(from, dialect)?),
             elementary(to, dialect)?,
+            dialect,
         );
     }
     if let Some(to) = name.strip_prefix("TO_") {
@@ -184,10 +197,10 @@ fn elementary(name: &str, dialect: &Dialect) -> Option<ElementaryType> {
 
 /// `<SRC>_TO_<DST>`.
 fn pair(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<ConversionFunction> {
-    (from != to && has_meaning(from, to)).then(|| ConversionFunction {
+    (from != to && has_meaning(from, to)).then_some(ConversionFunction {
         parameter: Parameter::Exactly(from),
         result: ResultType::Exactly(to),
-        meaning: Meaning::Pair(dialect.real_to_integer.into()),
+        meaning: Meaning::Pair(dialect.conversions),
     })
 }
 
@@ -204,7 +217,7 @@ fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
             default: ElementaryType::Dint,
         },
         result: ResultType::Exactly(to),
-        meaning: Meaning::Pair(dialect.real_to_integer.into()),
+        meaning: Meaning::Pair(dialect.conversions),
     })
 }
 
@@ -215,10 +228,10 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
         default: ElementaryType::Real,
     };
     if name == "TRUNC" {
-        return truncation(any_real, ElementaryType::Dint);
+        return truncation(any_real, ElementaryType::Dint, dialect);
     }
     if let Some(to) = name.strip_prefix("TRUNC_") {
-        return truncation(any_real, elementary(to, dialect)?);
+        return truncation(any_real, elementary(to, dialect)?, dialect);
     }
     let rounding = match name {
         "ROUND" => Rounding::HalfToEven,
@@ -229,11 +242,11 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
     (!dialect.only_standard_rounding).then_some(ConversionFunction {
         parameter: any_real,
         result: ResultType::OfArgument,
-        meaning: Meaning::Pair(rounding),
+        meaning: Meaning::Pair(dialect.conversions.rounding(rounding)),
     })
 }
 
-fn truncation(parameter: Parameter, to: ElementaryType) -> Option<ConversionFunction> {
+fn truncation(parameter: Parameter, to: ElementaryType, dialect: &Dialect) -> Option<ConversionFunction> {
     let takes_real = match parameter {
         Parameter::Exactly(from) => from.is_real(),
         Parameter::AnyOf { .. } => true,
@@ -241,7 +254,7 @@ fn truncation(parameter: Parameter, to: ElementaryType) -> Option<ConversionFunc
     (takes_real && to.is_integer()).then_some(ConversionFunction {
         parameter,
         result: ResultType::Exactly(to),
-        meaning: Meaning::Pair(Rounding::TowardZero),
+        meaning: Meaning::Pair(dialect.conversions.rounding(Rounding::TowardZero)),
     })
 }
 

@@ -2,14 +2,15 @@
 //! mistakes.
 
 use super::real::{decode, parts};
-use super::{Conversion, ConversionRule, Rounding};
+use super::{Conversion, ConversionChoices, ConversionRule, Outside, Rounding};
 use ElementaryType::{
     Bool, Byte, Dint, Dt, Int, Lint, Lreal, Lword, Real, Time, Tod, Udint, Uint, Ulint, Word,
 };
 use stickler_types::ElementaryType;
 
 fn conversion(from: ElementaryType, to: ElementaryType, rounding: Rounding) -> Conversion {
-    let rule = ConversionRule::between(from, to, rounding).expect("the pair has a meaning");
+    let choices = ConversionChoices::COMMON.rounding(rounding);
+    let rule = ConversionRule::between(from, to, &choices).expect("the pair has a meaning");
     Conversion { from, to, rule }
 }
 
@@ -143,6 +144,7 @@ fn integer_modulo(value: f64, rounding: Rounding) -> u64 {
     let away = match rounding {
         Rounding::TowardZero => false,
         Rounding::HalfToEven => half && (rest || whole % 2 == 1),
+        Rounding::HalfAwayFromZero => half,
         Rounding::Up => (half || rest) && !negative,
         Rounding::Down => (half || rest) && negative,
     };
@@ -183,6 +185,7 @@ fn reals_become_integers_modulo_the_target_s_width() {
         for rounding in [
             Rounding::TowardZero,
             Rounding::HalfToEven,
+            Rounding::HalfAwayFromZero,
             Rounding::Up,
             Rounding::Down,
         ] {
@@ -195,6 +198,87 @@ fn reals_become_integers_modulo_the_target_s_width() {
                     "{value} {rounding:?} to {}",
                     to.name()
                 );
+            }
+        }
+    }
+}
+
+#[test]
+fn reals_become_the_nearest_integer_that_the_target_holds_where_that_is_chosen() {
+    let special = [
+        127.4, 127.5, 127.6, 128.0, -128.5, -128.6, -129.0, 0.5, -0.5, 1e18, 1e19, 2e19, -1e19, 1e300,
+    ];
+    for value in special {
+        for rounding in [
+            Rounding::TowardZero,
+            Rounding::HalfToEven,
+            Rounding::HalfAwayFromZero,
+            Rounding::Up,
+            Rounding::Down,
+        ] {
+            for to in integers() {
+                let rule = ConversionRule::FromReal(rounding, Outside::Saturate);
+                let got = Conversion {
+                    from: Lreal,
+                    to,
+                    rule,
+                }
+                .apply(f64::to_bits(value));
+                let (low, high) = to.integer_range().expect("an integer");
+                // Beyond 2^62 the numbers are whole, and below 128 bits hold them.
+                let whole = if value.abs() < 4e18 {
+                    i128::from(integer_modulo(value, rounding).cast_signed())
+                } else {
+                    value as i128
+                };
+                let expected = to.wrap(whole.clamp(low, high));
+                assert_eq!(got, expected, "{value} {rounding:?} to {}", to.name());
+            }
+        }
+    }
+    for (value, expected) in [
+        (f32::NAN, 0),
+        (f32::INFINITY, 127),
+        (f32::NEG_INFINITY, -128),
+        (f32::MAX, 127),
+    ] {
+        let rule = ConversionRule::FromReal(Rounding::TowardZero, Outside::Saturate);
+        let (from, to) = (Real, ElementaryType::Sint);
+        let got = Conversion { from, to, rule }.apply(value.to_bits().into());
+        assert_eq!(got.cast_signed(), expected, "{value}");
+    }
+}
+
+#[test]
+fn many_values_are_converted_as_each_one_is() {
+    let roundings = [
+        Rounding::TowardZero,
+        Rounding::HalfToEven,
+        Rounding::HalfAwayFromZero,
+        Rounding::Up,
+        Rounding::Down,
+    ];
+    let choices = roundings.into_iter().flat_map(|rounding| {
+        [Outside::Wrap, Outside::Saturate].map(|outside| ConversionChoices {
+            outside,
+            ..ConversionChoices::COMMON.rounding(rounding)
+        })
+    });
+    for choices in choices {
+        for from in ElementaryType::ALL.into_iter().filter(|ty| !ty.is_text()) {
+            for to in ElementaryType::ALL.into_iter().filter(|ty| !ty.is_text()) {
+                let Some(rule) = ConversionRule::between(from, to, &choices) else {
+                    continue;
+                };
+                let conversion = Conversion { from, to, rule };
+                let operands = scattered(7).take(40).map(|bits| crate::raw::narrow(bits, from));
+                conversion.apply_to_all(operands, |operand, result| {
+                    assert_eq!(
+                        result,
+                        conversion.apply(operand),
+                        "{conversion:?} of {operand:#x}"
+                    );
+                });
             }
         }
     }

@@ -22,7 +22,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
     if !widens {
         return None;
     }
-    let rule = ConversionRule::between(from, to, dialect.real_to_integer.into())?;
+    let rule = ConversionRule::between(from, to, &dialect.conversions)?;
     Some(Conversion { from, to, rule })
 }
 

@@ -3,14 +3,18 @@
 
 mod bcd;
 mod catalogue;
+mod choices;
 #[cfg(test)]
 mod exactness;
 mod implicit;
 mod moment;
+mod reading;
 pub(crate) mod real;
 mod rule;
 mod text;
+mod writing;
 
 pub use catalogue::{ConversionFunction, Parameter, ResultType, conversion_function_name, function};
+pub use choices::{BitStringText, ConversionChoices, Outside, RealText, Rounding, TextReading};
 pub use implicit::implicit;
-pub use rule::{Conversion, ConversionRule, Rounding};
+pub use rule::{Conversion, ConversionRule};

@@ -75,17 +75,50 @@ pub fn encode(value: f64, to: ElementaryType) -> u64 {
 #[inline]
 #[must_use]
 pub fn to_integer(value: f64, rounding: Rounding) -> u64 {
-    let integral = match rounding {
-        Rounding::TowardZero => value,
-        Rounding::HalfToEven => value.round_ties_even(),
-        Rounding::Up => value.ceil(),
-        Rounding::Down => value.floor(),
-    };
-    if integral.abs() < 9.2e18 {
-        (integral as i64).cast_unsigned()
+    if value.abs() < 9.2e18 {
+        rounded(value, rounding).cast_unsigned()
     } else {
-        wrapped(integral)
+        wrapped(value)
     }
+}
+
+/// A number that 64 bits hold, rounded to an integer.
+#[inline]
+fn rounded(value: f64, rounding: Rounding) -> i64 {
+    let whole = value as i64;
+    // Exact: a part of the number's own digits.
+    let rest = value - whole as f64;
+    let away = match rounding {
+        Rounding::TowardZero => false,
+        Rounding::HalfToEven => rest.abs() > 0.5 || (rest.abs() == 0.5 && whole & 1 == 1),
+        Rounding::HalfAwayFromZero => rest.abs() >= 0.5,
+        Rounding::Up => rest > 0.0,
+        Rounding::Down => rest < 0.0,
+    };
+    match (away, value < 0.0) {
+        (false, _) => whole,
+        (true, false) => whole + 1,
+        (true, true) => whole - 1,
+    }
+}
+
+/// The number rounded to an integer, or the limit of the target that lies next to it, the infinities included;
+/// NaN gives 0. The target is an integer or a bit string.
+#[inline]
+#[must_use]
+pub fn to_nearest_of(value: f64, rounding: Rounding, to: ElementaryType) -> u64 {
+    let Some((low, high)) = to.integer_range() else {
+        return 0;
+    };
+    // What 128 bits do not hold becomes their limit, and a NaN 0.
+    let integer = if value.abs() < 9.2e18 {
+        rounded(value, rounding).into()
+    } else {
+        value as i128
+    };
+    let nearest: i128 = integer.clamp(low, high);
+    // Within the limits the low 64 bits are the raw form.
+    nearest as u64
 }
 
 /// A number of 2^62 or more, which has no fraction, modulo 2^64.

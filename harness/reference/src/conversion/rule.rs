@@ -1,7 +1,10 @@
 //! What a conversion does to a value: one small rule a pair of types, said once for the implicit rule and for
 //! the catalogue of functions alike.
 
-use super::{moment, real, text};
+use super::{
+    BitStringText, ConversionChoices, Outside, RealText, Rounding, TextReading, moment, reading, real, text,
+    writing,
+};
 use crate::raw;
 use stickler_types::{ElementaryType, Family};
 
@@ -14,19 +17,6 @@ pub struct Conversion {
     pub to: ElementaryType,
     /// What happens to the value.
     pub rule: ConversionRule,
-}
-
-/// How a real number becomes an integer.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Rounding {
-    /// The fraction is dropped.
-    TowardZero,
-    /// To nearest, ties to even (IEC 60559, roundTiesToEven).
-    HalfToEven,
-    /// To the least integer not below the number.
-    Up,
-    /// To the greatest integer not above the number.
-    Down,
 }
 
 /// What a conversion does to the value.
@@ -47,9 +37,9 @@ pub enum ConversionRule {
     /// REAL to LREAL exactly, LREAL to REAL rounded to nearest, ties to even.
     /// Basis: forgeiec-conversion-functions: Range and precision (`LREAL_TO_REAL`).
     BetweenReals,
-    /// Rounded to an integer, which is taken modulo 2^n of the target; NaN and the infinities give 0.
+    /// Rounded to an integer, which is then brought into the target; NaN gives 0.
     /// Basis: stickler-design: §8 (arithmetic rules).
-    FromReal(Rounding),
+    FromReal(Rounding, Outside),
     /// A duration, date or time of day as the number of its units, the fraction dropped, modulo 2^n.
     /// Basis: forgeiec-conversion-functions: The naming pattern (TIME in ms); dates and times of day are open.
     ToUnits,
@@ -63,8 +53,8 @@ pub enum ConversionRule {
     /// The day of a date and time, also before 1970.
     /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_DATE`).
     Day,
-    /// The time since midnight of a date and time, also before 1970.
-    /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_TOD`).
+    /// The time since midnight of a date and time, also before 1970; a duration modulo 24 hours.
+    /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_TOD`); of a duration it is open.
     TimeOfDay,
     /// A character of the other width; one that CHAR does not have becomes `?`.
     /// Basis: iec-61131-3: conversion of character types (the replacement is left to the implementer).
@@ -77,10 +67,10 @@ pub enum ConversionRule {
     ToBcd,
     /// A text read as a literal of the target.
     /// Basis: forgeiec-conversion-functions: matiec conformance (0 where the text cannot be read).
-    ReadText,
-    /// A value written as text.
+    ReadText(TextReading),
+    /// A value written as text, a real number and a bit string as chosen.
     /// Basis: forgeiec-conversion-functions: The naming pattern; the form is open.
-    WriteText,
+    WriteText(RealText, BitStringText),
     /// STRING to WSTRING and back, character by character.
     BetweenTexts,
     /// The first character of a text; the character with code 0 where the text is empty.
@@ -90,13 +80,13 @@ pub enum ConversionRule {
 }
 
 impl ConversionRule {
-    /// The meaning of a conversion from one type to another, `rounding` being how a real number becomes an
-    /// integer; `None` where the pair has none.
+    /// The meaning of a conversion from one type to another under the choices of a dialect; `None` where the
+    /// pair has none, whatever is chosen.
     #[must_use]
     pub const fn between(
         from: ElementaryType,
         to: ElementaryType,
-        rounding: Rounding,
+        choices: &ConversionChoices,
     ) -> Option<ConversionRule> {
         use Family::{
             BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, Text, TimeOfDay,
@@ -112,10 +102,12 @@ impl ConversionRule {
             }
             (Boolean | Signed | Unsigned | BitString, Real) => ConversionRule::ToReal,
             (Real, Real) => ConversionRule::BetweenReals,
-            (Real, Signed | Unsigned | BitString) => ConversionRule::FromReal(rounding),
+            (Real, Signed | Unsigned | BitString) => {
+                ConversionRule::FromReal(choices.real_to_integer, choices.outside)
+            }
             (Duration, Duration)
             | (Date, Date | DateAndTime)
-            | (TimeOfDay, TimeOfDay)
+            | (TimeOfDay, TimeOfDay | Duration)
             | (DateAndTime, DateAndTime) => ConversionRule::Keep,
             (Duration | Date | TimeOfDay | DateAndTime, Signed | Unsigned | BitString) => {
                 ConversionRule::ToUnits
@@ -126,16 +118,16 @@ impl ConversionRule {
             }
             (Real, Duration | Date | TimeOfDay | DateAndTime) => ConversionRule::FromRealUnits,
             (DateAndTime, Date) => ConversionRule::Day,
-            (DateAndTime, TimeOfDay) => ConversionRule::TimeOfDay,
+            (DateAndTime | Duration, TimeOfDay) => ConversionRule::TimeOfDay,
             (Character, Character) => ConversionRule::Character,
             (Character, Text) => ConversionRule::CharacterToText,
             (Text, Character) => ConversionRule::FirstCharacter,
             (Text, Text) => ConversionRule::BetweenTexts,
-            (Text, _) => ConversionRule::ReadText,
-            (_, Text) => ConversionRule::WriteText,
-            (Duration, Date | TimeOfDay | DateAndTime)
+            (Text, _) => ConversionRule::ReadText(choices.text_reading),
+            (_, Text) => ConversionRule::WriteText(choices.real_text, choices.bit_string_text),
+            (Duration, Date | DateAndTime)
             | (Date, Duration | TimeOfDay)
-            | (TimeOfDay, Duration | Date | DateAndTime)
+            | (TimeOfDay, Date | DateAndTime)
             | (DateAndTime, Duration)
             | (Character, Boolean | Real | Duration | Date | TimeOfDay | DateAndTime)
             | (Boolean | Real | Duration | Date | TimeOfDay | DateAndTime, Character) => return None,
@@ -170,10 +162,13 @@ impl Conversion {
             ConversionRule::NonZero => u64::from(real::is_nonzero(value, self.from)),
             ConversionRule::ToReal => real::from_integer(value, self.from, self.to),
             ConversionRule::BetweenReals => real::between(value, self.from, self.to),
-            ConversionRule::FromReal(rounding) => raw::narrow(
+            ConversionRule::FromReal(rounding, Outside::Wrap) => raw::narrow(
                 real::to_integer(real::decode(value, self.from), rounding),
                 self.to,
             ),
+            ConversionRule::FromReal(rounding, Outside::Saturate) => {
+                real::to_nearest_of(real::decode(value, self.from), rounding, self.to)
+            }
             ConversionRule::ToUnits => raw::narrow(moment::to_units(value, self.from), self.to),
             ConversionRule::ToRealUnits => moment::to_real_units(value, self.from, self.to),
             ConversionRule::FromUnits => moment::from_units(value, self.to),
@@ -183,8 +178,8 @@ impl Conversion {
             ConversionRule::Character => text::character(value, self.to),
             ConversionRule::FromBcd => raw::narrow(super::bcd::decode(value), self.to),
             ConversionRule::ToBcd => super::bcd::encode(value, self.from, self.to),
-            ConversionRule::ReadText
-            | ConversionRule::WriteText
+            ConversionRule::ReadText(_)
+            | ConversionRule::WriteText(..)
             | ConversionRule::BetweenTexts
             | ConversionRule::FirstCharacter
             | ConversionRule::CharacterToText => 0,
@@ -197,31 +192,38 @@ impl Conversion {
     pub fn apply_to_all(self, operands: impl Iterator<Item = u64>, mut sink: impl FnMut(u64, u64)) {
         /// The rule is a constant in each of these loops.
         macro_rules! one_loop_for_each {
-            ($($rule:pat => $constant:expr,)*) => {
+            ($($name:ident $(($($choice:path),*))?;)*) => {
                 match self.rule {
-                    $($rule => {
-                        let conversion = Conversion { rule: $constant, ..self };
+                    $(ConversionRule::$name $(($($choice),*))? => {
+                        let rule = ConversionRule::$name $(($($choice),*))?;
+                        let conversion = Conversion { rule, ..self };
                         operands.for_each(|operand| sink(operand, conversion.apply_here(operand)));
                     })*
                     _ => operands.for_each(|operand| sink(operand, self.apply(operand))),
                 }
             };
         }
-        use ConversionRule::{
-            BetweenReals, FromBcd, FromReal, FromUnits, Keep, NonZero, ToBcd, ToReal, ToUnits, Wrap,
-        };
         one_loop_for_each! {
-            Keep => Keep,
-            Wrap => Wrap,
-            NonZero => NonZero,
-            ToReal => ToReal,
-            BetweenReals => BetweenReals,
-            FromReal(Rounding::TowardZero) => FromReal(Rounding::TowardZero),
-            FromReal(Rounding::HalfToEven) => FromReal(Rounding::HalfToEven),
-            ToUnits => ToUnits,
-            FromUnits => FromUnits,
-            FromBcd => FromBcd,
-            ToBcd => ToBcd,
+            Keep;
+            Wrap;
+            NonZero;
+            ToReal;
+            BetweenReals;
+            FromReal(Rounding::TowardZero, Outside::Wrap);
+            FromReal(Rounding::HalfToEven, Outside::Wrap);
+            FromReal(Rounding::HalfAwayFromZero, Outside::Wrap);
+            FromReal(Rounding::Up, Outside::Wrap);
+            FromReal(Rounding::Down, Outside::Wrap);
+            FromReal(Rounding::TowardZero, Outside::Saturate);
+            FromReal(Rounding::HalfToEven, Outside::Saturate);
+            FromReal(Rounding::HalfAwayFromZero, Outside::Saturate);
+            FromReal(Rounding::Up, Outside::Saturate);
+            FromReal(Rounding::Down, Outside::Saturate);
+            ToUnits;
+            FromUnits;
+            FromRealUnits;
+            FromBcd;
+            ToBcd;
         }
     }
 
@@ -232,7 +234,8 @@ impl Conversion {
             ConversionRule::FirstCharacter => {
                 text::character(units.first().copied().unwrap_or(0).into(), self.to)
             }
-            _ => text::read(units, self.to),
+            ConversionRule::ReadText(reading) => reading::read(units, self.to, reading),
+            _ => 0,
         }
     }
 
@@ -241,7 +244,8 @@ impl Conversion {
     pub fn apply_to_text(self, value: u64) -> Vec<u16> {
         match self.rule {
             ConversionRule::CharacterToText => text::of_character(value, self.to),
-            _ => text::write(value, self.from),
+            ConversionRule::WriteText(reals, bits) => writing::write(value, self.from, reals, bits),
+            _ => Vec::new(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The machine on small programs written by hand.
 
 use super::{Inconsistency, Machine, RaisedFault, Stop};
-use crate::conversion::{Conversion, ConversionRule};
+use crate::conversion::{BitStringText, Conversion, ConversionChoices, ConversionRule, RealText};
 use crate::instruction::{
     ArithmeticOperator, ComparisonOperator, FaultKind, Instruction, LogicOperator, LoopTypes, Program,
     StandardFunction, TextCell,
@@ -174,7 +174,7 @@ fn texts_are_stored_cut_and_converted() {
     let number = Conversion {
         from: Int,
         to: String,
-        rule: ConversionRule::WriteText,
+        rule: ConversionRule::WriteText(RealText::Shortest, BitStringText::FullWidth),
     };
     assert_eq!(text(&[Push(42), Convert(number), Address(9), StoreText], 9), "42");
     let length = Standard {
@@ -357,7 +357,7 @@ fn any_instruction(bits: u64) -> Instruction {
     ];
     let function = functions[(bits >> 40) as usize % 4];
     let rule =
-        ConversionRule::between(ty, other, crate::conversion::Rounding::Up).unwrap_or(ConversionRule::ToBcd);
+        ConversionRule::between(ty, other, &ConversionChoices::COMMON).unwrap_or(ConversionRule::ToBcd);
     match bits as u8 % 28 {
         0..4 => Push(small.into()),
         4 => Push(bits),

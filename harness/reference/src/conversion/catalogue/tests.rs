@@ -1,5 +1,6 @@
 //! The catalogue, name by name.
 
+use super::super::{BitStringText, Outside, RealText, TextReading};
 use super::*;
 use ElementaryType::{
     Byte, Date, Dint, Dt, Dword, Int, Lint, Lreal, Ltime, Real, Sint, Tod, Udint, Uint, Usint, Word,
@@ -164,4 +165,141 @@ fn a_suggested_name_is_a_function_from_and_to_these_types() {
         Some("DINT_TO_INT")
     );
     assert_eq!(conversion_function_name(Int, Int, &ed2), None);
+}
+
+/// matiec with other choices.
+fn chosen(conversions: ConversionChoices) -> Dialect {
+    Dialect {
+        conversions,
+        ..Dialect::matiec()
+    }
+}
+
+fn applied(name: &str, dialect: &Dialect, from: ElementaryType, raw: u64) -> i64 {
+    let function = function(name, dialect).expect(name);
+    let conversion = function.conversion(from, function.result_type(from, None));
+    conversion.apply(raw).cast_signed()
+}
+
+#[test]
+fn each_choice_of_rounding_reaches_the_functions_that_it_is_for() {
+    let convert = |name, rounding, value: f64| {
+        let dialect = chosen(ConversionChoices::COMMON.rounding(rounding));
+        applied(name, &dialect, Lreal, value.to_bits())
+    };
+    for (rounding, expected) in [
+        (Rounding::TowardZero, [1, 2, -2, 0]),
+        (Rounding::HalfToEven, [2, 2, -2, 0]),
+        (Rounding::HalfAwayFromZero, [2, 3, -3, 0]),
+        (Rounding::Up, [2, 3, -2, 1]),
+        (Rounding::Down, [1, 2, -3, 0]),
+    ] {
+        let values = [1.5, 2.5, -2.5, 0.499_999_999_999_999_94];
+        assert_eq!(
+            values.map(|value| convert("LREAL_TO_DINT", rounding, value)),
+            expected
+        );
+        assert_eq!(
+            values.map(|value| convert("TRUNC", rounding, value)),
+            [1, 2, -2, 0]
+        );
+        assert_eq!(
+            values.map(|value| convert("TO_WORD", rounding, value)),
+            expected.map(|value| value & 0xFFFF)
+        );
+    }
+}
+
+#[test]
+fn each_choice_for_what_lies_outside_reaches_the_functions_from_reals() {
+    let saturating = chosen(ConversionChoices {
+        outside: Outside::Saturate,
+        ..ConversionChoices::COMMON
+    });
+    for (name, value, wrapped, nearest) in [
+        ("LREAL_TO_INT", 40_000.0, -25_536, 32_767),
+        ("LREAL_TO_INT", -1e30, 0, -32_768),
+        ("LREAL_TO_USINT", -1.0, 255, 0),
+        ("LREAL_TO_USINT", -0.9, 0, 0),
+        ("LREAL_TO_BYTE", 256.0, 0, 255),
+        ("TRUNC_INT", f64::INFINITY, 0, 32_767),
+        ("LREAL_TRUNC_LINT", 1e19, -8_446_744_073_709_551_616, i64::MAX),
+        ("TO_ULINT", f64::INFINITY, 0, -1),
+        ("TRUNC", f64::NAN, 0, 0),
+    ] {
+        let wrapping = chosen(ConversionChoices::COMMON);
+        let got = [&wrapping, &saturating].map(|dialect| applied(name, dialect, Lreal, value.to_bits()));
+        assert_eq!(got, [wrapped, nearest], "{name}({value})");
+    }
+    let integer = |dialect| applied("DINT_TO_INT", dialect, Dint, 100_000);
+    assert_eq!(integer(&saturating), -31_072, "integers wrap all the same");
+}
+
+#[test]
+fn each_choice_of_texts_reaches_the_functions_from_and_to_texts() {
+    let units = |text: &str| text.encode_utf16().collect::<Vec<_>>();
+    let read = |name, reading| {
+        let dialect = chosen(ConversionChoices {
+            text_reading: reading,
+            ..ConversionChoices::COMMON
+        });
+        let function = function(name, &dialect).expect(name);
+        let conversion = function.conversion(
+            ElementaryType::String,
+            function.result_type(ElementaryType::String, None),
+        );
+        conversion.apply_from_text(&units("12.5 bar"))
+    };
+    assert_eq!(read("STRING_TO_INT", TextReading::WholeText), 0);
+    assert_eq!(read("STRING_TO_INT", TextReading::LeadingNumber), 12);
+    assert_eq!(
+        read("STRING_TO_LREAL", TextReading::LeadingNumber),
+        12.5_f64.to_bits()
+    );
+    let written = |name, from, raw, conversions| {
+        let function = function(name, &chosen(conversions)).expect(name);
+        let conversion = function.conversion(from, ElementaryType::String);
+        String::from_utf16_lossy(&conversion.apply_to_text(raw))
+    };
+    let common = ConversionChoices::COMMON;
+    let three_digits = ConversionChoices {
+        real_text: RealText::SignificantDigits(3),
+        ..common
+    };
+    let third = (1.0_f64 / 3.0).to_bits();
+    assert_eq!(
+        [common, three_digits].map(|choices| written("LREAL_TO_STRING", Lreal, third, choices)),
+        ["0.3333333333333333", "0.333"]
+    );
+    let short = ConversionChoices {
+        bit_string_text: BitStringText::Shortest,
+        ..common
+    };
+    assert_eq!(
+        [common, short].map(|choices| written("WORD_TO_STRING", Word, 0xAB, choices)),
+        ["16#00AB", "16#ab"]
+    );
+}
+
+#[test]
+fn results_are_all_that_a_target_may_ask_for() {
+    let results = |name: &str, from| named(name).expect(name).results(from).collect::<Vec<_>>();
+    assert_eq!(results("BCD_TO_INT", Byte), [Int, Dint]);
+    assert_eq!(results("INT_TO_BCD", Int), [Byte, Word]);
+    assert_eq!(results("ROUND", Lreal), [Lint]);
+    assert_eq!(results("TO_INT", Dint), [Int]);
+}
+
+#[test]
+fn durations_and_times_of_day_have_functions_both_ways() {
+    for name in [
+        "TIME_TO_TOD",
+        "TOD_TO_TIME",
+        "LTIME_TO_LTOD",
+        "LTOD_TO_TIME",
+        "TIME_TO_LTOD",
+    ] {
+        assert!(named(name).is_some(), "{name}");
+    }
+    assert_eq!(exactly("TIME_OF_DAY_TO_TIME"), Some((Tod, ElementaryType::Time)));
 }

@@ -1,0 +1,163 @@
+//! Values written as texts.
+//!
+//! No source says which form a text has. Where a dialect does not choose another it is the form that the wire
+//! protocol gives the value, without the type's name where a program could not read it back with it: `-5`,
+//! `16#00FF`, `0.1`, `TRUE`, `T#1500ms`, `D#2024-02-29`, `TOD#12:34:56`, `DT#2024-02-29-12:34:56`.
+//!
+//! Basis: forgeiec-conversion-functions: The naming pattern (`<num>_TO_STRING`); the form is open.
+
+use super::{BitStringText, RealText, real};
+use std::fmt;
+use stickler_types::{ElementaryType, Family, Value};
+
+/// Writes a value as text, in code units; `reals` and `bits` say in which form REAL and LREAL, and BYTE … LWORD,
+/// are written.
+#[must_use]
+pub fn write(raw: u64, from: ElementaryType, reals: RealText, bits: BitStringText) -> Vec<u16> {
+    let mut text = Units(Vec::new());
+    let written = match (from.family(), reals, bits) {
+        (Family::Real, RealText::SignificantDigits(digits), _) if real::decode(raw, from).is_finite() => {
+            rounded_digits(&mut text, real::decode(raw, from), digits)
+        }
+        (Family::BitString, _, BitStringText::Shortest) => fmt::write(&mut text, format_args!("16#{raw:x}")),
+        _ => literal(&mut text, raw, from),
+    };
+    debug_assert!(written.is_ok(), "a vector takes everything");
+    text.0
+}
+
+/// The value's literal, with no more of a prefix than it needs.
+fn literal(text: &mut Units, raw: u64, from: ElementaryType) -> fmt::Result {
+    fmt::write(text, format_args!("{}", Value::plain(from, raw)))?;
+    let behind_prefix = text
+        .0
+        .iter()
+        .position(|&unit| unit == u16::from(b'#'))
+        .map_or(0, |at| at + 1);
+    text.0
+        .splice(..behind_prefix, prefix(from).bytes().map(u16::from));
+    Ok(())
+}
+
+/// The prefix without which a duration or date would not be a literal.
+const fn prefix(ty: ElementaryType) -> &'static str {
+    match ty {
+        ElementaryType::Time => "T#",
+        ElementaryType::Ltime => "LTIME#",
+        ElementaryType::Date => "D#",
+        ElementaryType::Ldate => "LDATE#",
+        ElementaryType::Tod => "TOD#",
+        ElementaryType::Ltod => "LTOD#",
+        ElementaryType::Dt => "DT#",
+        ElementaryType::Ldt => "LDT#",
+        _ => "",
+    }
+}
+
+/// A finite number with so many significant digits, as [`RealText::SignificantDigits`] describes it.
+fn rounded_digits(out: &mut impl fmt::Write, value: f64, digits: u8) -> fmt::Result {
+    let digits = usize::from(digits.max(1));
+    // The library rounds the exact decimal expansion, once: `d.ddd` and the exponent that this rounding leads to.
+    let scientific = format!("{value:.*e}", digits - 1);
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let places = i32::try_from(digits - 1).unwrap_or(0) - exponent;
+    if exponent >= -4
+        && let Ok(decimals) = usize::try_from(places)
+    {
+        out.write_str(without_trailing_zeros(&format!("{value:.decimals$}")))
+    } else {
+        let sign = if exponent < 0 { '-' } else { '+' };
+        let mantissa = without_trailing_zeros(mantissa);
+        write!(out, "{mantissa}e{sign}{:02}", exponent.unsigned_abs())
+    }
+}
+
+fn without_trailing_zeros(digits: &str) -> &str {
+    if digits.contains('.') {
+        digits.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        digits
+    }
+}
+
+/// Code units to be written to; all that is written is ASCII.
+struct Units(Vec<u16>);
+
+impl fmt::Write for Units {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0.extend(text.bytes().map(u16::from));
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::{Bool, Byte, Date, Int, Lreal, Ltime, Lword, Real, Time, Word};
+
+    fn text(raw: u64, ty: ElementaryType) -> String {
+        String::from_utf16_lossy(&write(raw, ty, RealText::Shortest, BitStringText::FullWidth))
+    }
+
+    fn with_digits(value: f64, digits: u8) -> String {
+        let form = RealText::SignificantDigits(digits);
+        String::from_utf16_lossy(&write(value.to_bits(), Lreal, form, BitStringText::FullWidth))
+    }
+
+    #[test]
+    fn values_are_written_as_literals() {
+        assert_eq!(text((-5_i64).cast_unsigned(), Int), "-5");
+        assert_eq!(text(255, Lword), "16#00000000000000FF");
+        assert_eq!(text(1, Bool), "TRUE");
+        assert_eq!(text(0.1_f32.to_bits().into(), Real), "0.1");
+        assert_eq!(text(1_500_000_000, Time), "T#1500ms");
+        assert_eq!(text(1_500_000_000, Ltime), "LTIME#1500000000ns");
+        assert_eq!(text(19_782 * 86_400_000_000_000, Date), "D#2024-02-29");
+    }
+
+    #[test]
+    fn bit_strings_are_written_without_leading_zeros_where_that_is_chosen() {
+        let short =
+            |raw, ty| String::from_utf16_lossy(&write(raw, ty, RealText::Shortest, BitStringText::Shortest));
+        assert_eq!(
+            [0, 0xAB, 0xFF].map(|raw| short(raw, Byte)),
+            ["16#0", "16#ab", "16#ff"]
+        );
+        assert_eq!(short(0x0F0E, Word), "16#f0e");
+        assert_eq!([short(1, Bool), short(255, Int)], ["TRUE", "255"]);
+    }
+
+    /// What C's `printf("%.{n}g")` writes for these.
+    #[test]
+    fn reals_are_written_with_so_many_significant_digits_where_that_is_chosen() {
+        for (value, digits, expected) in [
+            (0.0, 10, "0"),
+            (-0.0, 10, "-0"),
+            (0.1, 10, "0.1"),
+            (0.1_f32.into(), 10, "0.1000000015"),
+            (1.0 / 3.0, 10, "0.3333333333"),
+            (100.0, 10, "100"),
+            (1_234_567_890.4, 10, "1234567890"),
+            (9_999_999_999.6, 10, "1e+10"),
+            (12_345_678_901.0, 10, "1.23456789e+10"),
+            (1e20, 10, "1e+20"),
+            (-1.5e-300, 10, "-1.5e-300"),
+            (0.0001, 10, "0.0001"),
+            (0.000_099_999_999_999, 10, "0.0001"),
+            (0.000_012_5, 10, "1.25e-05"),
+            (2.5, 1, "2"),
+            (3.5, 1, "4"),
+            (0.125, 2, "0.12"),
+            (9.5, 1, "1e+01"),
+            (5.0, 0, "5"),
+            (f64::MAX, 17, "1.7976931348623157e+308"),
+            (5e-324, 17, "4.9406564584124654e-324"),
+            (1e22, 255, "10000000000000000000000"),
+        ] {
+            assert_eq!(with_digits(value, digits), expected, "{value:e} with {digits}");
+        }
+        let words = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(|value| with_digits(value, 10));
+        assert_eq!(words, ["NaN", "Infinity", "-Infinity"]);
+    }
+}
