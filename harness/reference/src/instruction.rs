@@ -9,7 +9,7 @@
 //! integers and bit strings zero-extended, BOOL 0 or 1, REAL and LREAL their IEC 60559 bits, durations, dates
 //! and times of day as signed nanoseconds, characters their code unit.
 
-use crate::conversion::Conversion;
+use crate::conversion::{Concatenation, Conversion};
 use stickler_types::ElementaryType;
 
 /// Why a run ended early; one of the words of the wire protocol.
@@ -126,6 +126,8 @@ pub enum Instruction {
 
     /// Converts the top of the stack; text operands and results are on the text stack.
     Convert(Conversion),
+    /// Pops a date and a time of day; pushes both as one.
+    Concatenate(Concatenation),
     /// Pops two values of the type, pushes the result, wrapped to the type's width. Addition and subtraction
     /// also come with durations, and with dates and times, of nanoseconds: 64 bits wrap, and TOD and LTOD are
     /// taken modulo a day. (The difference of two dates is a subtraction of type TIME.)

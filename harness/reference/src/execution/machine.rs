@@ -187,6 +187,10 @@ impl<'p> Machine<'p> {
                 Instruction::StoreBit { bit, of } => self.store_bit(bit, of)?,
 
                 Instruction::Convert(conversion) => self.convert(conversion)?,
+                Instruction::Concatenate(concatenation) => {
+                    let (date, time) = self.pop_pair()?;
+                    self.operands.push(concatenation.apply_two(date, time));
+                }
                 Instruction::Arithmetic(operator, ty) => {
                     let (left, right) = self.pop_pair()?;
                     self.operands

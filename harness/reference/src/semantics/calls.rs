@@ -1,15 +1,13 @@
 //! Calls: what is called, and what comes of it.
 
-use super::contexts::Context;
 use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
 use super::model::Definition;
 use super::scope::Folded;
-use super::standard::{Fault, mixed, standard_function};
+use super::standard::{Fault, standard_function};
 use super::types::{Kind, TypeId};
-use crate::conversion::{ConversionFunction, Parameter, ResultType, function};
+use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
 use crate::instruction::{Instruction, StandardFunction};
-use crate::source::Span;
 use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, Name, PouKind};
 use stickler_types::{Code, ElementaryType};
 
@@ -24,6 +22,8 @@ pub(super) enum Callee {
     Standard(StandardFunction),
     /// A type conversion function.
     Conversion(ConversionFunction),
+    /// A type conversion function of two arguments.
+    Concatenation(Concatenation),
     /// Nothing that can be called: the code and the reason.
     Nothing(Code, &'static str),
     /// Something that is wrong for another reason.
@@ -49,8 +49,8 @@ impl<'m> Lowering<'m> {
         // a function's result nor `max` in `max := MAX(max, n)`.
         match (self.block_or_not(variable.ty), self.named_callee(name)) {
             (block @ Callee::Block(_), _) => block,
-            (_, function @ (Callee::Function(_) | Callee::Standard(_) | Callee::Conversion(_))) => function,
-            (neither, _) => neither,
+            (neither, Callee::Nothing(..) | Callee::Silent) => neither,
+            (_, function) => function,
         }
     }
 
@@ -87,8 +87,12 @@ impl<'m> Lowering<'m> {
         if let Some(standard) = standard_function(name.text) {
             return Callee::Standard(standard);
         }
-        match function(name.text, self.model.source.dialect) {
-            Some(conversion) => Callee::Conversion(conversion),
+        let dialect = self.model.source.dialect;
+        if let Some(conversion) = function(name.text, dialect) {
+            return Callee::Conversion(conversion);
+        }
+        match concatenation(name.text, dialect) {
+            Some(concatenation) => Callee::Concatenation(concatenation),
             None => Callee::Nothing(Code::FunctionCallUndeclared, "is not declared"),
         }
     }
@@ -103,60 +107,8 @@ impl<'m> Lowering<'m> {
             },
             Callee::Standard(standard) => self.infer_standard(standard, arguments),
             Callee::Conversion(conversion) => self.infer_conversion(&conversion, arguments),
+            Callee::Concatenation(concatenation) => Inferred::from(concatenation.result),
             Callee::Nothing(..) | Callee::Silent => Inferred::Error,
-        }
-    }
-
-    /// The type of most results depends on nothing else, so it is known whatever is wrong with the argument.
-    fn infer_conversion(&mut self, conversion: &ConversionFunction, arguments: &[Argument<'_>]) -> Inferred {
-        match (conversion.result, self.converted(conversion, arguments)) {
-            (ResultType::Exactly(ty), _) => Inferred::from(ty),
-            (_, Some(argument)) => Inferred::from(conversion.result_type(argument, None)),
-            (_, None) => Inferred::Error,
-        }
-    }
-
-    /// The type, among those that it may have, that the result of a conversion function takes from its target.
-    ///
-    /// Basis: stickler-design: §8 (the result of BCD_TO_INT and INT_TO_BCD takes the type of its target).
-    pub(super) fn flexible_result(&mut self, id: ExpressionId, target: TypeId) -> Option<ElementaryType> {
-        let ExpressionKind::Call { callee, arguments } = &self.expression(self.model.source.bare(id)).kind
-        else {
-            return None;
-        };
-        let Callee::Conversion(conversion) = self.callee(*callee) else {
-            return None;
-        };
-        if !matches!(conversion.result, ResultType::OfTarget { .. }) {
-            return None;
-        }
-        let argument = self.converted(&conversion, arguments)?;
-        Some(conversion.result_type(argument, target.elementary()))
-    }
-
-    /// The type that the one argument of a conversion function has or takes; `None` where it does not fit.
-    fn converted(
-        &mut self,
-        conversion: &ConversionFunction,
-        arguments: &[Argument<'_>],
-    ) -> Option<ElementaryType> {
-        let argument = single_argument(arguments, Span::default()).ok()?;
-        let inferred = self.infer(argument);
-        match conversion.parameter {
-            Parameter::Exactly(ty) => Some(ty),
-            Parameter::AnyOf { allowed, default } => match inferred {
-                Inferred::Known(ty) => ty.elementary().filter(|ty| allowed.contains(ty)),
-                Inferred::Integer(magnitude) => [default, magnitude.ty()].into_iter().find(|ty| {
-                    allowed.contains(ty) && (ty.is_integer() || ty.is_bit_string() || ty.is_real())
-                }),
-                Inferred::Real => [default, ElementaryType::Lreal]
-                    .into_iter()
-                    .find(|ty| allowed.contains(ty) && ty.is_real()),
-                Inferred::Text { wide, .. } => {
-                    Some(super::literals::text_type(wide)).filter(|ty| allowed.contains(ty))
-                }
-                Inferred::Nothing | Inferred::Enumerated | Inferred::Error | Inferred::Pending => None,
-            },
         }
     }
 
@@ -177,6 +129,7 @@ impl<'m> Lowering<'m> {
             Callee::Function(pou) => self.call_function(span, pou, arguments, true),
             Callee::Standard(standard) => self.call_standard(span, standard, arguments, wanted),
             Callee::Conversion(conversion) => self.call_conversion(span, &conversion, arguments, wanted),
+            Callee::Concatenation(concatenation) => self.call_concatenation(span, concatenation, arguments),
             Callee::Nothing(code, reason) => self.refuse_callee(code, callee, reason, arguments),
             Callee::Silent => {
                 self.value(callee, None);
@@ -245,76 +198,6 @@ impl<'m> Lowering<'m> {
                     self.place(*target);
                 }
             }
-        }
-    }
-
-    fn call_conversion(
-        &mut self,
-        span: Span,
-        conversion: &ConversionFunction,
-        arguments: &[Argument<'_>],
-        wanted: Option<TypeId>,
-    ) -> Value {
-        let value = match conversion.result {
-            ResultType::Exactly(ty) => Value::of(ty),
-            _ => Value::ERROR,
-        };
-        let argument = match single_argument(arguments, span) {
-            Ok(argument) => argument,
-            Err(fault) => {
-                self.refuse(fault, arguments);
-                return value;
-            }
-        };
-        let Some(from) = self.converted(conversion, arguments) else {
-            self.refuse_converted(conversion, argument);
-            return value;
-        };
-        let given = self.coerce(argument, TypeId::of(from), Context::Argument);
-        let to = conversion.result_type(from, wanted.and_then(TypeId::elementary));
-        self.emit_at(span, Instruction::Convert(conversion.conversion(from, to)));
-        if given.ty == TypeId::ERROR {
-            value
-        } else {
-            Value::of(to)
-        }
-    }
-
-    /// Says that an argument is of no type that a conversion function takes.
-    fn refuse_converted(&mut self, conversion: &ConversionFunction, argument: ExpressionId) {
-        let inferred = self.infer(argument);
-        let value = self.value(argument, None);
-        if value.ty != TypeId::ERROR || inferred == Inferred::Nothing {
-            let (Parameter::Exactly(expected)
-            | Parameter::AnyOf {
-                default: expected, ..
-            }) = conversion.parameter;
-            self.report_misfit(argument, inferred, TypeId::of(expected), Context::Argument);
-        }
-    }
-}
-
-/// The one argument of a conversion function, by position or as `IN`.
-fn single_argument(arguments: &[Argument<'_>], call: Span) -> Result<ExpressionId, Fault> {
-    match arguments {
-        [Argument::Positional(value)] => Ok(*value),
-        [Argument::Named { name, value }] if name.text.eq_ignore_ascii_case("IN") => Ok(*value),
-        [Argument::Named { name, .. } | Argument::Output { name, .. }] => Err((
-            Code::FunctionCallNamedArgUndeclared,
-            name.span,
-            format!(
-                "the function has no parameter `{}` here; its only one is IN",
-                name.text
-            ),
-        )),
-        _ if arguments.iter().any(|one| matches!(one, Argument::Positional(_)))
-            && arguments.iter().any(|one| matches!(one, Argument::Named { .. })) =>
-        {
-            Err(mixed(call))
-        }
-        _ => {
-            let message = format!("the function takes 1 argument, not {}", arguments.len());
-            Err((Code::FunctionCallWrongArgCount, call, message))
         }
     }
 }

@@ -14,6 +14,7 @@ mod check;
 mod common;
 mod constants;
 mod contexts;
+mod conversions;
 mod cycles;
 mod declare;
 mod emitter;

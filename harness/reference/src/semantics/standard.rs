@@ -42,8 +42,8 @@ pub(super) fn standard_function(name: &str) -> Option<StandardFunction> {
 /// Something wrong with a call's arguments as a whole: the code, where, and why.
 pub(super) type Fault = (Code, Span, String);
 
-/// The parameters of a standard function.
-struct Signature {
+/// The parameters of a standard function, or of a conversion function with more than one.
+pub(super) struct Signature {
     /// The names of the first parameters.
     fixed: &'static [&'static str],
     /// What any more parameters are called, before their number, and the first one's number.
@@ -68,6 +68,15 @@ fn signature(function: StandardFunction) -> Signature {
 }
 
 impl Signature {
+    /// That of a function with these parameters and no others.
+    pub(super) const fn exactly(names: &'static [&'static str]) -> Signature {
+        Signature {
+            fixed: names,
+            more: None,
+            least: names.len(),
+        }
+    }
+
     /// Which parameter a name is.
     fn position(&self, name: &str) -> Option<usize> {
         let fixed = self
@@ -87,13 +96,22 @@ impl Signature {
     }
 }
 
-/// The arguments of a call of a standard or conversion function in the order of its parameters.
-pub(super) fn ordered(
+/// The arguments of a call of a standard function in the order of its parameters.
+fn ordered(
     function: StandardFunction,
     arguments: &[Argument<'_>],
     call: Span,
 ) -> Result<Vec<ExpressionId>, Fault> {
-    let signature = signature(function);
+    ordered_by(&signature(function), arguments, call)
+}
+
+/// The arguments of a call in the order of the parameters.
+pub(super) fn ordered_by(
+    signature: &Signature,
+    arguments: &[Argument<'_>],
+    call: Span,
+) -> Result<Vec<ExpressionId>, Fault> {
+    const MOST: usize = u16::MAX as usize;
     let mut places: Vec<Option<ExpressionId>> = Vec::with_capacity(arguments.len());
     for (index, argument) in arguments.iter().enumerate() {
         let (name, value) = match argument {
@@ -137,17 +155,16 @@ pub(super) fn ordered(
         }
     }
     let count = arguments.len();
-    let fits = count >= signature.least
-        && (signature.more.is_some() || count == signature.least)
-        && count <= usize::from(u16::MAX);
+    let fits =
+        count >= signature.least && (signature.more.is_some() || count == signature.least) && count <= MOST;
     match places.into_iter().collect::<Option<Vec<_>>>() {
         Some(values) if fits => Ok(values),
         _ => {
             let least = signature.least;
-            let needed = if signature.more.is_some() {
-                format!("at least {least}")
-            } else {
-                least.to_string()
+            let needed = match signature.more {
+                Some(_) if count > MOST => format!("at most {MOST}"),
+                Some(_) => format!("at least {least}"),
+                None => least.to_string(),
             };
             let message = format!("the function takes {needed} arguments, not {count}");
             Err((Code::FunctionCallWrongArgCount, call, message))

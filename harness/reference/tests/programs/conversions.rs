@@ -131,3 +131,59 @@ fn dates_are_taken_apart() {
         ],
     );
 }
+
+#[test]
+fn dates_and_times_of_day_are_joined() {
+    assert_body(
+        "d : DATE := D#2024-02-29; t : TOD := TOD#12:34:56.5; l : LTOD := LTOD#0:0:0.000000001; x : DT; y : LDT;
+         n : DT;",
+        "x := CONCAT_DATE_TOD(d, t); y := CONCAT_DATE_LTOD(IN2 := l, IN1 := d);
+         n := CONCAT_DATE_TOD(DT_TO_DATE(x), DT_TO_TOD(x));",
+        &[
+            "x = DT#2024-02-29-12:34:56.5",
+            "y = LDT#2024-02-29-00:00:00.000000001",
+            "n = DT#2024-02-29-12:34:56.5",
+        ],
+    );
+    let source = program(
+        "d : DATE; t : TOD; x : DT;",
+        "x := CONCAT_DATE_TOD(d);\nx := CONCAT_DATE_TOD(t, d);\nx := CONCAT_DATE_TOD(IN1 := d, IN3 := t);
+d := CONCAT_DATE_TOD(d, t);\nx := CONCAT_DATE_LTOD(d, t);",
+    );
+    let expected = [
+        (Code::FunctionCallWrongArgCount, 5),
+        (Code::FunctionCallArgTypeMismatch, 6),
+        (Code::FunctionCallArgTypeMismatch, 6),
+        (Code::FunctionCallNamedArgUndeclared, 7),
+        (Code::FunctionCallReturnTypeMismatch, 8),
+        (Code::FunctionCallUndeclared, 9),
+    ];
+    assert_diagnostics_in(DialectName::Matiec, &source, &expected);
+}
+
+#[test]
+fn a_duration_is_a_time_of_day_modulo_a_day() {
+    assert_body(
+        "a : TOD; b : TIME; c : LTOD;",
+        "a := TIME_TO_TOD(T#25h1ms); b := TOD_TO_TIME(TOD#23:59:59.999); c := LTIME_TO_LTOD(LTIME#-1ns);",
+        &[
+            "a = TOD#01:00:00.001",
+            "b = TIME#86399999ms",
+            "c = LTOD#23:59:59.999999999",
+        ],
+    );
+}
+
+#[test]
+fn matiec_writes_reals_and_bit_strings_in_its_own_way() {
+    let source = program(
+        "r : REAL := 0.1; b : WORD := 16#FF; s : STRING; t : STRING; u : STRING;",
+        "s := REAL_TO_STRING(r); t := WORD_TO_STRING(b); u := LREAL_TO_STRING(1.0E20);",
+    );
+    let expected = [
+        "s = STRING#'0.1000000015'",
+        "t = STRING#'16#ff'",
+        "u = STRING#'1e+20'",
+    ];
+    assert_values_in(DialectName::Matiec, &source, &expected);
+}

@@ -1,0 +1,120 @@
+//! The conversion functions of two arguments, which join a date and a time of day.
+
+use crate::dialect::Dialect;
+use stickler_types::ElementaryType;
+
+/// A function that joins a date and a time of day.
+///
+/// Basis: iec-61131-3: third edition, additional functions of time data types and CONCAT (the names);
+/// forgeiec-conversion-functions does not list them, so what they give is open.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Concatenation {
+    /// The types of its two parameters in order: a date and a time of day.
+    pub operands: [ElementaryType; 2],
+    /// The type of its result.
+    pub result: ElementaryType,
+}
+
+/// What named arguments call the two parameters.
+pub const PARAMETERS: [&str; 2] = ["IN1", "IN2"];
+
+/// Their names.
+pub const CONCATENATIONS: [(&str, Concatenation); 3] = {
+    use ElementaryType::{Date, Dt, Ldate, Ldt, Ltod, Tod};
+    [
+        ("CONCAT_DATE_TOD", joining(Date, Tod, Dt)),
+        ("CONCAT_DATE_LTOD", joining(Date, Ltod, Ldt)),
+        ("CONCAT_LDATE_LTOD", joining(Ldate, Ltod, Ldt)),
+    ]
+};
+
+const fn joining(date: ElementaryType, time: ElementaryType, result: ElementaryType) -> Concatenation {
+    Concatenation {
+        operands: [date, time],
+        result,
+    }
+}
+
+/// The conversion function of two arguments of this name, in any ASCII case; `None` where the dialect has none,
+/// which is so of the long forms where it lacks the types of the third edition.
+///
+/// | name | takes | gives |
+/// |---|---|---|
+/// | `CONCAT_DATE_TOD` | DATE, TOD | DT |
+/// | `CONCAT_DATE_LTOD` | DATE, LTOD | LDT |
+/// | `CONCAT_LDATE_LTOD` | LDATE, LTOD | LDT |
+#[must_use]
+pub fn concatenation(name: &str, dialect: &Dialect) -> Option<Concatenation> {
+    CONCATENATIONS
+        .into_iter()
+        .find(|(known, _)| known.eq_ignore_ascii_case(name))
+        .map(|(_, function)| function)
+        .filter(|function| function.operands.iter().all(|&ty| dialect.has(ty)))
+}
+
+impl Concatenation {
+    /// The raw form of the result for the raw forms of the date and the time of day: the sum of their
+    /// nanoseconds, modulo 2^64. Only a time of day on one of the last days that 64 bits reach, or on the first,
+    /// makes it wrap.
+    #[inline]
+    #[must_use]
+    pub const fn apply_two(self, date: u64, time: u64) -> u64 {
+        date.wrapping_add(time)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::{DialectName, Value};
+
+    fn joined(name: &str, date: &str, time: &str) -> String {
+        let function = concatenation(name, &Dialect::of(DialectName::IronplcEd3)).expect(name);
+        let raw = |literal: &str| match Value::parse(literal) {
+            Ok(Value::Plain { raw, .. }) => raw,
+            other => panic!("{literal}: {other:?}"),
+        };
+        let result = function.apply_two(raw(date), raw(time));
+        Value::plain(function.result, result).to_string()
+    }
+
+    #[test]
+    fn a_date_and_a_time_of_day_are_joined() {
+        assert_eq!(
+            joined("CONCAT_DATE_TOD", "DATE#2024-02-29", "TOD#23:59:59.999"),
+            "DT#2024-02-29-23:59:59.999"
+        );
+        assert_eq!(
+            joined("concat_date_ltod", "DATE#1969-12-31", "LTOD#0:0:0.000000001"),
+            "LDT#1969-12-31-00:00:00.000000001"
+        );
+        assert_eq!(
+            joined("CONCAT_LDATE_LTOD", "LDATE#1970-01-01", "LTOD#0:0:0"),
+            "LDT#1970-01-01-00:00:00"
+        );
+    }
+
+    #[test]
+    fn past_the_last_moment_comes_the_first() {
+        assert_eq!(
+            joined("CONCAT_LDATE_LTOD", "LDATE#2262-04-11", "LTOD#23:47:16.854775808"),
+            "LDT#1677-09-21-00:12:43.145224192"
+        );
+    }
+
+    #[test]
+    fn the_long_forms_come_with_the_third_edition() {
+        for name in DialectName::ALL {
+            let dialect = Dialect::of(name);
+            for (function, _) in CONCATENATIONS {
+                let known = function == "CONCAT_DATE_TOD" || dialect.third_edition_types;
+                assert_eq!(
+                    concatenation(function, &dialect).is_some(),
+                    known,
+                    "{name}: {function}"
+                );
+            }
+        }
+        assert_eq!(concatenation("CONCAT", &Dialect::ironplc_ed3()), None);
+    }
+}

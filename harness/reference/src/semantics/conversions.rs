@@ -1,0 +1,164 @@
+//! Calls of type conversion functions.
+
+use super::calls::Callee;
+use super::contexts::Context;
+use super::inferred::Inferred;
+use super::lowering::{Lowering, Value};
+use super::standard::{Fault, Signature, mixed, ordered_by};
+use super::types::TypeId;
+use crate::conversion::{Concatenation, ConversionFunction, PARAMETERS, Parameter, ResultType};
+use crate::instruction::Instruction;
+use crate::source::Span;
+use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind};
+use stickler_types::{Code, ElementaryType};
+
+impl Lowering<'_> {
+    /// The type of most results depends on nothing else, so it is known whatever is wrong with the argument.
+    pub(super) fn infer_conversion(
+        &mut self,
+        conversion: &ConversionFunction,
+        arguments: &[Argument<'_>],
+    ) -> Inferred {
+        match (conversion.result, self.converted(conversion, arguments)) {
+            (ResultType::Exactly(ty), _) => Inferred::from(ty),
+            (_, Some(argument)) => Inferred::from(conversion.result_type(argument, None)),
+            (_, None) => Inferred::Error,
+        }
+    }
+
+    /// The type, among those that it may have, that the result of a conversion function takes from its target.
+    ///
+    /// Basis: stickler-design: §8 (the result of BCD_TO_INT and INT_TO_BCD takes the type of its target).
+    pub(super) fn flexible_result(&mut self, id: ExpressionId, target: TypeId) -> Option<ElementaryType> {
+        let ExpressionKind::Call { callee, arguments } = &self.expression(self.model.source.bare(id)).kind
+        else {
+            return None;
+        };
+        let Callee::Conversion(conversion) = self.callee(*callee) else {
+            return None;
+        };
+        if !matches!(conversion.result, ResultType::OfTarget { .. }) {
+            return None;
+        }
+        let argument = self.converted(&conversion, arguments)?;
+        Some(conversion.result_type(argument, target.elementary()))
+    }
+
+    /// The type that the one argument of a conversion function has or takes; `None` where it does not fit.
+    fn converted(
+        &mut self,
+        conversion: &ConversionFunction,
+        arguments: &[Argument<'_>],
+    ) -> Option<ElementaryType> {
+        let argument = single_argument(arguments, Span::default()).ok()?;
+        let inferred = self.infer(argument);
+        match conversion.parameter {
+            Parameter::Exactly(ty) => Some(ty),
+            Parameter::AnyOf { allowed, default } => match inferred {
+                Inferred::Known(ty) => ty.elementary().filter(|ty| allowed.contains(ty)),
+                Inferred::Integer(magnitude) => [default, magnitude.ty()].into_iter().find(|ty| {
+                    allowed.contains(ty) && (ty.is_integer() || ty.is_bit_string() || ty.is_real())
+                }),
+                Inferred::Real => [default, ElementaryType::Lreal]
+                    .into_iter()
+                    .find(|ty| allowed.contains(ty) && ty.is_real()),
+                Inferred::Text { wide, .. } => {
+                    Some(super::literals::text_type(wide)).filter(|ty| allowed.contains(ty))
+                }
+                Inferred::Nothing | Inferred::Enumerated | Inferred::Error | Inferred::Pending => None,
+            },
+        }
+    }
+
+    pub(super) fn call_conversion(
+        &mut self,
+        span: Span,
+        conversion: &ConversionFunction,
+        arguments: &[Argument<'_>],
+        wanted: Option<TypeId>,
+    ) -> Value {
+        let value = match conversion.result {
+            ResultType::Exactly(ty) => Value::of(ty),
+            _ => Value::ERROR,
+        };
+        let argument = match single_argument(arguments, span) {
+            Ok(argument) => argument,
+            Err(fault) => {
+                self.refuse(fault, arguments);
+                return value;
+            }
+        };
+        let Some(from) = self.converted(conversion, arguments) else {
+            self.refuse_converted(conversion, argument);
+            return value;
+        };
+        let given = self.coerce(argument, TypeId::of(from), Context::Argument);
+        let to = conversion.result_type(from, wanted.and_then(TypeId::elementary));
+        self.emit_at(span, Instruction::Convert(conversion.conversion(from, to)));
+        if given.ty == TypeId::ERROR {
+            value
+        } else {
+            Value::of(to)
+        }
+    }
+
+    /// Says that an argument is of no type that a conversion function takes.
+    fn refuse_converted(&mut self, conversion: &ConversionFunction, argument: ExpressionId) {
+        let inferred = self.infer(argument);
+        let value = self.value(argument, None);
+        if value.ty != TypeId::ERROR || inferred == Inferred::Nothing {
+            let (Parameter::Exactly(expected)
+            | Parameter::AnyOf {
+                default: expected, ..
+            }) = conversion.parameter;
+            self.report_misfit(argument, inferred, TypeId::of(expected), Context::Argument);
+        }
+    }
+    /// Joins a date and a time of day.
+    pub(super) fn call_concatenation(
+        &mut self,
+        span: Span,
+        concatenation: Concatenation,
+        arguments: &[Argument<'_>],
+    ) -> Value {
+        const SIGNATURE: Signature = Signature::exactly(&PARAMETERS);
+        let result = Value::of(concatenation.result);
+        let values = match ordered_by(&SIGNATURE, arguments, span) {
+            Ok(values) => values,
+            Err(fault) => {
+                self.refuse(fault, arguments);
+                return result;
+            }
+        };
+        for (value, ty) in values.into_iter().zip(concatenation.operands) {
+            self.coerce(value, TypeId::of(ty), Context::Argument);
+        }
+        self.emit_at(span, Instruction::Concatenate(concatenation));
+        result
+    }
+}
+
+/// The one argument of a conversion function, by position or as `IN`.
+fn single_argument(arguments: &[Argument<'_>], call: Span) -> Result<ExpressionId, Fault> {
+    match arguments {
+        [Argument::Positional(value)] => Ok(*value),
+        [Argument::Named { name, value }] if name.text.eq_ignore_ascii_case("IN") => Ok(*value),
+        [Argument::Named { name, .. } | Argument::Output { name, .. }] => Err((
+            Code::FunctionCallNamedArgUndeclared,
+            name.span,
+            format!(
+                "the function has no parameter `{}` here; its only one is IN",
+                name.text
+            ),
+        )),
+        _ if arguments.iter().any(|one| matches!(one, Argument::Positional(_)))
+            && arguments.iter().any(|one| matches!(one, Argument::Named { .. })) =>
+        {
+            Err(mixed(call))
+        }
+        _ => {
+            let message = format!("the function takes 1 argument, not {}", arguments.len());
+            Err((Code::FunctionCallWrongArgCount, call, message))
+        }
+    }
+}
