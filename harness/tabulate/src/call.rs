@@ -1,0 +1,108 @@
+//! A call of a conversion function, and what the exact arithmetic says of it.
+
+use crate::operand::Operand;
+use stickler_exact::{Expected, Signature, expected, signatures};
+use stickler_types::{DialectName, ElementaryType, Value};
+
+/// A call of a conversion function with the operands that a program writes.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Call {
+    /// The function with its types.
+    pub signature: Signature,
+    /// One operand for each of its parameters.
+    pub operands: Vec<Operand>,
+}
+
+impl Call {
+    /// A call of `function` with these operands that gives a `to`.
+    ///
+    /// # Panics
+    /// Where no dialect has such a function: the calls belong to this program, and such a one is its mistake.
+    #[must_use]
+    pub fn new(function: &str, operands: Vec<Operand>, to: ElementaryType) -> Call {
+        let types: Vec<&str> = operands.iter().map(|operand| operand.value.type_name()).collect();
+        let signature = DialectName::ALL
+            .into_iter()
+            .find_map(|dialect| signature(function, &types, to, dialect));
+        let signature =
+            signature.unwrap_or_else(|| panic!("no dialect has {function} from {types:?} to {to}"));
+        Call { signature, operands }
+    }
+
+    /// A call of `<SRC>_TO_<DST>`.
+    ///
+    /// # Panics
+    /// As [`Call::new`].
+    #[must_use]
+    pub fn convert(from: ElementaryType, to: ElementaryType, operand: Operand) -> Call {
+        Call::new(&format!("{from}_TO_{to}"), vec![operand], to)
+    }
+
+    /// The type of the first operand.
+    #[must_use]
+    pub fn from(&self) -> ElementaryType {
+        self.signature.operands[0]
+    }
+
+    /// The type of the result.
+    #[must_use]
+    pub fn to(&self) -> ElementaryType {
+        self.signature.result
+    }
+
+    /// What the call gives in a dialect, and by which document; `None` where the dialect does not have the function.
+    #[must_use]
+    pub fn expected(&self, dialect: DialectName) -> Option<Expected> {
+        let types: Vec<&str> = self.signature.operands.iter().map(|ty| ty.name()).collect();
+        signature(&self.signature.function, &types, self.to(), dialect)?;
+        let values: Vec<Value> = self
+            .operands
+            .iter()
+            .map(|operand| operand.value.clone())
+            .collect();
+        Some(expected(&self.signature, &values, dialect))
+    }
+
+    /// The document that says in a dialect what the call gives; `None` where none does.
+    #[must_use]
+    pub fn basis(&self, dialect: DialectName) -> Option<&'static str> {
+        self.expected(dialect)?.basis
+    }
+}
+
+fn signature(function: &str, types: &[&str], to: ElementaryType, dialect: DialectName) -> Option<Signature> {
+    let fits = |signature: &Signature| {
+        signature.result == to
+            && signature
+                .operands
+                .iter()
+                .map(|ty| ty.name())
+                .eq(types.iter().copied())
+    };
+    signatures(function, dialect).into_iter().find(fits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::{Dint, Int};
+
+    #[test]
+    fn a_call_knows_what_it_gives_and_who_says_so() {
+        let call = Call::convert(Dint, Int, Operand::number(Dint, 100_000));
+        let matiec = call.expected(DialectName::Matiec).unwrap();
+        assert_eq!(matiec.value.to_string(), "INT#-31072");
+        assert_eq!(
+            matiec.basis,
+            Some("forgeiec-conversion-functions: Range and precision")
+        );
+        assert_eq!(call.basis(DialectName::Plcnext), None);
+    }
+
+    #[test]
+    fn a_function_that_a_dialect_lacks_gives_nothing_there() {
+        let call = Call::new("ROUND", vec![Operand::read(ElementaryType::Real, "0.5")], Dint);
+        assert!(call.expected(DialectName::IronplcEd3).is_some());
+        assert_eq!(call.expected(DialectName::Matiec), None);
+    }
+}

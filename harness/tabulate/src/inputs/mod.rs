@@ -1,0 +1,4 @@
+//! The operands at which conversions go wrong, by family.
+
+pub mod integers;
+pub mod reals;

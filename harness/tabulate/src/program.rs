@@ -1,0 +1,53 @@
+//! The programs of the tables: templates in which the columns are placeholders.
+
+/// `<SRC>_TO_<DST>` of a variable.
+pub const PAIR_OF_VARIABLE: &str = "\
+PROGRAM main
+VAR
+    from : {from} := {input};
+    into : {to};
+END_VAR
+    into := {from}_TO_{to}(from);
+END_PROGRAM
+";
+
+/// `<SRC>_TO_<DST>` of a literal, because folding a constant must not change the value.
+pub const PAIR_OF_CONSTANT: &str = "\
+PROGRAM main
+VAR
+    into : {to};
+END_VAR
+    into := {from}_TO_{to}({typed});
+END_PROGRAM
+";
+
+/// The same where the column `input` is a typed literal already.
+pub const PAIR_OF_TYPED_INPUT: &str = "\
+PROGRAM main
+VAR
+    into : {to};
+END_VAR
+    into := {from}_TO_{to}({input});
+END_PROGRAM
+";
+
+/// The function that the row names, of a variable.
+pub const FUNCTION_OF_VARIABLE: &str = "\
+PROGRAM main
+VAR
+    from : {from} := {input};
+    into : {to};
+END_VAR
+    into := {function}(from);
+END_PROGRAM
+";
+
+/// The function that the row names, of a literal.
+pub const FUNCTION_OF_CONSTANT: &str = "\
+PROGRAM main
+VAR
+    into : {to};
+END_VAR
+    into := {function}({typed});
+END_PROGRAM
+";
