@@ -7,6 +7,7 @@
 mod engine;
 mod guard;
 mod outcome;
+mod process;
 pub mod protocol;
 mod reference;
 
@@ -15,4 +16,5 @@ pub use engine::{
 };
 pub use guard::guard;
 pub use outcome::{Diagnostic, NamedValue, Outcome};
+pub use process::{ProcessEngine, ProcessLimits};
 pub use reference::Reference;

@@ -1,0 +1,216 @@
+//! The process itself: its start, its end, and the last that it wrote to stderr.
+
+use super::command_line::CommandLine;
+use process_wrap::std::{ChildWrapper, CommandWrap};
+use std::collections::VecDeque;
+use std::io::{self, Read};
+use std::process::{ChildStderr, ChildStdin, ChildStdout, Stdio};
+use std::sync::mpsc::{self, Receiver};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How long a process that is done may take to end, and its stderr to be read to the end.
+const GRACE: Duration = Duration::from_secs(1);
+
+/// The longest pause between two looks at whether a process has ended.
+const LONGEST_PAUSE: Duration = Duration::from_millis(16);
+
+/// How much of stderr is kept, in bytes.
+const TAIL: usize = 4096;
+
+/// How many lines of stderr are told.
+const TOLD_LINES: usize = 8;
+
+/// A running process with everything that it starts. Dropping it kills them all.
+pub(super) struct Child {
+    wrapped: Box<dyn ChildWrapper>,
+    stderr: Tail,
+    /// It was killed already; by now its number may be another's.
+    killed: bool,
+}
+
+impl Child {
+    /// Starts a process as the leader of a group (on Windows: in a job) of its own, with pipes to and from it.
+    ///
+    /// # Errors
+    /// A fragment that says why there is no process.
+    pub(super) fn start(command: &CommandLine) -> Result<(Child, ChildStdin, ChildStdout), String> {
+        let mut wrap = CommandWrap::with_new(&command.program, |start| {
+            start
+                .args(&command.arguments)
+                .stdin(Stdio::piped())
+                .stdout(Stdio::piped())
+                .stderr(Stdio::piped());
+        });
+        #[cfg(unix)]
+        wrap.wrap(process_wrap::std::ProcessGroup::leader());
+        #[cfg(windows)]
+        wrap.wrap(process_wrap::std::JobObject);
+        let mut wrapped = wrap.spawn().map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound => format!("there is no program `{}`", command.program),
+            _ => error.to_string(),
+        })?;
+        let pipes = (wrapped.stdin().take(), wrapped.stdout().take());
+        let stderr = wrapped.stderr().take();
+        let child = |tail| Child {
+            wrapped,
+            stderr: tail,
+            killed: false,
+        };
+        match (pipes, stderr) {
+            ((Some(stdin), Some(stdout)), Some(stderr)) => {
+                let child = child(Tail::of(stderr));
+                Ok((child, stdin, stdout))
+            }
+            _ => Err("it has no pipes".to_owned()),
+        }
+    }
+
+    /// Whether the process itself has ended; what it started may still hold its output open.
+    pub(super) fn has_ended(&mut self) -> bool {
+        matches!(self.wrapped.try_wait(), Ok(Some(_)))
+    }
+
+    /// Waits a moment for the end of a process that has nothing more to say, kills what is left of it, and tells how it
+    /// ended: a fragment such as `it ended (exit status: 101); its stderr ends: …`.
+    pub(super) fn end(mut self) -> String {
+        let status = self.wait_until(Instant::now() + GRACE);
+        self.kill();
+        let how = match status {
+            Some(status) => format!("it ended ({status})"),
+            None => "it closed its output and went on".to_owned(),
+        };
+        match self.stderr.text() {
+            words if words.is_empty() => how,
+            words => format!("{how}; its stderr ends: {words}"),
+        }
+    }
+
+    /// Kills the process and tells the end of what it wrote to stderr.
+    pub(super) fn kill_and_tell(mut self) -> String {
+        self.kill();
+        self.stderr.text()
+    }
+
+    /// Lets a process that was told to leave do so, for a moment.
+    pub(super) fn leave(mut self) {
+        self.wait_until(Instant::now() + GRACE);
+    }
+
+    fn wait_until(&mut self, deadline: Instant) -> Option<std::process::ExitStatus> {
+        let mut pause = Duration::from_micros(100);
+        loop {
+            match self.wrapped.try_wait() {
+                Ok(Some(status)) => return Some(status),
+                Ok(None) if Instant::now() < deadline => {}
+                Ok(None) | Err(_) => return None,
+            }
+            // The system tells nobody without blocking when a process ends.
+            thread::sleep(pause);
+            pause = LONGEST_PAUSE.min(pause * 2);
+        }
+    }
+
+    fn kill(&mut self) {
+        if std::mem::replace(&mut self.killed, true) {
+            return;
+        }
+        // The group may be gone already, and then there is nothing left to do. What the process started lives on after
+        // its own end, so a signal goes to the group in any case.
+        let _ = self.wrapped.start_kill();
+        let _ = self.wrapped.wait();
+    }
+}
+
+impl Drop for Child {
+    fn drop(&mut self) {
+        self.kill();
+    }
+}
+
+/// The last bytes of a stream that is read to its end, whoever looks.
+struct Tail {
+    bytes: Arc<Mutex<VecDeque<u8>>>,
+    /// Its other end is gone once the stream has ended.
+    ended: Receiver<()>,
+}
+
+impl Tail {
+    fn of(mut stream: ChildStderr) -> Tail {
+        let bytes = Arc::new(Mutex::new(VecDeque::with_capacity(TAIL)));
+        let (sender, ended) = mpsc::channel::<()>();
+        let kept = Arc::clone(&bytes);
+        // The thread ends with the stream; a process that outlives its group may keep it, which costs nothing else.
+        thread::spawn(move || {
+            let _open = sender;
+            let mut piece = [0; 1024];
+            while let Ok(length @ 1..) = stream.read(&mut piece) {
+                keep(
+                    &mut kept.lock().unwrap_or_else(PoisonError::into_inner),
+                    &piece[..length],
+                );
+            }
+        });
+        Tail { bytes, ended }
+    }
+
+    /// The last lines, joined into one; empty where there are none.
+    fn text(&self) -> String {
+        // Whether by its end or by the time limit: what there is now is told.
+        let _ = self.ended.recv_timeout(GRACE);
+        let bytes: Vec<u8> = self
+            .bytes
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .iter()
+            .copied()
+            .collect();
+        told(&String::from_utf8_lossy(&bytes))
+    }
+}
+
+fn keep(kept: &mut VecDeque<u8>, piece: &[u8]) {
+    kept.extend(piece);
+    let surplus = kept.len().saturating_sub(TAIL);
+    kept.drain(..surplus);
+}
+
+/// The last lines that are not blank, in one line, without what would steer a terminal.
+fn told(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
+    let last = &lines[lines.len().saturating_sub(TOLD_LINES)..];
+    let joined = last
+        .iter()
+        .map(|line| line.trim())
+        .collect::<Vec<_>>()
+        .join(" | ");
+    joined
+        .chars()
+        .filter(|character| !character.is_control())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{TAIL, keep, told};
+    use std::collections::VecDeque;
+
+    #[test]
+    fn the_last_lines_are_told_in_one_without_what_steers_a_terminal() {
+        assert_eq!(told("one\n\n  two\r\n\u{1b}[31mthree\n"), "one | two | [31mthree");
+        let many: String = (0..20).map(|number| format!("{number}\n")).collect();
+        assert_eq!(told(&many), "12 | 13 | 14 | 15 | 16 | 17 | 18 | 19");
+        assert_eq!(told(""), "");
+    }
+
+    #[test]
+    fn only_the_end_of_a_flood_is_kept() {
+        let mut kept = VecDeque::new();
+        for number in 0..10_000_u32 {
+            keep(&mut kept, &number.to_le_bytes());
+        }
+        assert_eq!(kept.len(), TAIL);
+        assert!(kept.iter().rev().take(4).rev().eq(&9_999_u32.to_le_bytes()));
+    }
+}

@@ -1,0 +1,142 @@
+//! Lines to and from a process, each with a time limit.
+
+use super::child::Child;
+use super::command_line::CommandLine;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::process::{ChildStdin, ChildStdout};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender, SyncSender};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How many lines are read ahead of whoever waits for them. An engine that floods its output then waits, too.
+const AHEAD: usize = 1;
+
+/// How often somebody who waits for a line looks whether the process still lives.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// A process and the two streams to and from it. Dropping it kills the process.
+///
+/// Reading and writing are done by threads of their own, since neither has a time limit otherwise: an engine that never
+/// reads fills the pipe, and one that never answers leaves it empty. A thread whose pipe is held open by a process that
+/// left its group stays until that one ends.
+pub(super) struct Connection {
+    child: Child,
+    requests: Sender<Vec<u8>>,
+    replies: Receiver<Incoming>,
+}
+
+/// What came from a process.
+enum Incoming {
+    Line(Vec<u8>),
+    /// A line that is longer than allowed; nothing is read after it.
+    Flood,
+}
+
+/// Why there is no reply.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Failure {
+    /// The output ended.
+    Ended,
+    /// There was none within the time limit.
+    TimedOut,
+    /// It is longer than allowed.
+    Flood,
+}
+
+impl Connection {
+    /// Starts a process; `longest` is the longest line to be read from it, in bytes.
+    ///
+    /// # Errors
+    /// A fragment that says why there is no process.
+    pub(super) fn open(command: &CommandLine, longest: usize) -> Result<Connection, String> {
+        let (child, stdin, stdout) = Child::start(command)?;
+        let (requests, lines) = mpsc::channel();
+        let (sender, replies) = mpsc::sync_channel(AHEAD);
+        thread::spawn(move || write(stdin, &lines));
+        thread::spawn(move || read(stdout, longest, &sender));
+        Ok(Connection {
+            child,
+            requests,
+            replies,
+        })
+    }
+
+    /// Sends a line, its line feed included, and waits for one line in return.
+    ///
+    /// # Errors
+    /// Afterwards the conversation is out of step, and the connection of no use but to ask how its process ended.
+    pub(super) fn exchange(&mut self, line: Vec<u8>, limit: Duration) -> Result<Vec<u8>, Failure> {
+        // A writer that is gone has found the pipe closed; the reader will tell.
+        let _ = self.requests.send(line);
+        let deadline = Instant::now() + limit;
+        loop {
+            let left = deadline.saturating_duration_since(Instant::now());
+            match self.replies.recv_timeout(left.min(LOOK)) {
+                Ok(Incoming::Line(reply)) => return Ok(reply),
+                Ok(Incoming::Flood) => return Err(Failure::Flood),
+                Err(RecvTimeoutError::Disconnected) => return Err(Failure::Ended),
+                Err(RecvTimeoutError::Timeout) if self.child.has_ended() => return self.last_words(),
+                Err(RecvTimeoutError::Timeout) if left <= LOOK => return Err(Failure::TimedOut),
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+        }
+    }
+
+    /// A line that a process wrote before it ended, where another that it started keeps its output open.
+    fn last_words(&self) -> Result<Vec<u8>, Failure> {
+        match self.replies.recv_timeout(LOOK) {
+            Ok(Incoming::Line(reply)) => Ok(reply),
+            Ok(Incoming::Flood) => Err(Failure::Flood),
+            Err(_) => Err(Failure::Ended),
+        }
+    }
+
+    /// How the process ended, once its output has; a fragment.
+    pub(super) fn end(self) -> String {
+        self.child.end()
+    }
+
+    /// Kills the process and tells the end of what it wrote to stderr.
+    pub(super) fn kill(self) -> String {
+        self.child.kill_and_tell()
+    }
+
+    /// Sends a last line, closes the stream, and lets the process leave for a moment before it is killed.
+    pub(super) fn leave(self, farewell: Vec<u8>) {
+        // As in `exchange`; then there is nobody to take leave of.
+        let _ = self.requests.send(farewell);
+        drop(self.requests);
+        self.child.leave();
+    }
+}
+
+/// Writes until there is nothing more to come or nobody to read it; then the stream is closed.
+fn write(mut stream: ChildStdin, lines: &Receiver<Vec<u8>>) {
+    for line in lines {
+        if stream.write_all(&line).and_then(|()| stream.flush()).is_err() {
+            return;
+        }
+    }
+}
+
+/// Reads until the end, a line that is too long, or until nobody wants to know.
+fn read(stream: ChildStdout, longest: usize, sender: &SyncSender<Incoming>) {
+    let mut stream = BufReader::new(stream);
+    let limit = u64::try_from(longest).unwrap_or(u64::MAX).saturating_add(1);
+    loop {
+        let mut line = Vec::new();
+        match stream.by_ref().take(limit).read_until(b'\n', &mut line) {
+            Ok(0) | Err(_) => return,
+            Ok(_) => {}
+        }
+        let flood = line.len() > longest && line.last() != Some(&b'\n');
+        let incoming = if flood {
+            Incoming::Flood
+        } else {
+            Incoming::Line(line)
+        };
+        if sender.send(incoming).is_err() || flood {
+            return;
+        }
+    }
+}

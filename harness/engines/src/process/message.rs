@@ -1,0 +1,243 @@
+//! Requests as the wire has them, and replies as what an engine did.
+
+use crate::protocol::{ClockMessage, DiagnosticMessage, ObserveMessage, ProgramRequest, Reply};
+use crate::protocol::{Request, RunMessage, SetMessage};
+use crate::{Diagnostic, NamedValue, Observation, Outcome, RunRequest};
+use std::collections::BTreeMap;
+use stickler_types::{DialectName, ElementaryType, Fault, Value};
+
+/// What was asked, and so how it may be answered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Verb {
+    Run,
+    Check,
+    Render,
+}
+
+impl Verb {
+    fn name(self) -> &'static str {
+        match self {
+            Verb::Run => "run",
+            Verb::Check => "check",
+            Verb::Render => "render",
+        }
+    }
+}
+
+/// A request as one line with its line feed.
+pub(super) fn line(request: &Request) -> Vec<u8> {
+    // A request holds nothing but texts and numbers, which always have a form in JSON.
+    let mut line = serde_json::to_vec(request).unwrap_or_default();
+    line.push(b'\n');
+    line
+}
+
+/// The message of `run`.
+pub(super) fn run(id: u64, request: &RunRequest<'_>) -> Request {
+    let observe = |asked: &Observation<'_>| ObserveMessage {
+        name: asked.name.to_owned(),
+        type_name: asked.type_name.to_owned(),
+        after: asked.after,
+    };
+    let clock = request.clock.iter().map(|step| ClockMessage {
+        before: step.before,
+        value: Value::plain(ElementaryType::Time, step.nanoseconds.cast_unsigned()).to_string(),
+    });
+    let set = request.set.iter().map(|setting| SetMessage {
+        before: setting.before,
+        name: setting.name.to_owned(),
+        value: setting.value.to_string(),
+    });
+    Request::Run(RunMessage {
+        id,
+        dialect: request.dialect.as_str().to_owned(),
+        source: request.source.to_owned(),
+        scans: request.scans,
+        observe: request.observe.iter().map(observe).collect(),
+        clock: clock.collect(),
+        set: set.collect(),
+    })
+}
+
+/// The message of `check` and `render`.
+pub(super) fn program(id: u64, dialect: DialectName, source: &str) -> ProgramRequest {
+    ProgramRequest {
+        id,
+        dialect: dialect.as_str().to_owned(),
+        source: source.to_owned(),
+    }
+}
+
+/// What a line says that the engine did.
+///
+/// # Errors
+/// A fragment that says why the line is no answer to this request. Then the conversation is out of step.
+pub(super) fn outcome(
+    line: &[u8],
+    id: u64,
+    verb: Verb,
+    observe: &[Observation<'_>],
+) -> Result<Outcome, String> {
+    let reply: Reply = serde_json::from_slice(line)
+        .map_err(|error| format!("it answered {}, which is no reply: {error}", excerpt(line)))?;
+    let (answered, word) = kind(&reply);
+    if answered.is_some_and(|answered| answered != id) {
+        return Err(format!("it answered out of turn: {}", excerpt(line)));
+    }
+    match (reply, verb) {
+        (Reply::Accepted(_), Verb::Run | Verb::Check) => Ok(Outcome::Accepted),
+        (Reply::Executed(reply), Verb::Run) => {
+            let values = values(reply.values, observe)?;
+            Ok(Outcome::Executed { values })
+        }
+        (Reply::Faulted(reply), Verb::Run) => Ok(Outcome::Faulted {
+            fault: reply.fault.parse::<Fault>().map_err(|error| error.to_string())?,
+            line: reply.line,
+            values: values(reply.values, observe)?,
+        }),
+        (Reply::Rendered(reply), Verb::Render) => Ok(Outcome::Rendered { text: reply.text }),
+        (Reply::Rejected(reply), _) => Ok(Outcome::Rejected {
+            diagnostics: reply.diagnostics.into_iter().map(Diagnostic::from).collect(),
+        }),
+        (Reply::Unsupported(reply), _) => Ok(Outcome::Unsupported { reason: reply.reason }),
+        (Reply::Error(reply), _) => Ok(Outcome::Error {
+            message: reply.message,
+        }),
+        (Reply::Hello(_) | Reply::Accepted(_), _)
+        | (Reply::Executed(_) | Reply::Faulted(_) | Reply::Rendered(_), _) => {
+            Err(format!("it answered `{}` by `{word}`", verb.name()))
+        }
+    }
+}
+
+/// The id that a reply repeats, and its word in the protocol.
+fn kind(reply: &Reply) -> (Option<u64>, &'static str) {
+    match reply {
+        Reply::Hello(_) => (None, "hello"),
+        Reply::Accepted(reply) => (Some(reply.id), "accepted"),
+        Reply::Executed(reply) => (Some(reply.id), "executed"),
+        Reply::Rejected(reply) => (Some(reply.id), "rejected"),
+        Reply::Faulted(reply) => (Some(reply.id), "faulted"),
+        Reply::Rendered(reply) => (Some(reply.id), "rendered"),
+        Reply::Unsupported(reply) => (Some(reply.id), "unsupported"),
+        Reply::Error(reply) => (reply.id, "error"),
+    }
+}
+
+/// The values in the order in which they were asked for. One that is missing is left out, since a fault may have come
+/// before it; one that nobody asked for is passed over.
+fn values(
+    mut told: BTreeMap<String, String>,
+    observe: &[Observation<'_>],
+) -> Result<Vec<NamedValue>, String> {
+    let mut values = Vec::with_capacity(observe.len());
+    for asked in observe {
+        let key = asked.key();
+        if let Some(literal) = told.remove(&key) {
+            let value = Value::parse(&literal)
+                .map_err(|error| format!("its value `{literal}` of `{key}` is no typed literal: {error}"))?;
+            values.push((key, value));
+        }
+    }
+    Ok(values)
+}
+
+/// How many characters of a line are quoted in a message.
+const QUOTED: usize = 120;
+
+/// The beginning of a line, between backquotes, without what would steer a terminal.
+pub(super) fn excerpt(line: &[u8]) -> String {
+    let text = String::from_utf8_lossy(line);
+    let mut characters = text
+        .trim_end()
+        .chars()
+        .filter(|character| !character.is_control());
+    let beginning: String = characters.by_ref().take(QUOTED).collect();
+    let more = if characters.next().is_some() { "…" } else { "" };
+    format!("`{beginning}{more}`")
+}
+
+impl From<DiagnosticMessage> for Diagnostic {
+    fn from(message: DiagnosticMessage) -> Diagnostic {
+        let DiagnosticMessage {
+            code,
+            line,
+            column,
+            end_line,
+            end_column,
+            message,
+            suggestion,
+        } = message;
+        Diagnostic {
+            code,
+            line,
+            column,
+            end_line,
+            end_column,
+            message,
+            suggestion,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn observation(name: &str) -> Observation<'_> {
+        Observation {
+            name,
+            type_name: "INT",
+            after: None,
+        }
+    }
+
+    #[test]
+    fn values_come_in_the_order_asked_for_and_those_that_nobody_asked_for_are_passed_over() {
+        let line = br#"{"type":"executed","id":3,"values":{"a":"INT#1","b":"INT#2","c":"??"},"took_ms":5}"#;
+        let observe = [observation("b"), observation("missing"), observation("a")];
+        let values = vec![
+            ("b".to_owned(), Value::parse("INT#2").unwrap()),
+            ("a".to_owned(), Value::parse("INT#1").unwrap()),
+        ];
+        assert_eq!(
+            outcome(line, 3, Verb::Run, &observe),
+            Ok(Outcome::Executed { values })
+        );
+    }
+
+    #[test]
+    fn a_reply_that_does_not_answer_the_request_is_an_error() {
+        let replies: [(&[u8], &str); 6] = [
+            (br#"{"type":"accepted","id":2}"#, "out of turn"),
+            (br#"{"type":"rendered","id":3,"text":""}"#, "`run` by `rendered`"),
+            (
+                br#"{"type":"hello","protocol":1,"name":"a","version":"","dialects":[],"abilities":[]}"#,
+                "`run` by `hello`",
+            ),
+            (
+                br#"{"type":"executed","id":3,"values":{"a":"5"}}"#,
+                "`5` of `a` is no typed literal",
+            ),
+            (br#"{"type":"faulted","id":3,"fault":"bad luck"}"#, "bad luck"),
+            (b"compiling...\n", "`compiling...`"),
+        ];
+        for (line, part) in replies {
+            let reason = outcome(line, 3, Verb::Run, &[observation("a")]).unwrap_err();
+            assert!(reason.contains(part), "{reason}");
+        }
+    }
+
+    #[test]
+    fn an_error_without_an_id_answers_the_request_at_hand() {
+        let line = br#"{"type":"error","message":"what?"}"#;
+        let message = "what?".to_owned();
+        assert_eq!(outcome(line, 3, Verb::Check, &[]), Ok(Outcome::Error { message }));
+    }
+
+    #[test]
+    fn a_long_line_is_quoted_in_part() {
+        assert_eq!(excerpt(&[b'x'; 1000]).chars().count(), QUOTED + 3);
+        assert_eq!(excerpt(b"\x1b[31mred\n"), "`[31mred`");
+    }
+}

@@ -1,0 +1,103 @@
+//! One conversation with a process, which is started anew after each failure.
+
+use super::ProcessLimits;
+use super::command_line::CommandLine;
+use super::connection::{Connection, Failure};
+use super::message::{self, Verb};
+use crate::protocol::Request;
+use crate::{Observation, Outcome, RunRequest, Session};
+use stickler_types::DialectName;
+
+/// A session: a process that lives as long as it answers.
+pub(super) struct ProcessSession<'e> {
+    command: &'e CommandLine,
+    limits: &'e ProcessLimits,
+    /// `None` after a failure, until the next request.
+    connection: Option<Connection>,
+    /// The id of the last request.
+    id: u64,
+}
+
+impl<'e> ProcessSession<'e> {
+    /// A session with a process that has said `hello`.
+    pub(super) fn new(
+        command: &'e CommandLine,
+        limits: &'e ProcessLimits,
+        connection: Connection,
+    ) -> ProcessSession<'e> {
+        ProcessSession {
+            command,
+            limits,
+            connection: Some(connection),
+            id: 0,
+        }
+    }
+
+    fn next_id(&mut self) -> u64 {
+        self.id += 1;
+        self.id
+    }
+
+    fn ask(&mut self, request: &Request, verb: Verb, observe: &[Observation<'_>]) -> Outcome {
+        let mut connection = match self.connection.take() {
+            Some(connection) => connection,
+            None => match self.command.greet(self.limits) {
+                Ok((connection, _)) => connection,
+                Err(error) => {
+                    let reason = error.to_string();
+                    return Outcome::Crashed { reason };
+                }
+            },
+        };
+        match connection.exchange(message::line(request), self.limits.reply) {
+            Ok(line) => match message::outcome(&line, self.id, verb, observe) {
+                Ok(outcome) => {
+                    self.connection = Some(connection);
+                    outcome
+                }
+                // What is still to come would be taken for the answer to a later request.
+                Err(message) => Outcome::Error { message },
+            },
+            Err(failure) => self.failed(failure, connection),
+        }
+    }
+
+    fn failed(&self, failure: Failure, connection: Connection) -> Outcome {
+        match failure {
+            Failure::Ended => Outcome::Crashed {
+                reason: connection.end(),
+            },
+            Failure::TimedOut => Outcome::TimedOut {
+                after_ms: u64::try_from(self.limits.reply.as_millis()).unwrap_or(u64::MAX),
+            },
+            Failure::Flood => Outcome::Error {
+                message: format!("its answer is longer than {} bytes", self.limits.line),
+            },
+        }
+    }
+}
+
+impl Session for ProcessSession<'_> {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        let message = message::run(self.next_id(), request);
+        self.ask(&message, Verb::Run, request.observe)
+    }
+
+    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        let message = Request::Check(message::program(self.next_id(), dialect, source));
+        self.ask(&message, Verb::Check, &[])
+    }
+
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        let message = Request::Render(message::program(self.next_id(), dialect, source));
+        self.ask(&message, Verb::Render, &[])
+    }
+}
+
+impl Drop for ProcessSession<'_> {
+    fn drop(&mut self) {
+        if let Some(connection) = self.connection.take() {
+            connection.leave(message::line(&Request::Bye));
+        }
+    }
+}
