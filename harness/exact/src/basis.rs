@@ -3,11 +3,13 @@
 //! Whatever is not said here is open. An overloaded name (`TO_INT`) is open whatever it is given, for no document of a
 //! dialect has it: the ForgeIEC page says that every conversion is `<SRC>_TO_<DST>`, and so does IronPLC's.
 
+mod texts;
+
 use crate::choices::Choices;
-use crate::integer;
 use crate::real::{self, Real, Rounding, Whole};
 use crate::signature::{Operation, Signature};
 use crate::value::value;
+use crate::{bcd, integer, moment};
 use stickler_types::{DialectName, ElementaryType, Family, Value};
 
 /// What a call gives.
@@ -43,6 +45,8 @@ pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName)
 
 const NAMING: &str = "forgeiec-conversion-functions: The naming pattern";
 const RANGE: &str = "forgeiec-conversion-functions: Range and precision";
+const MATIEC_TEXTS: &str = "forgeiec-conversion-functions: matiec conformance";
+const BCD: &str = "forgeiec-conversion-functions: BCD encoding";
 const TRUNC: &str = "forgeiec-conversion-functions: TRUNC vs. ROUND";
 const IRONPLC_EXPLICIT: &str = "ironplc-type-conversions: Explicit Conversion Functions";
 const IRONPLC_NARROWING: &str = "ironplc-type-conversions: Narrowing Conversions";
@@ -88,23 +92,19 @@ struct Call<'s> {
 impl Call<'_> {
     fn basis(self, operand: &Value) -> Option<&'static str> {
         let name = &self.signature.function[..];
-        match self.signature.operation {
-            Operation::Convert if name.starts_with("TO_") => None,
-            Operation::Convert => match *operand {
-                Value::Plain { raw, .. } => self.of_conversion(raw),
-                _ => None,
-            },
-            Operation::Truncate => match *operand {
-                Value::Plain { raw, .. } => self.of_truncation(name, raw),
-                _ => None,
-            },
+        match (self.signature.operation, operand) {
+            (Operation::Convert, _) if name.starts_with("TO_") => None,
+            (Operation::Convert, &Value::Plain { raw, .. }) => self.of_conversion(raw),
+            (Operation::Convert, Value::Text { ty, units }) => self.of_text(*ty, units),
+            (Operation::Truncate, &Value::Plain { raw, .. }) => self.of_truncation(name, raw),
+            (Operation::FromBcd | Operation::ToBcd, &Value::Plain { raw, .. }) => self.of_bcd(name, raw),
             _ => None,
         }
     }
 
     /// `<SRC>_TO_<DST>`.
     fn of_conversion(self, raw: u64) -> Option<&'static str> {
-        use Family::{BitString, Boolean, Real, Signed, Unsigned};
+        use Family::{BitString, Boolean, Date, DateAndTime, Real, Signed, Text, Unsigned};
         match (self.from.family(), self.to.family()) {
             (Signed | Unsigned | BitString, Signed | Unsigned) | (Signed | Unsigned, BitString) => {
                 self.of_integers(raw)
@@ -120,6 +120,9 @@ impl Call<'_> {
             (Real, Real) if self.to == ElementaryType::Real => Some(RANGE),
             (Real, Real) => Some(DESIGN),
             (Real, Signed | Unsigned) => self.of_real_to_integer(raw),
+            (Signed | Unsigned, Text) if self.to == ElementaryType::String => self.rules.only_matiec(NAMING),
+            (Date | DateAndTime, _) => self.of_date(raw),
+            _ if self.from == ElementaryType::Time || self.to == ElementaryType::Time => self.of_time(raw),
             _ => None,
         }
     }
@@ -150,6 +153,54 @@ impl Call<'_> {
             Truncated::Outside => self.rules.only_matiec(RANGE),
             Truncated::NoNumber => self.rules.only_matiec(DESIGN),
         }
+    }
+
+    /// TIME to and from a number, in every dialect: whole milliseconds that arrive whole, or as the nearest real. What else may
+    /// happen to a duration no document says.
+    fn of_time(self, raw: u64) -> Option<&'static str> {
+        let says = match (self.from.family(), self.to.family()) {
+            (Family::Duration, Family::Signed | Family::Unsigned) => {
+                moment::has_whole_units(raw, self.from)
+                    && integer::holds(self.to, moment::units(raw, self.from))
+            }
+            (Family::Duration, Family::Real) => moment::has_whole_units(raw, self.from),
+            (Family::Signed | Family::Unsigned, Family::Duration) => {
+                moment::fits(moment::of_units(integer::number(raw, self.from), self.to))
+            }
+            (Family::Real, Family::Duration) => moment::is_whole_moment(raw, self.from, self.to),
+            _ => false,
+        };
+        says.then_some(NAMING)
+    }
+
+    /// `DATE_TO_DT`, `DT_TO_DATE` and `DT_TO_TOD`; other conversions of dates the page does not list.
+    fn of_date(self, raw: u64) -> Option<&'static str> {
+        use ElementaryType::{Date, Dt, Tod};
+        match (self.from, self.to) {
+            (Date, Dt) | (Dt, Tod) => self.rules.only_matiec(NAMING),
+            (Dt, Date) if moment::has_day(raw) => self.rules.only_matiec(NAMING),
+            _ => None,
+        }
+    }
+
+    /// `STRING_TO_<INTEGER>` and `STRING_TO_<REAL>`.
+    fn of_text(self, from: ElementaryType, units: &[u16]) -> Option<&'static str> {
+        let is_listed = from == ElementaryType::String && (self.to.is_integer() || self.to.is_real());
+        if self.rules == Rules::Matiec && is_listed {
+            texts::basis(units, self.to)
+        } else {
+            None
+        }
+    }
+
+    /// `BCD_TO_INT` of decimal digits, and `INT_TO_BCD` of a number that has no more digits than the target.
+    fn of_bcd(self, name: &str, raw: u64) -> Option<&'static str> {
+        let says = match name {
+            "BCD_TO_INT" => bcd::is_decimal(raw, self.from),
+            "INT_TO_BCD" => (0..=bcd::greatest(self.to)).contains(&integer::number(raw, self.from)),
+            _ => false,
+        };
+        says.then_some(BCD).filter(|_| self.rules == Rules::Matiec)
     }
 
     /// TRUNC and its kin. Of those that name a type the ForgeIEC page has three; the others are open.

@@ -21,10 +21,16 @@ use stickler_types::{DialectName, ElementaryType};
 /// | `TRUNC` | REAL, LREAL | DINT |
 /// | `TRUNC_<INTEGER>` | REAL, LREAL | the integer |
 /// | `<REAL>_TRUNC_<INTEGER>` | REAL or LREAL | the integer |
+/// | `BCD_TO_INT` | BYTE, WORD | INT, DINT |
+/// | `INT_TO_BCD` | INT, DINT | BYTE, WORD |
+/// | `<BITS>_BCD_TO_<UNSIGNED>`, `BCD_TO_<UNSIGNED>` | the bit string, any bit string | the integer |
+/// | `<UNSIGNED>_TO_BCD_<BITS>`, `TO_BCD_<BITS>` | the integer, any unsigned integer | the bit string |
+/// | `CONCAT_DATE_TOD` | DATE, TOD | DT |
+/// | `CONCAT_DATE_LTOD`, `CONCAT_LDATE_LTOD` | DATE or LDATE, LTOD | LDT |
 /// | `ROUND`, `CEIL`, `CEILING`, `FLOOR`, not in `matiec` | REAL, LREAL | DINT, LINT |
 ///
-/// Basis: forgeiec-conversion-functions: The naming pattern, TRUNC vs. ROUND; ironplc-type-conversions: Explicit Conversion
-/// Functions; iec-61131-3: Table 22 (the overloaded names of the third edition).
+/// Basis: forgeiec-conversion-functions: The naming pattern, BCD encoding, TRUNC vs. ROUND; ironplc-type-conversions: Explicit
+/// Conversion Functions; iec-61131-3: Table 22 (the overloaded and BCD names of the third edition).
 #[must_use]
 pub fn signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
     // No name is longer, and a hostile one is not worth copying.
@@ -45,7 +51,7 @@ pub fn signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
 
 /// Every name of a conversion function that a dialect has, each once, in upper case and the short spelling of the types.
 ///
-/// The order is always the same: the pairs of types, the overloaded names, truncation and rounding.
+/// The order is always the same: the pairs of types, the overloaded names, truncation, BCD, `CONCAT_…`, rounding.
 #[must_use]
 pub fn functions(dialect: DialectName) -> Vec<String> {
     Catalogue::of(dialect).names.clone()
@@ -53,6 +59,10 @@ pub fn functions(dialect: DialectName) -> Vec<String> {
 
 /// The same name with the short keywords of the types.
 fn short_spelling(name: &str) -> String {
+    // Only here the names of types are part of a name that does not follow from them.
+    if name.starts_with("CONCAT_") {
+        return name.to_owned();
+    }
     // `LTIME_OF_DAY` and `LDATE_AND_TIME` contain the spellings of the short types, and become `LTOD` and `LDT` with them.
     name.replace("TIME_OF_DAY", "TOD").replace("DATE_AND_TIME", "DT")
 }
@@ -83,6 +93,8 @@ impl Catalogue {
             .collect();
         catalogue.add_pairs(&types);
         catalogue.add_truncations();
+        catalogue.add_bcd();
+        catalogue.add_concatenations(&types);
         if dialect != DialectName::Matiec {
             catalogue.add_roundings();
         }
@@ -136,6 +148,61 @@ impl Catalogue {
             for to in integers() {
                 self.add(format!("TRUNC_{to}"), from, to, Operation::Truncate);
                 self.add(format!("{from}_TRUNC_{to}"), from, to, Operation::Truncate);
+            }
+        }
+    }
+
+    /// Everything with BCD in its name.
+    fn add_bcd(&mut self) {
+        // What the ForgeIEC page lists for its two functions.
+        let (bits, integers) = (
+            [ElementaryType::Byte, ElementaryType::Word],
+            [ElementaryType::Int, ElementaryType::Dint],
+        );
+        for (bits, integer) in bits
+            .into_iter()
+            .flat_map(|bits| integers.map(|integer| (bits, integer)))
+        {
+            self.add("BCD_TO_INT".to_owned(), bits, integer, Operation::FromBcd);
+        }
+        for (integer, bits) in integers
+            .into_iter()
+            .flat_map(|integer| bits.map(|bits| (integer, bits)))
+        {
+            self.add("INT_TO_BCD".to_owned(), integer, bits, Operation::ToBcd);
+        }
+        let of = |is: fn(ElementaryType) -> bool| ElementaryType::ALL.into_iter().filter(move |&ty| is(ty));
+        for bits in of(ElementaryType::is_bit_string) {
+            for integer in of(ElementaryType::is_unsigned) {
+                self.add(format!("BCD_TO_{integer}"), bits, integer, Operation::FromBcd);
+                self.add(
+                    format!("{bits}_BCD_TO_{integer}"),
+                    bits,
+                    integer,
+                    Operation::FromBcd,
+                );
+                self.add(format!("TO_BCD_{bits}"), integer, bits, Operation::ToBcd);
+                self.add(
+                    format!("{integer}_TO_BCD_{bits}"),
+                    integer,
+                    bits,
+                    Operation::ToBcd,
+                );
+            }
+        }
+    }
+
+    /// `CONCAT_…` of types that the dialect has.
+    fn add_concatenations(&mut self, types: &[ElementaryType]) {
+        use ElementaryType::{Date, Dt, Ldate, Ldt, Ltod, Tod};
+        for (date, time, result) in [(Date, Tod, Dt), (Date, Ltod, Ldt), (Ldate, Ltod, Ldt)] {
+            if [date, time, result].iter().all(|ty| types.contains(ty)) {
+                self.add_signature(Signature {
+                    function: format!("CONCAT_{date}_{time}"),
+                    operands: vec![date, time],
+                    result,
+                    operation: Operation::Concatenate,
+                });
             }
         }
     }

@@ -17,13 +17,19 @@
 //! Basis: stickler-design: §8 (arithmetic rules, and what *open* means); the rules themselves name theirs.
 
 mod basis;
+mod bcd;
 mod bulk;
+mod calendar;
 mod catalogue;
+mod character;
 mod choices;
 mod integer;
+mod moment;
 mod pair;
+mod quotient;
 mod real;
 mod signature;
+mod text;
 mod value;
 
 pub use basis::{Expected, expected};

@@ -4,13 +4,35 @@ use stickler_types::{ElementaryType, Family};
 
 /// Whether a value of one type has a meaning in the other; a type has one in itself.
 ///
-/// Basis: ironplc-type-conversions: Explicit Conversion Functions ("for all type pairs"), as far as a pair makes sense: a
-/// character is a number or a text, but neither true or false nor a duration or a date; and a day has no time of day.
+/// Numbers here are integers, bit strings, reals and BOOL.
+///
+/// | from | to |
+/// |---|---|
+/// | a number | numbers, durations, dates, times of day, both together |
+/// | a duration | numbers, durations, times of day |
+/// | a time of day | numbers, durations, times of day |
+/// | a date | numbers, dates, dates with a time |
+/// | a date and time | numbers, dates, times of day, dates with a time |
+/// | a character | integers, bit strings, characters; and these convert to characters |
+/// | a text | everything; and everything to a text |
+///
+/// Basis: ironplc-type-conversions: Explicit Conversion Functions ("for all type pairs"), as far as a pair makes sense;
+/// forgeiec-conversion-functions: The naming pattern.
 pub(crate) const fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
-    is_number(from) && is_number(to)
+    use Family::{Boolean, Character, Date, DateAndTime, Duration, Real, Text, TimeOfDay};
+    match (from.family(), to.family()) {
+        (Text, _) | (_, Text) | (Character, Character) => true,
+        (Character, Boolean | Real) | (Boolean | Real, Character) => false,
+        (Character, _) => is_number(to),
+        (_, Character) => is_number(from),
+        (Duration, Date | DateAndTime) | (TimeOfDay, Date | DateAndTime) => false,
+        (Date, Duration | TimeOfDay) | (DateAndTime, Duration) => false,
+        _ => true,
+    }
 }
 
-const fn is_number(ty: ElementaryType) -> bool {
+/// Whether this is an integer, a bit string, a real or BOOL.
+pub(crate) const fn is_number(ty: ElementaryType) -> bool {
     matches!(
         ty.family(),
         Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString | Family::Real

@@ -105,6 +105,20 @@ pub(crate) const fn decode(raw: u64, ty: ElementaryType) -> Real {
     }
 }
 
+/// Whether the finite number next to this one toward zero is only half as far away as the one on the other side: that is so of
+/// powers of two, the least normal number aside.
+pub(crate) const fn is_lowest_of_binade(raw: u64, ty: ElementaryType) -> bool {
+    let format = Format::of(ty);
+    match decode(raw, ty) {
+        Real::Finite {
+            significand,
+            exponent,
+            ..
+        } => significand == 1 << (format.precision - 1) && exponent > format.least_exponent,
+        _ => false,
+    }
+}
+
 /// The raw form of the one NaN that conversions give: quiet, positive, without a payload.
 pub(crate) const fn not_a_number(to: ElementaryType) -> u64 {
     let format = Format::of(to);

@@ -1,9 +1,9 @@
 //! What a call gives by given choices: the rule for each pair of families.
 
 use crate::choices::{Choices, Outside, RealToInteger};
-use crate::integer;
 use crate::real::{self, Real, Rounding, Whole};
 use crate::signature::{Operation, Signature};
+use crate::{bcd, character, integer, moment, pair, text};
 use stickler_types::{ElementaryType, Family, Value};
 
 /// What a call of a conversion function gives, computed exactly by the choices that the caller spells out.
@@ -15,29 +15,64 @@ use stickler_types::{ElementaryType, Family, Value};
 /// Basis: stickler-design: §8 (arithmetic rules); forgeiec-conversion-functions: The naming pattern, Range and precision.
 #[must_use]
 pub fn value(signature: &Signature, operands: &[Value], choices: &Choices) -> Value {
-    let result = match (&signature.operands[..], operands) {
+    let result = match operands {
         _ if !signature.takes(operands) => None,
-        (&[from], [Value::Plain { raw, .. }]) => plain(signature, *raw, from, choices),
+        [Value::Plain { ty, raw }] => plain(signature, *raw, *ty, choices),
+        [Value::Text { units, .. }] => text(signature, units, choices),
+        [Value::Plain { raw: date, .. }, Value::Plain { raw: time, .. }] => {
+            Some(Value::plain(signature.result, moment::concatenated(*date, *time)))
+        }
         _ => None,
     };
-    result.unwrap_or_else(|| Value::plain(signature.result, 0))
+    result.unwrap_or_else(|| default(signature.result))
+}
+
+/// 0 or the empty text.
+const fn default(ty: ElementaryType) -> Value {
+    if ty.is_text() {
+        Value::text(ty, Vec::new())
+    } else {
+        Value::plain(ty, 0)
+    }
 }
 
 /// What becomes of one operand that is no text.
 fn plain(signature: &Signature, raw: u64, from: ElementaryType, choices: &Choices) -> Option<Value> {
     let to = signature.result;
     let rounding = match signature.operation {
+        Operation::Convert if to.is_text() => return Some(Value::text(to, written(raw, from, to, choices))),
         Operation::Convert => choices.real_to_integer.into(),
         Operation::Truncate => Rounding::TowardZero,
         Operation::Round => Rounding::HalfToEven,
         Operation::Ceiling => Rounding::Up,
         Operation::Floor => Rounding::Down,
-        Operation::FromBcd | Operation::ToBcd | Operation::Concatenate => return None,
+        Operation::FromBcd => return Some(Value::plain(to, integer::wrapped(bcd::number(raw, from), to))),
+        Operation::ToBcd => return Some(Value::plain(to, bcd::encoded(raw, from, to))),
+        Operation::Concatenate => return None,
     };
     convert(raw, from, to, rounding, choices.outside).map(|raw| Value::plain(to, raw))
 }
 
-/// The conversion of one type to another, neither of them a text.
+/// The text of a value that is none.
+fn written(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Choices) -> Vec<u16> {
+    if from.is_character() {
+        vec![character::unit(character::of_raw(raw), to)]
+    } else {
+        text::write(raw, from, choices).bytes().map(u16::from).collect()
+    }
+}
+
+/// What becomes of a text.
+fn text(signature: &Signature, units: &[u16], choices: &Choices) -> Option<Value> {
+    let to = signature.result;
+    (signature.operation == Operation::Convert).then(|| match to.family() {
+        Family::Text => Value::text(to, character::text(units, to)),
+        Family::Character => Value::plain(to, character::first(units, to)),
+        _ => Value::plain(to, text::read(units, to, choices)),
+    })
+}
+
+/// The conversion of one type to another, neither of them a text; `None` where the pair has none.
 fn convert(
     raw: u64,
     from: ElementaryType,
@@ -45,16 +80,34 @@ fn convert(
     rounding: Rounding,
     outside: Outside,
 ) -> Option<u64> {
-    use Family::{BitString, Boolean, Real, Signed, Unsigned};
+    use Family::{
+        BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, TimeOfDay, Unsigned,
+    };
+    if !pair::has_meaning(from, to) {
+        return None;
+    }
+    let number = || integer::number(raw, from);
     Some(match (from.family(), to.family()) {
-        (Boolean | Signed | Unsigned | BitString, Boolean) => u64::from(integer::number(raw, from) != 0),
+        (Character, Character) => character::unit(character::of_raw(raw), to).into(),
         (Real, Boolean) => u64::from(real::is_nonzero(raw, from)),
-        (Boolean | Signed | Unsigned | BitString, Signed | Unsigned | BitString) => {
-            integer::wrapped(integer::number(raw, from), to)
+        (_, Boolean) => u64::from(number() != 0),
+        (Boolean | Signed | Unsigned | BitString | Character, Signed | Unsigned | BitString | Character) => {
+            integer::wrapped(number(), to)
         }
-        (Boolean | Signed | Unsigned | BitString, Real) => real::from_integer(integer::number(raw, from), to),
+        (Boolean | Signed | Unsigned | BitString, Real) => real::from_integer(number(), to),
         (Real, Real) => real::between(raw, from, to),
         (Real, Signed | Unsigned | BitString) => from_real(raw, from, to, rounding, outside),
+        (Boolean | Signed | Unsigned | BitString, Duration | Date | TimeOfDay | DateAndTime) => {
+            moment::from_units(number(), to)
+        }
+        (Real, Duration | Date | TimeOfDay | DateAndTime) => moment::from_real_units(raw, from, to),
+        (Duration | Date | TimeOfDay | DateAndTime, Signed | Unsigned | BitString) => {
+            integer::wrapped(moment::units(raw, from), to)
+        }
+        (Duration | Date | TimeOfDay | DateAndTime, Real) => moment::real_units(raw, from, to),
+        (Duration | Date | TimeOfDay | DateAndTime, Duration | Date | TimeOfDay | DateAndTime) => {
+            moment::between(raw, to)
+        }
         _ => return None,
     })
 }

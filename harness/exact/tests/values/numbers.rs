@@ -1,41 +1,8 @@
 //! Values of the number families, computed by hand from the documents and from the definition of IEC 60559.
 
-use stickler_exact::{Choices, Outside, RealToInteger, Signature, expected, signatures, value};
+use crate::common::{check, check_by, literal, taking};
+use stickler_exact::{Choices, Outside, RealToInteger, expected, value};
 use stickler_types::{DialectName, ElementaryType, Value};
-
-/// The one signature of a function in a dialect.
-fn only(function: &str, dialect: DialectName) -> Signature {
-    let mut found = signatures(function, dialect);
-    assert_eq!(found.len(), 1, "{function}");
-    found.remove(0)
-}
-
-/// The signature of a function that takes an operand of this type.
-fn taking(function: &str, operand: &Value, dialect: DialectName) -> Signature {
-    signatures(function, dialect)
-        .into_iter()
-        .find(|signature| signature.operands[0].name() == operand.type_name())
-        .unwrap_or_else(|| panic!("{function} takes no {operand}"))
-}
-
-/// What a function gives for an operand, both as typed literals.
-fn given(function: &str, operand: &str, dialect: DialectName) -> String {
-    let operand = Value::parse(operand).unwrap();
-    expected(&taking(function, &operand, dialect), &[operand], dialect)
-        .value
-        .to_string()
-}
-
-#[track_caller]
-fn check(dialect: DialectName, rows: &[(&str, &str, &str)]) {
-    for (function, operand, result) in rows {
-        assert_eq!(
-            given(function, operand, dialect),
-            *result,
-            "{function}({operand})"
-        );
-    }
-}
 
 #[test]
 fn the_documents_own_examples() {
@@ -181,29 +148,24 @@ fn other_choices_round_away_and_saturate() {
         outside: Outside::Saturate,
         ..Choices::of(DialectName::Matiec)
     };
-    for (function, operand, result) in [
-        ("REAL_TO_INT", "REAL#0.5", "INT#1"),
-        ("REAL_TO_INT", "REAL#-2.5", "INT#-3"),
-        ("REAL_TO_INT", "REAL#0.49999997", "INT#0"),
-        ("REAL_TO_INT", "REAL#40000.0", "INT#32767"),
-        ("REAL_TO_INT", "REAL#-40000.0", "INT#-32768"),
-        ("REAL_TO_UINT", "REAL#-1.0", "UINT#0"),
-        ("REAL_TO_WORD", "REAL#Infinity", "WORD#16#FFFF"),
-        ("REAL_TO_SINT", "REAL#-Infinity", "SINT#-128"),
-        ("REAL_TO_SINT", "REAL#NaN", "SINT#0"),
-        ("LREAL_TO_LINT", "LREAL#1.0E300", "LINT#9223372036854775807"),
-        ("TRUNC", "LREAL#1.0E10", "DINT#2147483647"),
-        // Saturation is a matter of reals; integers among each other wrap.
-        ("DINT_TO_INT", "DINT#40000", "INT#-25536"),
-    ] {
-        let operand = Value::parse(operand).unwrap();
-        let signature = taking(function, &operand, DialectName::Matiec);
-        assert_eq!(
-            value(&signature, &[operand], &choices).to_string(),
-            result,
-            "{function}"
-        );
-    }
+    check_by(
+        choices,
+        &[
+            ("REAL_TO_INT", "REAL#0.5", "INT#1"),
+            ("REAL_TO_INT", "REAL#-2.5", "INT#-3"),
+            ("REAL_TO_INT", "REAL#0.49999997", "INT#0"),
+            ("REAL_TO_INT", "REAL#40000.0", "INT#32767"),
+            ("REAL_TO_INT", "REAL#-40000.0", "INT#-32768"),
+            ("REAL_TO_UINT", "REAL#-1.0", "UINT#0"),
+            ("REAL_TO_WORD", "REAL#Infinity", "WORD#16#FFFF"),
+            ("REAL_TO_SINT", "REAL#-Infinity", "SINT#-128"),
+            ("REAL_TO_SINT", "REAL#NaN", "SINT#0"),
+            ("LREAL_TO_LINT", "LREAL#1.0E300", "LINT#9223372036854775807"),
+            ("TRUNC", "LREAL#1.0E10", "DINT#2147483647"),
+            // Saturation is a matter of reals; integers among each other wrap.
+            ("DINT_TO_INT", "DINT#40000", "INT#-25536"),
+        ],
+    );
 }
 
 #[test]
@@ -223,11 +185,11 @@ fn only_zero_is_false() {
 
 #[test]
 fn operands_that_do_not_fit_give_the_default() {
-    let signature = only("INT_TO_DINT", DialectName::Matiec);
+    let integer = literal("INT#5");
+    let signature = taking("INT_TO_DINT", &integer, DialectName::Matiec);
     let zero = Value::plain(ElementaryType::Dint, 0);
     let choices = Choices::of(DialectName::Matiec);
-    let real = Value::parse("REAL#5.0").unwrap();
-    let integer = Value::parse("INT#5").unwrap();
+    let real = literal("REAL#5.0");
     for operands in [
         vec![],
         vec![real],

@@ -1,0 +1,204 @@
+//! Which texts the ForgeIEC page speaks of: those that certainly spell a number, and those that certainly do not.
+//!
+//! The page says that STRING_TO_INT and STRING_TO_REAL read a number, and give 0 "on parse failure". It does not say what a number
+//! looks like. So only what everybody would call a number is one here, and only what nobody would is none; all between is open:
+//! blanks, a plus, zeros in front, underscores, bases, exponents, trailing text, numbers that do not fit.
+
+use super::{MATIEC_TEXTS, NAMING};
+use crate::integer;
+use stickler_types::ElementaryType;
+
+/// The basis of reading a STRING as an integer or a real in `matiec`.
+pub(super) fn basis(units: &[u16], to: ElementaryType) -> Option<&'static str> {
+    let text: Option<Vec<u8>> = units
+        .iter()
+        .map(|&unit| u8::try_from(unit).ok().filter(u8::is_ascii))
+        .collect();
+    let text = text?;
+    let is_number = if to.is_real() {
+        is_plain_real
+    } else {
+        is_plain_integer
+    };
+    if is_number(&text, to) {
+        Some(NAMING)
+    } else {
+        is_no_number(&text, to).then_some(MATIEC_TEXTS)
+    }
+}
+
+/// A whole number as a person writes it, perhaps behind a minus, in the range of the type. `-0` is none.
+fn is_plain_integer(text: &[u8], to: ElementaryType) -> bool {
+    // No integer type has more digits.
+    const MOST_DIGITS: usize = 20;
+    let (negative, digits) = sign(text);
+    if !is_plain_whole(digits) || digits.len() > MOST_DIGITS || (negative && digits == b"0") {
+        return false;
+    }
+    let magnitude = digits
+        .iter()
+        .fold(0_i128, |number, digit| number * 10 + i128::from(digit - b'0'));
+    integer::holds(to, if negative { -magnitude } else { magnitude })
+}
+
+/// A number with a point and a fraction as a person writes it, perhaps behind a minus, with no more digits than every number of
+/// the type has: 6 for REAL, 15 for LREAL. Those digits mean one number of the type and no other. `-0.0` is none, for whether zero
+/// has a sign no page says.
+fn is_plain_real(text: &[u8], to: ElementaryType) -> bool {
+    // Ten to the power of this, and of less, is a normal number of either type.
+    const MOST_PLACES: usize = 30;
+    let significant = if to == ElementaryType::Real { 6 } else { 15 };
+    let (negative, digits) = sign(text);
+    let Some(point) = digits.iter().position(|&byte| byte == b'.') else {
+        return false;
+    };
+    let (whole, fraction) = (&digits[..point], &digits[point + 1..]);
+    let is_plain = is_plain_whole(whole) && !fraction.is_empty() && fraction.iter().all(u8::is_ascii_digit);
+    if !is_plain || whole.len() > MOST_PLACES || fraction.len() > MOST_PLACES {
+        return false;
+    }
+    let digits = [whole, fraction].concat();
+    let Some(first) = digits.iter().position(|&digit| digit != b'0') else {
+        return !negative;
+    };
+    let last = digits.iter().rposition(|&digit| digit != b'0').unwrap_or(first);
+    last - first < significant
+}
+
+/// Decimal digits, the first of them not 0 unless it is the only one.
+fn is_plain_whole(digits: &[u8]) -> bool {
+    match digits {
+        [b'0'] => true,
+        [b'1'..=b'9', rest @ ..] => rest.iter().all(u8::is_ascii_digit),
+        _ => false,
+    }
+}
+
+fn sign(text: &[u8]) -> (bool, &[u8]) {
+    match text {
+        [b'-', digits @ ..] => (true, digits),
+        digits => (false, digits),
+    }
+}
+
+/// A text without any digit, or one that begins with a letter; but no typed literal (`INT#5`), and for a real none of the words
+/// that some systems read (`inf`, `nan`), with or without a sign or blanks.
+fn is_no_number(text: &[u8], to: ElementaryType) -> bool {
+    let has_digits = text.iter().any(u8::is_ascii_digit);
+    let begins_with_letter = text.first().is_some_and(u8::is_ascii_alphabetic);
+    if has_digits && (!begins_with_letter || text.contains(&b'#')) {
+        return false;
+    }
+    !(to.is_real() && begins_with_a_word(text))
+}
+
+fn begins_with_a_word(text: &[u8]) -> bool {
+    let start = text
+        .iter()
+        .position(|byte| !matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | b'+' | b'-'));
+    let text = &text[start.unwrap_or(text.len())..];
+    [b"inf", b"nan"].iter().any(|word| {
+        text.get(..word.len())
+            .is_some_and(|beginning| beginning.eq_ignore_ascii_case(*word))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::*;
+
+    fn of(text: &str, to: ElementaryType) -> Option<&'static str> {
+        basis(&text.encode_utf16().collect::<Vec<u16>>(), to)
+    }
+
+    #[test]
+    fn plain_decimal_numbers_that_fit_are_numbers() {
+        for (text, to) in [
+            ("0", Int),
+            ("42", Sint),
+            ("-128", Sint),
+            ("255", Usint),
+            ("18446744073709551615", Ulint),
+        ] {
+            assert_eq!(of(text, to), Some(NAMING), "{text}");
+        }
+        for (text, to) in [
+            ("0.0", Real),
+            ("1.5", Real),
+            ("-2.25", Real),
+            ("0.1", Real),
+            ("123456.0", Real),
+            ("100.00", Real),
+            ("3.14159265358979", Lreal),
+        ] {
+            assert_eq!(of(text, to), Some(NAMING), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_digits_or_begins_with_a_letter_is_no_number() {
+        for text in [
+            "",
+            " ",
+            "-",
+            "+",
+            ".",
+            "abc",
+            "x1",
+            "hello world",
+            "\n",
+            "TRUE",
+            "e5",
+        ] {
+            assert_eq!(of(text, Int), Some(MATIEC_TEXTS), "{text:?}");
+            assert_eq!(of(text, Lreal), Some(MATIEC_TEXTS), "{text:?}");
+        }
+        assert_eq!(of("Infinity", Int), Some(MATIEC_TEXTS));
+    }
+
+    #[test]
+    fn all_between_is_open() {
+        for text in [
+            "12abc",
+            " 42",
+            "42 ",
+            "+7",
+            "007",
+            "-0",
+            "1_000",
+            "16#FF",
+            "2#101",
+            "INT#5",
+            "1.5",
+            "1E3",
+            "--1",
+            "40000",
+            "-32769",
+            "99999999999999999999",
+            "999999999999999999999999999999999999999999999",
+            "４２",
+            "²",
+            "é",
+        ] {
+            assert_eq!(of(text, Int), None, "{text:?}");
+        }
+        for text in [
+            "42",
+            "-0.0",
+            "1.",
+            ".5",
+            "1.5E3",
+            "01.5",
+            "1.5 ",
+            "1234567.5",
+            "inf",
+            "-Infinity",
+            " nan",
+            "1.5abc",
+            "REAL#1.5",
+        ] {
+            assert_eq!(of(text, Real), None, "{text:?}");
+        }
+    }
+}

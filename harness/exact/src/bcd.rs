@@ -1,0 +1,74 @@
+//! Binary-coded decimal: four bits a digit, the lowest digit in the lowest bits.
+//!
+//! Basis: forgeiec-conversion-functions: BCD encoding. No source says what a digit above 9 means, nor what becomes of a number
+//! with too many digits.
+
+use crate::integer;
+use stickler_types::ElementaryType;
+
+/// The digits of a bit string, the highest first.
+fn digits(raw: u64, ty: ElementaryType) -> impl Iterator<Item = u64> {
+    let count = ty.bits() / 4;
+    (0..count).rev().map(move |place| raw >> (4 * place) & 0xF)
+}
+
+/// The number that the digits spell, a digit above 9 counting with its value: `16#1A` is 20.
+pub(crate) fn number(raw: u64, from: ElementaryType) -> i128 {
+    digits(raw, from).fold(0, |number, digit| number * 10 + i128::from(digit))
+}
+
+/// Whether every digit is a decimal one.
+pub(crate) fn is_decimal(raw: u64, ty: ElementaryType) -> bool {
+    digits(raw, ty).all(|digit| digit <= 9)
+}
+
+/// The greatest number that a bit string has digits for.
+pub(crate) const fn greatest(ty: ElementaryType) -> i128 {
+    10_i128.pow(ty.bits() / 4) - 1
+}
+
+/// The digits of a number, as many as the bit string holds: those of the number modulo 10^n, so that -1 becomes `16#99`.
+pub(crate) fn encoded(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+    let mut rest = integer::number(raw, from).rem_euclid(greatest(to) + 1);
+    let mut bits = 0;
+    for place in 0..to.bits() / 4 {
+        // A remainder of division by ten, and so a digit.
+        bits |= ((rest % 10) as u64) << (4 * place);
+        rest /= 10;
+    }
+    bits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::*;
+
+    #[test]
+    fn digits_are_those_that_a_person_writes() {
+        for written in 0..10_000_i128 {
+            let raw = u64::from_str_radix(&written.to_string(), 16).unwrap();
+            assert_eq!(number(raw, Word), written);
+            assert_eq!(encoded(written as u64, Uint, Word), raw);
+            assert!(is_decimal(raw, Word));
+        }
+        assert_eq!(number(0x9999_9999_9999_9999, Lword), greatest(Lword));
+        assert_eq!(encoded(u64::MAX, Ulint, Lword), 0x6744_0737_0955_1615);
+    }
+
+    #[test]
+    fn a_digit_above_nine_counts_with_its_value() {
+        assert_eq!(number(0x1A, Byte), 20);
+        assert_eq!(number(0xFF, Byte), 165);
+        assert_eq!(number(u64::MAX, Lword), 16_666_666_666_666_665);
+        assert!(!is_decimal(0x1A, Byte) && !is_decimal(0xA000, Word));
+    }
+
+    #[test]
+    fn a_number_keeps_the_digits_that_fit() {
+        assert_eq!(encoded(12_345, Int, Word), 0x2345);
+        assert_eq!(encoded(100, Int, Byte), 0);
+        assert_eq!(encoded((-1_i64).cast_unsigned(), Int, Word), 0x9999);
+        assert_eq!(encoded((-123_456_i64).cast_unsigned(), Dint, Byte), 0x44);
+    }
+}

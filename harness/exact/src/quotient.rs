@@ -1,0 +1,170 @@
+//! Quotients of integers of any size, rounded once: to an integer, or to a number of IEC 60559.
+
+use crate::real;
+use num_bigint::BigUint;
+use num_integer::Integer;
+use num_traits::{ToPrimitive, Zero};
+use std::cmp::Ordering;
+use stickler_types::ElementaryType;
+
+/// The raw form nearest to `numerator / denominator` or its negative, ties to even; zero keeps the sign.
+///
+/// The general form of [`real::nearest`], for numbers of any size. The denominator must not be zero.
+pub(crate) fn nearest(negative: bool, numerator: &BigUint, denominator: &BigUint, to: ElementaryType) -> u64 {
+    // Enough bits for either format and the two below that decide the rounding.
+    const ENOUGH: i32 = 66;
+    let bits = |n: &BigUint| i64::try_from(n.bits()).unwrap_or(i64::MAX);
+    // The bits before the point, or one more. Far outside the formats their exact number does not matter.
+    let length = bits(numerator)
+        .saturating_sub(bits(denominator))
+        .clamp(-100_000, 100_000) as i32
+        + 1;
+    let shift = ENOUGH - length;
+    let (quotient, rest) = shifted(numerator, shift).div_rem(&shifted(denominator, -shift));
+    let magnitude = quotient.to_u128().unwrap_or(u128::MAX);
+    real::nearest(negative, magnitude, !rest.is_zero(), -shift, to)
+}
+
+/// `number * 2^exponent` where the exponent is positive, otherwise the number as it is.
+fn shifted(number: &BigUint, exponent: i32) -> BigUint {
+    number << u32::try_from(exponent).unwrap_or(0)
+}
+
+/// The integer nearest to `numerator / denominator`, ties to even. The denominator must not be zero.
+pub(crate) fn half_to_even(numerator: &BigUint, denominator: &BigUint) -> BigUint {
+    let (below, rest) = numerator.div_rem(denominator);
+    let up = match (rest * 2_u32).cmp(denominator) {
+        Ordering::Less => false,
+        Ordering::Greater => true,
+        Ordering::Equal => below.is_odd(),
+    };
+    below + u32::from(up)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::{Lreal, Real};
+    use num_bigint::BigInt;
+    use num_rational::Ratio;
+
+    type Fraction = Ratio<BigInt>;
+
+    /// The positive number of a finite raw form.
+    fn number(raw: u64, ty: ElementaryType) -> Fraction {
+        let real::Real::Finite {
+            significand,
+            exponent,
+            ..
+        } = real::decode(raw, ty)
+        else {
+            panic!("{raw:X} is no finite {ty}");
+        };
+        Fraction::from_integer(significand.into()) * Fraction::from_integer(2.into()).pow(exponent)
+    }
+
+    /// Holds a result against the definition: no finite number is nearer, and of two equally near ones it is the even one.
+    fn check(numerator: &BigUint, denominator: &BigUint, ty: ElementaryType) {
+        let exact = Fraction::new(numerator.clone().into(), denominator.clone().into());
+        let raw = nearest(false, numerator, denominator, ty);
+        let distance = |raw| {
+            let difference = number(raw, ty) - &exact;
+            if difference < Fraction::zero() {
+                -difference
+            } else {
+                difference
+            }
+        };
+        for other in [raw.saturating_sub(1), raw + 1] {
+            if other == raw || other == real::infinite(false, ty) {
+                continue;
+            }
+            let (own, others) = (distance(raw), distance(other));
+            assert!(
+                own < others || (own == others && raw.is_multiple_of(2)),
+                "{exact} gave {raw:X}, but {other:X} is nearer"
+            );
+        }
+    }
+
+    #[test]
+    fn a_quotient_gives_the_nearest_number_and_the_even_one_of_two() {
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            state >> 11
+        };
+        for _ in 0..2_000 {
+            let (numerator, denominator) = (BigUint::from(next()), BigUint::from(next() | 1));
+            let shift = next() % 280;
+            for ty in [Real, Lreal] {
+                check(&(&numerator << (shift % 70)), &denominator, ty);
+                check(&numerator, &(&denominator << (shift % 120)), ty);
+            }
+            check(&(&numerator << shift), &denominator, Lreal);
+            check(&numerator, &(&denominator << (4 * shift)), Lreal);
+        }
+    }
+
+    #[test]
+    fn ties_between_neighbours_go_to_the_even_one() {
+        for ty in [Real, Lreal] {
+            for raw in [
+                0,
+                1,
+                2,
+                3,
+                0x7F_FFFF,
+                0x80_0000,
+                0x3F80_0000,
+                0x3F80_0001,
+                0x7F7F_FFFE,
+            ] {
+                let between = (number(raw, ty) + number(raw + 1, ty)) / BigInt::from(2);
+                let (numerator, denominator) = between.into_raw();
+                let [numerator, denominator] = [numerator, denominator].map(|n| n.to_biguint().unwrap());
+                assert_eq!(nearest(false, &numerator, &denominator, ty), raw + raw % 2);
+                let above = nearest(
+                    false,
+                    &(&numerator * 1_000_000_000_000_u64 + 1_u32),
+                    &(denominator * 1_000_000_000_000_u64),
+                    ty,
+                );
+                assert_eq!(above, raw + 1);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_far_outside_becomes_zero_or_an_infinity() {
+        let (one, large) = (BigUint::from(1_u32), BigUint::from(1_u32) << 300_000_u32);
+        for ty in [Real, Lreal] {
+            assert_eq!(nearest(false, &large, &one, ty), real::infinite(false, ty));
+            assert_eq!(nearest(true, &large, &one, ty), real::infinite(true, ty));
+            assert_eq!(nearest(false, &one, &large, ty), 0);
+            assert_eq!(nearest(true, &one, &large, ty), 1 << (ty.bits() - 1));
+            assert_eq!(nearest(true, &BigUint::zero(), &large, ty), 1 << (ty.bits() - 1));
+        }
+    }
+
+    #[test]
+    fn a_quotient_is_rounded_to_the_nearest_integer() {
+        let rounded = |numerator: u32, denominator: u32| half_to_even(&numerator.into(), &denominator.into());
+        for (numerator, denominator, integer) in [
+            (1, 2, 0_u32),
+            (3, 2, 2),
+            (5, 2, 2),
+            (7, 3, 2),
+            (8, 3, 3),
+            (6, 3, 2),
+        ] {
+            assert_eq!(
+                rounded(numerator, denominator),
+                integer.into(),
+                "{numerator}/{denominator}"
+            );
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! The decimal digits of real numbers: the fewest that read back, or a given number of them, from exact integers.
+
+use crate::quotient;
+use num_bigint::BigUint;
+use num_integer::Integer;
+use num_traits::{ToPrimitive, Zero};
+use std::cmp::Ordering;
+use stickler_types::ElementaryType;
+
+/// A positive number in decimal digits: `d.ddd * 10^exponent`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Decimal {
+    /// The digits, each from 0 to 9, the first and the last of them not 0.
+    pub(super) digits: Vec<u8>,
+    /// The power of ten of the first digit.
+    pub(super) exponent: i32,
+}
+
+/// A positive fraction of integers of any size.
+struct Fraction {
+    numerator: BigUint,
+    denominator: BigUint,
+}
+
+impl Fraction {
+    /// `significand * 2^exponent`.
+    fn binary(significand: u64, exponent: i32) -> Fraction {
+        Fraction {
+            numerator: BigUint::from(significand) << u32::try_from(exponent).unwrap_or(0),
+            denominator: BigUint::from(1_u32) << u32::try_from(-exponent).unwrap_or(0),
+        }
+    }
+
+    /// The same times 10^places.
+    fn scaled(&self, places: i32) -> Fraction {
+        let power = BigUint::from(10_u32).pow(places.unsigned_abs());
+        if places < 0 {
+            Fraction {
+                numerator: self.numerator.clone(),
+                denominator: &self.denominator * power,
+            }
+        } else {
+            Fraction {
+                numerator: &self.numerator * power,
+                denominator: self.denominator.clone(),
+            }
+        }
+    }
+
+    /// The greatest integer not above it, and whether there is a rest.
+    fn floor(&self) -> (BigUint, bool) {
+        let (below, rest) = self.numerator.div_rem(&self.denominator);
+        (below, !rest.is_zero())
+    }
+
+    /// The power of ten of its first digit.
+    fn decimal_exponent(&self) -> i32 {
+        let bits = |n: &BigUint| i64::try_from(n.bits()).unwrap_or(i64::MAX);
+        // The logarithm to base 2 is above this, by less than two; 30103 / 100000 is that of 2 to base 10, rounded up.
+        let log = bits(&self.numerator) - bits(&self.denominator) - 1;
+        let mut exponent = (log * 30_103).div_euclid(100_000) as i32 - 1;
+        while self.scaled(-exponent - 1).floor().0 > BigUint::zero() {
+            exponent += 1;
+        }
+        exponent
+    }
+}
+
+/// The fewest digits that read back to the positive finite number `significand * 2^exponent` of the type; of several such with
+/// equally few digits those nearest to it, and of two equally near ones the greater.
+///
+/// `is_lowest_of_binade` says that the number below it is only half as far away as the one above.
+///
+/// Basis: stickler-design: §4 (canonical spelling), which leaves the nearness open.
+pub(super) fn shortest(
+    significand: u64,
+    exponent: i32,
+    is_lowest_of_binade: bool,
+    ty: ElementaryType,
+) -> Decimal {
+    // 9 and 17 digits always read back; one more decides to which side the last of them is rounded.
+    let most = if ty == ElementaryType::Real { 10 } else { 18 };
+    let number = Fraction::binary(significand, exponent);
+    let first = number.decimal_exponent();
+    let places = most - 1 - first;
+    // What reads back lies between the middles to both neighbours. A middle itself reads as the even one.
+    let below = if is_lowest_of_binade {
+        Fraction::binary(4 * significand - 1, exponent - 2)
+    } else {
+        Fraction::binary(2 * significand - 1, exponent - 1)
+    };
+    let interval = Interval {
+        least: Bound::of(&below, places),
+        number: Bound::of(&number, places),
+        greatest: Bound::of(&Fraction::binary(2 * significand + 1, exponent - 1), places),
+        closed: significand.is_multiple_of(2),
+    };
+    let found = (1..=most.unsigned_abs())
+        .rev()
+        .find_map(|dropped| interval.nearest_multiple(10_u64.pow(dropped)));
+    decimal(&found.unwrap_or(interval.number.floor).to_string(), -places)
+}
+
+/// A bound, scaled so that the digits in question are whole: `floor`, or more than it by less than 1.
+#[derive(Clone, Copy)]
+struct Bound {
+    floor: u64,
+    has_rest: bool,
+}
+
+impl Bound {
+    fn of(fraction: &Fraction, places: i32) -> Bound {
+        let (floor, has_rest) = fraction.scaled(places).floor();
+        Bound {
+            // About eighteen digits.
+            floor: floor.to_u64().unwrap_or(u64::MAX),
+            has_rest,
+        }
+    }
+
+    /// How an integer lies to the bound.
+    fn order(self, integer: u64) -> Ordering {
+        match integer.cmp(&self.floor) {
+            Ordering::Equal if self.has_rest => Ordering::Less,
+            order => order,
+        }
+    }
+}
+
+/// A number and the bounds within which everything reads back to it.
+struct Interval {
+    least: Bound,
+    number: Bound,
+    greatest: Bound,
+    /// Whether the bounds belong to it.
+    closed: bool,
+}
+
+impl Interval {
+    /// The multiple of an even `step` that lies within the bounds and nearest to the number, of two equally near ones the greater.
+    ///
+    /// If any multiple lies within, so does the next one below the number or the next one above.
+    fn nearest_multiple(&self, step: u64) -> Option<u64> {
+        let below = self.number.floor / step * step;
+        let above = below + step;
+        // Half a step is whole, so that what follows the number's floor cannot decide between below and above.
+        let candidates = if self.number.floor - below < step / 2 {
+            [below, above]
+        } else {
+            [above, below]
+        };
+        candidates.into_iter().find(|&candidate| self.contains(candidate))
+    }
+
+    fn contains(&self, integer: u64) -> bool {
+        let above_least = match self.least.order(integer) {
+            Ordering::Greater => true,
+            Ordering::Equal => self.closed,
+            Ordering::Less => false,
+        };
+        let below_greatest = match self.greatest.order(integer) {
+            Ordering::Less => true,
+            Ordering::Equal => self.closed,
+            Ordering::Greater => false,
+        };
+        above_least && below_greatest
+    }
+}
+
+/// The positive number `significand * 2^exponent` with so many significant digits, at least one, rounded half to even; zeros at
+/// the end are dropped.
+pub(super) fn significant(significand: u64, exponent: i32, count: u8) -> Decimal {
+    let number = Fraction::binary(significand, exponent);
+    let places = i32::from(count.max(1)) - 1 - number.decimal_exponent();
+    let scaled = number.scaled(places);
+    let rounded = quotient::half_to_even(&scaled.numerator, &scaled.denominator);
+    decimal(&rounded.to_string(), -places)
+}
+
+/// The positive number with these decimal digits times 10^`exponent`.
+fn decimal(written: &str, exponent: i32) -> Decimal {
+    let digits: Vec<u8> = written
+        .trim_end_matches('0')
+        .bytes()
+        .map(|digit| digit - b'0')
+        .collect();
+    Decimal {
+        digits,
+        exponent: exponent + written.len() as i32 - 1,
+    }
+}

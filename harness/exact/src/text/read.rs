@@ -1,0 +1,258 @@
+//! Texts read as values.
+
+use super::literal::{Decimal, Digits, Integer, Scanner};
+use crate::calendar;
+use crate::choices::{Choices, TextReading};
+use crate::{integer, quotient, real};
+use num_bigint::BigUint;
+use stickler_types::{ElementaryType, Family};
+
+/// The raw form of the value that a text spells in a type that is neither a text nor a character; 0 where it spells none.
+///
+/// Blanks around it are left out. Then it may be:
+///
+/// | type | text |
+/// |---|---|
+/// | integers, bit strings | an integer in base 2, 8, 10 or 16, a decimal one perhaps behind a sign; taken modulo 2^n |
+/// | BOOL | `TRUE` in any case, or an integer that is not 0 |
+/// | REAL, LREAL | a decimal number, its fraction and its exponent at will, rounded once; `NaN`, `Infinity`, `-Infinity` in any case |
+/// | durations, dates | a literal of the type that its 64 bits hold, the prefix of the type at will |
+///
+/// Single underscores may stand between digits. A number has no prefix: `INT#5` spells none.
+///
+/// Basis: forgeiec-conversion-functions: matiec conformance ("returns 0 on parse failure rather than raising"); which texts can
+/// be read, beyond plain decimal numbers, no source says.
+pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &Choices) -> u64 {
+    // No literal has a character that is not ASCII; 16#FF stands for all of those.
+    let bytes: Vec<u8> = units
+        .iter()
+        .map(|&unit| u8::try_from(unit).unwrap_or(0xFF))
+        .collect();
+    let text = trimmed(&bytes);
+    let mut scanner = Scanner::new(text);
+    let value = match to.family() {
+        Family::Boolean => whole(&mut scanner, |scanner| boolean(scanner).map(u64::from)),
+        Family::Signed | Family::Unsigned | Family::BitString => number(&mut scanner, choices, |scanner| {
+            Integer::read(scanner).map(|integer| residue(integer, to))
+        }),
+        Family::Real => number(&mut scanner, choices, |scanner| real_number(scanner, to)),
+        Family::Duration => whole(behind_prefix(&mut scanner, text, to), duration),
+        Family::Date => whole(behind_prefix(&mut scanner, text, to), |scanner| {
+            nanoseconds(date(scanner)?, 0)
+        }),
+        Family::TimeOfDay => whole(behind_prefix(&mut scanner, text, to), |scanner| {
+            nanoseconds(0, time_of_day(scanner)?)
+        }),
+        Family::DateAndTime => whole(behind_prefix(&mut scanner, text, to), date_and_time),
+        Family::Text | Family::Character => None,
+    };
+    value.unwrap_or(0)
+}
+
+/// The text without the blanks at either end.
+fn trimmed(mut text: &[u8]) -> &[u8] {
+    while let [b' ', rest @ ..] | [rest @ .., b' '] = text {
+        text = rest;
+    }
+    text
+}
+
+/// What a reader makes of the text, if it reads it to the end.
+fn whole<'t>(scanner: &mut Scanner<'t>, read: impl Fn(&mut Scanner<'t>) -> Option<u64>) -> Option<u64> {
+    let value = read(scanner)?;
+    scanner.is_at_end().then_some(value)
+}
+
+/// The same of a number, which may also be the text's beginning where that is chosen.
+fn number<'t>(
+    scanner: &mut Scanner<'t>,
+    choices: &Choices,
+    read: impl Fn(&mut Scanner<'t>) -> Option<u64>,
+) -> Option<u64> {
+    match choices.text_reading {
+        TextReading::WholeText => whole(scanner, read),
+        TextReading::LeadingNumber => read(scanner),
+    }
+}
+
+/// The scanner behind the prefix of the type, if there is one.
+fn behind_prefix<'s, 't>(
+    scanner: &'s mut Scanner<'t>,
+    text: &'t [u8],
+    to: ElementaryType,
+) -> &'s mut Scanner<'t> {
+    if let Some(at) = text.iter().position(|&byte| byte == b'#')
+        && let Ok(prefix) = str::from_utf8(&text[..at])
+        && ElementaryType::from_literal_prefix(prefix) == Some(to)
+    {
+        *scanner = Scanner::new(&text[at + 1..]);
+    }
+    scanner
+}
+
+/// The integer modulo 2^n of the type.
+fn residue(integer: Integer<'_>, to: ElementaryType) -> u64 {
+    // What is left out by the overflow is a multiple of 2^64, and so of 2^n.
+    let low = integer.digits.values().fold(0_u64, |number, digit| {
+        number
+            .wrapping_mul(integer.base.into())
+            .wrapping_add(digit.into())
+    });
+    let value = i128::from(low);
+    integer::wrapped(if integer.negative { -value } else { value }, to)
+}
+
+fn boolean(scanner: &mut Scanner<'_>) -> Option<bool> {
+    if scanner.word("TRUE").is_some() {
+        return Some(true);
+    }
+    Integer::read(scanner).map(|integer| integer.digits.values().any(|digit| digit != 0))
+}
+
+fn real_number(scanner: &mut Scanner<'_>, to: ElementaryType) -> Option<u64> {
+    for (word, raw) in [
+        ("NaN", real::not_a_number(to)),
+        ("Infinity", real::infinite(false, to)),
+        ("-Infinity", real::infinite(true, to)),
+    ] {
+        if scanner.word(word).is_some() {
+            return Some(raw);
+        }
+    }
+    Decimal::read(scanner).map(|decimal| rounded(decimal, to))
+}
+
+/// The raw form nearest to a decimal number, ties to even, once.
+fn rounded(decimal: Decimal<'_>, to: ElementaryType) -> u64 {
+    // Beyond this power of ten all is infinity or zero.
+    const FAR: i64 = 400;
+    let mut digits: Vec<u8> = decimal.whole.values().collect();
+    let mut exponent = decimal.exponent.map_or(0, |(negative, digits)| {
+        if negative {
+            -digits.saturated()
+        } else {
+            digits.saturated()
+        }
+    });
+    if let Some(fraction) = decimal.fraction {
+        let whole = digits.len();
+        digits.extend(fraction.values());
+        exponent = exponent.saturating_sub((digits.len() - whole) as i64);
+    }
+    let zeros = digits.iter().take_while(|&&digit| digit == 0).count();
+    let significant = &digits[zeros..];
+    // The number is less than 10^point, and not less than a tenth of that.
+    let point = exponent.saturating_add(significant.len() as i64);
+    if significant.is_empty() || point < -FAR {
+        return quotient::nearest(decimal.negative, &BigUint::ZERO, &BigUint::from(1_u32), to);
+    }
+    if point > FAR {
+        return real::infinite(decimal.negative, to);
+    }
+    // Both within the length of the text and some hundred more.
+    let magnitude = BigUint::from_radix_be(significant, 10).unwrap_or_default();
+    let power = BigUint::from(10_u32).pow(exponent.unsigned_abs() as u32);
+    if exponent < 0 {
+        quotient::nearest(decimal.negative, &magnitude, &power, to)
+    } else {
+        quotient::nearest(decimal.negative, &(magnitude * power), &BigUint::from(1_u32), to)
+    }
+}
+
+/// The units of time from the greatest to the least, with their nanoseconds.
+const UNITS: [(&str, u64); 7] = [
+    ("d", 86_400_000_000_000),
+    ("h", 3_600_000_000_000),
+    ("m", 60_000_000_000),
+    ("s", 1_000_000_000),
+    ("ms", 1_000_000),
+    ("us", 1_000),
+    ("ns", 1),
+];
+
+/// A duration literal without its prefix: `1d2h3.5s`, `-25h_15m`. Units from the greatest to the least, a fraction only in the
+/// last; what is below a nanosecond is cut off.
+fn duration(scanner: &mut Scanner<'_>) -> Option<u64> {
+    let negative = scanner.sign();
+    let mut total = BigUint::ZERO;
+    let mut units = &UNITS[..];
+    loop {
+        let whole = scanner.digits(10)?;
+        let fraction = match scanner.any_of(b".") {
+            Some(_) => Some(scanner.digits(10)?),
+            None => None,
+        };
+        let letters = scanner.letters();
+        let place = units
+            .iter()
+            .position(|(name, _)| name.as_bytes().eq_ignore_ascii_case(letters))?;
+        let unit = units[place].1;
+        units = &units[place + 1..];
+        total += natural(whole) * unit;
+        if let Some(fraction) = fraction {
+            total += part(fraction, unit);
+        }
+        if fraction.is_some() || scanner.is_at_end() {
+            break;
+        }
+        scanner.any_of(b"_");
+    }
+    let magnitude = i128::try_from(total).ok()?;
+    let nanoseconds = i64::try_from(if negative { -magnitude } else { magnitude }).ok()?;
+    Some(nanoseconds.cast_unsigned())
+}
+
+/// The number that decimal digits spell.
+fn natural(digits: Digits<'_>) -> BigUint {
+    let values: Vec<u8> = digits.values().collect();
+    BigUint::from_radix_be(&values, 10).unwrap_or_default()
+}
+
+/// The whole part of `0.digits * unit`.
+fn part(digits: Digits<'_>, unit: u64) -> BigUint {
+    // No more than some thousands, or the text would not have fitted.
+    let count = digits.values().count() as u32;
+    natural(digits) * unit / BigUint::from(10_u32).pow(count)
+}
+
+/// The days since 1970 of `2024-02-29`.
+fn date(scanner: &mut Scanner<'_>) -> Option<i64> {
+    let year = field(scanner, 0, 99_999)?;
+    scanner.any_of(b"-")?;
+    let month = field(scanner, 1, 12)?;
+    scanner.any_of(b"-")?;
+    let day = field(scanner, 1, calendar::days_of_month(year, month))?;
+    Some(calendar::days_since_1970(year, month, day))
+}
+
+/// The nanoseconds since midnight of `12:34:56.789`, those below one cut off.
+fn time_of_day(scanner: &mut Scanner<'_>) -> Option<i64> {
+    let hour = field(scanner, 0, 23)?;
+    scanner.any_of(b":")?;
+    let minute = field(scanner, 0, 59)?;
+    scanner.any_of(b":")?;
+    let second = field(scanner, 0, 59)?;
+    let fraction = match scanner.any_of(b".") {
+        Some(_) => i64::try_from(part(scanner.digits(10)?, 1_000_000_000)).ok()?,
+        None => 0,
+    };
+    Some(((hour * 60 + minute) * 60 + second) * 1_000_000_000 + fraction)
+}
+
+fn date_and_time(scanner: &mut Scanner<'_>) -> Option<u64> {
+    let days = date(scanner)?;
+    scanner.any_of(b"-")?;
+    nanoseconds(days, time_of_day(scanner)?)
+}
+
+/// A number from `least` to `greatest`, in any number of digits.
+fn field(scanner: &mut Scanner<'_>, least: i64, greatest: i64) -> Option<i64> {
+    let number = scanner.digits(10)?.saturated();
+    (least..=greatest).contains(&number).then_some(number)
+}
+
+/// The raw form of a time on a day, if 64 bits hold it.
+fn nanoseconds(days: i64, time: i64) -> Option<u64> {
+    let nanoseconds = i128::from(days) * 86_400_000_000_000 + i128::from(time);
+    i64::try_from(nanoseconds).ok().map(i64::cast_unsigned)
+}
