@@ -150,7 +150,9 @@ fn conversions(criterion: &mut Criterion) {
         "UDINT_TO_LREAL",
         "DINT_TO_TIME",
         "DWORD_BCD_TO_UDINT",
+        "UDINT_TO_BCD_DWORD",
         "REAL_TO_INT",
+        "REAL_TO_TIME",
     ] {
         let conversion = conversion(name);
         // All 32 bits vary, and the raw form of a signed operand is sign-extended.

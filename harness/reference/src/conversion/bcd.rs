@@ -5,34 +5,40 @@ use stickler_types::ElementaryType;
 /// The number that the digits spell. A digit above 9 counts with its value, so `16#1A` is 20; no source says
 /// what it means.
 ///
-/// Neighbours are joined two by two: digits to bytes below 166, bytes to 16 bits, and so on; sixteen digits of
-/// 15 stay below 2^64.
+/// A sixteenth of the raw form at a time would do; here neighbours are joined two by two, all at once.
 #[inline]
 #[must_use]
-pub const fn decode(raw: u64) -> u64 {
-    const DIGITS: u64 = 0x0F0F_0F0F_0F0F_0F0F;
-    const PAIRS: u64 = 0x00FF_00FF_00FF_00FF;
-    const FOURS: u64 = 0x0000_FFFF_0000_FFFF;
-    let pairs = (raw & DIGITS) + 10 * ((raw >> 4) & DIGITS);
-    let fours = (pairs & PAIRS) + 100 * ((pairs >> 8) & PAIRS);
-    let eights = (fours & FOURS) + 10_000 * ((fours >> 16) & FOURS);
-    (eights & 0xFFFF_FFFF) + 100_000_000 * (eights >> 32)
+pub const fn decode(raw: u64, from: ElementaryType) -> u64 {
+    if from.bits() <= 32 {
+        eight_joined(raw)
+    } else {
+        eight_joined(raw & 0xFFFF_FFFF) + 100_000_000 * eight_joined(raw >> 32)
+    }
+}
+
+/// The number that eight digits spell: digits to bytes of at most 165, those to 16 bits, and so on.
+#[inline]
+const fn eight_joined(raw: u64) -> u64 {
+    let pairs = (raw & 0x0F0F_0F0F) + 10 * ((raw >> 4) & 0x0F0F_0F0F);
+    let fours = (pairs & 0x00FF_00FF) + 100 * ((pairs >> 8) & 0x00FF_00FF);
+    (fours & 0xFFFF) + 10_000 * (fours >> 16)
 }
 
 /// The digits of a number, as many as `to` holds: the number modulo 10^n, so that what does not fit loses its
 /// leading digits, and -1 becomes 99, as two's complement has it in its own base. No source says what happens.
 #[inline]
 #[must_use]
-pub const fn encode(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+pub fn encode(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
     // Spelled out so that every division is by a constant.
-    let number = match to {
-        ElementaryType::Byte => modulo::<100>(raw, from),
-        ElementaryType::Word => modulo::<10_000>(raw, from),
-        ElementaryType::Dword => modulo::<100_000_000>(raw, from),
-        _ => modulo::<10_000_000_000_000_000>(raw, from),
-    };
-    let (high, low) = (number / 100_000_000, number % 100_000_000);
-    eight_digits(low) | eight_digits(high) << 32
+    match to {
+        ElementaryType::Byte => four_digits(modulo::<100>(raw, from)),
+        ElementaryType::Word => four_digits(modulo::<10_000>(raw, from)),
+        ElementaryType::Dword => eight_digits(modulo::<100_000_000>(raw, from)),
+        _ => {
+            let number = modulo::<10_000_000_000_000_000>(raw, from);
+            eight_digits(number % 100_000_000) | eight_digits(number / 100_000_000) << 32
+        }
+    }
 }
 
 #[inline]
@@ -46,22 +52,30 @@ const fn modulo<const MODULUS: u64>(raw: u64, from: ElementaryType) -> u64 {
     }
 }
 
-/// The digits of a number below 10^8. Each step divides all parts of the word at once, by multiplication with
-/// a reciprocal that is exact for parts of that size.
+/// The digits of a number below 10^8.
 #[inline]
-const fn eight_digits(number: u64) -> u64 {
-    // Two parts below 10 000, of 32 bits each.
-    let fours = (number % 10_000) | ((number / 10_000) << 32);
-    // Four parts below 100, of 16 bits each.
-    let hundreds = ((fours * 5_243) >> 19) & 0x0000_007F_0000_007F;
-    let pairs = (fours - 100 * hundreds) | hundreds << 16;
-    // Six more for each ten carries from one digit into the next.
-    let tens = ((pairs * 103) >> 10) & 0x000F_000F_000F_000F;
-    let bytes = pairs + 6 * tens;
-    // The parts of 16 bits hold 8 each; they move together.
-    let joined = (bytes | bytes >> 8) & 0x0000_FFFF_0000_FFFF;
-    (joined | joined >> 16) & 0xFFFF_FFFF
+fn eight_digits(number: u64) -> u64 {
+    four_digits(number % 10_000) | four_digits(number / 10_000) << 16
 }
+
+/// The digits of a number below 10^4.
+#[inline]
+fn four_digits(number: u64) -> u64 {
+    DIGITS.get(number as usize).copied().unwrap_or(0).into()
+}
+
+/// The digits of each number below 10^4.
+static DIGITS: [u16; 10_000] = {
+    let mut table = [0; 10_000];
+    let mut number = 0_u16;
+    while number < 10_000 {
+        let (thousands, hundreds) = (number / 1_000, number / 100 % 10);
+        let (tens, ones) = (number / 10 % 10, number % 10);
+        table[number as usize] = thousands << 12 | hundreds << 8 | tens << 4 | ones;
+        number += 1;
+    }
+    table
+};
 
 #[cfg(test)]
 mod tests {
@@ -76,7 +90,7 @@ mod tests {
         {
             let written = u64::from_str_radix(&number.to_string(), 16);
             assert_eq!(written, Ok(eight_digits(number)), "{number}");
-            assert_eq!(decode(eight_digits(number)), number);
+            assert_eq!(decode(eight_digits(number), ElementaryType::Dword), number);
         }
     }
 
@@ -97,7 +111,7 @@ mod tests {
 
     #[test]
     fn a_digit_above_nine_counts_with_its_value() {
-        assert_eq!(decode(0xFFFF_FFFF_FFFF_FFFF), 16_666_666_666_666_665);
-        assert_eq!(decode(0x1A), 20);
+        assert_eq!(decode(u64::MAX, ElementaryType::Lword), 16_666_666_666_666_665);
+        assert_eq!(decode(0x1A, ElementaryType::Byte), 20);
     }
 }

@@ -365,6 +365,21 @@ fn durations_become_reals_with_one_rounding() {
 }
 
 #[test]
+fn a_real_becomes_the_duration_that_the_same_long_real_becomes() {
+    for bits in scattered(5).take(20_000).map(|bits| bits >> 32) {
+        let long = convert(Real, Lreal, bits);
+        for to in [Time, Tod, Dt] {
+            assert_eq!(
+                convert(Real, to, bits),
+                convert(Lreal, to, long),
+                "{bits:#x} to {}",
+                to.name()
+            );
+        }
+    }
+}
+
+#[test]
 fn reals_become_durations_rounded_to_the_nanosecond() {
     let to_time = |milliseconds: f64| convert(Lreal, Time, milliseconds.to_bits()).cast_signed();
     assert_eq!(to_time(1.5), 1_500_000);

@@ -4,6 +4,7 @@
 //! "returns ms"). No source says what the others count in: here LTIME and times of day count in milliseconds
 //! too, dates and dates with a time in seconds since 1970-01-01, as CODESYS has it.
 
+use super::Rounding;
 use super::real::{self, Exact};
 use stickler_types::{ElementaryType, Family};
 
@@ -42,8 +43,20 @@ pub fn from_units(raw: u64, to: ElementaryType) -> u64 {
 
 /// That many units, rounded to the nearest nanosecond, ties to even, modulo 2^64 nanoseconds; NaN and the
 /// infinities give 0.
+#[inline]
 #[must_use]
-pub fn from_real_units(value: f64, to: ElementaryType) -> u64 {
+pub fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+    let value = real::decode(raw, from);
+    let nanoseconds = if from == ElementaryType::Real {
+        // A REAL has 24 binary digits, and the units have at most 21 before their zeros: the product is exact.
+        real::to_integer(value * unit(to) as f64, Rounding::HalfToEven)
+    } else {
+        from_long_real_units(value, to)
+    };
+    whole(nanoseconds.cast_signed(), to)
+}
+
+fn from_long_real_units(value: f64, to: ElementaryType) -> u64 {
     if !value.is_finite() {
         return 0;
     }
@@ -55,7 +68,7 @@ pub fn from_real_units(value: f64, to: ElementaryType) -> u64 {
         inexact: false,
         exponent,
     };
-    whole(exact.to_integer().cast_signed(), to)
+    exact.to_integer()
 }
 
 /// Nanoseconds as the type holds them: a date is a whole day, a time of day less than one.
@@ -123,7 +136,10 @@ mod tests {
         assert_eq!(from_units(86_401, Dt), raw(DAY + SECOND));
         assert_eq!(from_units(86_400_001, Tod), 1_000_000);
         assert_eq!(from_units(raw(-1), Tod), raw(DAY - 1_000_000));
-        assert_eq!(from_real_units(1.5, Dt), raw(SECOND + SECOND / 2));
+        assert_eq!(
+            from_real_units(1.5_f64.to_bits(), ElementaryType::Lreal, Dt),
+            raw(SECOND + SECOND / 2)
+        );
         assert_eq!(
             to_real_units(raw(SECOND / 4), Dt, ElementaryType::Lreal),
             0.25_f64.to_bits()

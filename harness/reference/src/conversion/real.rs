@@ -45,7 +45,8 @@ pub fn is_nonzero(raw: u64, ty: ElementaryType) -> bool {
 #[inline]
 #[must_use]
 pub fn from_integer(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
-    match (from.is_signed(), to == ElementaryType::Real) {
+    // The raw form of a narrower unsigned integer is no negative number either, and signed ones convert quicker.
+    match (from.is_signed() || from.bits() < 64, to == ElementaryType::Real) {
         (true, true) => of_single(raw.cast_signed() as f32),
         (false, true) => of_single(raw as f32),
         (true, false) => (raw.cast_signed() as f64).to_bits(),
@@ -121,12 +122,10 @@ pub fn to_nearest_of(value: f64, rounding: Rounding, to: ElementaryType) -> u64 
     nearest as u64
 }
 
-/// A number of 2^62 or more, which has no fraction, modulo 2^64.
-#[cold]
+/// A number of 2^62 or more, which has no fraction, modulo 2^64. NaN and the infinities have the greatest
+/// exponent, at which no bits are left of any number.
+#[inline]
 fn wrapped(value: f64) -> u64 {
-    if !value.is_finite() {
-        return 0;
-    }
     let (magnitude, exponent) = parts(value);
     let bits = magnitude.checked_shl(exponent.unsigned_abs()).unwrap_or(0);
     if value.is_sign_negative() {
@@ -137,6 +136,7 @@ fn wrapped(value: f64) -> u64 {
 }
 
 /// A finite number's magnitude as `significand * 2^exponent`.
+#[inline]
 #[must_use]
 pub const fn parts(value: f64) -> (u64, i32) {
     let bits = value.to_bits();

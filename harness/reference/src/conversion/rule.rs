@@ -172,11 +172,11 @@ impl Conversion {
             ConversionRule::ToUnits => raw::narrow(moment::to_units(value, self.from), self.to),
             ConversionRule::ToRealUnits => moment::to_real_units(value, self.from, self.to),
             ConversionRule::FromUnits => moment::from_units(value, self.to),
-            ConversionRule::FromRealUnits => moment::from_real_units(real::decode(value, self.from), self.to),
+            ConversionRule::FromRealUnits => moment::from_real_units(value, self.from, self.to),
             ConversionRule::Day => moment::day(value),
             ConversionRule::TimeOfDay => moment::time_of_day(value),
             ConversionRule::Character => text::character(value, self.to),
-            ConversionRule::FromBcd => raw::narrow(super::bcd::decode(value), self.to),
+            ConversionRule::FromBcd => raw::narrow(super::bcd::decode(value, self.from), self.to),
             ConversionRule::ToBcd => super::bcd::encode(value, self.from, self.to),
             ConversionRule::ReadText(_)
             | ConversionRule::WriteText(..)
