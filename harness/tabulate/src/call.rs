@@ -70,6 +70,14 @@ impl Call {
     }
 }
 
+impl std::fmt::Display for Call {
+    /// As a program writes it with typed literals: `DINT_TO_INT(DINT#1)`.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let operands: Vec<&str> = self.operands.iter().map(|operand| &*operand.typed).collect();
+        write!(f, "{}({})", self.signature.function, operands.join(", "))
+    }
+}
+
 fn signature(function: &str, types: &[&str], to: ElementaryType, dialect: DialectName) -> Option<Signature> {
     let fits = |signature: &Signature| {
         signature.result == to

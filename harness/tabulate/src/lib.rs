@@ -4,7 +4,7 @@
 //! |---|---|
 //! | which operands? | [`inputs`] |
 //! | which calls, in which table, with which claim? | [`families`] |
-//! | what does each call give, and who says so? | `stickler_exact`, through [`call`] and [`sheet`] |
+//! | what does each call give, and who says so? | `stickler_exact`, through [`call`], [`class`] and [`sheet`] |
 //! | what does the file look like? | [`text`] |
 //! | does the folder have these files? | [`folder`] |
 //!
@@ -15,6 +15,7 @@
 //! that it writes to, so that a wrong file cannot survive.
 
 pub mod call;
+pub mod class;
 pub mod families;
 pub mod folder;
 pub mod inputs;

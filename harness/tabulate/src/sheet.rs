@@ -3,7 +3,7 @@
 
 use crate::call::Call;
 use crate::table::{Probe, Table};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, ElementaryType};
 
 /// A column of a sheet.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -22,6 +22,12 @@ pub enum Column {
     SecondFrom,
     /// The second operand as a declaration initializes a variable with it.
     Second,
+    /// What stands in the id where the cells would be too long: the function and the operand.
+    Id,
+    /// A number of the operand's type whose square is infinite.
+    Huge,
+    /// An expression with `huge` that makes an operand that no literal can write.
+    Made,
     /// The result as a typed literal, for the dialects in which a probe asserts it.
     Expected,
 }
@@ -38,6 +44,9 @@ impl Column {
             Column::Typed => "typed",
             Column::SecondFrom => "with",
             Column::Second => "second",
+            Column::Id => "id",
+            Column::Huge => "huge",
+            Column::Made => "made",
             Column::Expected => "expected",
         }
     }
@@ -54,6 +63,18 @@ impl Column {
                 operand(1).map_or_else(String::new, |operand| operand.value.type_name().to_owned())
             }
             Column::Second => operand(1).map_or_else(String::new, |operand| operand.literal.clone()),
+            Column::Id => format!(
+                "{}/{}",
+                call.signature.function,
+                operand(0).map_or("", |operand| &operand.typed)
+            ),
+            Column::Huge if call.from() == ElementaryType::Real => "3.0E38".to_owned(),
+            Column::Huge => "1.0E308".to_owned(),
+            Column::Made => match operand(0).map(|operand| &*operand.literal) {
+                Some("Infinity") => "huge * huge".to_owned(),
+                Some("-Infinity") => "-huge * huge".to_owned(),
+                _ => "huge * huge - huge * huge".to_owned(),
+            },
             Column::Expected => expected.to_owned(),
         }
     }
@@ -68,17 +89,19 @@ pub enum Claim {
     Open,
     /// The program is accepted and runs to its end; what the call gives is not said.
     Accepted,
+    /// The same, and what it gives is recorded.
+    NeverFaults,
 }
 
 /// A probe of a sheet.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct CallProbe {
     /// Its name, which stands in ids.
     pub name: &'static str,
     /// What it says.
     pub claim: Claim,
     /// The dialects and groups in which it says so; empty where they are those of the sheet.
-    pub dialects: &'static [&'static str],
+    pub dialects: Vec<&'static str>,
     /// The document that says so; empty where it is that of the sheet.
     pub basis: &'static str,
     /// The program, with the columns as placeholders.
@@ -88,15 +111,11 @@ pub struct CallProbe {
 impl CallProbe {
     /// A probe that asserts the value.
     #[must_use]
-    pub const fn value(
-        name: &'static str,
-        dialects: &'static [&'static str],
-        source: &'static str,
-    ) -> CallProbe {
+    pub fn value(name: &'static str, dialects: &[&'static str], source: &'static str) -> CallProbe {
         CallProbe {
             name,
             claim: Claim::Value,
-            dialects,
+            dialects: dialects.to_vec(),
             basis: "",
             source,
         }
@@ -104,11 +123,24 @@ impl CallProbe {
 
     /// The probe `recorded`, which asserts nothing.
     #[must_use]
-    pub const fn recorded(dialects: &'static [&'static str], source: &'static str) -> CallProbe {
+    pub fn recorded(dialects: &[&'static str], source: &'static str) -> CallProbe {
         CallProbe {
             name: "recorded",
             claim: Claim::Open,
-            dialects,
+            dialects: dialects.to_vec(),
+            basis: "",
+            source,
+        }
+    }
+
+    /// The probe `never-faults`: the program is accepted and ends, and the value is recorded. Takes the program that
+    /// [`CallProbe::recorded`] has; its call is marked.
+    #[must_use]
+    pub fn never_faults(dialects: &[&'static str], source: &'static str) -> CallProbe {
+        CallProbe {
+            name: "never-faults",
+            claim: Claim::NeverFaults,
+            dialects: dialects.to_vec(),
             basis: "",
             source,
         }
@@ -116,7 +148,7 @@ impl CallProbe {
 
     /// The same probe with a basis of its own.
     #[must_use]
-    pub const fn by(self, basis: &'static str) -> CallProbe {
+    pub fn by(self, basis: &'static str) -> CallProbe {
         CallProbe { basis, ..self }
     }
 }
@@ -131,7 +163,7 @@ pub struct Sheet {
     /// Where the claim comes from.
     pub basis: &'static str,
     /// The dialects and groups that the header names.
-    pub dialects: &'static [&'static str],
+    pub dialects: Vec<&'static str>,
     /// A paragraph for a person; empty where there is none.
     pub summary: String,
     /// The columns.
@@ -153,7 +185,7 @@ impl Sheet {
         for call in &self.calls {
             let expected = self
                 .expected(call)
-                .map_err(|what| format!("{}: {}: {what}", self.name, shown(call)))?;
+                .map_err(|what| format!("{}: {call}: {what}", self.name))?;
             let cells = self.columns.iter().map(|column| column.cell(call, &expected));
             rows.push(cells.collect());
         }
@@ -161,7 +193,7 @@ impl Sheet {
             name: self.name.to_owned(),
             title: self.title.to_owned(),
             basis: self.basis.to_owned(),
-            dialects: owned(self.dialects),
+            dialects: owned(&self.dialects),
             summary: self.summary.clone(),
             columns: self
                 .columns
@@ -186,7 +218,7 @@ impl Sheet {
                     (Claim::Value, None) => {
                         return Err(format!("`{}` asserts what is open in {dialect}", probe.name));
                     }
-                    (Claim::Open, Some(basis)) => {
+                    (Claim::Open | Claim::NeverFaults, Some(basis)) => {
                         return Err(format!(
                             "`{}` leaves open in {dialect} what {basis} says",
                             probe.name
@@ -199,7 +231,7 @@ impl Sheet {
                             return Err(format!("another value in {dialect}"));
                         }
                     }
-                    (Claim::Open | Claim::Accepted, _) => {}
+                    (Claim::Open | Claim::Accepted | Claim::NeverFaults, _) => {}
                 }
             }
             if probe.claim == Claim::Value && !is_named {
@@ -222,11 +254,11 @@ impl CallProbe {
         }
     }
 
-    fn dialects_in(&self, sheet: &Sheet) -> &'static [&'static str] {
+    fn dialects_in<'a>(&'a self, sheet: &'a Sheet) -> &'a [&'static str] {
         if self.dialects.is_empty() {
-            sheet.dialects
+            &sheet.dialects
         } else {
-            self.dialects
+            &self.dialects
         }
     }
 
@@ -235,23 +267,23 @@ impl CallProbe {
             Claim::Value => ("into", "{expected}"),
             Claim::Open => ("into : {to}", "open"),
             Claim::Accepted => ("into", "accepted"),
+            Claim::NeverFaults => ("into : {to}", ""),
+        };
+        let source = if self.claim == Claim::NeverFaults {
+            self.source.replacen(");\n", ");   (*! ok *)\n", 1)
+        } else {
+            self.source.to_owned()
         };
         Probe {
             name: self.name.to_owned(),
             basis: self.basis.to_owned(),
             observe: observe.to_owned(),
             expect: expect.to_owned(),
-            dialects: owned(self.dialects),
-            source: self.source.to_owned(),
+            dialects: owned(&self.dialects),
+            source,
             ..Probe::default()
         }
     }
-}
-
-/// A call as a person writes it, for messages.
-fn shown(call: &Call) -> String {
-    let operands: Vec<&str> = call.operands.iter().map(|operand| &*operand.typed).collect();
-    format!("{}({})", call.signature.function, operands.join(", "))
 }
 
 /// The words as a table keeps them.
@@ -294,7 +326,7 @@ mod tests {
             name: "example",
             title: "An example",
             basis: "forgeiec-conversion-functions: Range and precision",
-            dialects: &["all"],
+            dialects: vec!["all"],
             summary: String::new(),
             columns: &[Column::From, Column::To, Column::Input, Column::Expected],
             calls: vec![Call::convert(Dint, Int, Operand::number(Dint, 100_000))],

@@ -65,7 +65,7 @@ fn modulo(
         name,
         title,
         basis,
-        dialects: ALL,
+        dialects: ALL.to_vec(),
         summary: format!("{MODULO}{more}"),
         columns: PAIR,
         calls: calls.collect(),

@@ -3,9 +3,13 @@
 mod booleans;
 mod idioms;
 mod integers;
+mod not_finite;
+mod powers;
+mod real_edges;
 mod reals;
-mod words;
+pub(crate) mod words;
 
+use crate::call::Call;
 use crate::sheet::Sheet;
 use crate::table::Table;
 
@@ -14,7 +18,11 @@ use crate::table::Table;
 /// # Errors
 /// What [`Sheet::table`] says.
 pub fn all() -> Result<Vec<Table>, String> {
-    let sheets = [integers::sheets(), booleans::sheets(), reals::sheets()].concat();
+    let mut sheets = [integers::sheets(), booleans::sheets(), reals::sheets()].concat();
+    let already: Vec<Call> = sheets.iter().flat_map(|sheet| sheet.calls.clone()).collect();
+    sheets.extend(powers::sheets()?);
+    sheets.extend(real_edges::sheets(&already)?);
+    sheets.extend(not_finite::sheets()?);
     let mut tables: Vec<Table> = sheets.iter().map(Sheet::table).collect::<Result<_, _>>()?;
     tables.extend(idioms::tables());
     Ok(tables)

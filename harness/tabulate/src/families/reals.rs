@@ -38,7 +38,7 @@ fn real_to_integer() -> [Sheet; 2] {
             name: "real-to-integer",
             title: "A real converts to an integer by dropping its fraction",
             basis: IRONPLC_EXPLICIT,
-            dialects: ALL,
+            dialects: ALL.to_vec(),
             summary: "\
 Both documents say that REAL_TO_INT truncates (ForgeIEC: fractional digits dropped), ties such as 0.5, 1.5 and 2.5 among them. Real
 compilers round here, to even or away from zero, which is why these cases exist."
@@ -55,7 +55,7 @@ compilers round here, to even or away from zero, which is why these cases exist.
             name: "real-to-integer-outside",
             title: "A real outside the integer type wraps",
             basis: RANGE,
-            dialects: ALL,
+            dialects: ALL.to_vec(),
             summary: "\
 \"Source out of INT range: wraps; fractional digits dropped\": the exact truncated integer modulo 2^n, however large. The other documents
 do not say; there the value is recorded."
@@ -113,7 +113,7 @@ fn truncation() -> [Sheet; 2] {
             name: "trunc",
             title: "TRUNC truncates a real toward zero to a DINT",
             basis: TRUNC,
-            dialects: ALL,
+            dialects: ALL.to_vec(),
             summary: String::new(),
             columns: NAMED,
             calls: inside,
@@ -127,7 +127,7 @@ fn truncation() -> [Sheet; 2] {
             name: "trunc-outside",
             title: "TRUNC of a real outside DINT",
             basis: DESIGN,
-            dialects: ALL,
+            dialects: ALL.to_vec(),
             summary: "No document says what TRUNC gives here; the value is recorded.".to_owned(),
             columns: OPEN_NAMED,
             calls: outside,
@@ -157,7 +157,7 @@ fn truncation_to_type() -> [Sheet; 2] {
             name: "trunc-to-type",
             title: "TRUNC_INT, TRUNC_DINT and TRUNC_LINT truncate toward zero to the type they name",
             basis: NAMING,
-            dialects: DIALECTS,
+            dialects: DIALECTS.to_vec(),
             summary: String::new(),
             columns: NAMED,
             calls: inside,
@@ -167,7 +167,7 @@ fn truncation_to_type() -> [Sheet; 2] {
             name: "trunc-to-type-outside",
             title: "TRUNC_INT, TRUNC_DINT and TRUNC_LINT wrap outside the type they name",
             basis: RANGE,
-            dialects: DIALECTS,
+            dialects: DIALECTS.to_vec(),
             summary: "The page names REAL_TO_INT \"via TRUNC_INT\": source out of INT range wraps."
                 .to_owned(),
             columns: NAMED,
@@ -224,7 +224,7 @@ fn lreal_to_real() -> Sheet {
         name: "lreal-to-real",
         title: "LREAL converts to REAL rounded to nearest, ties to even, once",
         basis: RANGE,
-        dialects: ALL,
+        dialects: ALL.to_vec(),
         summary: "\
 \"Source has more than ~7 significant digits: rounded.\" Ties such as 2^24+1 and 1+2^-24, their neighbours, the largest finite REAL, the
 smallest normal and the subnormal numbers."
@@ -268,7 +268,7 @@ fn integer_to_real() -> Sheet {
         name: "integer-to-real",
         title: "An integer converts to a real rounded to nearest, ties to even, once",
         basis: DESIGN,
-        dialects: ALL,
+        dialects: ALL.to_vec(),
         summary: "\
 The page lists <num>_TO_REAL; IEC 60559 says how it rounds. 2^62+2^38+1 is one where rounding twice, by way of LREAL, gives
 a different REAL."
@@ -293,7 +293,7 @@ fn bit_string_to_real() -> Sheet {
         name: "bit-string-to-real",
         title: "A bit string converts to a real: a number, or a copy of the bits",
         basis: DESIGN,
-        dialects: ALL,
+        dialects: ALL.to_vec(),
         summary: "No document says which; the value is recorded.".to_owned(),
         columns: OPEN_PAIR,
         calls,

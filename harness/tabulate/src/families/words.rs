@@ -8,8 +8,14 @@ pub const NAMING: &str = "forgeiec-conversion-functions: The naming pattern";
 pub const RANGE: &str = "forgeiec-conversion-functions: Range and precision";
 /// The ForgeIEC page on truncation.
 pub const TRUNC: &str = "forgeiec-conversion-functions: TRUNC vs. ROUND";
+/// The ForgeIEC page on BCD.
+pub const BCD: &str = "forgeiec-conversion-functions: BCD encoding";
+/// The ForgeIEC page on what matiec does.
+pub const CONFORMANCE: &str = "forgeiec-conversion-functions: matiec conformance";
 /// IronPLC's page on conversion functions.
 pub const IRONPLC_EXPLICIT: &str = "ironplc-type-conversions: Explicit Conversion Functions";
+/// IronPLC's page on narrowing.
+pub const IRONPLC_NARROWING: &str = "ironplc-type-conversions: Narrowing Conversions";
 /// Stickler's own design.
 pub const DESIGN: &str = "stickler-design: §8";
 
@@ -45,3 +51,13 @@ pub const NAMED: &[Column] = &[
 ];
 /// The columns of a table of other names that only records.
 pub const OPEN_NAMED: &[Column] = &[Column::Function, Column::From, Column::To, Column::Input];
+/// The columns of a table of `<SRC>_TO_<DST>` with asserted values that are only tried with variables.
+pub const VALUES: &[Column] = &[Column::From, Column::To, Column::Input, Column::Expected];
+/// The same for other names.
+pub const NAMED_VALUES: &[Column] = &[
+    Column::Function,
+    Column::From,
+    Column::To,
+    Column::Input,
+    Column::Expected,
+];

@@ -1,4 +1,5 @@
 //! The operands at which conversions go wrong, by family.
 
+pub mod edges;
 pub mod integers;
 pub mod reals;

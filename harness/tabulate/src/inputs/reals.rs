@@ -20,7 +20,7 @@ pub fn by_value(ty: ElementaryType, numbers: &[String]) -> Vec<Operand> {
 /// Operands by value, each once; -0.0 stands before 0.0.
 #[must_use]
 pub fn sorted(mut operands: Vec<Operand>) -> Vec<Operand> {
-    operands.sort_by_key(|operand| order(operand));
+    operands.sort_by_key(order);
     operands.dedup_by(|a, b| a.value == b.value);
     operands
 }
@@ -46,7 +46,7 @@ fn halves(halves: i128) -> String {
     format!(
         "{sign}{}.{}",
         magnitude / 2,
-        if magnitude % 2 == 0 { "0" } else { "5" }
+        if magnitude.is_multiple_of(2) { "0" } else { "5" }
     )
 }
 
