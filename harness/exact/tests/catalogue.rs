@@ -1,0 +1,174 @@
+//! The catalogue as a whole: how many functions there are, and that each name means what it says.
+
+use std::collections::HashSet;
+use stickler_exact::{Operation, Signature, functions, signatures};
+use stickler_types::{DialectName, ElementaryType};
+
+/// How many of each kind there are with 15 number types, two texts, and so many forms of each moment and so many characters.
+fn counted(forms: usize, characters: usize) -> usize {
+    let numbers = 15 * 14;
+    // Durations, dates, times of day, and dates with a time, each with every number, in both directions.
+    let with_moments = 2 * 15 * (4 * forms);
+    // The forms of each kind among each other; TIME ↔ TOD, DATE ↔ DT, DT → TOD in every combination of forms.
+    let among_moments = 4 * forms * (forms - 1) + 5 * forms * forms;
+    // With twelve integers and bit strings in both directions, and among each other.
+    let with_characters = 2 * 12 * characters + characters * characters.saturating_sub(1);
+    // Every pair in which there is a text.
+    let others = 15 + 4 * forms + characters;
+    let with_texts = 2 * 2 * others + 2;
+    let pairs = numbers + with_moments + among_moments + with_characters + with_texts;
+    let overloaded = others + 2;
+    let truncations = 1 + 8 + 2 * 8;
+    // The page's two, BCD_TO_<UNSIGNED>, TO_BCD_<BITS>, and each of four with each of four in both directions.
+    let decimals = 2 + 4 + 4 + 2 * 4 * 4;
+    pairs + overloaded + truncations + decimals
+}
+
+#[test]
+fn each_dialect_has_as_many_functions_as_can_be_counted() {
+    let totals = DialectName::ALL.map(|dialect| functions(dialect).len());
+    // One CONCAT and four roundings, three and four; none of the roundings in matiec.
+    let [second, third] = [counted(1, 0), counted(2, 2)];
+    assert_eq!(totals, [second + 5, third + 7, third + 7, second + 1, third + 7]);
+    assert_eq!([second + 5, third + 7], [506, 731]);
+}
+
+#[test]
+fn no_name_appears_twice_and_every_signature_is_found_by_its_own_name() {
+    for dialect in DialectName::ALL {
+        let names = functions(dialect);
+        let different: HashSet<&String> = names.iter().collect();
+        assert_eq!(different.len(), names.len(), "{dialect}");
+        for name in &names {
+            let found = signatures(name, dialect);
+            assert!(!found.is_empty(), "{dialect} {name}");
+            let different: HashSet<&Signature> = found.iter().collect();
+            assert_eq!(different.len(), found.len(), "{dialect} {name}");
+            for signature in &found {
+                assert_eq!(&signature.function, name);
+            }
+            let in_lower_case = signatures(&name.to_ascii_lowercase(), dialect);
+            assert_eq!(in_lower_case, found, "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_name_with_types_takes_and_gives_these_types() {
+    for name in functions(DialectName::IronplcEd3) {
+        let found = signatures(&name, DialectName::IronplcEd3);
+        // These two have INT in their names, but take or give DINT too.
+        let Some((from, to)) = name
+            .split_once("_TO_")
+            .filter(|_| !matches!(&name[..], "BCD_TO_INT" | "INT_TO_BCD"))
+        else {
+            continue;
+        };
+        let types = [from, to].map(ElementaryType::from_name);
+        for signature in &found {
+            if let Some(from) = types[0] {
+                assert_eq!(signature.operands, [from], "{name}");
+            }
+            if let Some(to) = types[1] {
+                assert_eq!(signature.result, to, "{name}");
+            }
+        }
+        if types.iter().all(Option::is_some) {
+            assert_eq!(found.len(), 1, "{name}");
+        }
+    }
+}
+
+#[test]
+fn signatures_are_ordered_by_their_types() {
+    for dialect in DialectName::ALL {
+        for name in functions(dialect) {
+            let found = signatures(&name, dialect);
+            assert!(
+                found.is_sorted_by_key(|signature| (signature.operands.clone(), signature.result)),
+                "{name}"
+            );
+        }
+    }
+}
+
+#[test]
+fn types_may_be_spelled_out() {
+    let dialect = DialectName::Plcnext;
+    for (long, short) in [
+        ("DATE_AND_TIME_TO_TIME_OF_DAY", "DT_TO_TOD"),
+        ("Ldate_And_Time_To_Ltime_Of_Day", "LDT_TO_LTOD"),
+        ("TO_DATE_AND_TIME", "TO_DT"),
+    ] {
+        let (spelled_out, found) = (signatures(long, dialect), signatures(short, dialect));
+        assert!(!found.is_empty());
+        assert_eq!(spelled_out.len(), found.len());
+        for (one, other) in spelled_out.iter().zip(&found) {
+            assert_eq!(one.function, long.to_ascii_uppercase());
+            assert_eq!((&one.operands, one.result), (&other.operands, other.result));
+        }
+    }
+}
+
+#[test]
+fn what_is_no_function_has_no_signature() {
+    for name in [
+        "",
+        "_TO_",
+        "TO_",
+        "INT_TO_INT",
+        "INT_TO_",
+        "_TO_INT",
+        "TIME_OF_DAY_TO_TOD",
+        "TIME_TO_DATE",
+        "DATE_TO_TOD",
+        "TOD_TO_DT",
+        "CHAR_TO_REAL",
+        "BOOL_TO_CHAR",
+        "FOO_TO_INT",
+        "INT_TO_DNIT",
+        "TRUNC_REAL",
+        "TRUNC_WORD",
+        "INT_TRUNC_INT",
+        "BCD_TO_REAL",
+        "WORD_BCD_TO_INT",
+        "INT_TO_BCD_WORD",
+        "CONCAT",
+        "CONCAT_DATE_TIME_OF_DAY",
+        "CONCAT_LDATE_TOD",
+        "INT_TO_DINT ",
+        "ſINT_TO_INT",
+        "ROUNDS",
+    ] {
+        for dialect in DialectName::ALL {
+            assert_eq!(signatures(name, dialect), [], "{name:?}");
+        }
+    }
+    assert_eq!(signatures(&"INT_TO_".repeat(100_000), DialectName::Matiec), []);
+}
+
+#[test]
+fn a_dialect_has_only_functions_of_types_that_it_has() {
+    let second_edition = [DialectName::IronplcEd2, DialectName::Matiec];
+    for dialect in second_edition {
+        for name in functions(dialect) {
+            for signature in signatures(&name, dialect) {
+                let types = signature.operands.iter().chain([&signature.result]);
+                assert!(types.copied().all(|ty| !ty.is_third_edition()), "{name}");
+            }
+        }
+        assert_eq!(signatures("LTIME_TO_TIME", dialect), []);
+        assert_eq!(signatures("CONCAT_DATE_LTOD", dialect), []);
+    }
+    for name in ["ROUND", "CEIL", "CEILING", "FLOOR"] {
+        assert_eq!(signatures(name, DialectName::Matiec), []);
+        let found = signatures(name, DialectName::IronplcEd2);
+        let types: Vec<_> = found
+            .iter()
+            .map(|found| (found.operands[0], found.result))
+            .collect();
+        use ElementaryType::{Dint, Lint, Lreal, Real};
+        assert_eq!(types, [(Real, Dint), (Lreal, Lint)], "{name}");
+        assert_ne!(found[0].operation, Operation::Convert);
+    }
+}
