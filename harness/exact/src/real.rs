@@ -260,3 +260,6 @@ pub(crate) fn to_whole(negative: bool, significand: u64, exponent: i32, rounding
     let magnitude = below as i128 + i128::from(away);
     Whole::Number(if negative { -magnitude } else { magnitude })
 }
+
+#[cfg(test)]
+mod tests;
