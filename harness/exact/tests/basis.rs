@@ -1,0 +1,272 @@
+//! What the suite asserts, dialect by dialect, and what it leaves open.
+
+use stickler_exact::{expected, functions, signatures};
+use stickler_types::{DialectName, ElementaryType, Value};
+
+const NAMING: Option<&str> = Some("forgeiec-conversion-functions: The naming pattern");
+const RANGE: Option<&str> = Some("forgeiec-conversion-functions: Range and precision");
+const TRUNC: Option<&str> = Some("forgeiec-conversion-functions: TRUNC vs. ROUND");
+const BCD: Option<&str> = Some("forgeiec-conversion-functions: BCD encoding");
+const TEXTS: Option<&str> = Some("forgeiec-conversion-functions: matiec conformance");
+const EXPLICIT: Option<&str> = Some("ironplc-type-conversions: Explicit Conversion Functions");
+const NARROWING: Option<&str> = Some("ironplc-type-conversions: Narrowing Conversions");
+const DESIGN: Option<&str> = Some("stickler-design: §8");
+const OPEN: Option<&str> = None;
+
+/// The bases of a call in `ironplc-ed3`, `matiec` and `plcnext`.
+type Bases = [Option<&'static str>; 3];
+
+/// The same for all three of a type that matiec does not have.
+const EVERYWHERE_OPEN: Bases = [OPEN; 3];
+const ONLY_MATIEC_NAMING: Bases = [OPEN, NAMING, OPEN];
+
+fn basis(
+    function: &str,
+    operand: &Value,
+    to: Option<ElementaryType>,
+    dialect: DialectName,
+) -> Option<&'static str> {
+    signatures(function, dialect)
+        .iter()
+        .filter(|signature| signature.operands[0].name() == operand.type_name())
+        .find(|signature| to.is_none_or(|to| signature.result == to))
+        .and_then(|signature| expected(signature, std::slice::from_ref(operand), dialect).basis)
+}
+
+#[track_caller]
+fn check(rows: &[(&str, &str, Bases)]) {
+    for (function, operand, bases) in rows {
+        // `=> BYTE` behind a function that gives several types says which.
+        let (function, to) = match function.split_once(" => ") {
+            Some((function, to)) => (function, ElementaryType::from_name(to)),
+            None => (*function, None),
+        };
+        let operand = Value::parse(operand).unwrap();
+        let given = [DialectName::IronplcEd3, DialectName::Matiec, DialectName::Plcnext]
+            .map(|dialect| basis(function, &operand, to, dialect));
+        assert_eq!(given, *bases, "{function}({operand})");
+    }
+}
+
+#[test]
+fn integers_and_bit_strings() {
+    check(&[
+        ("DINT_TO_INT", "DINT#100000", [NARROWING, RANGE, OPEN]),
+        ("DINT_TO_INT", "DINT#1", [NARROWING, RANGE, OPEN]),
+        ("INT_TO_DINT", "INT#-1", [EXPLICIT, RANGE, OPEN]),
+        ("INT_TO_UINT", "INT#1", [EXPLICIT, RANGE, OPEN]),
+        ("INT_TO_UINT", "INT#-1", [DESIGN, RANGE, OPEN]),
+        ("SINT_TO_WORD", "SINT#-1", [DESIGN, RANGE, OPEN]),
+        ("INT_TO_BYTE", "INT#256", [NARROWING, RANGE, OPEN]),
+        ("BYTE_TO_INT", "BYTE#16#FF", [EXPLICIT, NAMING, OPEN]),
+        ("BYTE_TO_SINT", "BYTE#16#FF", [DESIGN, NAMING, OPEN]),
+        ("WORD_TO_SINT", "WORD#16#FF", [NARROWING, NAMING, OPEN]),
+        ("BYTE_TO_WORD", "BYTE#16#FF", [DESIGN, DESIGN, OPEN]),
+        ("BOOL_TO_INT", "BOOL#TRUE", [NAMING, NAMING, OPEN]),
+        ("BOOL_TO_BYTE", "BOOL#TRUE", [NAMING, NAMING, OPEN]),
+        ("BOOL_TO_REAL", "BOOL#TRUE", [NAMING, NAMING, OPEN]),
+        ("LWORD_TO_BOOL", "LWORD#16#100", [NAMING, NAMING, OPEN]),
+        ("TO_INT", "DINT#1", EVERYWHERE_OPEN),
+    ]);
+}
+
+#[test]
+fn reals() {
+    check(&[
+        ("DINT_TO_REAL", "DINT#16777217", [DESIGN; 3]),
+        ("LREAL_TO_REAL", "LREAL#0.1", [RANGE; 3]),
+        ("REAL_TO_LREAL", "REAL#0.1", [DESIGN; 3]),
+        ("WORD_TO_REAL", "WORD#16#1", EVERYWHERE_OPEN),
+        ("REAL_TO_WORD", "REAL#1.0", EVERYWHERE_OPEN),
+        ("REAL_TO_BOOL", "REAL#0.5", [NAMING, NAMING, OPEN]),
+        ("REAL_TO_BOOL", "REAL#Infinity", [NAMING, NAMING, OPEN]),
+        ("REAL_TO_BOOL", "REAL#NaN", EVERYWHERE_OPEN),
+        ("REAL_TO_INT", "REAL#2.5", [EXPLICIT, RANGE, OPEN]),
+        ("REAL_TO_INT", "REAL#32767.9", [EXPLICIT, RANGE, OPEN]),
+        ("REAL_TO_INT", "REAL#-32768.9", [EXPLICIT, RANGE, OPEN]),
+        ("REAL_TO_USINT", "REAL#-0.9", [EXPLICIT, RANGE, OPEN]),
+        ("REAL_TO_INT", "REAL#32768.0", [OPEN, RANGE, OPEN]),
+        ("REAL_TO_INT", "REAL#NaN", [OPEN, DESIGN, OPEN]),
+        ("REAL_TO_INT", "REAL#-Infinity", [OPEN, DESIGN, OPEN]),
+        ("LREAL_TO_LINT", "LREAL#1.0E300", [OPEN, RANGE, OPEN]),
+        ("TRUNC", "LREAL#-2.9", [TRUNC, TRUNC, OPEN]),
+        ("TRUNC", "REAL#1.0E10", EVERYWHERE_OPEN),
+        ("TRUNC", "REAL#NaN", EVERYWHERE_OPEN),
+        ("TRUNC_INT", "REAL#-2.9", ONLY_MATIEC_NAMING),
+        ("TRUNC_DINT", "REAL#1.0E10", [OPEN, RANGE, OPEN]),
+        ("TRUNC_LINT", "LREAL#NaN", [OPEN, DESIGN, OPEN]),
+        ("TRUNC_SINT", "REAL#1.5", EVERYWHERE_OPEN),
+        ("REAL_TRUNC_INT", "REAL#1.5", EVERYWHERE_OPEN),
+        ("ROUND", "REAL#1.5", EVERYWHERE_OPEN),
+        ("CEIL", "REAL#1.5", EVERYWHERE_OPEN),
+    ]);
+}
+
+#[test]
+fn durations_and_dates() {
+    check(&[
+        ("TIME_TO_DINT", "TIME#1500ms", [NAMING; 3]),
+        ("TIME_TO_DINT", "TIME#1.5ms", EVERYWHERE_OPEN),
+        ("TIME_TO_INT", "TIME#32768ms", EVERYWHERE_OPEN),
+        ("TIME_TO_UDINT", "TIME#-1ms", EVERYWHERE_OPEN),
+        ("TIME_TO_REAL", "TIME#16777217ms", [NAMING; 3]),
+        ("TIME_TO_REAL", "TIME#0.5ms", EVERYWHERE_OPEN),
+        ("TIME_TO_WORD", "TIME#1ms", EVERYWHERE_OPEN),
+        ("TIME_TO_BOOL", "TIME#1ms", EVERYWHERE_OPEN),
+        ("TIME_TO_STRING", "TIME#1ms", EVERYWHERE_OPEN),
+        ("TIME_TO_TOD", "TIME#1ms", EVERYWHERE_OPEN),
+        ("TIME_TO_LTIME", "TIME#1ms", EVERYWHERE_OPEN),
+        ("LTIME_TO_DINT", "LTIME#1ms", EVERYWHERE_OPEN),
+        ("DINT_TO_TIME", "DINT#-5", [NAMING; 3]),
+        ("LINT_TO_TIME", "LINT#9223372036854", [NAMING; 3]),
+        ("LINT_TO_TIME", "LINT#9223372036855", EVERYWHERE_OPEN),
+        ("DINT_TO_LTIME", "DINT#5", EVERYWHERE_OPEN),
+        ("BOOL_TO_TIME", "BOOL#TRUE", EVERYWHERE_OPEN),
+        ("BYTE_TO_TIME", "BYTE#16#1", EVERYWHERE_OPEN),
+        ("REAL_TO_TIME", "REAL#-1500.0", [NAMING; 3]),
+        ("REAL_TO_TIME", "REAL#1.5", EVERYWHERE_OPEN),
+        ("LREAL_TO_TIME", "LREAL#1.0E13", EVERYWHERE_OPEN),
+        ("LREAL_TO_TIME", "LREAL#1.0E300", EVERYWHERE_OPEN),
+        ("LREAL_TO_TIME", "LREAL#NaN", EVERYWHERE_OPEN),
+        ("DATE_TO_DT", "DATE#2024-02-29", ONLY_MATIEC_NAMING),
+        ("DT_TO_DATE", "DT#1969-12-31-23:59:59", ONLY_MATIEC_NAMING),
+        ("DT_TO_DATE", "DT#1677-09-21-12:00:00", EVERYWHERE_OPEN),
+        ("DT_TO_TOD", "DT#1677-09-21-12:00:00", ONLY_MATIEC_NAMING),
+        ("DATE_TO_DINT", "DATE#2024-02-29", EVERYWHERE_OPEN),
+        ("DATE_TO_LDT", "DATE#2024-02-29", EVERYWHERE_OPEN),
+        ("DINT_TO_DATE", "DINT#1", EVERYWHERE_OPEN),
+        ("TOD_TO_DINT", "TOD#00:00:01", EVERYWHERE_OPEN),
+        ("TOD_TO_TIME", "TOD#00:00:01", EVERYWHERE_OPEN),
+    ]);
+}
+
+#[test]
+fn texts_characters_and_bcd() {
+    check(&[
+        ("INT_TO_STRING", "INT#-5", ONLY_MATIEC_NAMING),
+        ("INT_TO_WSTRING", "INT#-5", EVERYWHERE_OPEN),
+        ("REAL_TO_STRING", "REAL#1.5", EVERYWHERE_OPEN),
+        ("BOOL_TO_STRING", "BOOL#TRUE", EVERYWHERE_OPEN),
+        ("STRING_TO_INT", "STRING#'42'", ONLY_MATIEC_NAMING),
+        ("STRING_TO_INT", "STRING#'abc'", [OPEN, TEXTS, OPEN]),
+        ("STRING_TO_REAL", "STRING#''", [OPEN, TEXTS, OPEN]),
+        ("STRING_TO_REAL", "STRING#'1.5'", ONLY_MATIEC_NAMING),
+        ("STRING_TO_REAL", "STRING#'1e3'", EVERYWHERE_OPEN),
+        ("STRING_TO_INT", "STRING#'12abc'", EVERYWHERE_OPEN),
+        ("STRING_TO_INT", "STRING#'40000'", EVERYWHERE_OPEN),
+        ("STRING_TO_WORD", "STRING#'42'", EVERYWHERE_OPEN),
+        ("STRING_TO_BOOL", "STRING#'TRUE'", EVERYWHERE_OPEN),
+        ("STRING_TO_TIME", "STRING#'T#1s'", EVERYWHERE_OPEN),
+        ("WSTRING_TO_INT", "WSTRING#\"42\"", EVERYWHERE_OPEN),
+        ("STRING_TO_WSTRING", "STRING#'a'", EVERYWHERE_OPEN),
+        ("CHAR_TO_INT", "CHAR#'a'", EVERYWHERE_OPEN),
+        ("INT_TO_CHAR", "INT#65", EVERYWHERE_OPEN),
+        ("BCD_TO_INT => DINT", "WORD#16#9999", [OPEN, BCD, OPEN]),
+        ("BCD_TO_INT => INT", "BYTE#16#1A", EVERYWHERE_OPEN),
+        ("INT_TO_BCD => BYTE", "INT#99", [OPEN, BCD, OPEN]),
+        ("INT_TO_BCD => BYTE", "INT#100", EVERYWHERE_OPEN),
+        ("INT_TO_BCD => WORD", "INT#100", [OPEN, BCD, OPEN]),
+        ("INT_TO_BCD => WORD", "DINT#-1", EVERYWHERE_OPEN),
+        ("BCD_TO_UINT", "WORD#16#9999", EVERYWHERE_OPEN),
+        ("WORD_BCD_TO_UINT", "WORD#16#9999", EVERYWHERE_OPEN),
+        ("UINT_TO_BCD_WORD", "UINT#9999", EVERYWHERE_OPEN),
+        ("TO_BCD_WORD", "UINT#9999", EVERYWHERE_OPEN),
+    ]);
+}
+
+#[test]
+fn the_three_dialects_of_ironplc_agree() {
+    for name in functions(DialectName::IronplcEd2) {
+        for signature in signatures(&name, DialectName::IronplcEd2) {
+            let operands: Vec<Value> = signature.operands.iter().map(|&ty| some_value(ty)).collect();
+            let given = [
+                DialectName::IronplcEd2,
+                DialectName::IronplcEd3,
+                DialectName::IronplcRusty,
+            ]
+            .map(|dialect| expected(&signature, &operands, dialect));
+            assert!(given.iter().all(|one| *one == given[0]), "{name}");
+        }
+    }
+}
+
+/// Some value that every type has, other than zero.
+fn some_value(ty: ElementaryType) -> Value {
+    match ty {
+        ElementaryType::String | ElementaryType::Wstring => Value::text(ty, vec![u16::from(b'1')]),
+        ElementaryType::Real => Value::parse("REAL#1.5").unwrap(),
+        ElementaryType::Lreal => Value::parse("LREAL#1.5").unwrap(),
+        _ => Value::plain(ty, 1),
+    }
+}
+
+#[test]
+fn what_is_asserted_does_not_hang_on_open_choices() {
+    // Where no document of a dialect chooses, an asserted value must be the same whatever is chosen.
+    use stickler_exact::{BitStringText, Choices, Outside, RealText, RealToInteger, TextReading, value};
+    let texts = [
+        "",
+        "x",
+        "0",
+        "-1",
+        "42",
+        "1.5",
+        "-2.25",
+        "12abc",
+        " 7",
+        "1e3",
+        "nan",
+        "99999999999999999999",
+    ];
+    for dialect in DialectName::ALL {
+        let own = Choices::of(dialect);
+        let other = Choices {
+            text_reading: TextReading::LeadingNumber,
+            real_text: RealText::SignificantDigits(3),
+            bit_string_text: match own.bit_string_text {
+                BitStringText::FullWidth => BitStringText::Shortest,
+                BitStringText::Shortest => BitStringText::FullWidth,
+            },
+            // matiec documents both of these, IronPLC the first, and PLCnext neither.
+            outside: if dialect == DialectName::Matiec {
+                own.outside
+            } else {
+                Outside::Saturate
+            },
+            real_to_integer: if dialect == DialectName::Plcnext {
+                RealToInteger::HalfAwayFromZero
+            } else {
+                own.real_to_integer
+            },
+        };
+        let mut asserted = 0;
+        for name in functions(dialect) {
+            for signature in signatures(&name, dialect) {
+                let [from] = signature.operands[..] else { continue };
+                let operands: Vec<Value> = if from.is_text() {
+                    texts
+                        .map(|text| Value::text(from, text.encode_utf16().collect()))
+                        .into()
+                } else {
+                    let bits = (0..64)
+                        .flat_map(|bit| [1_i128 << bit, (1 << bit) - 1, -(1 << bit), (0x7FF << bit) + 3]);
+                    bits.map(|bits| Value::plain(from, from.wrap(bits))).collect()
+                };
+                for operand in operands {
+                    let operand = std::slice::from_ref(&operand);
+                    let given = expected(&signature, operand, dialect);
+                    if given.basis.is_some() {
+                        assert_eq!(
+                            value(&signature, operand, &other),
+                            given.value,
+                            "{dialect} {name}({})",
+                            operand[0]
+                        );
+                        asserted += 1;
+                    }
+                }
+            }
+        }
+        assert!(asserted > 5_000, "{dialect}: only {asserted}");
+    }
+}
