@@ -189,3 +189,6 @@ fn decimal(written: &str, exponent: i32) -> Decimal {
         exponent: exponent + written.len() as i32 - 1,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,190 @@
+//! What is written reads back, what the literals of the types crate read is read the same, and no text is too long.
+
+use stickler_exact::{BitStringText, Choices, RealText, TextReading, signatures, value};
+use stickler_types::{DialectName, ElementaryType, Family, Value, literal};
+
+const DIALECT: DialectName = DialectName::IronplcEd3;
+
+fn call(function: &str, operand: &Value, choices: &Choices) -> Value {
+    let found = signatures(function, DIALECT);
+    value(&found[0], std::slice::from_ref(operand), choices)
+}
+
+fn string(text: &str) -> Value {
+    Value::text(ElementaryType::String, text.bytes().map(u16::from).collect())
+}
+
+/// Numbers spread over all bits, the same in every run.
+fn scattered() -> impl Iterator<Item = u64> {
+    (1..).map(|n: u64| {
+        let mixed = n.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        (mixed ^ (mixed >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9)
+    })
+}
+
+/// Raw forms of a type that is no text: its limits, powers of two, and scattered ones of any size.
+fn raw_forms(ty: ElementaryType) -> Vec<u64> {
+    const DAY: i64 = 86_400_000_000_000;
+    let powers = (0..64).flat_map(|bit| [1 << bit, (1_u64 << bit).wrapping_neg(), (1 << bit) - 1]);
+    let some = scattered()
+        .take(3_000)
+        .enumerate()
+        .map(|(n, bits)| (bits.cast_signed() >> (n % 64)).cast_unsigned());
+    let fitting = |raw: u64| match ty.family() {
+        Family::Date => (raw.cast_signed() / DAY * DAY).cast_unsigned(),
+        Family::TimeOfDay => raw.cast_signed().rem_euclid(DAY).cast_unsigned(),
+        _ => ty.wrap(raw.into()),
+    };
+    powers.chain(some).map(fitting).collect()
+}
+
+#[test]
+fn what_is_written_reads_back() {
+    let long = Choices::of(DIALECT);
+    let short = Choices {
+        real_text: RealText::SignificantDigits(17),
+        bit_string_text: BitStringText::Shortest,
+        text_reading: TextReading::LeadingNumber,
+        ..long
+    };
+    for ty in ElementaryType::ALL {
+        if ty.is_text() {
+            continue;
+        }
+        let (write, read) = (format!("{ty}_TO_STRING"), format!("STRING_TO_{ty}"));
+        for raw in raw_forms(ty) {
+            if ty == ElementaryType::Wchar && raw > 0xFF {
+                continue;
+            }
+            let original = Value::plain(ty, raw);
+            for choices in [&long, &short] {
+                let written = call(&write, &original, choices);
+                assert_eq!(call(&read, &written, choices), original, "{written}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_written_is_the_canonical_literal_but_for_the_prefix() {
+    let choices = Choices::of(DIALECT);
+    for ty in ElementaryType::ALL {
+        if ty.is_text() || ty.is_character() {
+            continue;
+        }
+        for raw in raw_forms(ty) {
+            let original = Value::plain(ty, raw);
+            let Value::Text { units, .. } = call(&format!("{ty}_TO_STRING"), &original, &choices) else {
+                panic!("{original} gave no text");
+            };
+            let text = String::from_utf16(&units).unwrap();
+            let canonical = original.to_string();
+            let literal = canonical.strip_prefix(&format!("{ty}#")).unwrap();
+            let bare = if ty.is_duration() || ty.is_date_or_time() {
+                text.split_once('#').unwrap().1
+            } else {
+                &text
+            };
+            assert_eq!(bare, literal);
+        }
+    }
+}
+
+/// Texts put together from pieces of literals, most of them none.
+fn concoctions() -> impl Iterator<Item = String> {
+    const PIECES: [&str; 40] = [
+        "1", "2", "0", "9", "-", "+", ".", "e", "E", "16#", "2#", "8#", "_", " ", ":", "ms", "s", "h", "d",
+        "ns", "us", "m", "2024", "1970", "-02-", "-2-", "29", "12:", "34:", "56", "TRUE", "NaN", "Infinity",
+        "a", "F", "#", "00", "5", "3.5", "_0",
+    ];
+    let mut source = scattered();
+    let mut next = move || source.next().unwrap_or_default() >> 7;
+    std::iter::repeat_with(move || {
+        let pieces = (0..next() % 8).map(|_| PIECES[(next() % 40) as usize]);
+        pieces.collect::<String>()
+    })
+}
+
+/// What the readers of literals make of a text without its blanks; they stand in another crate and know other limits.
+fn by_literals(text: &str, ty: ElementaryType) -> Value {
+    let text = text.trim_matches(' ');
+    let parsed = |text: &str| Value::parse(&format!("{ty}#{text}")).unwrap_or(Value::plain(ty, 0));
+    match ty.family() {
+        Family::Boolean => {
+            let is_true = text.eq_ignore_ascii_case("TRUE");
+            let number = literal::integer(text);
+            Value::plain(ty, u64::from(is_true || number.is_ok_and(|number| number != 0)))
+        }
+        Family::Signed | Family::Unsigned | Family::BitString => {
+            Value::plain(ty, literal::integer(text).map_or(0, |number| ty.wrap(number)))
+        }
+        Family::Real => {
+            // A point is at will where a number is read, but not in a literal.
+            let (digits, exponent) = match text.find(['e', 'E']) {
+                Some(at) => text.split_at(at),
+                None => (text, ""),
+            };
+            let needs_point = digits.ends_with(|last: char| last.is_ascii_digit()) && !digits.contains('.');
+            let with_point = format!("{digits}{}{exponent}", if needs_point { ".0" } else { "" });
+            match literal::real(&with_point, ty) {
+                Err(literal::LiteralError::Overflow { .. }) if text.starts_with('-') => parsed("-Infinity"),
+                Err(literal::LiteralError::Overflow { .. }) => parsed("Infinity"),
+                _ => parsed(&with_point),
+            }
+        }
+        _ => parsed(text),
+    }
+}
+
+#[test]
+fn texts_are_read_as_the_literals_of_the_types_crate_are() {
+    let choices = Choices::of(DIALECT);
+    let mut readable = 0;
+    for text in concoctions().take(200_000) {
+        for ty in [
+            ElementaryType::Bool,
+            ElementaryType::Int,
+            ElementaryType::Lword,
+            ElementaryType::Real,
+            ElementaryType::Lreal,
+            ElementaryType::Time,
+            ElementaryType::Date,
+            ElementaryType::Tod,
+            ElementaryType::Ldt,
+        ] {
+            let given = call(&format!("STRING_TO_{ty}"), &string(&text), &choices);
+            assert_eq!(given, by_literals(&text, ty), "{text:?} as {ty}");
+            readable += u32::from(given != Value::plain(ty, 0));
+        }
+    }
+    assert!(readable > 50_000, "only {readable}");
+}
+
+#[test]
+fn no_text_is_too_long() {
+    let choices = Choices::of(DIALECT);
+    let zeros = "0".repeat(65_000);
+    let nines = "9".repeat(65_000);
+    for (text, ty, result) in [
+        (format!("{zeros}42"), "INT", "INT#42"),
+        // 10^65000 is a multiple of 2^64, and so are all nines one less.
+        (nines.clone(), "LINT", "LINT#-1"),
+        (nines.clone(), "BOOL", "BOOL#TRUE"),
+        (nines.clone(), "REAL", "REAL#Infinity"),
+        (format!("0.{nines}"), "LREAL", "LREAL#1.0"),
+        (format!("{zeros}1.5{zeros}"), "LREAL", "LREAL#1.5"),
+        (format!("0.{zeros}1E65001"), "LREAL", "LREAL#1.0"),
+        (format!("1{zeros}E-65000"), "LREAL", "LREAL#1.0"),
+        (format!("1E{nines}"), "LREAL", "LREAL#Infinity"),
+        (format!("1E-{nines}"), "LREAL", "LREAL#0.0"),
+        (format!("{nines}d"), "TIME", "TIME#0ms"),
+        (format!("0.{nines}s"), "TIME", "TIME#999.999999ms"),
+        (format!("12:00:00.{nines}"), "TOD", "TOD#12:00:00.999999999"),
+        (format!("{nines}-01-01"), "DATE", "DATE#1970-01-01"),
+        (" ".repeat(65_535), "INT", "INT#0"),
+        ("x".repeat(65_535), "REAL", "REAL#0.0"),
+    ] {
+        let given = call(&format!("STRING_TO_{ty}"), &string(&text), &choices);
+        assert_eq!(given, Value::parse(result).unwrap(), "{ty}");
+    }
+}
