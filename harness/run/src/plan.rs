@@ -2,6 +2,7 @@
 
 use crate::{Filter, Grade, Shard, Totals};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use stickler_engines::EngineError;
 use stickler_suite::Case;
 use stickler_types::DialectName;
@@ -29,6 +30,9 @@ pub struct Plan {
     pub command: String,
     /// What stands in front of `--filter 'ID' --dialect D` in the command that runs one case again.
     pub rerun_prefix: String,
+    /// What stands behind `--engine` for the engine of a name, as a shell takes it; where there is no entry, the name
+    /// itself.
+    pub asked_for: BTreeMap<String, String>,
 }
 
 impl Default for Plan {
@@ -42,6 +46,7 @@ impl Default for Plan {
             started: String::new(),
             command: String::new(),
             rerun_prefix: "cargo run --release -- run".to_owned(),
+            asked_for: BTreeMap::new(),
         }
     }
 }
@@ -75,10 +80,9 @@ impl Plan {
     /// The command that runs this case again on this engine, to be pasted into a shell.
     #[must_use]
     pub fn rerun(&self, case: &Case, engine: &str) -> String {
-        let engine: &[&str] = if engine == "reference" {
-            &[]
-        } else {
-            &[" --engine ", engine]
+        let engine: &[&str] = match self.asked_for.get(engine).map_or(engine, String::as_str) {
+            "reference" => &[],
+            asked_for => &[" --engine ", asked_for],
         };
         // A filter that is an id selects that case alone, so the id itself will do.
         let id: Cow<'_, str> = if case.id.contains('\'') {

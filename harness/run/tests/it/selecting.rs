@@ -84,6 +84,12 @@ fn the_rerun_command_of_a_case_selects_that_case_alone() {
     );
     let other = r"stickler run --engine other --filter 'c/it'\''s' --dialect plcnext";
     assert_eq!(plan.rerun(&cases[9], "other"), other);
+    let asked_for = [("other".to_owned(), "'cmd:other --quiet'".to_owned())].into();
+    let plan = Plan { asked_for, ..plan };
+    assert!(
+        plan.rerun(&cases[9], "other")
+            .contains(" --engine 'cmd:other --quiet' ")
+    );
     for case in &cases {
         let again = Plan {
             filters: vec![Filter::new(&*case.id)],
