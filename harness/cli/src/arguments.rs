@@ -50,9 +50,12 @@ pub enum Command {
     /// Explain a diagnostic code, or list all of them
     #[command(after_help = EXPLAIN_EXAMPLES)]
     Explain(ExplainArguments),
-    /// Show which types convert implicitly: what the documents say beside what the reference does
+    /// Show which types convert implicitly: what the documents say beside what an engine does
     #[command(after_help = MATRIX_EXAMPLES)]
     Matrix(MatrixArguments),
+    /// Show what a conversion function gives for boundary values, dialects side by side
+    #[command(after_help = CONVERSIONS_EXAMPLES)]
+    Conversions(ConversionsArguments),
 }
 
 /// Which cases a command works on.
@@ -76,7 +79,8 @@ pub struct RunArguments {
     /// Which cases.
     #[command(flatten)]
     pub selection: SelectionArguments,
-    /// Run them on this engine; may be repeated [default: reference]
+    /// Run them on this engine: `reference`, or `cmd:COMMAND LINE` for a program that speaks the wire protocol; may be
+    /// repeated [default: reference]
     #[arg(long, value_name = "ENGINE")]
     pub engine: Vec<String>,
     /// Run part I of N of the cases
@@ -173,12 +177,36 @@ pub struct ExplainArguments {
 /// `stickler matrix`.
 #[derive(Args, Debug)]
 pub struct MatrixArguments {
+    /// Ask this engine: `reference`, or `cmd:COMMAND LINE`
+    #[arg(long, value_name = "ENGINE", default_value = "reference")]
+    pub engine: String,
     /// Read the cases from DIR [default: conformance-cases here or in a folder above]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
     /// Only this dialect; may be repeated [default: all]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
+}
+
+/// `stickler conversions`.
+#[derive(Args, Debug)]
+pub struct ConversionsArguments {
+    /// The function, such as REAL_TO_INT; all are listed where none is given
+    #[arg(value_name = "FUNCTION")]
+    pub function: Option<String>,
+    /// A value to convert, as a typed or untyped literal; for CONCAT_DATE_TOD and its like, pairs of them
+    /// [default: the boundaries of its types]
+    #[arg(value_name = "VALUE", allow_negative_numbers = true)]
+    pub values: Vec<String>,
+    /// Only this dialect; may be repeated [default: all that have the function]
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: Vec<DialectName>,
+    /// Ask this engine: `reference`, or `cmd:COMMAND LINE`; may be repeated [default: reference]
+    #[arg(long, value_name = "ENGINE")]
+    pub engine: Vec<String>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
 }
 
 fn dialects() -> impl TypedValueParser<Value = DialectName> {
@@ -207,7 +235,8 @@ Examples:
   stickler run --filter widening/                   every case of one folder
   stickler run --filter '*(SINT,INT,*'              a pattern: only * is special
   stickler run --shard 1/4 --report reports/part-1  a quarter of the cases
-  stickler run --cases my-cases --no-report         cases of your own";
+  stickler run --cases my-cases --no-report         cases of your own
+  stickler run --engine 'cmd:my-adapter --quiet'    another compiler";
 
 const LIST_EXAMPLES: &str = "\
 Examples:
@@ -257,7 +286,16 @@ Examples:
 const MATRIX_EXAMPLES: &str = "\
 Examples:
   stickler matrix
-  stickler matrix --dialect plcnext";
+  stickler matrix --dialect plcnext
+  stickler matrix --engine 'cmd:my-adapter'";
+
+const CONVERSIONS_EXAMPLES: &str = "\
+Examples:
+  stickler conversions REAL_TO_INT
+  stickler conversions REAL_TO_INT 2.5 -0.5 1E10
+  stickler conversions TO_INT REAL#2.5              one type of several
+  stickler conversions CONCAT_DATE_TOD 2024-02-29 12:00:00
+  stickler conversions TRUNC --engine reference --engine 'cmd:my-adapter'";
 
 #[cfg(test)]
 mod tests {

@@ -1,38 +1,122 @@
 //! Engines by the names that people give them on the command line.
 
 use crate::exit::NoSuchEngine;
-use stickler_engines::{Engine, Reference};
+use anyhow::bail;
+use stickler_engines::{Engine, Identity, ProcessEngine, ProcessLimits, Reference};
+use stickler_types::DialectName;
 
-/// The engine of this name: `reference`.
+/// The name of the engine that is always there.
+const REFERENCE: &str = "reference";
+
+/// What stands in front of the command line of an engine that is a process.
+const COMMAND: &str = "cmd:";
+
+/// The engine of this name: `reference`, or `cmd:COMMAND LINE` for a program that speaks the wire protocol.
 ///
 /// # Errors
-/// [`NoSuchEngine`] where nothing is called so.
+/// [`NoSuchEngine`] where nothing is called so; an [`EngineError`](stickler_engines::EngineError) where the program
+/// cannot be started or says no `hello`.
 pub fn by_name(name: &str) -> anyhow::Result<Box<dyn Engine>> {
-    match name {
-        "reference" => Ok(Box::new(Reference::default())),
-        _ => Err(NoSuchEngine(name.to_owned()).into()),
+    distinct(name, &[])
+}
+
+/// An engine, and the name by which it was asked for.
+pub struct Named {
+    /// The engine.
+    pub engine: Box<dyn Engine>,
+    /// What stands behind `--engine` to get it again.
+    pub asked_for: String,
+}
+
+impl Named {
+    /// Who it is.
+    pub fn identity(&self) -> &Identity {
+        self.engine.identity()
     }
 }
 
-/// The engines of these names, each once; the reference where none is named.
+/// The engines of these names, each once; the reference where none is named. No two of them have the same identity:
+/// where one calls itself as another does, it gets a number, as in `my-compiler-2`.
 ///
 /// # Errors
 /// Those of [`by_name`], for the first name that has one.
-pub fn by_names(names: &[String]) -> anyhow::Result<Vec<Box<dyn Engine>>> {
-    if names.is_empty() {
-        return Ok(vec![by_name("reference")?]);
+pub fn by_names(names: &[String]) -> anyhow::Result<Vec<Named>> {
+    let reference = [REFERENCE.to_owned()];
+    let names = if names.is_empty() { &reference[..] } else { names };
+    let mut engines: Vec<Named> = Vec::with_capacity(names.len());
+    for (index, name) in names.iter().enumerate() {
+        if names[..index].contains(name) {
+            continue;
+        }
+        let taken: Vec<&str> = engines
+            .iter()
+            .map(|named| named.identity().name.as_str())
+            .collect();
+        let engine = distinct(name, &taken)?;
+        engines.push(Named {
+            engine,
+            asked_for: name.clone(),
+        });
     }
-    names
-        .iter()
-        .enumerate()
-        .filter(|(index, name)| !names[..*index].contains(name))
-        .map(|(_, name)| by_name(name))
-        .collect()
+    Ok(engines)
+}
+
+/// Those of the dialects that an engine speaks.
+///
+/// # Errors
+/// Where it speaks none of them.
+pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<DialectName>> {
+    let speaks = |dialect: &DialectName| identity.speaks(*dialect);
+    let spoken: Vec<DialectName> = asked.iter().copied().filter(speaks).collect();
+    if spoken.is_empty() {
+        let names = |dialects: &[DialectName]| {
+            let names: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
+            names.join(", ")
+        };
+        bail!(
+            "engine {} speaks none of {}; it says that it speaks: {}",
+            identity.name,
+            names(asked),
+            names(&identity.dialects)
+        );
+    }
+    Ok(spoken)
+}
+
+/// The engine of this name, under an identity that none of the others has.
+fn distinct(name: &str, taken: &[&str]) -> anyhow::Result<Box<dyn Engine>> {
+    if name == REFERENCE {
+        return Ok(Box::new(Reference::default()));
+    }
+    let Some(line) = name.strip_prefix(COMMAND) else {
+        return Err(NoSuchEngine(name.to_owned()).into());
+    };
+    let engine = ProcessEngine::start(line, ProcessLimits::default())?;
+    let own = engine.identity().name.clone();
+    let engine = match free(&own, taken) {
+        free if free == own => engine,
+        free => engine.named(free),
+    };
+    Ok(Box::new(engine))
+}
+
+fn free(own: &str, taken: &[&str]) -> String {
+    if !taken.contains(&own) {
+        return own.to_owned();
+    }
+    let mut number = 2;
+    loop {
+        let name = format!("{own}-{number}");
+        if !taken.contains(&name.as_str()) {
+            return name;
+        }
+        number += 1;
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::by_names;
+    use super::{by_name, by_names, free};
 
     #[test]
     fn an_engine_that_is_named_twice_is_used_once() {
@@ -43,9 +127,18 @@ mod tests {
 
     #[test]
     fn a_name_that_no_engine_has_is_an_error() {
-        let error = by_names(&["reference".to_owned(), "nobody".to_owned()])
-            .err()
-            .unwrap();
-        assert!(error.to_string().contains("`nobody`"), "{error}");
+        let names = ["reference".to_owned(), "nobody".to_owned()];
+        let error = by_names(&names).err().unwrap().to_string();
+        assert!(
+            error.contains("`nobody`") && error.contains("`cmd:COMMAND LINE`"),
+            "{error}"
+        );
+        assert!(by_name("cmd:no-such-program-anywhere").is_err());
+    }
+
+    #[test]
+    fn engines_that_call_themselves_the_same_are_told_apart() {
+        assert_eq!(free("st", &["reference"]), "st");
+        assert_eq!(free("st", &["st", "st-2"]), "st-3");
     }
 }

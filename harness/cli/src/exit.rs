@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::process::ExitCode;
+use stickler_engines::EngineError;
 use stickler_run::RunError;
 
 /// How a command ended, as its caller sees it.
@@ -13,7 +14,7 @@ pub enum Exit {
     /// All is as expected.
     AsExpected,
     /// An engine did not do what a case expects; `check`, `eval` and `render`: the program is rejected or faults;
-    /// `matrix`: a cell differs; `lint`: a finding.
+    /// `matrix`: a cell differs; `conversions`: a value contradicts a document; `lint`: a finding.
     Failures,
     /// The command line, a case file, or a file or folder that was named cannot be used.
     Usage,
@@ -92,7 +93,7 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
     match error.downcast_ref::<RunError>() {
         Some(RunError::NoCaseSelected) => Exit::NothingSelected,
         Some(RunError::Engine(_) | RunError::Workers(_)) => Exit::EngineNotRun,
-        None if error.is::<NoSuchEngine>() => Exit::EngineNotRun,
+        None if error.is::<NoSuchEngine>() || error.is::<EngineError>() => Exit::EngineNotRun,
         None => Exit::Usage,
     }
 }
@@ -100,7 +101,8 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
 /// An engine that this version cannot run.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
-    "there is no engine `{0}`; the only one so far is `reference`, adapters to other compilers come later"
+    "there is no engine `{0}`; there is `reference`, and `cmd:COMMAND LINE` for any program that speaks the wire \
+     protocol, such as `cmd:stickler engine`"
 )]
 pub struct NoSuchEngine(pub String);
 

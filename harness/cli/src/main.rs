@@ -7,6 +7,7 @@
 mod arguments;
 mod case_folder;
 mod commands;
+mod conversions;
 mod engines;
 mod exit;
 mod interrupt;

@@ -240,3 +240,44 @@ fn ctrl_c_leaves_a_readable_log_that_is_marked_as_cut_short() {
         .collect();
     assert_eq!(left.len(), 1, "only the log is left: {left:?}");
 }
+
+#[test]
+fn the_reference_in_a_process_of_its_own_does_what_it_does_in_this_one() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let process = format!("cmd:'{}' engine", env!("CARGO_BIN_EXE_stickler"));
+    let run = output(
+        folder.path(),
+        &[
+            "run",
+            "--cases",
+            SUITE,
+            "--engine",
+            "reference",
+            "--engine",
+            &process,
+        ],
+    );
+    assert_eq!(run.status.code(), Some(1), "{}", text(&run.stderr));
+    let (events, completeness) = read_log(&folder.path().join("reports/latest/events.jsonl"));
+    assert_eq!(completeness, Completeness::Complete);
+    let of = |engine: &str| {
+        let told = |event: &Event| match event {
+            Event::Case(case) if case.engine == engine => Some((
+                case.id.clone(),
+                case.dialect.clone(),
+                case.verdict,
+                case.got.clone(),
+            )),
+            Event::Case(_) | Event::Header(_) | Event::Footer(_) => None,
+        };
+        events.iter().filter_map(told).collect::<Vec<_>>()
+    };
+    assert!(!of("reference").is_empty());
+    assert_eq!(of("reference"), of("reference-2"));
+    let rerun = events.iter().find_map(|event| match event {
+        Event::Case(case) if case.engine == "reference-2" => Some(case.rerun.clone()),
+        _ => None,
+    });
+    let rerun = rerun.expect("a case");
+    assert!(rerun.contains(" --engine 'cmd:"), "{rerun}");
+}

@@ -1,13 +1,13 @@
-//! `stickler matrix`: which types convert implicitly, documents beside the reference.
+//! `stickler matrix`: which types convert implicitly, documents beside an engine.
 
 use crate::arguments::MatrixArguments;
 use crate::case_folder::{self, CaseFolder};
+use crate::engines;
 use crate::exit::Exit;
 use anstyle::{AnsiColor, Style};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
-use stickler_engines::{Engine, Outcome, Reference, Session};
-use stickler_run::RunError;
+use stickler_engines::{Outcome, Session};
 use stickler_suite::{Case, MatrixCell, Word};
 use stickler_types::{DialectName, ElementaryType};
 
@@ -55,11 +55,11 @@ type Documents = BTreeMap<(ElementaryType, ElementaryType), Word>;
 /// Shows one table a dialect.
 ///
 /// # Errors
-/// No folder of cases, or no matrix in it.
+/// No folder of cases, or an engine that cannot be run.
 pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let suite = CaseFolder::locate(arguments.cases.as_deref())?.load();
-    let reference = Reference::default();
-    let mut session = reference.session().map_err(RunError::Engine)?;
+    let engine = engines::by_name(&arguments.engine)?;
+    let mut session = engine.session()?;
     let mut exit = case_folder::exit_of(&suite);
     if !suite.cases.iter().any(|case| case.cell.is_some()) {
         return Ok(case_folder::nothing_selected(&suite));
@@ -69,14 +69,15 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     } else {
         &arguments.dialect
     };
-    for dialect in asked {
+    let spoken = engines::spoken(engine.identity(), asked)?;
+    for dialect in &spoken {
         let matrix = Matrix::new(*dialect, documents(&suite.cases, *dialect), session.as_mut());
         matrix.write(out)?;
         if matrix.differing() > 0 {
             exit = exit.worst(Exit::Failures);
         }
     }
-    legend(out)?;
+    legend(&engine.identity().name, out)?;
     Ok(exit)
 }
 
@@ -125,7 +126,7 @@ impl Matrix {
         }
     }
 
-    /// Whether the reference does what the documents do not say.
+    /// Whether the engine does what the documents do not say.
     fn differs(&self, pair: (ElementaryType, ElementaryType)) -> bool {
         let accepted = self.accepted.get(&pair).copied().unwrap_or(false);
         match self.documents.get(&pair) {
@@ -207,7 +208,7 @@ fn width(column: ElementaryType) -> usize {
     column.name().len().max(3)
 }
 
-/// Whether the reference takes a value of one type for a variable of the other.
+/// Whether the engine takes a value of one type for a variable of the other.
 fn accepts(session: &mut dyn Session, dialect: DialectName, pair: (ElementaryType, ElementaryType)) -> bool {
     let (from, into) = (pair.0.name(), pair.1.name());
     let source = format!(
@@ -216,14 +217,14 @@ fn accepts(session: &mut dyn Session, dialect: DialectName, pair: (ElementaryTyp
     matches!(session.check(dialect, &source), Outcome::Accepted)
 }
 
-fn legend(out: &mut dyn Write) -> io::Result<()> {
+fn legend(engine: &str, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "A row is the value's type, a column the target's. In a cell, first the documents:"
     )?;
     writeln!(
         out,
-        "y yes, n no, = same type, ? open, blank not said; then the reference: + accepts,"
+        "y yes, n no, = same type, ? open, blank not said; then the engine ({engine}):"
     )?;
-    writeln!(out, "- rejects. ! stands where they differ.")
+    writeln!(out, "+ accepts, - rejects. ! stands where they differ.")
 }

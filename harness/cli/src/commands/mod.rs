@@ -1,6 +1,7 @@
 //! One module a command.
 
 mod check;
+mod conversions;
 mod engine;
 mod eval;
 mod explain;
@@ -34,5 +35,6 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Engine => engine::execute(),
         Command::Explain(arguments) => explain::execute(&arguments, out),
         Command::Matrix(arguments) => matrix::execute(&arguments, out),
+        Command::Conversions(arguments) => conversions::execute(&arguments, out),
     }
 }

@@ -2,10 +2,12 @@
 
 use crate::arguments::RunArguments;
 use crate::case_folder::{self, CaseFolder};
+use crate::engines::Named;
 use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::{engines, interrupt, shell};
 use jiff::{Timestamp, Unit};
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,10 +23,14 @@ use stickler_run::{Event, Plan, Summary, select};
 /// fills up is found before the first case.
 pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let engines = engines::by_names(&arguments.engine)?;
-    let engines: Vec<&dyn Engine> = engines.iter().map(AsRef::as_ref).collect();
+    let asked_for = asked_for(&engines);
+    let engines: Vec<&dyn Engine> = engines.iter().map(|named| named.engine.as_ref()).collect();
     let folder = CaseFolder::locate(arguments.selection.cases.as_deref())?;
     let suite = folder.load();
-    let plan = plan(arguments);
+    let plan = Plan {
+        asked_for,
+        ..plan(arguments)
+    };
     if select(&plan, &suite.cases).is_empty() {
         return Ok(case_folder::nothing_selected(&suite));
     }
@@ -42,6 +48,15 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         },
     )?;
     Ok(exit(&summary?).worst(case_folder::exit_of(&suite)))
+}
+
+/// How to ask for each engine again, in words for a shell.
+fn asked_for(engines: &[Named]) -> BTreeMap<String, String> {
+    let entry = |named: &Named| {
+        let name = named.identity().name.clone();
+        (name, shell::quote(&named.asked_for).into_owned())
+    };
+    engines.iter().map(entry).collect()
 }
 
 fn plan(arguments: &RunArguments) -> Plan {

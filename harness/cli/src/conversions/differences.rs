@@ -1,0 +1,177 @@
+//! What the dialects choose where systems differ, one line a choice.
+
+use anstyle::Style;
+use std::io::{self, Write};
+use stickler_exact::{
+    BitStringText, Choices, Operation, Outside, RealText, RealToInteger, Signature, TextReading,
+};
+use stickler_types::{DialectName, Family};
+
+const DIM: Style = Style::new().dimmed();
+
+/// A point in which systems may differ, and how to say what one chooses.
+struct Topic {
+    label: String,
+    choice: fn(&Choices, &Signature) -> String,
+}
+
+/// Writes the choices that matter for a signature: each with its dialects, or alone where all choose the same.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write(signature: &Signature, dialects: &[DialectName], out: &mut dyn Write) -> io::Result<()> {
+    let topics = topics(signature);
+    let labels = topics.iter().map(|topic| topic.label.len()).max().unwrap_or(0);
+    for topic in &topics {
+        let choices = choices(topic, signature, dialects);
+        for (index, (choice, choosers)) in choices.iter().enumerate() {
+            let label = if index == 0 { topic.label.as_str() } else { "" };
+            write!(out, "{DIM}{label:labels$}{DIM:#}  {choice}")?;
+            match choices.len() {
+                1 => writeln!(out)?,
+                _ => writeln!(out, ": {}", super::names::listed(choosers))?,
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Whether there is anything to say.
+pub fn any(signature: &Signature) -> bool {
+    !topics(signature).is_empty()
+}
+
+/// Each choice with the dialects that make it, in the order of the dialects.
+fn choices(
+    topic: &Topic,
+    signature: &Signature,
+    dialects: &[DialectName],
+) -> Vec<(String, Vec<DialectName>)> {
+    let mut found: Vec<(String, Vec<DialectName>)> = Vec::new();
+    for dialect in dialects {
+        let choice = (topic.choice)(&Choices::of(*dialect), signature);
+        match found.iter_mut().find(|(known, _)| *known == choice) {
+            Some((_, choosers)) => choosers.push(*dialect),
+            None => found.push((choice, vec![*dialect])),
+        }
+    }
+    found
+}
+
+fn topics(signature: &Signature) -> Vec<Topic> {
+    let &[from] = &signature.operands[..] else {
+        return Vec::new();
+    };
+    let to = signature.result;
+    let topic = |label: &str, choice: fn(&Choices, &Signature) -> String| Topic {
+        label: label.to_owned(),
+        choice,
+    };
+    let outside = format!("outside {to}");
+    let whole = to.is_integer() || to.is_bit_string();
+    match (signature.operation, from.family(), to.family()) {
+        (Operation::Convert, Family::Real, _) if whole => {
+            vec![topic("rounding", rounding), topic(&outside, outside_of_reals)]
+        }
+        (Operation::Convert, Family::Signed | Family::Unsigned | Family::BitString, _)
+            if whole && narrows(signature) =>
+        {
+            vec![topic(&outside, modulo)]
+        }
+        (Operation::Convert, Family::Text, Family::Real) => vec![topic("reading", reading)],
+        (Operation::Convert, Family::Text, _) if whole => vec![topic("reading", reading)],
+        (Operation::Convert, Family::Real, Family::Text) => vec![topic("digits", digits)],
+        (Operation::Convert, Family::BitString, Family::Text) => vec![topic("spelling", spelling)],
+        (Operation::Convert, Family::Duration, family) if whole || family == Family::Real => {
+            vec![topic("unit", milliseconds)]
+        }
+        (Operation::Convert, Family::Signed | Family::Unsigned | Family::Real, Family::Duration) => {
+            vec![topic("unit", milliseconds)]
+        }
+        (Operation::Truncate | Operation::Round | Operation::Ceiling | Operation::Floor, ..) => {
+            vec![topic(&outside, outside_of_reals)]
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Whether the source has values that the target does not hold.
+fn narrows(signature: &Signature) -> bool {
+    let ranges = (
+        signature.operands[0].integer_range(),
+        signature.result.integer_range(),
+    );
+    matches!(ranges, (Some(from), Some(to)) if from.0 < to.0 || from.1 > to.1)
+}
+
+fn rounding(choices: &Choices, _: &Signature) -> String {
+    match choices.real_to_integer {
+        RealToInteger::Truncate => "toward zero",
+        RealToInteger::HalfToEven => "to the nearest, halves to the even one",
+        RealToInteger::HalfAwayFromZero => "to the nearest, halves away from zero",
+    }
+    .to_owned()
+}
+
+fn outside_of_reals(choices: &Choices, signature: &Signature) -> String {
+    match choices.outside {
+        Outside::Wrap => format!("{}; NaN and the infinities give 0", modulo(choices, signature)),
+        Outside::Saturate => "the nearest limit, for the infinities too; NaN gives 0".to_owned(),
+    }
+}
+
+fn modulo(_: &Choices, signature: &Signature) -> String {
+    format!("modulo 2^{}", signature.result.bits())
+}
+
+fn reading(choices: &Choices, _: &Signature) -> String {
+    match choices.text_reading {
+        TextReading::WholeText => "the whole text, blanks around it aside, must be a number; otherwise 0",
+        TextReading::LeadingNumber => "the longest beginning that is a number; 0 where there is none",
+    }
+    .to_owned()
+}
+
+fn digits(choices: &Choices, _: &Signature) -> String {
+    match choices.real_text {
+        RealText::Shortest => "the fewest that read back to the same bits".to_owned(),
+        RealText::SignificantDigits(number) => format!("up to {number} significant ones"),
+    }
+}
+
+fn spelling(choices: &Choices, _: &Signature) -> String {
+    match choices.bit_string_text {
+        BitStringText::FullWidth => "all digits in upper case, as in 16#00FF",
+        BitStringText::Shortest => "no zeros in front, in lower case, as in 16#ff",
+    }
+    .to_owned()
+}
+
+fn milliseconds(_: &Choices, _: &Signature) -> String {
+    "the number counts milliseconds".to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::write;
+    use stickler_types::DialectName;
+
+    fn text(function: &str, dialects: &[DialectName]) -> String {
+        let signature = &stickler_exact::signatures(function, dialects[0])[0];
+        let mut bytes = Vec::new();
+        write(signature, dialects, &mut bytes).unwrap();
+        anstream::adapter::strip_str(&String::from_utf8(bytes).unwrap()).to_string()
+    }
+
+    #[test]
+    fn dialects_are_named_only_where_they_differ() {
+        let both = [DialectName::Matiec, DialectName::Plcnext];
+        assert_eq!(
+            text("REAL_TO_INT", &both),
+            "rounding     toward zero: matiec\n             to the nearest, halves to the even one: plcnext\n\
+             outside INT  modulo 2^16; NaN and the infinities give 0\n"
+        );
+        assert_eq!(text("DINT_TO_INT", &both), "outside INT  modulo 2^16\n");
+        assert_eq!(text("INT_TO_DINT", &both), "");
+    }
+}
