@@ -2,7 +2,9 @@
 //!
 //! This crate is the suite's oracle: the generator of row tables, `stickler sweep` and the property tests ask it, and the
 //! reference implementation never does, nor is it ever asked. It computes with integers and exact fractions only, so that
-//! every number is rounded at most once, at the end, by a rule that stands here in words. There is no floating point arithmetic.
+//! every number is rounded at most once, at the end, by a rule that stands here in words.
+//!
+//! Architecture Invariant: there is no floating point arithmetic outside of tests.
 //!
 //! | question | answered by |
 //! |---|---|
@@ -11,10 +13,23 @@
 //! | what would it give by other rules? | [`value`] with other [`Choices`] |
 //! | the same, for billions of operands? | [`Bulk`] |
 //!
+//! ```
+//! use stickler_exact::{expected, signatures};
+//! use stickler_types::{DialectName, Value};
+//!
+//! let signature = &signatures("DINT_TO_INT", DialectName::Matiec)[0];
+//! let operand = Value::parse("DINT#100000").expect("a typed literal");
+//! let given = expected(signature, &[operand], DialectName::Matiec);
+//! assert_eq!(given.value.to_string(), "INT#-31072");
+//! assert_eq!(given.basis, Some("forgeiec-conversion-functions: Range and precision"));
+//! ```
+//!
 //! Where no document says what a call gives, the answer is *open*: [`Expected::basis`] is `None`, and the value is what IEC
 //! 60559 and two's complement suggest, by the choices of the dialect.
 //!
 //! Basis: stickler-design: §8 (arithmetic rules, and what *open* means); the rules themselves name theirs.
+
+#![cfg_attr(not(test), deny(clippy::float_arithmetic))]
 
 mod basis;
 mod bcd;

@@ -118,6 +118,9 @@ fn a_real_becomes_an_integer_as_its_dialect_rounds() {
             ("LREAL_TO_ULINT", "LREAL#1.0E300", "ULINT#0"),
             ("LREAL_TO_BYTE", "LREAL#257.5", "BYTE#16#01"),
             ("REAL_TO_DINT", "REAL#NaN", "DINT#0"),
+            ("LREAL_TO_LINT", "LREAL#NaN", "LINT#0"),
+            ("LREAL_TO_LINT", "LREAL#Infinity", "LINT#0"),
+            ("LREAL_TO_LWORD", "LREAL#NaN", "LWORD#16#0"),
             ("REAL_TO_DINT", "REAL#-Infinity", "DINT#0"),
         ],
     );
