@@ -26,7 +26,7 @@ impl Standing {
 
     fn count(&mut self, event: &CaseEvent) {
         let counter = match event.verdict {
-            Verdict::Pass if is_open(event) => &mut self.open,
+            Verdict::Pass if event.open => &mut self.open,
             Verdict::Pass | Verdict::Xpass => &mut self.passed,
             Verdict::Unsupported => &mut self.unsupported,
             Verdict::Fail | Verdict::Xfail | Verdict::Crash | Verdict::Timeout | Verdict::Error => {
@@ -42,11 +42,6 @@ impl Standing {
         self.open += other.open;
         self.unsupported += other.unsupported;
     }
-}
-
-/// Whether a case only records: nothing that the document says could have failed but that the program is accepted.
-fn is_open(event: &CaseEvent) -> bool {
-    !event.observations.is_empty() && matches!(event.expected.as_str(), "accepted" | "accepted or rejected")
 }
 
 /// One section of one document, as one engine meets it.

@@ -16,6 +16,7 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
         dialect: "ironplc-ed2".to_owned(),
         engine: "reference".to_owned(),
         verdict,
+        open: false,
         grade: None,
         basis: "ironplc-type-conversions: Integer widening".to_owned(),
         file: "conformance-cases/widening/integer.toml".to_owned(),
@@ -33,6 +34,7 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
 /// A case that asserts nothing but that the program is accepted.
 pub(crate) fn open_case(id: &str) -> CaseEvent {
     CaseEvent {
+        open: true,
         expected: "accepted".to_owned(),
         got: "accepted".to_owned(),
         observations: vec![Observed {

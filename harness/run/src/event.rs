@@ -71,6 +71,10 @@ pub struct CaseEvent {
     pub engine: String,
     /// What came of it.
     pub verdict: Verdict,
+    /// The document leaves it open: the case asserts nothing, or only that the program is accepted, and records what the
+    /// engine does.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub open: bool,
     /// How exactly a rejection or a fault was right; `None` where neither was expected or neither came.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub grade: Option<Grade>,

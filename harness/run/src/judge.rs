@@ -65,6 +65,28 @@ pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
     }
 }
 
+/// Whether a case only records: nothing that it says could fail but that the program is accepted.
+#[must_use]
+pub fn is_open(case: &Case) -> bool {
+    let Expectation {
+        accepted,
+        diagnostics,
+        clean_lines,
+        values,
+        fault,
+        rendered,
+    } = &*case.expectation;
+    let asserts = !(diagnostics.is_empty() && clean_lines.is_empty() && values.is_empty())
+        || fault.is_some()
+        || rendered.is_some();
+    match accepted {
+        _ if asserts => false,
+        Acceptance::Required => !case.observe.is_empty(),
+        Acceptance::Rejected => false,
+        Acceptance::Observed => true,
+    }
+}
+
 /// The verdict where some question went unanswered: nothing else of the case counts then.
 fn no_answer(answers: &Answers) -> Option<(Verdict, String)> {
     if let Outcome::Rendered { .. } = answers.run {

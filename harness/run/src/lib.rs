@@ -19,7 +19,7 @@ pub use answers::{Answers, Desk, Rendering};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed};
 pub use event::{Grade, Totals, Verdict};
 pub use filter::Filter;
-pub use judge::{Judgement, judge, rendered_bodies};
+pub use judge::{Judgement, is_open, judge, rendered_bodies};
 pub use plan::{Plan, RunError, Summary};
 pub use schedule::run;
 pub use select::select;

@@ -2,8 +2,9 @@
 
 use crate::answers::Desk;
 use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header};
+use crate::judge::{is_open, judge};
 use crate::reorder::{Dispenser, Reorder};
-use crate::{Plan, RunError, Summary, Totals, judge, select};
+use crate::{Plan, RunError, Summary, Totals, select};
 use std::sync::Mutex;
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -195,6 +196,7 @@ impl Floor<'_> {
             dialect: case.dialect.as_str().to_owned(),
             engine: engine.clone(),
             verdict: judgement.verdict,
+            open: is_open(case),
             grade: judgement.grade,
             basis: case.basis.to_string(),
             file: case.file.to_string(),

@@ -3,7 +3,7 @@
 use crate::fixtures::{executed, expecting, fault, named, rejected, rejection, values};
 use std::sync::Arc;
 use stickler_engines::Outcome;
-use stickler_run::{Answers, Grade, Judgement, Observed, Verdict, judge};
+use stickler_run::{Answers, Grade, Judgement, Observed, Verdict, is_open, judge};
 use stickler_suite::{Acceptance, Case, Expectation, Observe};
 use stickler_types::Fault;
 
@@ -283,5 +283,35 @@ fn crash_timeout_unsupported_and_nonsense_have_verdicts_of_their_own() {
             assert_eq!((judgement.verdict, judgement.got.as_str()), (verdict, got));
             assert_eq!((judgement.grade, judgement.observations.len()), (None, 0));
         }
+    }
+}
+
+#[test]
+fn a_case_is_open_that_records_and_asserts_nothing_but_acceptance() {
+    let observing = |expectation: Expectation| Case {
+        observe: Arc::new([Observe {
+            name: "x".into(),
+            ty: "INT".into(),
+            after: None,
+        }]),
+        ..expecting(expectation)
+    };
+    assert!(is_open(&observing(Expectation::default())));
+    assert!(is_open(&expecting(open())), "acceptance itself is recorded");
+    assert!(
+        !is_open(&expecting(Expectation::default())),
+        "acceptance is asserted"
+    );
+    let clean = Expectation {
+        clean_lines: vec![4],
+        ..Expectation::default()
+    };
+    for asserting in [
+        values(&["x = INT#1"]),
+        rejection(&["9 P4035"]),
+        fault("9 division-by-zero"),
+        clean,
+    ] {
+        assert!(!is_open(&observing(asserting)));
     }
 }
