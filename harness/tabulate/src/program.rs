@@ -51,3 +51,15 @@ END_VAR
     into := {function}({typed});
 END_PROGRAM
 ";
+
+/// A function of two variables.
+pub const CONCATENATION: &str = "\
+PROGRAM main
+VAR
+    day  : {from} := {input};
+    hour : {with} := {second};
+    into : {to};
+END_VAR
+    into := {function}(day, hour);
+END_PROGRAM
+";

@@ -104,6 +104,8 @@ pub struct CallProbe {
     pub dialects: Vec<&'static str>,
     /// The document that says so; empty where it is that of the sheet.
     pub basis: &'static str,
+    /// Whether it may record what a document says; see [`CallProbe::also_where_said`].
+    pub also_where_said: bool,
     /// The program, with the columns as placeholders.
     pub source: &'static str,
 }
@@ -117,6 +119,7 @@ impl CallProbe {
             claim: Claim::Value,
             dialects: dialects.to_vec(),
             basis: "",
+            also_where_said: false,
             source,
         }
     }
@@ -129,6 +132,7 @@ impl CallProbe {
             claim: Claim::Open,
             dialects: dialects.to_vec(),
             basis: "",
+            also_where_said: false,
             source,
         }
     }
@@ -142,7 +146,18 @@ impl CallProbe {
             claim: Claim::NeverFaults,
             dialects: dialects.to_vec(),
             basis: "",
+            also_where_said: false,
             source,
+        }
+    }
+
+    /// The same probe, but it records the value also in rows of which a document says what it is. For a table that is older
+    /// than that knowledge: its ids keep their meaning, and another table asserts the value.
+    #[must_use]
+    pub fn also_where_said(self) -> CallProbe {
+        CallProbe {
+            also_where_said: true,
+            ..self
         }
     }
 
@@ -218,7 +233,7 @@ impl Sheet {
                     (Claim::Value, None) => {
                         return Err(format!("`{}` asserts what is open in {dialect}", probe.name));
                     }
-                    (Claim::Open | Claim::NeverFaults, Some(basis)) => {
+                    (Claim::Open | Claim::NeverFaults, Some(basis)) if !probe.also_where_said => {
                         return Err(format!(
                             "`{}` leaves open in {dialect} what {basis} says",
                             probe.name

@@ -1,12 +1,18 @@
 //! One module a family of functions; each gives the tables of its family.
 
+mod bcd;
 mod booleans;
+mod dates;
 mod idioms;
 mod integers;
 mod not_finite;
 mod powers;
 mod real_edges;
 mod reals;
+mod text_edges;
+mod texts;
+mod time_edges;
+mod times;
 pub(crate) mod words;
 
 use crate::call::Call;
@@ -18,11 +24,22 @@ use crate::table::Table;
 /// # Errors
 /// What [`Sheet::table`] says.
 pub fn all() -> Result<Vec<Table>, String> {
-    let mut sheets = [integers::sheets(), booleans::sheets(), reals::sheets()].concat();
+    let mut sheets = [
+        integers::sheets(),
+        booleans::sheets(),
+        reals::sheets(),
+        times::sheets(),
+        texts::sheets(),
+    ]
+    .concat();
     let already: Vec<Call> = sheets.iter().flat_map(|sheet| sheet.calls.clone()).collect();
     sheets.extend(powers::sheets()?);
     sheets.extend(real_edges::sheets(&already)?);
     sheets.extend(not_finite::sheets()?);
+    sheets.extend(time_edges::sheets(&already)?);
+    sheets.extend(dates::sheets()?);
+    sheets.extend(text_edges::sheets(&already)?);
+    sheets.extend(bcd::sheets()?);
     let mut tables: Vec<Table> = sheets.iter().map(Sheet::table).collect::<Result<_, _>>()?;
     tables.extend(idioms::tables());
     Ok(tables)

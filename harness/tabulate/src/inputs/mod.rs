@@ -2,4 +2,6 @@
 
 pub mod edges;
 pub mod integers;
+pub mod moments;
 pub mod reals;
+pub mod texts;
