@@ -12,3 +12,20 @@ fn each_command_prints_what_its_file_says() {
         .case("tests/cmd/*.trycmd")
         .case("tests/cmd/*.toml");
 }
+
+#[test]
+fn the_readme_shows_what_conversions_prints() {
+    let arguments = ["conversions", "REAL_TO_INT", "2.5", "-0.5", "1E10"];
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_stickler"))
+        .args(arguments)
+        .env("NO_COLOR", "1")
+        .output()
+        .expect("the command runs");
+    let shown = String::from_utf8(output.stdout).expect("text");
+    let example = format!("$ stickler {}\n{shown}```\n", arguments.join(" "));
+    let readme = include_str!("../../../README.md");
+    assert!(
+        readme.contains(&example),
+        "the README does not show this:\n{example}"
+    );
+}
