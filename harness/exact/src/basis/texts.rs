@@ -191,6 +191,7 @@ mod tests {
             "1.5E3",
             "01.5",
             "1.5 ",
+            "123456.7",
             "1234567.5",
             "inf",
             "-Infinity",
@@ -200,5 +201,6 @@ mod tests {
         ] {
             assert_eq!(of(text, Real), None, "{text:?}");
         }
+        assert_eq!(of("1.123456789012345", Lreal), None);
     }
 }
