@@ -22,6 +22,16 @@ pub enum Parameter {
     },
 }
 
+impl Parameter {
+    /// The type that a message about another one names.
+    #[must_use]
+    pub const fn expected(self) -> ElementaryType {
+        match self {
+            Parameter::Exactly(ty) | Parameter::AnyOf { default: ty, .. } => ty,
+        }
+    }
+}
+
 /// What a conversion function gives.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ResultType {

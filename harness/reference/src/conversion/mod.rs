@@ -32,6 +32,7 @@ mod concatenation;
 #[cfg(test)]
 mod exactness;
 mod implicit;
+mod listing;
 mod moment;
 mod reading;
 pub(crate) mod real;
@@ -43,4 +44,5 @@ pub use catalogue::{ConversionFunction, Parameter, ResultType, conversion_functi
 pub use choices::{BitStringText, ConversionChoices, Outside, RealText, Rounding, TextReading};
 pub use concatenation::{Concatenation, PARAMETERS, concatenation};
 pub use implicit::implicit;
+pub use listing::{catalogue_names, functions};
 pub use rule::{Conversion, ConversionRule};

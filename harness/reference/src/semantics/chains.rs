@@ -3,10 +3,11 @@
 
 use super::common::settle;
 use super::constants::combine;
+use super::expressions::fitting;
 use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
 use super::operators::{Action, Operation, Signature};
-use super::types::TypeId;
+use super::types::{TypeId, TypeTable};
 use crate::instruction::Instruction;
 use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
 use stickler_types::{Code, ElementaryType};
@@ -103,11 +104,29 @@ impl Lowering<'_> {
                 result => self.folded(link.node, start, ty, result.ok()),
             };
         }
-        self.act(link, operation.action);
+        if let Some(raw) = self.folded_pair(link.operator, operation.action) {
+            self.emitter.replace(2, Instruction::Push(raw));
+        } else {
+            self.act(link, operation.action);
+        }
         Value {
             ty: operation.result,
             constant: None,
         }
+    }
+
+    /// What integer arithmetic makes of two constants that have just been pushed, one of them at least the
+    /// result of a conversion function. Where it does not fit the type that is no error: the machine does what
+    /// it does with variables.
+    ///
+    /// Basis: stickler-design: §3.1 (where acceptance is open the reference accepts).
+    fn folded_pair(&self, operator: BinaryOperator, action: Action) -> Option<u64> {
+        let Action::Arithmetic(_, ty) = action else {
+            return None;
+        };
+        let (left, right) = self.emitter.pushed_pair().filter(|_| ty.is_integer())?;
+        let result = combine(operator, ty.integer_value(left), ty.integer_value(right)).ok();
+        fitting(ty, result)
     }
 
     fn act(&mut self, link: &Link, action: Action) {
@@ -136,21 +155,26 @@ impl Lowering<'_> {
 
     /// How a message names what was inferred.
     pub(super) fn describe(&self, inferred: Inferred) -> String {
-        match inferred {
-            Inferred::Known(ty) => self.model.types.name(ty),
-            Inferred::Integer(_) => "an integer literal".to_owned(),
-            Inferred::Real => "a real literal".to_owned(),
-            Inferred::Text { .. } => "a text literal".to_owned(),
-            Inferred::Nothing => "a call without a result".to_owned(),
-            Inferred::Enumerated => "an enumerated value".to_owned(),
-            Inferred::Pending | Inferred::Error => "an error".to_owned(),
-        }
+        describe(&self.model.types, inferred)
+    }
+}
+
+/// How a message names what was inferred.
+pub(super) fn describe(types: &TypeTable, inferred: Inferred) -> String {
+    match inferred {
+        Inferred::Known(ty) => types.name(ty),
+        Inferred::Integer(_) => "an integer literal".to_owned(),
+        Inferred::Real => "a real literal".to_owned(),
+        Inferred::Text { .. } => "a text literal".to_owned(),
+        Inferred::Nothing => "a call without a result".to_owned(),
+        Inferred::Enumerated => "an enumerated value".to_owned(),
+        Inferred::Pending | Inferred::Error => "an error".to_owned(),
     }
 }
 
 /// The integer type in which an operation on two constants is done right here. A power with a negative exponent
 /// is left to the machine.
-fn folds(action: Action, right: i128) -> Option<ElementaryType> {
+pub(super) fn folds(action: Action, right: i128) -> Option<ElementaryType> {
     match action {
         Action::Arithmetic(_, ty) => Some(ty),
         Action::Power { base, exponent } if exponent.is_integer() && right >= 0 => Some(base),

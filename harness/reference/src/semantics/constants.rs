@@ -1,26 +1,44 @@
 //! Constant expressions of integers, with exact numbers: limits of arrays and subranges, lengths of texts,
-//! numbers of enumerated values, repetitions.
+//! numbers of enumerated values, repetitions. Where types count, [`super::folding`] goes on.
 
-use super::model::Source;
+use super::emitter::SHORT_TEXT;
+use super::folding::{Known, not_constant};
+use super::model::{Definition, Source};
+use super::scope::Scope;
+use super::types::TypeTable;
 use crate::diagnostic::Diagnostic;
+use crate::source::Span;
 use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind, LiteralKind, Name, UnaryOperator};
 use stickler_types::{Code, ElementaryType, literal};
 
 /// What a name means in a constant expression.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum Constant {
-    /// A number.
-    Value(i128),
+    /// A number, and the integer type that the constant has, unless something is wrong with that.
+    Value(i128, Option<ElementaryType>),
+    /// A constant of another elementary type.
+    Typed(Known),
     /// A constant whose own value was not understood, which has been said.
     Silent,
     /// A variable.
     Variable,
-    /// A constant that is no integer.
+    /// A constant that is no integer, or whose value only the running program knows.
     NotInteger,
     /// A constant without a value.
     Missing,
     /// Nothing has this name.
     Unknown,
+}
+
+impl Constant {
+    /// Whether the value is known, and so short that it can stand in the code wherever the name does.
+    pub(super) fn is_known(&self) -> bool {
+        match self {
+            Constant::Value(..) | Constant::Typed(Known::Plain(..)) => true,
+            Constant::Typed(Known::Text(_, units)) => units.len() <= SHORT_TEXT,
+            _ => false,
+        }
+    }
 }
 
 /// Why an expression has no constant value; `None` where that has been said already.
@@ -30,6 +48,10 @@ pub(super) type NotConstant = Option<Diagnostic>;
 pub(super) struct Evaluator<'a, 'u> {
     /// The tree.
     pub(super) source: Source<'u>,
+    /// The types of the text.
+    pub(super) types: &'a TypeTable,
+    /// What is declared at the top level.
+    pub(super) definitions: &'a Scope<'u, Definition>,
     /// What names mean.
     pub(super) lookup: &'a dyn Fn(Name<'u>) -> Constant,
 }
@@ -80,16 +102,12 @@ impl<'u> Evaluator<'_, 'u> {
                 value.checked_neg().ok_or_else(|| Some(self.overflow(id)))
             }
             ExpressionKind::Error => Err(None),
-            ExpressionKind::Literal(_) => Err(Some(Diagnostic::new(
-                Code::ConstantNotIntegerType,
-                expression.span,
-                "an integer is needed here",
-            ))),
-            _ => Err(Some(Diagnostic::new(
-                Code::VariableMustBeConst,
-                expression.span,
-                "only literals, constants and operators may stand here",
-            ))),
+            ExpressionKind::Call { .. } => {
+                let known = self.call(id, None)?;
+                known.number().ok_or_else(|| no_integer(expression.span))
+            }
+            ExpressionKind::Literal(_) => Err(no_integer(expression.span)),
+            _ => Err(not_constant(expression.span)),
         }
     }
 
@@ -98,12 +116,7 @@ impl<'u> Evaluator<'_, 'u> {
             ElementaryType::from_name(prefix.text).is_some_and(ElementaryType::is_integer)
         });
         if !counts {
-            let span = self.source.expression(id).span;
-            return Err(Some(Diagnostic::new(
-                Code::ConstantNotIntegerType,
-                span,
-                "an integer is needed here",
-            )));
+            return Err(no_integer(self.source.expression(id).span));
         }
         literal::integer(text).map_err(|_| Some(self.overflow(id)))
     }
@@ -117,23 +130,41 @@ impl<'u> Evaluator<'_, 'u> {
     }
 
     fn name(&self, name: Name<'u>) -> Result<i128, NotConstant> {
-        let (code, message) = match (self.lookup)(name) {
-            Constant::Value(value) => return Ok(value),
-            Constant::Silent => return Err(None),
+        match (self.lookup)(name) {
+            Constant::Value(value, _) => Ok(value),
+            other => Err(self.refuse(name, &other)),
+        }
+    }
+
+    /// Why a name that means no value has none.
+    pub(super) fn refuse(&self, name: Name<'u>, meaning: &Constant) -> NotConstant {
+        let (code, message) = match meaning {
+            Constant::Value(..) | Constant::Silent => return None,
             Constant::Variable => (
                 Code::VariableMustBeConst,
                 "is a variable; a constant is needed here",
             ),
-            Constant::NotInteger => (Code::ConstantNotIntegerType, "is no constant of an integer type"),
+            Constant::Typed(_) | Constant::NotInteger => (
+                Code::ConstantNotIntegerType,
+                "is no constant of an integer type with a value that is known here",
+            ),
             Constant::Missing => (Code::ConstantMissingInitializer, "is a constant without a value"),
             Constant::Unknown => (Code::UndefinedConstantReference, "is not declared"),
         };
-        Err(Some(Diagnostic::new(
+        Some(Diagnostic::new(
             code,
             name.span,
             format!("`{}` {message}", name.text),
-        )))
+        ))
     }
+}
+
+fn no_integer(span: Span) -> NotConstant {
+    Some(Diagnostic::new(
+        Code::ConstantNotIntegerType,
+        span,
+        "an integer is needed here",
+    ))
 }
 
 /// The exact result of an operator.

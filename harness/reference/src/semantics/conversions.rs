@@ -7,7 +7,6 @@ use super::lowering::{Lowering, Value};
 use super::standard::{Fault, Signature, mixed, ordered_by};
 use super::types::TypeId;
 use crate::conversion::{Concatenation, ConversionFunction, PARAMETERS, Parameter, ResultType};
-use crate::instruction::Instruction;
 use crate::source::Span;
 use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind};
 use stickler_types::{Code, ElementaryType};
@@ -52,24 +51,10 @@ impl Lowering<'_> {
     ) -> Option<ElementaryType> {
         let argument = single_argument(arguments, Span::default()).ok()?;
         let inferred = self.infer(argument);
-        match conversion.parameter {
-            Parameter::Exactly(ty) => Some(ty),
-            Parameter::AnyOf { allowed, default } => match inferred {
-                Inferred::Known(ty) => ty.elementary().filter(|ty| allowed.contains(ty)),
-                Inferred::Integer(magnitude) => [default, magnitude.ty()].into_iter().find(|ty| {
-                    allowed.contains(ty) && (ty.is_integer() || ty.is_bit_string() || ty.is_real())
-                }),
-                Inferred::Real => [default, ElementaryType::Lreal]
-                    .into_iter()
-                    .find(|ty| allowed.contains(ty) && ty.is_real()),
-                Inferred::Text { wide, .. } => {
-                    Some(super::literals::text_type(wide)).filter(|ty| allowed.contains(ty))
-                }
-                Inferred::Nothing | Inferred::Enumerated | Inferred::Error | Inferred::Pending => None,
-            },
-        }
+        parameter_type(conversion, inferred)
     }
 
+    /// Lowers a call of a conversion function of one argument, and leaves its result on the stack.
     pub(super) fn call_conversion(
         &mut self,
         span: Span,
@@ -94,7 +79,7 @@ impl Lowering<'_> {
         };
         let given = self.coerce(argument, TypeId::of(from), Context::Argument);
         let to = conversion.result_type(from, wanted.and_then(TypeId::elementary));
-        self.emit_at(span, Instruction::Convert(conversion.conversion(from, to)));
+        self.emitter.convert(conversion.conversion(from, to));
         if given.ty == TypeId::ERROR {
             value
         } else {
@@ -107,11 +92,8 @@ impl Lowering<'_> {
         let inferred = self.infer(argument);
         let value = self.value(argument, None);
         if value.ty != TypeId::ERROR || inferred == Inferred::Nothing {
-            let (Parameter::Exactly(expected)
-            | Parameter::AnyOf {
-                default: expected, ..
-            }) = conversion.parameter;
-            self.report_misfit(argument, inferred, TypeId::of(expected), Context::Argument);
+            let expected = TypeId::of(conversion.parameter.expected());
+            self.report_misfit(argument, inferred, expected, Context::Argument);
         }
     }
     /// Joins a date and a time of day.
@@ -133,13 +115,33 @@ impl Lowering<'_> {
         for (value, ty) in values.into_iter().zip(concatenation.operands) {
             self.coerce(value, TypeId::of(ty), Context::Argument);
         }
-        self.emit_at(span, Instruction::Concatenate(concatenation));
+        self.emitter.concatenate(concatenation);
         result
     }
 }
 
+/// The type that the argument of a conversion function has or takes; `None` where it does not fit.
+pub(super) fn parameter_type(conversion: &ConversionFunction, argument: Inferred) -> Option<ElementaryType> {
+    let Parameter::AnyOf { allowed, default } = conversion.parameter else {
+        return Some(conversion.parameter.expected());
+    };
+    match argument {
+        Inferred::Known(ty) => ty.elementary().filter(|ty| allowed.contains(ty)),
+        Inferred::Integer(magnitude) => [default, magnitude.ty()]
+            .into_iter()
+            .find(|ty| allowed.contains(ty) && (ty.is_integer() || ty.is_bit_string() || ty.is_real())),
+        Inferred::Real => [default, ElementaryType::Lreal]
+            .into_iter()
+            .find(|ty| allowed.contains(ty) && ty.is_real()),
+        Inferred::Text { wide, .. } => {
+            Some(super::literals::text_type(wide)).filter(|ty| allowed.contains(ty))
+        }
+        Inferred::Nothing | Inferred::Enumerated | Inferred::Error | Inferred::Pending => None,
+    }
+}
+
 /// The one argument of a conversion function, by position or as `IN`.
-fn single_argument(arguments: &[Argument<'_>], call: Span) -> Result<ExpressionId, Fault> {
+pub(super) fn single_argument(arguments: &[Argument<'_>], call: Span) -> Result<ExpressionId, Fault> {
     match arguments {
         [Argument::Positional(value)] => Ok(*value),
         [Argument::Named { name, value }] if name.text.eq_ignore_ascii_case("IN") => Ok(*value),

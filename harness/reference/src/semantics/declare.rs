@@ -11,11 +11,10 @@ use super::types::{TypeId, TypeTable};
 use crate::instruction::RoutineId;
 use crate::source::Span;
 use crate::syntax::tree::{
-    Configuration, Declaration, Initializer, InitializerKind, Name, Pou, PouKind, TypeDeclaration,
-    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
+    Configuration, Declaration, Name, Pou, PouKind, TypeDeclaration, TypeSpecification, VariableBlock,
 };
 use rustc_hash::{FxHashMap, FxHashSet};
-use stickler_types::{Code, ElementaryType};
+use stickler_types::Code;
 
 /// Makes the model.
 pub(super) struct Declarer<'u, 'r> {
@@ -34,6 +33,8 @@ pub(super) struct Declarer<'u, 'r> {
     pub(super) deferred: Vec<Deferred<'u>>,
     /// A type of a later edition has been met.
     pub(super) later: bool,
+    /// How many more messages may look for a similar name, which takes time.
+    pub(super) guesses: u32,
 }
 
 /// A type or function block to be resolved.
@@ -87,6 +88,7 @@ pub(super) fn declare<'u>(source: Source<'u>, reporter: &mut Reporter) -> (Model
         current: None,
         deferred: Vec::new(),
         later: false,
+        guesses: 20,
     };
     declarer.collect_names();
     declarer.evaluate_global_constants();
@@ -196,36 +198,13 @@ impl<'u> Declarer<'u, '_> {
                     Some(initializer) => self.exact_initializer(group, initializer),
                 };
                 for name in &group.names {
-                    self.exact.entry(Folded(name.text)).or_insert(value);
+                    self.exact
+                        .entry(Folded(name.text))
+                        .or_insert_with(|| value.clone());
                 }
             }
         }
         self.global_blocks = blocks;
-    }
-
-    /// The number that an initial value stands for.
-    pub(super) fn exact_initializer(
-        &self,
-        group: &'u VariableGroup<'u>,
-        initializer: &'u Initializer<'u>,
-    ) -> Constant {
-        let counts = match &group.specification.kind {
-            TypeSpecificationKind::Named(name) => {
-                ElementaryType::from_name(name.text).is_none_or(ElementaryType::is_integer)
-            }
-            TypeSpecificationKind::Subrange { .. } => true,
-            _ => false,
-        };
-        match initializer.kind {
-            InitializerKind::Expression(id) if counts => match self.evaluate(id) {
-                Ok(number) => Constant::Value(number),
-                // This may well be an initial value, if not one that is known here.
-                Err(Some(reason)) if reason.code == Code::VariableMustBeConst => Constant::NotInteger,
-                // Lowering says what is wrong with it.
-                Err(_) => Constant::Silent,
-            },
-            _ => Constant::NotInteger,
-        }
     }
 
     /// Hands out a routine, whose code is made later.

@@ -1,5 +1,6 @@
 //! Where code is put together, routine after routine.
 
+use crate::conversion::{Concatenation, Conversion};
 use crate::instruction::{Instruction, Label, Program, RoutineId};
 use rustc_hash::FxHashMap;
 
@@ -13,6 +14,9 @@ pub(super) struct Emitter {
     text_constants: Vec<Box<[u16]>>,
     known_texts: FxHashMap<Box<[u16]>, u32>,
 }
+
+/// Up to so many code units a text is copied without a thought.
+pub(super) const SHORT_TEXT: usize = 255;
 
 /// A jump whose destination is not known yet.
 #[derive(Clone, Copy, Debug)]
@@ -72,6 +76,71 @@ impl Emitter {
             }
         };
         self.emit(Instruction::PushText(index));
+    }
+
+    /// Adds a conversion of what is on the stack. Where that is a constant, what it becomes is pushed instead.
+    /// No jump leads between the two, for statements only are jumped to.
+    pub(super) fn convert(&mut self, conversion: Conversion) {
+        let (from_text, to_text) = (conversion.from.is_text(), conversion.to.is_text());
+        match self.code.last() {
+            Some(&Instruction::Push(raw)) if !from_text && !to_text => {
+                self.replace(1, Instruction::Push(conversion.apply(raw)));
+            }
+            Some(&Instruction::Push(raw)) if !from_text => {
+                self.truncate(self.position().saturating_sub(1));
+                self.push_text(conversion.apply_to_text(raw));
+            }
+            Some(&Instruction::PushText(text)) if from_text => self.convert_text(text, conversion),
+            _ => self.emit(Instruction::Convert(conversion)),
+        }
+    }
+
+    /// The same where the constant is a text. A long one that stays a text is left to the machine, lest the
+    /// program hold many of them.
+    fn convert_text(&mut self, text: u32, conversion: Conversion) {
+        let units = &self.text_constants[text as usize];
+        if !conversion.to.is_text() {
+            let raw = conversion.apply_from_text(units);
+            self.replace(1, Instruction::Push(raw));
+        } else if units.len() <= SHORT_TEXT {
+            let units = conversion.text_to_text(units);
+            self.truncate(self.position().saturating_sub(1));
+            self.push_text(units);
+        } else {
+            self.emit(Instruction::Convert(conversion));
+        }
+    }
+
+    /// Adds the joining of a date and a time of day, constants like others.
+    pub(super) fn concatenate(&mut self, function: Concatenation) {
+        match self.code[..] {
+            [.., Instruction::Push(date), Instruction::Push(time)] => {
+                self.replace(2, Instruction::Push(function.apply_two(date, time)));
+            }
+            _ => self.emit(Instruction::Concatenate(function)),
+        }
+    }
+
+    /// The two constants that have just been pushed, where those are the last that happened.
+    pub(super) fn pushed_pair(&self) -> Option<(u64, u64)> {
+        match self.code[..] {
+            [.., Instruction::Push(left), Instruction::Push(right)] => Some((left, right)),
+            _ => None,
+        }
+    }
+
+    /// The constant that is all that has been pushed since a position.
+    pub(super) fn pushed_since(&self, position: Label) -> Option<u64> {
+        match self.code.get(position as usize..) {
+            Some(&[Instruction::Push(raw)]) => Some(raw),
+            _ => None,
+        }
+    }
+
+    /// Puts an instruction in the place of the last ones.
+    pub(super) fn replace(&mut self, count: u32, by: Instruction) {
+        self.truncate(self.position().saturating_sub(count));
+        self.emit(by);
     }
 
     /// Where the next instruction will stand.

@@ -1,7 +1,9 @@
 //! Lowers expressions: puts a value on the stack, in its own type or converted to the one that is expected.
 
 use super::common::settle;
+use super::constants::Constant;
 use super::contexts::{Context, Fit, fit};
+use super::folding::Known;
 use super::infer::{defined, defined_for};
 use super::inferred::Inferred;
 use super::literals::Signed;
@@ -56,7 +58,7 @@ impl<'m> Lowering<'m> {
         let Some(conversion) = conversion.and_then(|(from, to)| implicit(from, to, dialect)) else {
             return Value::ERROR;
         };
-        self.emit(Instruction::Convert(conversion));
+        self.emitter.convert(conversion);
         let exact = conversion.from.is_integer() && conversion.to.is_integer();
         Value {
             ty: to,
@@ -110,16 +112,7 @@ impl<'m> Lowering<'m> {
 
     fn name(&mut self, id: ExpressionId, name: Name<'m>, wanted: Option<TypeId>) -> Value {
         if let Some((_, variable)) = self.variable(name.text) {
-            return match (variable.number(), variable.ty.elementary()) {
-                (Some(number), Some(ty)) => {
-                    self.emit(Instruction::Push(ty.wrap(number)));
-                    Value {
-                        ty: variable.ty,
-                        constant: Some(number),
-                    }
-                }
-                _ => self.read(id),
-            };
+            return self.known(&variable.value).unwrap_or_else(|| self.read(id));
         }
         match self.enumerated_name(name.text) {
             Some(EnumeratedName::One(ty, number)) => self.enumerated_value(ty, number),
@@ -140,6 +133,27 @@ impl<'m> Lowering<'m> {
                 Value::ERROR
             }
             None => self.read(id),
+        }
+    }
+
+    /// Puts the value of a named constant on the stack, where it is known.
+    fn known(&mut self, constant: &Constant) -> Option<Value> {
+        match constant {
+            &Constant::Value(number, Some(ty)) => {
+                self.emit(Instruction::Push(ty.wrap(number)));
+                Some(Value {
+                    ty: TypeId::of(ty),
+                    constant: Some(number),
+                })
+            }
+            Constant::Typed(known) if constant.is_known() => {
+                match known {
+                    Known::Plain(_, raw) => self.emit(Instruction::Push(*raw)),
+                    Known::Text(_, units) => self.emitter.push_text(units.to_vec()),
+                }
+                Some(Value::of(known.ty()))
+            }
+            _ => None,
         }
     }
 
@@ -247,12 +261,26 @@ impl<'m> Lowering<'m> {
                 if let (Some(number), true) = (value.constant, ty.is_integer()) {
                     return self.folded(id, start, ty, number.checked_neg());
                 }
-                self.emit(Instruction::Negate(ty));
+                self.negate(start, ty);
             }
         }
         Value {
             ty: value.ty,
             constant: None,
+        }
+    }
+
+    /// Negates what has been pushed since a position: right here where that is a real number, or an integer whose
+    /// negative fits.
+    fn negate(&mut self, start: u32, ty: ElementaryType) {
+        let negative = self.emitter.pushed_since(start).and_then(|raw| match ty {
+            _ if ty.is_real() => Some(opposite(ty, raw)),
+            _ if ty.is_integer() => fitting(ty, ty.integer_value(raw).checked_neg()),
+            _ => None,
+        });
+        match negative {
+            Some(raw) => self.emitter.replace(1, Instruction::Push(raw)),
+            None => self.emit(Instruction::Negate(ty)),
         }
     }
 
@@ -264,23 +292,36 @@ impl<'m> Lowering<'m> {
         ty: ElementaryType,
         number: Option<i128>,
     ) -> Value {
-        let (low, high) = ty.integer_range().unwrap_or((0, 0));
-        match number.filter(|number| (low..=high).contains(number)) {
-            Some(number) => {
+        match fitting(ty, number) {
+            Some(raw) => {
                 self.emitter.truncate(start);
-                self.emit(Instruction::Push(ty.wrap(number)));
+                self.emit(Instruction::Push(raw));
                 Value {
                     ty: TypeId::of(ty),
-                    constant: Some(number),
+                    constant: number,
                 }
             }
             None => {
+                let (low, high) = ty.integer_range().unwrap_or((0, 0));
                 let message = format!("the result does not fit {} ({low}..{high})", ty.name());
                 self.report(Code::ConstantExpressionOverflow, self.span(id), message);
                 Value::ERROR
             }
         }
     }
+}
+
+/// The raw form of a real number with the opposite sign.
+pub(super) const fn opposite(ty: ElementaryType, raw: u64) -> u64 {
+    raw ^ 1 << (ty.bits() - 1)
+}
+
+/// The raw form of a number that a type holds.
+pub(super) fn fitting(ty: ElementaryType, number: Option<i128>) -> Option<u64> {
+    let (low, high) = ty.integer_range()?;
+    number
+        .filter(|number| (low..=high).contains(number))
+        .map(|number| ty.wrap(number))
 }
 
 fn symbol(operator: UnaryOperator) -> &'static str {

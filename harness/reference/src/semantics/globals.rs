@@ -24,7 +24,7 @@ impl<'u> Declarer<'u, '_> {
                     Constant::Variable
                 };
                 for name in &group.names {
-                    self.declare_global(*name, block, group, ty, value);
+                    self.declare_global(*name, block, group, ty, value.clone());
                 }
             }
         }
@@ -82,9 +82,10 @@ impl<'u> Declarer<'u, '_> {
         let Variable {
             ty: other,
             constant,
-            value,
+            ref value,
             ..
         } = *self.model.variable(global);
+        let value = value.clone();
         let known = ty != TypeId::ERROR && other != TypeId::ERROR;
         if known && self.model.types.root(ty) != self.model.types.root(other) {
             let (here, there) = (self.model.types.name(ty), self.model.types.name(other));

@@ -189,10 +189,12 @@ impl<'m> Lowering<'m> {
     fn constant(&mut self, id: ExpressionId) -> Option<i128> {
         let lookup = |name: Name<'m>| {
             let variable = self.variable(name.text);
-            variable.map_or(Constant::Unknown, |(_, variable)| variable.value)
+            variable.map_or(Constant::Unknown, |(_, variable)| variable.value.clone())
         };
         match (Evaluator {
             source: self.model.source,
+            types: &self.model.types,
+            definitions: &self.model.definitions,
             lookup: &lookup,
         })
         .evaluate(id)

@@ -7,6 +7,8 @@ use super::common::settle;
 use super::inferred::{Inferred, Magnitude};
 use super::lowering::{Lowering, Value};
 use super::types::TypeId;
+use crate::diagnostic::Diagnostic;
+use crate::dialect::Dialect;
 use crate::instruction::Instruction;
 use crate::source::Span;
 use crate::syntax::tree::{Literal, LiteralKind};
@@ -21,179 +23,199 @@ pub(super) struct Signed<'u> {
     pub(super) span: Span,
 }
 
+/// What a literal is read to.
+pub(super) enum Read {
+    /// A raw form.
+    Plain(u64),
+    /// Code units.
+    Text(Vec<u16>),
+}
+
 impl<'m> Lowering<'m> {
     /// The type of a literal by itself.
     pub(super) fn infer_literal(&self, literal: &Literal<'_>, negative: bool) -> Inferred {
-        if let Some(prefix) = literal.prefix() {
-            let ty = ElementaryType::from_literal_prefix(prefix.text);
-            return match ty.filter(|&ty| self.model.source.dialect.has(ty)) {
-                Some(ty) => Inferred::from(ty),
-                None => Inferred::Error,
-            };
-        }
-        match literal.kind {
-            LiteralKind::Integer | LiteralKind::BasedInteger => {
-                let value = untyped_integer(literal.text(), negative);
-                Inferred::Integer(value.map_or(Magnitude::Ulint, Magnitude::of))
-            }
-            LiteralKind::Real => Inferred::Real,
-            LiteralKind::Boolean => Inferred::Known(TypeId::BOOL),
-            LiteralKind::SingleByteText => text_literal(literal.text(), false),
-            LiteralKind::DoubleByteText => text_literal(literal.text(), true),
-            LiteralKind::Duration => Inferred::from(ElementaryType::Time),
-            LiteralKind::Date => Inferred::from(ElementaryType::Date),
-            LiteralKind::TimeOfDay => Inferred::from(ElementaryType::Tod),
-            LiteralKind::DateAndTime => Inferred::from(ElementaryType::Dt),
-        }
+        inferred_literal(literal, negative, self.model.source.dialect)
     }
 
     /// Pushes the value of a literal in the type that it has or takes.
     pub(super) fn literal(&mut self, signed: Signed<'m>, wanted: Option<TypeId>) -> Value {
-        let literal = signed.literal;
-        if let Some(prefix) = literal.prefix() {
-            return match ElementaryType::from_literal_prefix(prefix.text) {
-                Some(ty) if self.model.source.dialect.has(ty) => self.literal_of(signed, ty),
-                Some(ty) => {
-                    let message = format!("{} is a type of the third edition", ty.name());
-                    self.report(Code::Std2013Feature, signed.span, message);
-                    Value::ERROR
-                }
-                None => {
-                    let message = format!("`{}` is no type of a literal", prefix.text);
-                    self.report(Code::UndeclaredUnknownType, prefix.span, message);
-                    Value::ERROR
-                }
-            };
-        }
-        let inferred = self.infer_literal(literal, signed.negative);
-        let ty = match inferred {
-            Inferred::Text { wide, single } => {
-                let wanted = wanted.and_then(TypeId::elementary);
-                Some(
-                    wanted
-                        .filter(|ty| single && ty.is_character())
-                        .unwrap_or(text_type(wide)),
-                )
-            }
-            Inferred::Known(ty) => ty.elementary(),
-            _ => settle(inferred, wanted),
-        };
-        match ty {
-            Some(ty) => self.literal_of(signed, ty),
-            None => Value::ERROR,
-        }
-    }
-
-    fn literal_of(&mut self, signed: Signed<'m>, ty: ElementaryType) -> Value {
-        match ty.family() {
-            Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString => {
-                self.integer_literal(signed, ty)
-            }
-            Family::Text | Family::Character => self.text_literal(signed, ty),
-            _ => match read(signed, ty) {
-                Ok(raw) => {
-                    self.emit(Instruction::Push(raw));
-                    Value::of(ty)
-                }
-                Err(error) => self.misread(signed, ty, error),
-            },
-        }
-    }
-
-    fn integer_literal(&mut self, signed: Signed<'m>, ty: ElementaryType) -> Value {
-        let literal = signed.literal;
-        let value = match literal.kind {
-            LiteralKind::Boolean => Ok(i128::from(literal.text().eq_ignore_ascii_case("TRUE"))),
-            LiteralKind::Integer | LiteralKind::BasedInteger if literal.prefix().is_some() => {
-                literal::integer(literal.text())
-            }
-            LiteralKind::Integer | LiteralKind::BasedInteger => {
-                untyped_integer(literal.text(), signed.negative)
-                    .ok_or(LiteralError::Overflow { at: 0, range: "" })
-            }
-            _ => Err(LiteralError::Overflow { at: 0, range: "" }),
-        };
-        match (value, ty.integer_range()) {
-            (Ok(value), Some((low, high))) if (low..=high).contains(&value) => {
-                self.emit(Instruction::Push(ty.wrap(value)));
+        let source = self.model.source;
+        let wanted = wanted.and_then(TypeId::elementary);
+        let read = literal_type(signed, wanted, source.dialect)
+            .and_then(|ty| Ok((ty, read_literal(signed, ty, source.text)?)));
+        match read {
+            Ok((ty, Read::Plain(raw))) => {
+                self.emit(Instruction::Push(raw));
                 Value {
                     ty: TypeId::of(ty),
-                    constant: Some(value),
+                    constant: counts(ty).then(|| ty.integer_value(raw)),
                 }
             }
-            (Ok(_), Some((low, high))) => {
-                let text = self.excerpt(signed.span);
-                let message = format!("{text} does not fit {} ({low}..{high})", ty.name());
-                self.report(Code::ConstantOverflow, signed.span, message);
-                Value::ERROR
-            }
-            (Err(error), _) => self.misread(signed, ty, error),
-            (Ok(_), None) => Value::ERROR,
-        }
-    }
-
-    fn text_literal(&mut self, signed: Signed<'m>, ty: ElementaryType) -> Value {
-        let literal = signed.literal;
-        let wide = matches!(ty, ElementaryType::Wstring | ElementaryType::Wchar);
-        if wide != (literal.kind == LiteralKind::DoubleByteText) {
-            let quotes = if wide { "double" } else { "single" };
-            let message = format!("a literal of {} stands in {quotes} quotes", ty.name());
-            self.report(Code::StringEncodingMismatch, signed.span, message);
-            return Value::ERROR;
-        }
-        match literal::text(literal.text()) {
-            Ok(units) if ty.is_text() => {
+            Ok((ty, Read::Text(units))) => {
                 self.emitter.push_text(units);
                 Value::of(ty)
             }
-            Ok(units) => match units[..] {
-                [unit] => {
-                    self.emit(Instruction::Push(unit.into()));
-                    Value::of(ty)
-                }
-                _ => {
-                    let message = format!("a {} is one character, not {}", ty.name(), units.len());
-                    self.report(Code::ConstantOverflow, signed.span, message);
-                    Value::ERROR
-                }
-            },
-            Err(error) => self.misread(signed, ty, error),
-        }
-    }
-
-    /// Says why a literal could not be read. Its form has been looked at by the lexer, so that as a rule it is
-    /// the range.
-    fn misread(&mut self, signed: Signed<'m>, ty: ElementaryType, error: LiteralError) -> Value {
-        let text = self.excerpt(signed.span);
-        let (code, message) = match error {
-            LiteralError::Overflow { .. } => {
-                let code = match ty.family() {
-                    Family::Real => Code::RealLiteralOutOfRange,
-                    Family::Duration => Code::DurationLiteralOutOfRange,
-                    Family::Date | Family::TimeOfDay | Family::DateAndTime => Code::DateLiteralOutOfRange,
-                    _ => Code::ConstantOverflow,
-                };
-                (code, format!("{text} does not fit {}", ty.name()))
+            Err(diagnostic) => {
+                self.reporter.push(diagnostic);
+                Value::ERROR
             }
-            LiteralError::Character { .. } => (
-                Code::StringLiteralCharOutOfRange,
-                "a character does not fit a single byte".to_owned(),
-            ),
-            LiteralError::Escape { .. } => (Code::InvalidStringEscape, error.to_string()),
-            LiteralError::Malformed { .. } => (Code::SyntaxError, error.to_string()),
-        };
-        self.report(code, signed.span, message);
-        Value::ERROR
-    }
-
-    /// The source text of a span, cut where it is long.
-    fn excerpt(&self, span: Span) -> String {
-        const LONGEST: usize = 40;
-        let text = span.text(self.model.source.text);
-        match text.char_indices().nth(LONGEST) {
-            Some((end, _)) => format!("`{}…`", &text[..end]),
-            None => format!("`{text}`"),
         }
+    }
+}
+
+/// The type of a literal by itself.
+pub(super) fn inferred_literal(literal: &Literal<'_>, negative: bool, dialect: &Dialect) -> Inferred {
+    if let Some(prefix) = literal.prefix() {
+        let ty = ElementaryType::from_literal_prefix(prefix.text);
+        return match ty.filter(|&ty| dialect.has(ty)) {
+            Some(ty) => Inferred::from(ty),
+            None => Inferred::Error,
+        };
+    }
+    match literal.kind {
+        LiteralKind::Integer | LiteralKind::BasedInteger => {
+            let value = untyped_integer(literal.text(), negative);
+            Inferred::Integer(value.map_or(Magnitude::Ulint, Magnitude::of))
+        }
+        LiteralKind::Real => Inferred::Real,
+        LiteralKind::Boolean => Inferred::Known(TypeId::BOOL),
+        LiteralKind::SingleByteText => text_literal(literal.text(), false),
+        LiteralKind::DoubleByteText => text_literal(literal.text(), true),
+        LiteralKind::Duration => Inferred::from(ElementaryType::Time),
+        LiteralKind::Date => Inferred::from(ElementaryType::Date),
+        LiteralKind::TimeOfDay => Inferred::from(ElementaryType::Tod),
+        LiteralKind::DateAndTime => Inferred::from(ElementaryType::Dt),
+    }
+}
+
+/// The type that a literal has, or takes where another is wanted.
+pub(super) fn literal_type(
+    signed: Signed<'_>,
+    wanted: Option<ElementaryType>,
+    dialect: &Dialect,
+) -> Result<ElementaryType, Diagnostic> {
+    let literal = signed.literal;
+    if let Some(prefix) = literal.prefix() {
+        return match ElementaryType::from_literal_prefix(prefix.text) {
+            Some(ty) if dialect.has(ty) => Ok(ty),
+            Some(ty) => {
+                let message = format!("{} is a type of the third edition", ty.name());
+                Err(Diagnostic::new(Code::Std2013Feature, signed.span, message))
+            }
+            None => {
+                let message = format!("`{}` is no type of a literal", prefix.text);
+                Err(Diagnostic::new(Code::UndeclaredUnknownType, prefix.span, message))
+            }
+        };
+    }
+    Ok(match inferred_literal(literal, signed.negative, dialect) {
+        Inferred::Text { wide, single } => wanted
+            .filter(|ty| single && ty.is_character())
+            .unwrap_or(text_type(wide)),
+        // Whatever is no untyped number either is of a type.
+        inferred => inferred
+            .elementary()
+            .or_else(|| settle(inferred, wanted.map(TypeId::of)))
+            .unwrap_or(ElementaryType::Dint),
+    })
+}
+
+/// The value of a literal in its type, or why it has none; `text` is the source text.
+pub(super) fn read_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<Read, Diagnostic> {
+    match ty.family() {
+        _ if counts(ty) => integer_literal(signed, ty, text).map(Read::Plain),
+        Family::Text | Family::Character => quoted_literal(signed, ty, text),
+        _ => read(signed, ty)
+            .map(Read::Plain)
+            .map_err(|error| misread(signed, ty, text, error)),
+    }
+}
+
+/// Whether the values of a type are written as whole numbers.
+fn counts(ty: ElementaryType) -> bool {
+    matches!(
+        ty.family(),
+        Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString
+    )
+}
+
+fn integer_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<u64, Diagnostic> {
+    let literal = signed.literal;
+    let value = match literal.kind {
+        LiteralKind::Boolean => Ok(i128::from(literal.text().eq_ignore_ascii_case("TRUE"))),
+        LiteralKind::Integer | LiteralKind::BasedInteger if literal.prefix().is_some() => {
+            literal::integer(literal.text())
+        }
+        LiteralKind::Integer | LiteralKind::BasedInteger => untyped_integer(literal.text(), signed.negative)
+            .ok_or(LiteralError::Overflow { at: 0, range: "" }),
+        _ => Err(LiteralError::Overflow { at: 0, range: "" }),
+    };
+    let value = value.map_err(|error| misread(signed, ty, text, error))?;
+    let (low, high) = ty.integer_range().unwrap_or((0, 0));
+    if (low..=high).contains(&value) {
+        return Ok(ty.wrap(value));
+    }
+    let written = excerpt(signed.span, text);
+    let message = format!("{written} does not fit {} ({low}..{high})", ty.name());
+    Err(Diagnostic::new(Code::ConstantOverflow, signed.span, message))
+}
+
+fn quoted_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<Read, Diagnostic> {
+    let literal = signed.literal;
+    let wide = matches!(ty, ElementaryType::Wstring | ElementaryType::Wchar);
+    if wide != (literal.kind == LiteralKind::DoubleByteText) {
+        let quotes = if wide { "double" } else { "single" };
+        let message = format!("a literal of {} stands in {quotes} quotes", ty.name());
+        return Err(Diagnostic::new(
+            Code::StringEncodingMismatch,
+            signed.span,
+            message,
+        ));
+    }
+    match literal::text(literal.text()) {
+        Ok(units) if ty.is_text() => Ok(Read::Text(units)),
+        Ok(units) => match units[..] {
+            [unit] => Ok(Read::Plain(unit.into())),
+            _ => {
+                let message = format!("a {} is one character, not {}", ty.name(), units.len());
+                Err(Diagnostic::new(Code::ConstantOverflow, signed.span, message))
+            }
+        },
+        Err(error) => Err(misread(signed, ty, text, error)),
+    }
+}
+
+/// Says why a literal could not be read. Its form has been looked at by the lexer, so that as a rule it is the
+/// range.
+fn misread(signed: Signed<'_>, ty: ElementaryType, text: &str, error: LiteralError) -> Diagnostic {
+    let (code, message) = match error {
+        LiteralError::Overflow { .. } => {
+            let code = match ty.family() {
+                Family::Real => Code::RealLiteralOutOfRange,
+                Family::Duration => Code::DurationLiteralOutOfRange,
+                Family::Date | Family::TimeOfDay | Family::DateAndTime => Code::DateLiteralOutOfRange,
+                _ => Code::ConstantOverflow,
+            };
+            let written = excerpt(signed.span, text);
+            (code, format!("{written} does not fit {}", ty.name()))
+        }
+        LiteralError::Character { .. } => (
+            Code::StringLiteralCharOutOfRange,
+            "a character does not fit a single byte".to_owned(),
+        ),
+        LiteralError::Escape { .. } => (Code::InvalidStringEscape, error.to_string()),
+        LiteralError::Malformed { .. } => (Code::SyntaxError, error.to_string()),
+    };
+    Diagnostic::new(code, signed.span, message)
+}
+
+/// The source text of a span, cut where it is long.
+fn excerpt(span: Span, text: &str) -> String {
+    const LONGEST: usize = 40;
+    let text = span.text(text);
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("`{}…`", &text[..end]),
+        None => format!("`{text}`"),
     }
 }
 

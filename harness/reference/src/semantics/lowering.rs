@@ -144,7 +144,7 @@ impl<'m> Lowering<'m> {
         let variable = &self.model.variables[index as usize];
         let external = variable.kind == VariableKind::External;
         let later = limited && index >= self.visible && !external;
-        let away = self.constants_only && local.is_some() && !external && variable.number().is_none();
+        let away = self.constants_only && local.is_some() && !external && !variable.value.is_known();
         (!later && !away).then_some((index, variable))
     }
 

@@ -138,16 +138,6 @@ pub(super) struct Variable<'u> {
     pub(super) value: Constant,
 }
 
-impl Variable<'_> {
-    /// The number that a constant of an integer type stands for.
-    pub(super) fn number(&self) -> Option<i128> {
-        match self.value {
-            Constant::Value(number) => Some(number),
-            _ => None,
-        }
-    }
-}
-
 /// Where a variable lies.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Storage {

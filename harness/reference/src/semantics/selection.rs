@@ -117,12 +117,12 @@ impl<'m> Lowering<'m> {
     /// The number of a label, which is a constant of the selector's type. No code is left of it.
     fn label_value(&mut self, selector: Selector, id: ExpressionId) -> Option<i128> {
         let start = self.emitter.position();
-        let number = self.label_number(selector, id);
+        let number = self.label_number(selector, id, start);
         self.emitter.truncate(start);
         number
     }
 
-    fn label_number(&mut self, selector: Selector, id: ExpressionId) -> Option<i128> {
+    fn label_number(&mut self, selector: Selector, id: ExpressionId, start: u32) -> Option<i128> {
         let span = self.span(id);
         if selector.ty == TypeId::ERROR {
             self.value(id, None);
@@ -140,7 +140,12 @@ impl<'m> Lowering<'m> {
             }
             value
         };
-        let Some(number) = value.constant else {
+        // What conversion functions make of constants is seen only by what is left of it.
+        let folded = || {
+            let ty = value.ty.elementary().filter(|ty| ty.is_integer())?;
+            Some(ty.integer_value(self.emitter.pushed_since(start)?))
+        };
+        let Some(number) = value.constant.or_else(folded) else {
             self.report(Code::VariableMustBeConst, span, "a label of CASE is a constant");
             return None;
         };

@@ -4,7 +4,9 @@ use super::constants::{Constant, Evaluator, NotConstant};
 use super::declare::Declarer;
 use super::model::{Definition, InitialValue};
 use super::scope::{Folded, Named};
+use super::suggestion::similar_function;
 use super::types::{ArrayShape, DefaultValue, Dimension, Extent, Kind, Member, Structure, Subrange, TypeId};
+use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::tree::{
     ExpressionId, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
@@ -292,21 +294,37 @@ impl<'u> Declarer<'u, '_> {
             Ok(value) => Some(value),
             Err(reason) => {
                 if let Some(diagnostic) = reason {
-                    self.reporter.push(diagnostic);
+                    self.report_constant(diagnostic);
                 }
                 None
             }
         }
     }
 
-    /// The same without a word.
-    pub(super) fn evaluate(&self, id: ExpressionId) -> Result<i128, NotConstant> {
-        let lookup = |name: Name<'u>| self.constant_of(name.text);
-        Evaluator {
-            source: self.model.source,
-            lookup: &lookup,
+    /// Says why there is no number; of a function that is not declared with the names that are near.
+    fn report_constant(&mut self, mut diagnostic: Diagnostic) {
+        if diagnostic.code == Code::FunctionCallUndeclared {
+            let name = diagnostic.span.text(self.model.source.text);
+            let hint = similar_function(&self.model, name, &mut self.guesses);
+            diagnostic.message.push_str(&hint);
         }
-        .evaluate(id)
+        self.reporter.push(diagnostic);
+    }
+
+    /// The number that an expression stands for, without a word where it stands for none.
+    pub(super) fn evaluate(&self, id: ExpressionId) -> Result<i128, NotConstant> {
+        self.evaluating(|evaluator| evaluator.evaluate(id))
+    }
+
+    /// Asks an evaluator that knows the constants declared so far.
+    pub(super) fn evaluating<T>(&self, ask: impl FnOnce(Evaluator<'_, 'u>) -> T) -> T {
+        let lookup = |name: Name<'u>| self.constant_of(name.text);
+        ask(Evaluator {
+            source: self.model.source,
+            types: &self.model.types,
+            definitions: &self.model.definitions,
+            lookup: &lookup,
+        })
     }
 
     /// What a name means in a constant expression: a constant of the POU, or else a global one.
@@ -315,8 +333,8 @@ impl<'u> Declarer<'u, '_> {
         let local = self.current.and_then(|pou| self.model.pous[pou].scope.get(&name));
         let variable = local.map(|&index| self.model.variable(index));
         match variable.filter(|variable| variable.kind != VariableKind::External) {
-            None => self.exact.get(&name).copied().unwrap_or(Constant::Unknown),
-            Some(variable) => variable.value,
+            None => self.exact.get(&name).cloned().unwrap_or(Constant::Unknown),
+            Some(variable) => variable.value.clone(),
         }
     }
 }

@@ -1,15 +1,17 @@
 //! What a message suggests: the conversion that would make a value fit, a name that was perhaps meant.
 
+use super::chains::describe;
 use super::contexts::Context;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
-use super::types::TypeId;
-use crate::conversion::conversion_function_name;
+use super::model::Model;
+use super::types::{TypeId, TypeTable};
+use crate::conversion::{self, conversion_function_name};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::ExpressionId;
 use stickler_types::ElementaryType;
 
-/// No more names than this are compared with one that is not known.
+/// No more names of the text than this are compared with one that is not known.
 const CANDIDATES: usize = 2000;
 
 impl<'m> Lowering<'m> {
@@ -23,14 +25,7 @@ impl<'m> Lowering<'m> {
         target: TypeId,
         context: Context,
     ) {
-        let name = self.model.types.name(target);
-        let value = self.describe(inferred);
-        let message = match (inferred, context) {
-            (Inferred::Nothing, _) => "the call gives no value".to_owned(),
-            (Inferred::Known(_), Context::Condition) => format!("a condition is {name}, not {value}"),
-            (Inferred::Known(_), _) => format!("{value} does not convert implicitly to {name}"),
-            _ => format!("{value} is no {name} here"),
-        };
+        let message = misfit(&self.model.types, inferred, target, context);
         let suggestion = match (inferred.elementary(), target.elementary()) {
             (Some(from), Some(to)) if context != Context::Label => self.conversion_call(id, from, to),
             _ => None,
@@ -54,45 +49,89 @@ impl<'m> Lowering<'m> {
 
     /// The end of a message about a function that nobody declared.
     pub(super) fn similar_function(&mut self, name: &str) -> String {
-        if self.model.source.dialect.only_standard_rounding
-            && let Some(idiom) = rounding_idiom(name)
-        {
-            return idiom.to_owned();
-        }
-        let model = self.model;
-        let declared = model
-            .pous
-            .iter()
-            .filter(|entry| entry.is_function())
-            .map(|entry| entry.pou.name.text);
-        let standard = super::standard::NAMES.iter().map(|(name, _)| *name);
-        self.similar(name, standard.chain(declared))
+        similar_function(self.model, name, &mut self.guesses)
     }
 
     /// The end of a message about a variable that nobody declared.
     pub(super) fn similar_variable(&mut self, name: &str) -> String {
         let local = self.entry().map(|entry| entry.scope.keys()).into_iter().flatten();
-        let model = self.model;
-        self.similar(name, local.chain(model.globals.keys()).map(|name| name.0))
+        let known = local.chain(self.model.globals.keys()).map(|name| name.0);
+        similar(name, known.take(CANDIDATES), |_| true, &mut self.guesses)
     }
+}
 
-    fn similar(&mut self, name: &str, candidates: impl Iterator<Item = &'m str>) -> String {
-        const LONGEST: usize = 40;
-        if self.guesses == 0 || !(3..=LONGEST).contains(&name.len()) {
-            return String::new();
-        }
-        self.guesses -= 1;
-        let lower = name.to_ascii_lowercase();
-        let allowed = if name.len() < 6 { 1 } else { 2 };
-        let near = candidates
-            .take(CANDIDATES)
-            .filter(|other| other.len().abs_diff(name.len()) <= allowed)
-            .map(|other| (distance(&lower, &other.to_ascii_lowercase()), other))
-            .min();
-        match near {
-            Some((changes, other)) if changes <= allowed => format!("; did you mean `{other}`?"),
-            _ => String::new(),
-        }
+/// Why a value does not fit where it stands.
+pub(super) fn misfit(types: &TypeTable, inferred: Inferred, target: TypeId, context: Context) -> String {
+    let name = types.name(target);
+    let value = describe(types, inferred);
+    match (inferred, context) {
+        (Inferred::Nothing, _) => "the call gives no value".to_owned(),
+        (Inferred::Known(_), Context::Condition) => format!("a condition is {name}, not {value}"),
+        (Inferred::Known(_), _) => format!("{value} does not convert implicitly to {name}"),
+        _ => format!("{value} is no {name} here"),
+    }
+}
+
+/// The end of a message about a function that nobody declared: standard functions, type conversion functions and
+/// functions of the text whose names are near. `guesses` is how many more messages may look for some.
+pub(super) fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32) -> String {
+    let dialect = model.source.dialect;
+    if dialect.only_standard_rounding
+        && let Some(idiom) = rounding_idiom(name)
+    {
+        return idiom.to_owned();
+    }
+    let declared = model
+        .pous
+        .iter()
+        .filter(|entry| entry.is_function())
+        .map(|entry| entry.pou.name.text)
+        .take(CANDIDATES);
+    let standard = super::standard::NAMES.iter().map(|(name, _)| *name);
+    let conversions = conversion::catalogue_names();
+    let exists = |name: &str| {
+        !conversions.iter().any(|known| known == name)
+            || conversion::function(name, dialect).is_some()
+            || conversion::concatenation(name, dialect).is_some()
+    };
+    let known = standard
+        .chain(conversions.iter().map(String::as_str))
+        .chain(declared);
+    similar(name, known, exists, guesses)
+}
+
+/// `; did you mean …?` with the nearest of some names, if any is near; of near ones those that exist.
+fn similar<'n>(
+    name: &str,
+    known: impl Iterator<Item = &'n str>,
+    exists: impl Fn(&str) -> bool,
+    guesses: &mut u32,
+) -> String {
+    const LONGEST: usize = 40;
+    if *guesses == 0 || !(3..=LONGEST).contains(&name.len()) {
+        return String::new();
+    }
+    *guesses -= 1;
+    let lower = name.to_ascii_lowercase();
+    let allowed = if name.len() < 6 { 1 } else { 2 };
+    let mut near: Vec<_> = known
+        .filter(|other| other.len().abs_diff(name.len()) <= allowed)
+        .map(|other| (distance(&lower, &other.to_ascii_lowercase()), other))
+        .filter(|&(changes, other)| changes <= allowed && exists(other))
+        .collect();
+    near.sort_unstable();
+    near.dedup();
+    let nearest = near.first().map_or(0, |&(changes, _)| changes);
+    let names: Vec<_> = near
+        .iter()
+        .take_while(|&&(changes, _)| changes == nearest)
+        .map(|(_, name)| format!("`{name}`"))
+        .take(3)
+        .collect();
+    match &names[..] {
+        [] => String::new(),
+        [one] => format!("; did you mean {one}?"),
+        [others @ .., last] => format!("; did you mean {} or {last}?", others.join(", ")),
     }
 }
 
@@ -110,19 +149,27 @@ fn rounding_idiom(name: &str) -> Option<&'static str> {
     }
 }
 
-/// How many characters must be changed, added or left out to make one name of another.
+/// How many characters must be changed, added, left out, or exchanged with their neighbour to make one name of
+/// another.
 fn distance(left: &str, right: &str) -> usize {
-    let right = right.as_bytes();
-    let mut row: Vec<usize> = (0..=right.len()).collect();
-    for (line, byte) in left.bytes().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], line + 1);
-        for (column, other) in right.iter().enumerate() {
-            let replaced = diagonal + usize::from(byte != *other);
-            diagonal = row[column + 1];
-            row[column + 1] = replaced.min(diagonal + 1).min(row[column] + 1);
+    let (left, right) = (left.as_bytes(), right.as_bytes());
+    let mut before: Vec<usize> = Vec::new();
+    let mut above: Vec<usize> = (0..=right.len()).collect();
+    for (line, &byte) in left.iter().enumerate() {
+        let mut row = Vec::with_capacity(above.len());
+        row.push(line + 1);
+        for (column, &other) in right.iter().enumerate() {
+            let replaced = above[column] + usize::from(byte != other);
+            let mut least = replaced.min(above[column + 1] + 1).min(row[column] + 1);
+            let exchanged = line > 0 && column > 0 && byte == right[column - 1] && other == left[line - 1];
+            if exchanged {
+                least = least.min(before[column - 1] + 1);
+            }
+            row.push(least);
         }
+        before = std::mem::replace(&mut above, row);
     }
-    row[right.len()]
+    above[right.len()]
 }
 
 #[cfg(test)]
@@ -133,7 +180,9 @@ mod tests {
     fn distance_counts_changes() {
         assert_eq!(distance("limit", "limit"), 0);
         assert_eq!(distance("limt", "limit"), 1);
-        assert_eq!(distance("sle", "sel"), 2);
+        assert_eq!(distance("sle", "sel"), 1);
+        assert_eq!(distance("int_to_dnit", "int_to_dint"), 1);
+        assert_eq!(distance("abcd", "badc"), 2);
         assert_eq!(distance("", "abs"), 3);
     }
 }

@@ -6,7 +6,7 @@ use super::model::{Storage, Variable};
 use super::scope::{Folded, Named};
 use super::types::{DefaultValue, Extent, Kind, Member, Structure, TypeId};
 use crate::syntax::tree::{Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind};
-use stickler_types::{Code, ElementaryType};
+use stickler_types::Code;
 
 impl<'u> Declarer<'u, '_> {
     /// Declares the variables of a POU, and gives a function block and a program their type.
@@ -140,37 +140,6 @@ impl<'u> Declarer<'u, '_> {
             repeated: group.names.first().is_none_or(|first| first.span != name.span),
             value,
         });
-    }
-
-    /// What the name of a constant means in a constant expression.
-    pub(super) fn constant_value(&self, group: &'u VariableGroup<'u>, ty: TypeId) -> Constant {
-        let Some(initializer) = &group.initializer else {
-            let silent = self.says_initial_value(group);
-            return if silent {
-                Constant::Silent
-            } else {
-                Constant::Missing
-            };
-        };
-        let elementary = self.model.elementary(ty);
-        match (
-            self.exact_initializer(group, initializer),
-            elementary.and_then(ElementaryType::integer_range),
-        ) {
-            _ if ty == TypeId::ERROR => Constant::Silent,
-            (Constant::Value(value), Some((low, high)))
-                if elementary.is_some_and(ElementaryType::is_integer) =>
-            {
-                // That it does not fit is said where the initial value is lowered.
-                if (low..=high).contains(&value) {
-                    Constant::Value(value)
-                } else {
-                    Constant::Silent
-                }
-            }
-            (Constant::Value(_), _) => Constant::NotInteger,
-            (other, _) => other,
-        }
     }
 
     fn enter_variable(&mut self, pou: usize, name: Name<'u>, index: u32) {

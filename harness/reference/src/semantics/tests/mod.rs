@@ -3,6 +3,7 @@
 mod calls;
 mod contexts;
 mod declarations;
+mod folding;
 mod limits;
 mod literals;
 mod operators;

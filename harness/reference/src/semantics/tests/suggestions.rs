@@ -124,3 +124,45 @@ fn a_function_of_the_text_with_the_name_of_a_conversion_is_not_suggested() {
         PROGRAM main VAR a : DINT; b : INT; END_VAR b := a; END_PROGRAM";
     assert_eq!(diagnose(ED3, text)[0].suggestion, None);
 }
+
+#[test]
+fn near_names_of_conversion_functions_are_named() {
+    let hint = |name, call: &str| {
+        let text = format!("PROGRAM main VAR x : INT; END_VAR x := {call}; END_PROGRAM");
+        diagnose(name, &text)[0].message.clone()
+    };
+    for (call, expected) in [
+        (
+            "INT_TO_DNIT(x)",
+            "`INT_TO_DNIT` is not declared; did you mean `INT_TO_DINT`?",
+        ),
+        (
+            "Real_To_Itn(x)",
+            "`Real_To_Itn` is not declared; did you mean `REAL_TO_INT`?",
+        ),
+        ("TRUNK(x)", "`TRUNK` is not declared; did you mean `TRUNC`?"),
+        (
+            "TRUNC_XINT(x)",
+            "`TRUNC_XINT` is not declared; did you mean `TRUNC_DINT`, `TRUNC_INT` or `TRUNC_LINT`?",
+        ),
+        (
+            "CONCAT_DATE_TOT(x)",
+            "`CONCAT_DATE_TOT` is not declared; did you mean `CONCAT_DATE_TOD`?",
+        ),
+        ("FLOR(x)", "`FLOR` is not declared; did you mean `FLOOR`?"),
+        ("INT_TO_NOTHING(x)", "`INT_TO_NOTHING` is not declared"),
+    ] {
+        assert_eq!(hint(ED3, call), expected);
+    }
+    assert_eq!(hint(super::MATIEC, "FLOR(x)"), "`FLOR` is not declared");
+    assert_eq!(
+        hint(super::ED2, "LTIME_TO_IN(x)"),
+        "`LTIME_TO_IN` is not declared; did you mean `TIME_TO_INT`?"
+    );
+    let in_a_constant = "PROGRAM main VAR a : ARRAY[0..INT_TO_DNIT(1)] OF INT; END_VAR END_PROGRAM";
+    assert!(
+        diagnose(ED3, in_a_constant)[0]
+            .message
+            .ends_with("did you mean `INT_TO_DINT`?")
+    );
+}

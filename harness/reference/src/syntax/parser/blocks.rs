@@ -250,23 +250,45 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    /// A label, and no statement, begins here: a literal, a prefix operator, or a name with something behind it
-    /// that no statement has there.
-    fn at_case_label(&self) -> bool {
+    /// A label, and no statement, begins here: a literal, a prefix operator, or a name or call with something
+    /// behind it that no statement has there.
+    fn at_case_label(&mut self) -> bool {
         use TokenKind::*;
         match self.kind() {
             Name => {
                 let mut ahead = 1;
-                while self.nth(ahead) == Dot && self.nth(ahead + 1) == Name {
+                while self.far_ahead(ahead) == Dot && self.far_ahead(ahead + 1) == Name {
                     ahead += 2;
                 }
+                if self.far_ahead(ahead) == LeftParen {
+                    ahead = self.behind_parentheses(ahead);
+                }
                 matches!(
-                    self.nth(ahead),
+                    self.far_ahead(ahead),
                     Colon | Comma | DotDot | Plus | Minus | Star | Slash | Mod | Power
                 )
             }
             Enumerated | Plus | Minus | Not | LeftParen => true,
             kind => kind.is_literal(),
+        }
+    }
+
+    /// How far ahead stands what comes behind the parentheses that open there. It is not looked for beyond the
+    /// end of the statement, so that each token is looked at once.
+    fn behind_parentheses(&mut self, opening: usize) -> usize {
+        let (mut ahead, mut open) = (opening, 0_usize);
+        loop {
+            match self.far_ahead(ahead) {
+                TokenKind::LeftParen => open += 1,
+                TokenKind::RightParen => open -= 1,
+                TokenKind::Semicolon | TokenKind::End => return ahead,
+                kind if kind.ends_statements() => return ahead,
+                _ => {}
+            }
+            ahead += 1;
+            if open == 0 {
+                return ahead;
+            }
         }
     }
 }
@@ -308,7 +330,8 @@ mod tests {
     fn case_labels_are_told_from_statements() {
         let body = accepted_body(
             "CASE n OF 1, 2, 5..7: x := 1; y := 2; RED: f(x); COLOR#GREEN: ; -5..-1: a.b := 1; a[1] := 2;
-             A, B: LOW..HIGH: N + 1: g.h: 16#FF: INT#5: ELSE x := 9; END_CASE;",
+             A, B: LOW..HIGH: N + 1: g.h: 16#FF: INT#5: f((x), y := 1); F((1), g(2)): F(1)..F(2) * 3: f(x); ELSE x := 9;
+             END_CASE;",
         );
         let StatementKind::Case {
             branches,
@@ -334,7 +357,9 @@ mod tests {
                 (1, 0),
                 (1, 0),
                 (1, 0),
-                (1, 0)
+                (1, 1),
+                (1, 0),
+                (1, 1)
             ]
         );
     }

@@ -13,7 +13,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// Statements up to a token which an open block waits for, or to where `stop` holds.
-    pub(super) fn statements_until(&mut self, list: &mut Vec<Statement>, stop: impl Fn(&Self) -> bool) {
+    pub(super) fn statements_until(&mut self, list: &mut Vec<Statement>, stop: impl Fn(&mut Self) -> bool) {
         loop {
             let kind = self.kind();
             if kind.ends_statements() {

@@ -1,0 +1,139 @@
+//! What the names of declared constants mean in constant expressions.
+
+use super::constants::Constant;
+use super::contexts::Context;
+use super::declare::{Declared, Declarer};
+use super::model::Definition;
+use super::scope::Folded;
+use super::types::{DEFAULT_CAPACITY, TypeId};
+use crate::syntax::tree::{
+    ExpressionId, Initializer, InitializerKind, Name, TypeSpecification, TypeSpecificationKind, VariableGroup,
+};
+use stickler_types::{Code, ElementaryType};
+
+/// What a written type comes down to.
+enum Written {
+    /// An elementary type; a text takes so many code units.
+    Elementary(ElementaryType, u32),
+    /// Something else.
+    Other,
+    /// Something that is wrong.
+    Unknown,
+}
+
+impl<'u> Declarer<'u, '_> {
+    /// What an initial value stands for, as far as it is known before types are.
+    pub(super) fn exact_initializer(
+        &self,
+        group: &'u VariableGroup<'u>,
+        initializer: &'u Initializer<'u>,
+    ) -> Constant {
+        let InitializerKind::Expression(id) = initializer.kind else {
+            return Constant::NotInteger;
+        };
+        match self.written(&group.specification) {
+            Written::Elementary(ty, _) if ty.is_integer() => self.exact_number(id, ty),
+            Written::Elementary(ty, capacity) => {
+                match self.evaluating(|evaluator| evaluator.operand(id, ty, Context::Initializer)) {
+                    Ok(known) => Constant::Typed(known.cut(capacity)),
+                    // Lowering says what is wrong with it, if anything is.
+                    Err(_) => Constant::NotInteger,
+                }
+            }
+            Written::Other => Constant::NotInteger,
+            Written::Unknown => Constant::Silent,
+        }
+    }
+
+    /// The number that an initial value stands for.
+    fn exact_number(&self, id: ExpressionId, ty: ElementaryType) -> Constant {
+        let found = self.evaluate(id);
+        let outside = match &found {
+            Ok(number) => ty
+                .integer_range()
+                .is_some_and(|(low, high)| !(low..=high).contains(number)),
+            Err(reason) => reason.as_ref().is_some_and(|reason| {
+                matches!(
+                    reason.code,
+                    Code::ConstantExpressionOverflow | Code::ConstantExpressionDivisionByZero
+                )
+            }),
+        };
+        match found {
+            // With a function call in it the machine does what it does with variables, so nothing is wrong.
+            _ if outside && self.evaluating(|evaluator| evaluator.calls(id)) => Constant::NotInteger,
+            Ok(number) => Constant::Value(number, Some(ty)),
+            // This may well be an initial value, if not one that is known here.
+            Err(Some(reason)) if reason.code == Code::VariableMustBeConst => Constant::NotInteger,
+            // Lowering says what is wrong with it.
+            Err(_) => Constant::Silent,
+        }
+    }
+
+    /// What the name of a constant means in a constant expression.
+    pub(super) fn constant_value(&self, group: &'u VariableGroup<'u>, ty: TypeId) -> Constant {
+        let Some(initializer) = &group.initializer else {
+            let silent = self.says_initial_value(group);
+            return if silent {
+                Constant::Silent
+            } else {
+                Constant::Missing
+            };
+        };
+        let elementary = self.model.elementary(ty);
+        match self.exact_initializer(group, initializer) {
+            _ if ty == TypeId::ERROR => Constant::Silent,
+            Constant::Value(value, _) => match elementary.and_then(ElementaryType::integer_range) {
+                // That it does not fit is said where the initial value is lowered.
+                Some((low, high)) if !(low..=high).contains(&value) => Constant::Silent,
+                _ => Constant::Value(value, elementary),
+            },
+            other => other,
+        }
+    }
+
+    /// What a written type comes down to, also before types are resolved.
+    fn written(&self, specification: &TypeSpecification<'u>) -> Written {
+        /// No chain of names is longer than types may nest; one that is goes in a circle.
+        const LONGEST_CHAIN: u32 = 200;
+        let mut kind = &specification.kind;
+        for _ in 0..LONGEST_CHAIN {
+            let name = match kind {
+                TypeSpecificationKind::Named(name) | TypeSpecificationKind::Subrange { base: name, .. } => {
+                    *name
+                }
+                TypeSpecificationKind::Text { name, length } => return self.written_text(*name, *length),
+                TypeSpecificationKind::Error => return Written::Unknown,
+                _ => return Written::Other,
+            };
+            let elementary = ElementaryType::from_name(name.text);
+            let named = match self.model.definitions.get(&Folded(name.text)) {
+                _ if elementary.is_some_and(|ty| !ty.is_third_edition()) => None,
+                Some(&Definition::Type(node)) => Some(self.nodes[node as usize].declared),
+                Some(Definition::Pou(_)) => return Written::Other,
+                None => None,
+            };
+            match (named, elementary) {
+                (Some(Declared::Type(declared)), _) => kind = &declared.specification.kind,
+                (Some(Declared::Block(_)), _) => return Written::Other,
+                (None, Some(ty)) if self.model.source.dialect.has(ty) => {
+                    return Written::Elementary(ty, DEFAULT_CAPACITY);
+                }
+                (None, _) => return Written::Unknown,
+            }
+        }
+        Written::Unknown
+    }
+
+    fn written_text(&self, name: Name<'u>, length: ExpressionId) -> Written {
+        let ty = ElementaryType::from_name(name.text).filter(|ty| ty.is_text());
+        let capacity = self
+            .evaluate(length)
+            .ok()
+            .and_then(|length| u32::try_from(length).ok());
+        match (ty, capacity) {
+            (Some(ty), Some(capacity)) => Written::Elementary(ty, capacity),
+            _ => Written::Unknown,
+        }
+    }
+}
