@@ -281,3 +281,33 @@ fn the_reference_in_a_process_of_its_own_does_what_it_does_in_this_one() {
     let rerun = rerun.expect("a case");
     assert!(rerun.contains(" --engine 'cmd:"), "{rerun}");
 }
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_no_engine_behind() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let witness = folder.path().join("witness");
+    let made = Command::new("mkfifo").arg(&witness).status().expect("mkfifo");
+    assert!(made.success());
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cmd/conversions.in/hangs.sh");
+    let engine = format!("cmd:sh '{script}'");
+    let mut ask = stickler(
+        folder.path(),
+        &["conversions", "REAL_TO_INT", "2.5", "--engine", &engine],
+    )
+    .env("WITNESS", &witness)
+    .stdout(Stdio::null())
+    .stderr(Stdio::null())
+    .spawn()
+    .expect("the command starts");
+    // The pipe opens when the engine has got its request, and ends when nobody holds it any more.
+    let mut pipe = fs::File::open(&witness).expect("the witness");
+    let killed = Command::new("kill")
+        .args(["-INT", &ask.id().to_string()])
+        .status()
+        .expect("kill");
+    assert!(killed.success());
+    let mut told = Vec::new();
+    std::io::Read::read_to_end(&mut pipe, &mut told).expect("the end of the pipe");
+    assert_eq!(ask.wait().expect("the command ends").code(), Some(130));
+}

@@ -16,5 +16,5 @@ pub use engine::{
 };
 pub use guard::guard;
 pub use outcome::{Diagnostic, NamedValue, Outcome};
-pub use process::{ProcessEngine, ProcessLimits};
+pub use process::{ProcessEngine, ProcessLimits, kill_all_processes};
 pub use reference::Reference;

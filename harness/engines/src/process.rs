@@ -12,6 +12,7 @@ mod message;
 mod session;
 
 use crate::{Engine, EngineError, Identity, Session};
+pub use child::kill_all_processes;
 use command_line::CommandLine;
 use connection::Connection;
 use session::ProcessSession;

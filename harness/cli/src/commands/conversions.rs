@@ -2,8 +2,8 @@
 
 use crate::arguments::ConversionsArguments;
 use crate::conversions::{self, Block, Present};
-use crate::engines;
 use crate::exit::Exit;
+use crate::{engines, interrupt};
 use std::io::Write;
 use stickler_exact::Signature;
 use stickler_types::DialectName;
@@ -23,6 +23,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     let function = function.to_ascii_uppercase();
     let Present { having, lacking } = conversions::present(&function, &arguments.dialect)?;
     let rows = conversions::rows(&arguments.values, signatures(&function, &having))?;
+    interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
     let blocks = conversions::gather(rows, &having, &engines)?;
     if arguments.json {

@@ -2,8 +2,8 @@
 
 use crate::arguments::MatrixArguments;
 use crate::case_folder::{self, CaseFolder};
-use crate::engines;
 use crate::exit::Exit;
+use crate::{engines, interrupt};
 use anstyle::{AnsiColor, Style};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -58,6 +58,7 @@ type Documents = BTreeMap<(ElementaryType, ElementaryType), Word>;
 /// No folder of cases, or an engine that cannot be run.
 pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let suite = CaseFolder::locate(arguments.cases.as_deref())?.load();
+    interrupt::at_once()?;
     let engine = engines::by_name(&arguments.engine)?;
     let mut session = engine.session()?;
     let mut exit = case_folder::exit_of(&suite);

@@ -35,7 +35,8 @@ pub fn present(function: &str, asked: &[DialectName]) -> anyhow::Result<Present>
         asked
     };
     let has = |dialect: &DialectName| !stickler_exact::signatures(function, *dialect).is_empty();
-    let (having, lacking): (Vec<_>, Vec<_>) = asked.iter().copied().partition(has);
+    let once = (0..asked.len()).filter(|&index| !asked[..index].contains(&asked[index]));
+    let (having, lacking): (Vec<_>, Vec<_>) = once.map(|index| asked[index]).partition(has);
     if !having.is_empty() {
         return Ok(Present { having, lacking });
     }
@@ -135,6 +136,11 @@ mod tests {
         assert!(error.contains("plcnext"), "{error}");
         let present = present("ROUND", &[]).ok().unwrap();
         assert_eq!(present.lacking, [DialectName::Matiec]);
+        let twice = [DialectName::Plcnext, DialectName::Plcnext];
+        assert_eq!(
+            super::present("ROUND", &twice).ok().unwrap().having,
+            [DialectName::Plcnext]
+        );
     }
 
     #[test]

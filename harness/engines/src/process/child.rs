@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 use std::io::{self, Read};
 use std::process::{ChildStderr, ChildStdin, ChildStdout, Stdio};
 use std::sync::mpsc::{self, Receiver};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -22,9 +22,30 @@ const TAIL: usize = 4096;
 /// How many lines of stderr are told.
 const TOLD_LINES: usize = 8;
 
+/// A process with all that belongs to it. Whoever waits for its end keeps the lock only for a look.
+type Shared = Mutex<Box<dyn ChildWrapper>>;
+
+/// Every process that was started and has not been let go.
+static ALIVE: Mutex<Vec<Weak<Shared>>> = Mutex::new(Vec::new());
+
+/// Kills every process that an engine of this program has started, with all that they started. For a program that is
+/// about to end without ending its sessions, as at Ctrl-C: the processes have groups of their own, and so nobody else
+/// ends them.
+pub fn kill_all_processes() {
+    let alive = std::mem::take(&mut *lock(&ALIVE));
+    for process in alive.iter().filter_map(Weak::upgrade) {
+        // One that is gone already is what is wanted.
+        let _ = lock(&process).start_kill();
+    }
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// A running process with everything that it starts. Dropping it kills them all.
 pub(super) struct Child {
-    wrapped: Box<dyn ChildWrapper>,
+    wrapped: Arc<Shared>,
     stderr: Tail,
     /// It was killed already; by now its number may be another's.
     killed: bool,
@@ -53,6 +74,11 @@ impl Child {
         })?;
         let pipes = (wrapped.stdin().take(), wrapped.stdout().take());
         let stderr = wrapped.stderr().take();
+        let wrapped = Arc::new(Mutex::new(wrapped));
+        let mut alive = lock(&ALIVE);
+        alive.retain(|process| process.strong_count() > 0);
+        alive.push(Arc::downgrade(&wrapped));
+        drop(alive);
         let child = |tail| Child {
             wrapped,
             stderr: tail,
@@ -69,7 +95,7 @@ impl Child {
 
     /// Whether the process itself has ended; what it started may still hold its output open.
     pub(super) fn has_ended(&mut self) -> bool {
-        matches!(self.wrapped.try_wait(), Ok(Some(_)))
+        matches!(lock(&self.wrapped).try_wait(), Ok(Some(_)))
     }
 
     /// Waits a moment for the end of a process that has nothing more to say, kills what is left of it, and tells how it
@@ -101,7 +127,8 @@ impl Child {
     fn wait_until(&mut self, deadline: Instant) -> Option<std::process::ExitStatus> {
         let mut pause = Duration::from_micros(100);
         loop {
-            match self.wrapped.try_wait() {
+            let look = lock(&self.wrapped).try_wait();
+            match look {
                 Ok(Some(status)) => return Some(status),
                 Ok(None) if Instant::now() < deadline => {}
                 Ok(None) | Err(_) => return None,
@@ -118,8 +145,9 @@ impl Child {
         }
         // The group may be gone already, and then there is nothing left to do. What the process started lives on after
         // its own end, so a signal goes to the group in any case.
-        let _ = self.wrapped.start_kill();
-        let _ = self.wrapped.wait();
+        let mut wrapped = lock(&self.wrapped);
+        let _ = wrapped.start_kill();
+        let _ = wrapped.wait();
     }
 }
 
@@ -146,10 +174,7 @@ impl Tail {
             let _open = sender;
             let mut piece = [0; 1024];
             while let Ok(length @ 1..) = stream.read(&mut piece) {
-                keep(
-                    &mut kept.lock().unwrap_or_else(PoisonError::into_inner),
-                    &piece[..length],
-                );
+                keep(&mut lock(&kept), &piece[..length]);
             }
         });
         Tail { bytes, ended }
@@ -159,13 +184,7 @@ impl Tail {
     fn text(&self) -> String {
         // Whether by its end or by the time limit: what there is now is told.
         let _ = self.ended.recv_timeout(GRACE);
-        let bytes: Vec<u8> = self
-            .bytes
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .iter()
-            .copied()
-            .collect();
+        let bytes: Vec<u8> = lock(&self.bytes).iter().copied().collect();
         told(&String::from_utf8_lossy(&bytes))
     }
 }
