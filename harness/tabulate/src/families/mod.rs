@@ -1,14 +1,19 @@
 //! One module a family of functions; each gives the tables of its family.
 
+mod bad_calls;
 mod bcd;
 mod booleans;
+mod chains;
+mod constants;
 mod dates;
+mod expressions;
 mod idioms;
 mod integers;
 mod not_finite;
 mod powers;
 mod real_edges;
 mod reals;
+mod spellings;
 mod text_edges;
 mod texts;
 mod time_edges;
@@ -40,7 +45,14 @@ pub fn all() -> Result<Vec<Table>, String> {
     sheets.extend(dates::sheets()?);
     sheets.extend(text_edges::sheets(&already)?);
     sheets.extend(bcd::sheets()?);
+    sheets.extend(spellings::sheets(&already)?);
+    let all: Vec<Call> = sheets.iter().flat_map(|sheet| sheet.calls.clone()).collect();
+    sheets.extend(constants::sheets(&all)?);
     let mut tables: Vec<Table> = sheets.iter().map(Sheet::table).collect::<Result<_, _>>()?;
+    tables.extend(constants::tables()?);
+    tables.extend(chains::tables()?);
+    tables.extend(expressions::tables()?);
+    tables.extend(bad_calls::tables());
     tables.extend(idioms::tables());
     Ok(tables)
 }
