@@ -15,33 +15,30 @@ use stickler_types::{ElementaryType, Family, LiteralError, Value, literal};
 /// Takes time in proportion to the length of the text.
 #[must_use]
 pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
-    let ascii = ascii(units, reading);
+    let ascii = ascii_beginning(units);
+    let whole = ascii.len() == units.len();
     let text = ascii.trim_matches(' ');
     let number = |beginning: fn(&str) -> &str| match reading {
-        TextReading::WholeText => text,
+        TextReading::WholeText if whole => text,
+        TextReading::WholeText => "",
         TextReading::LeadingNumber => beginning(text),
     };
     match to.family() {
-        Family::Boolean => read_boolean(text),
-        Family::Signed | Family::Unsigned | Family::BitString => {
-            literal::integer(number(leading_integer)).map_or(0, |value| to.wrap(value))
-        }
+        Family::Signed | Family::Unsigned | Family::BitString => read_integer(number(leading_integer), to),
         Family::Real => read_real(number(leading_real), to),
+        _ if !whole => 0,
+        Family::Boolean => read_boolean(text),
         _ => read_moment(text, to),
     }
 }
 
 /// The text up to the first character that is not ASCII. Every literal is ASCII, so such a character spoils a
-/// text that is read as a whole, of which nothing is left then.
-fn ascii(units: &[u16], reading: TextReading) -> String {
-    let text: String = units
+/// text that is read as a whole.
+fn ascii_beginning(units: &[u16]) -> String {
+    units
         .iter()
         .map_while(|&unit| u8::try_from(unit).ok().filter(u8::is_ascii).map(char::from))
-        .collect();
-    match reading {
-        TextReading::WholeText if text.len() < units.len() => String::new(),
-        _ => text,
-    }
+        .collect()
 }
 
 /// The longest beginning that is an integer literal, perhaps with a sign; empty where there is none.
@@ -63,8 +60,9 @@ fn leading_integer(text: &str) -> &str {
 /// The longest beginning that is a real number as [`read_real`] takes it; empty where there is none.
 fn leading_real(text: &str) -> &str {
     for word in ["NaN", "Infinity", "-Infinity"] {
-        if text.starts_with(word) {
-            return word;
+        let beginning = text.get(..word.len());
+        if let Some(found) = beginning.filter(|found| found.eq_ignore_ascii_case(word)) {
+            return found;
         }
     }
     let sign = sign_length(text);
@@ -101,9 +99,40 @@ fn digits_length(text: &str, base: u32) -> usize {
     end
 }
 
+/// An integer literal modulo 2^n of the target, however many digits it has.
+fn read_integer(text: &str, to: ElementaryType) -> u64 {
+    match literal::integer(text) {
+        Ok(value) => to.wrap(value),
+        Err(LiteralError::Overflow { .. }) => to.wrap(low_bits(text).into()),
+        Err(_) => 0,
+    }
+}
+
+/// The number of an integer literal modulo 2^64.
+fn low_bits(text: &str) -> u64 {
+    let based = [(16, "16#"), (8, "8#"), (2, "2#")]
+        .into_iter()
+        .find_map(|(base, prefix)| Some((base, text.strip_prefix(prefix)?)));
+    let (base, digits) = based.unwrap_or((10, text));
+    let digits = digits.chars().filter_map(|digit| digit.to_digit(base));
+    let magnitude = digits.fold(0_u64, |value, digit| {
+        value.wrapping_mul(base.into()).wrapping_add(digit.into())
+    });
+    if text.starts_with('-') {
+        magnitude.wrapping_neg()
+    } else {
+        magnitude
+    }
+}
+
 /// TRUE in any case, or a number that is not 0.
 fn read_boolean(text: &str) -> u64 {
-    u64::from(text.eq_ignore_ascii_case("TRUE") || literal::integer(text).is_ok_and(|value| value != 0))
+    let is_not_zero = match literal::integer(text) {
+        Ok(value) => value != 0,
+        // Beyond 128 bits lies no 0.
+        Err(error) => matches!(error, LiteralError::Overflow { .. }),
+    };
+    u64::from(is_not_zero || text.eq_ignore_ascii_case("TRUE"))
 }
 
 /// A real literal; `5` and `5E3` too, which are none in a program; the words that are no numbers; and what is
@@ -182,6 +211,15 @@ mod tests {
     fn integers_outside_the_range_wrap() {
         assert_eq!(whole("200", Sint), (-56_i64).cast_unsigned());
         assert_eq!(whole("-1", Udint), 0xFFFF_FFFF);
+        // 2^128 + 5, and its like in base 16, are beyond the numbers that a literal can have.
+        assert_eq!(whole("340282366920938463463374607431768211461", Int), 5);
+        assert_eq!(
+            whole("-340282366920938463463374607431768211461", Sint),
+            u64::MAX - 4
+        );
+        assert_eq!(whole(&format!("16#1{}A", "0".repeat(40)), Lword), 10);
+        assert_eq!(whole(&"9".repeat(60), Bool), 1);
+        assert_eq!(whole(&("9".repeat(60) + "x"), Bool), 0);
     }
 
     #[test]
@@ -271,7 +309,7 @@ mod tests {
             ("4e", 4.0),
             ("4e+", 4.0),
             ("4e-1-", 0.4),
-            ("Infinity!", f64::INFINITY),
+            ("infinity!", f64::INFINITY),
             ("-Infinity", f64::NEG_INFINITY),
             ("1E999 much", f64::INFINITY),
             (".5", 0.0),
@@ -292,7 +330,7 @@ mod tests {
             [leading("T#1s", Time), leading("T#1s!", Time)],
             [1_000_000_000, 0]
         );
-        assert_eq!(leading("D#1970-01-02x", Date), 0);
+        assert_eq!([leading("D#1970-01-02x", Date), leading("T#1sé", Time)], [0, 0]);
     }
 
     #[test]
@@ -301,7 +339,11 @@ mod tests {
         let nines = "9".repeat(65_535);
         for reading in [whole, leading] {
             assert_eq!(reading(&format!("{zeros}7"), Dword), 7);
-            assert_eq!(reading(&nines, Lword), 0, "128 bits do not hold it");
+            assert_eq!(
+                reading(&nines, Lword),
+                u64::MAX,
+                "no part of 10^65535 is left but -1"
+            );
             assert_eq!(reading(&nines, Lreal), f64::INFINITY.to_bits());
             assert_eq!(reading(&format!("0.{}", &zeros[2..]), Real), 0);
             assert_eq!(reading(&"_".repeat(65_535), Word), 0);
