@@ -4,6 +4,7 @@ use similar::TextDiff;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use stickler_suite::{Case, Suite, basis};
+use stickler_tabulate::sheet::resolve;
 use stickler_tabulate::{families, folder};
 use stickler_types::DialectName;
 
@@ -56,6 +57,34 @@ fn a_table_is_small_enough_to_be_read() {
     }
 }
 
+#[test]
+fn every_function_is_called_in_every_dialect_that_differs() {
+    let mut called = HashSet::new();
+    for sheet in families::sheets().unwrap() {
+        for probe in &sheet.probes {
+            let names = if probe.dialects.is_empty() {
+                &sheet.dialects
+            } else {
+                &probe.dialects
+            };
+            for dialect in resolve(names).unwrap() {
+                called.extend(sheet.calls.iter().map(|call| (dialect, call.signature.clone())));
+            }
+        }
+    }
+    for dialect in [DialectName::IronplcEd3, DialectName::Matiec, DialectName::Plcnext] {
+        for name in stickler_exact::functions(dialect) {
+            for signature in stickler_exact::signatures(&name, dialect) {
+                let shown = format!("{signature:?}");
+                assert!(
+                    called.contains(&(dialect, signature)),
+                    "{dialect} has no case of {shown}"
+                );
+            }
+        }
+    }
+}
+
 /// The cases of the folder.
 fn cases() -> Vec<Case> {
     let mut suite = Suite::load(&root().join("conformance-cases"));
@@ -93,10 +122,7 @@ fn without_marks(source: &str) -> String {
 fn the_groups_of_dialects_are_those_of_the_suite() {
     let suite = Suite::load(&root().join("conformance-cases"));
     for name in ["all", "ironplc", "matiec", "plcnext", "ironplc-ed3"] {
-        let here: HashSet<DialectName> = stickler_tabulate::sheet::resolve(&[name])
-            .unwrap()
-            .into_iter()
-            .collect();
+        let here: HashSet<DialectName> = resolve(&[name]).unwrap().into_iter().collect();
         let there: HashSet<DialectName> = suite.dialects.resolve(name).unwrap().iter().copied().collect();
         assert_eq!(here, there, "{name}");
     }

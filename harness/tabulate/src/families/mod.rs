@@ -27,8 +27,22 @@ use crate::table::Table;
 /// Every generated table, in the order of the families.
 ///
 /// # Errors
-/// What [`Sheet::table`] says.
+/// What [`sheets`] and [`Sheet::table`] say.
 pub fn all() -> Result<Vec<Table>, String> {
+    let mut tables: Vec<Table> = sheets()?.iter().map(Sheet::table).collect::<Result<_, _>>()?;
+    tables.extend(constants::tables()?);
+    tables.extend(chains::tables()?);
+    tables.extend(expressions::tables()?);
+    tables.extend(bad_calls::tables());
+    tables.extend(idioms::tables());
+    Ok(tables)
+}
+
+/// The tables whose rows are calls of one function.
+///
+/// # Errors
+/// A sentence, where a family has a call that none of its tables takes, or a table without calls.
+pub fn sheets() -> Result<Vec<Sheet>, String> {
     let mut sheets = [
         integers::sheets(),
         booleans::sheets(),
@@ -48,11 +62,5 @@ pub fn all() -> Result<Vec<Table>, String> {
     sheets.extend(spellings::sheets(&already)?);
     let all: Vec<Call> = sheets.iter().flat_map(|sheet| sheet.calls.clone()).collect();
     sheets.extend(constants::sheets(&all)?);
-    let mut tables: Vec<Table> = sheets.iter().map(Sheet::table).collect::<Result<_, _>>()?;
-    tables.extend(constants::tables()?);
-    tables.extend(chains::tables()?);
-    tables.extend(expressions::tables()?);
-    tables.extend(bad_calls::tables());
-    tables.extend(idioms::tables());
-    Ok(tables)
+    Ok(sheets)
 }

@@ -1,0 +1,60 @@
+//! The reference does what the design suggests where no document says what a conversion function gives.
+//!
+//! The suite only records such values, so no case could find the reference to be wrong there. The reference says of itself that it
+//! gives what IEC 60559 and two's complement suggest (section 8 of the design); here the exact arithmetic holds it to that.
+
+use rayon::prelude::*;
+use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};
+use stickler_tabulate::families;
+use stickler_tabulate::sheet::Suggestion;
+
+/// What is to be said of a suggestion that the reference does not follow.
+fn complaint(suggestion: &Suggestion, reference: &Reference) -> Option<String> {
+    let observe = [Observation {
+        name: "into",
+        type_name: suggestion.ty.name(),
+        after: None,
+    }];
+    let request = RunRequest {
+        dialect: suggestion.dialect,
+        source: &suggestion.program,
+        scans: 1,
+        observe: &observe,
+        clock: &[],
+        set: &[],
+    };
+    let Ok(mut session) = reference.session() else {
+        return Some("the reference has no session".to_owned());
+    };
+    let outcome = session.run(&request);
+    match &outcome {
+        Outcome::Executed { values } if values.iter().any(|(_, value)| *value == suggestion.value) => None,
+        _ => Some(format!(
+            "{} in {}: {} is suggested, the reference gives {outcome:?}",
+            suggestion.place, suggestion.dialect, suggestion.value
+        )),
+    }
+}
+
+#[test]
+fn the_reference_gives_what_the_design_suggests_where_no_document_speaks() {
+    let reference = Reference::new();
+    let sheets = families::sheets().unwrap();
+    let suggestions: Vec<Suggestion> = sheets
+        .iter()
+        .flat_map(|sheet| sheet.suggestions().unwrap())
+        .collect();
+    assert!(suggestions.len() > 20_000, "{} suggestions", suggestions.len());
+    let complaints: Vec<String> = suggestions
+        .par_iter()
+        .filter_map(|suggestion| complaint(suggestion, &reference))
+        .collect();
+    let shown: Vec<&str> = complaints.iter().take(30).map(String::as_str).collect();
+    assert!(
+        complaints.is_empty(),
+        "{} of {} suggestions are not followed:\n{}",
+        complaints.len(),
+        suggestions.len(),
+        shown.join("\n")
+    );
+}
