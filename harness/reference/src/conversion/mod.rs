@@ -4,7 +4,7 @@
 //! From the name of a function to the values that it gives, as a sweep does it: [`function`] finds the function
 //! of one argument, [`ConversionFunction::accepts`] says of each type whether it takes it,
 //! [`ConversionFunction::results`] which types the result may have, and [`ConversionFunction::conversion`] makes
-//! the conversion from one to the other, which [`Conversion::apply_to_all`] applies to many values. The functions
+//! the conversion from one to the other, which [`Conversion::apply_to_slice`] applies to many values. The functions
 //! of two arguments are those of [`concatenation`].
 //!
 //! ```
