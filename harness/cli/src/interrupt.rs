@@ -2,21 +2,25 @@
 
 use crate::exit::Exit;
 use anyhow::Context;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+/// Whether Ctrl-C is to be obeyed in an orderly way first.
+static ORDERLY: AtomicBool = AtomicBool::new(false);
+
+/// Whether Ctrl-C came while it was.
 static STOP: AtomicBool = AtomicBool::new(false);
+
+/// Listens once in the life of the process.
+static LISTENING: OnceLock<()> = OnceLock::new();
 
 /// The flag that Ctrl-C raises, from now on.
 ///
 /// # Errors
 /// Where the system lets no handler be set.
 pub fn flag() -> anyhow::Result<&'static AtomicBool> {
-    ctrlc::set_handler(|| {
-        if STOP.swap(true, Ordering::Relaxed) {
-            end();
-        }
-    })
-    .context("cannot listen for Ctrl-C")?;
+    listen()?;
+    ORDERLY.store(true, Ordering::Relaxed);
     Ok(&STOP)
 }
 
@@ -25,7 +29,20 @@ pub fn flag() -> anyhow::Result<&'static AtomicBool> {
 /// # Errors
 /// Where the system lets no handler be set.
 pub fn at_once() -> anyhow::Result<()> {
-    ctrlc::set_handler(end).context("cannot listen for Ctrl-C")
+    listen()
+}
+
+fn listen() -> anyhow::Result<()> {
+    if LISTENING.get().is_none() {
+        ctrlc::set_handler(|| {
+            if !ORDERLY.load(Ordering::Relaxed) || STOP.swap(true, Ordering::Relaxed) {
+                end();
+            }
+        })
+        .context("cannot listen for Ctrl-C")?;
+        LISTENING.get_or_init(|| ());
+    }
+    Ok(())
 }
 
 fn end() {

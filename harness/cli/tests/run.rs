@@ -282,25 +282,21 @@ fn the_reference_in_a_process_of_its_own_does_what_it_does_in_this_one() {
     assert!(rerun.contains(" --engine 'cmd:"), "{rerun}");
 }
 
+/// Starts a command whose engine tells the witness that it lives, presses Ctrl-C, and waits for the end of both.
 #[cfg(unix)]
-#[test]
-fn ctrl_c_leaves_no_engine_behind() {
+fn interrupt_with_engine(command: &str, engine: &str) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let witness = folder.path().join("witness");
     let made = Command::new("mkfifo").arg(&witness).status().expect("mkfifo");
     assert!(made.success());
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cmd/conversions.in/hangs.sh");
-    let engine = format!("cmd:sh '{script}'");
-    let mut ask = stickler(
-        folder.path(),
-        &["conversions", "REAL_TO_INT", "2.5", "--engine", &engine],
-    )
-    .env("WITNESS", &witness)
-    .stdout(Stdio::null())
-    .stderr(Stdio::null())
-    .spawn()
-    .expect("the command starts");
-    // The pipe opens when the engine has got its request, and ends when nobody holds it any more.
+    let arguments: Vec<&str> = command.split(' ').chain(["--engine", engine]).collect();
+    let mut ask = stickler(folder.path(), &arguments)
+        .env("WITNESS", &witness)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command starts");
+    // The pipe opens when the engine does so, and ends when nobody holds it any more.
     let mut pipe = fs::File::open(&witness).expect("the witness");
     let killed = Command::new("kill")
         .args(["-INT", &ask.id().to_string()])
@@ -310,4 +306,18 @@ fn ctrl_c_leaves_no_engine_behind() {
     let mut told = Vec::new();
     std::io::Read::read_to_end(&mut pipe, &mut told).expect("the end of the pipe");
     assert_eq!(ask.wait().expect("the command ends").code(), Some(130));
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_no_engine_behind() {
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cmd/conversions.in/hangs.sh");
+    interrupt_with_engine("conversions REAL_TO_INT 2.5", &format!("cmd:sh '{script}'"));
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_a_run_whose_engine_does_not_start() {
+    let never = r#"cmd:sh -c 'exec 9>"$WITNESS"; tail -f /dev/null >/dev/null 2>&1'"#;
+    interrupt_with_engine("run --no-report", never);
 }

@@ -22,6 +22,8 @@ use stickler_run::{Event, Plan, Summary, select};
 /// A wrong command line, an engine that cannot be run, no case, or reports that cannot be written. All but a disk that
 /// fills up is found before the first case.
 pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    // An engine may take its time to start; the run itself ends in an orderly way.
+    interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
     let asked_for = asked_for(&engines);
     let engines: Vec<&dyn Engine> = engines.iter().map(|named| named.engine.as_ref()).collect();
