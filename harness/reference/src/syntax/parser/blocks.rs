@@ -39,6 +39,12 @@ impl<'s> Parser<'s, '_> {
         mistaken || kind == TokenKind::End || self.blocks.iter().rev().any(|block| block.awaits(kind))
     }
 
+    /// What stands here was meant for an end that the innermost block may have.
+    pub(super) fn at_misspelt_end(&self) -> bool {
+        self.misspelt_end()
+            .is_some_and(|(meant, _)| self.is_awaited(meant))
+    }
+
     /// The keyword that closes what has just been read. A wrong one is taken for it, unless it closes something
     /// further out.
     pub(super) fn close(&mut self, closer: TokenKind) {
@@ -48,6 +54,14 @@ impl<'s> Parser<'s, '_> {
             return;
         }
         self.expected(&quoted(closer.text()));
+        if let Some((meant, tokens)) = self.misspelt_end() {
+            if meant == closer || !self.blocks.iter().any(|block| block.awaits(meant)) {
+                (0..tokens).for_each(|_| {
+                    self.bump();
+                });
+            }
+            return;
+        }
         let alike = kind.closes_block() && closer.closes_block() || kind.closes_pou() && closer.closes_pou();
         if alike && !self.blocks.iter().any(|block| block.awaits(kind)) {
             self.bump();
@@ -145,12 +159,21 @@ impl<'s> Parser<'s, '_> {
         }
         if read.is_ok() {
             self.missing(&quoted(closer.text()));
+            if let Some((meant, tokens)) = self.misspelt_end()
+                && meant == closer
+            {
+                (0..tokens).for_each(|_| {
+                    self.bump();
+                });
+                return read.map_err(|_| start);
+            }
             if self.kind() == TokenKind::Semicolon && self.nth(1) == closer {
                 self.bump();
                 self.bump();
                 return read.map_err(|_| start);
             }
-            if self.starts_line() || self.kind().opens_statement() {
+            let goes_on = self.starts_line() || self.kind().opens_statement();
+            if goes_on || closer == TokenKind::Of && self.at_case_label() {
                 return read.map_err(|_| start); // Only the keyword is missing.
             }
         }
@@ -204,7 +227,8 @@ impl<'s> Parser<'s, '_> {
         loop {
             if self.at_case_label() {
                 branches.push(self.case_branch());
-            } else if self.kind().ends_statements() && self.is_awaited(self.kind()) {
+            } else if self.kind().ends_statements() && self.is_awaited(self.kind()) || self.at_misspelt_end()
+            {
                 break;
             } else {
                 self.expected("a label");
@@ -294,167 +318,4 @@ impl<'s> Parser<'s, '_> {
 }
 
 #[cfg(test)]
-mod tests {
-    use crate::syntax::parser::testing::{accepted_body, body_errors};
-    use crate::syntax::tree::StatementKind;
-
-    #[test]
-    fn if_has_branches() {
-        let body =
-            accepted_body("IF a THEN x := 1; ELSIF b THEN ELSIF c THEN ; ELSE y := 2; z := 3; END_IF;");
-        let [
-            StatementKind::If {
-                branches,
-                otherwise: Some(otherwise),
-            },
-        ] = &[&body[0].kind][..1]
-        else {
-            panic!("{body:?}")
-        };
-        assert_eq!((branches.len(), otherwise.len()), (3, 2));
-    }
-
-    #[test]
-    fn loops_have_bodies() {
-        let body = accepted_body(
-            "FOR i := 1 TO 10 DO x := i; END_FOR; FOR a[1] := 10 TO 1 BY -1 DO END_FOR;
-             WHILE a < b DO END_WHILE; REPEAT ; UNTIL a END_REPEAT;",
-        );
-        assert!(matches!(body[0].kind, StatementKind::For { by: None, .. }));
-        assert!(matches!(body[1].kind, StatementKind::For { by: Some(_), .. }));
-        assert!(matches!(body[2].kind, StatementKind::While { .. }));
-        assert!(matches!(body[3].kind, StatementKind::Repeat { .. }));
-    }
-
-    #[test]
-    fn case_labels_are_told_from_statements() {
-        let body = accepted_body(
-            "CASE n OF 1, 2, 5..7: x := 1; y := 2; RED: f(x); COLOR#GREEN: ; -5..-1: a.b := 1; a[1] := 2;
-             A, B: LOW..HIGH: N + 1: g.h: 16#FF: INT#5: f((x), y := 1); F((1), g(2)): F(1)..F(2) * 3: f(x); ELSE x := 9;
-             END_CASE;",
-        );
-        let StatementKind::Case {
-            branches,
-            otherwise: Some(_),
-            ..
-        } = &body[0].kind
-        else {
-            panic!("{body:?}")
-        };
-        let sizes: Vec<_> = branches
-            .iter()
-            .map(|branch| (branch.labels.len(), branch.body.len()))
-            .collect();
-        assert_eq!(
-            sizes,
-            [
-                (3, 2),
-                (1, 1),
-                (1, 1),
-                (1, 2),
-                (2, 0),
-                (1, 0),
-                (1, 0),
-                (1, 0),
-                (1, 0),
-                (1, 1),
-                (1, 0),
-                (1, 1)
-            ]
-        );
-    }
-
-    #[test]
-    fn a_broken_header_is_one_error_and_its_body_is_read() {
-        for text in [
-            "IF a + THEN x := ; END_IF;",
-            "IF THEN x := ; END_IF;",
-            "IF a b THEN x := ; END_IF;",
-            "IF a\nx := ; END_IF;",
-            "IF (a THEN x := ; END_IF;",
-            "WHILE a + DO x := ; END_WHILE;",
-            "FOR i = 1 TO 5 DO x := ; END_FOR;",
-            "FOR i := 1 TO DO x := ; END_FOR;",
-            "FOR i := 1 5 DO x := ; END_FOR;",
-            "FOR 5 := 1 TO 5 DO x := ; END_FOR;",
-            "REPEAT x := ; UNTIL a + END_REPEAT;",
-            "REPEAT x := ; END_REPEAT;",
-            "CASE a + OF 1: x := ; END_CASE;",
-            "CASE a OF 1 + : x := ; END_CASE;",
-            "CASE a OF y := 1; 1: x := ; END_CASE;",
-        ] {
-            let errors = body_errors(text);
-            assert_eq!(errors.len(), 2, "{text}: {errors:?}");
-        }
-    }
-
-    #[test]
-    fn a_missing_or_wrong_end_is_one_error() {
-        for (text, error) in [
-            (
-                "IF a THEN x := 1;",
-                "expected `END_IF`, found the keyword `END_PROGRAM`",
-            ),
-            (
-                "IF a THEN x := 1; END_WHILE; y := 1;",
-                "expected `END_IF`, found the keyword `END_WHILE`",
-            ),
-            (
-                "WHILE a DO IF b THEN x := 1; END_WHILE;",
-                "expected `END_IF`, found the keyword `END_WHILE`",
-            ),
-            (
-                "IF a THEN WHILE b DO ELSE END_IF;",
-                "expected `END_WHILE`, found the keyword `ELSE`",
-            ),
-            (
-                "IF a THEN ELSE x := 1; ELSE y := 1; END_IF;",
-                "expected a statement, found the keyword `ELSE`",
-            ),
-            (
-                "CASE a OF 1: x := 1;",
-                "expected `END_CASE`, found the keyword `END_PROGRAM`",
-            ),
-            (
-                "IF a THEN IF b THEN IF c THEN",
-                "expected `END_IF`, found the keyword `END_PROGRAM`",
-            ),
-        ] {
-            let errors = body_errors(text);
-            assert!(
-                matches!(errors.as_slice(), [only] if only.ends_with(error)),
-                "{text}: {errors:?}"
-            );
-        }
-    }
-
-    #[test]
-    fn blocks_nest_to_the_limit_only() {
-        let nested = |depth: usize| {
-            format!(
-                "{}x := 1;{}",
-                "IF a THEN ".repeat(depth),
-                " END_IF;".repeat(depth)
-            )
-        };
-        assert_eq!(body_errors(&nested(200)), [""; 0]);
-        assert_eq!(
-            body_errors(&nested(201)),
-            ["1:2001 S0002 nested more than 200 deep"]
-        );
-        assert_eq!(body_errors(&nested(100_000)).len(), 1);
-        for open in [
-            "IF a THEN ",
-            "CASE a OF 1: ",
-            "FOR i := 1 TO 2 DO ",
-            "WHILE a DO ",
-            "REPEAT ",
-        ] {
-            let errors = body_errors(&open.repeat(100_000));
-            assert!(
-                matches!(errors.as_slice(), [only] if only.contains("S0002")),
-                "{open}: {errors:?}"
-            );
-        }
-    }
-}
+mod tests;

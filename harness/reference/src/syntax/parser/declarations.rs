@@ -5,7 +5,7 @@ use super::state::{Parsed, Parser};
 use crate::source::Span;
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{
-    Declaration, Name, Pou, PouKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind,
+    Declaration, Name, Pou, PouKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
 };
 
 impl<'s> Parser<'s, '_> {
@@ -60,8 +60,8 @@ impl<'s> Parser<'s, '_> {
         let start = self.bump().span;
         self.incomplete = false;
         self.unsupported_modifiers();
-        let (name, result) = self.pou_header(kind);
         let mut blocks = Vec::new();
+        let (name, result) = self.pou_header(kind, &mut blocks);
         while self.kind().opens_section() {
             if self.kind() == TokenKind::VarGlobal {
                 self.expected("variables of the POU (VAR_GLOBAL stands outside of it)");
@@ -91,13 +91,22 @@ impl<'s> Parser<'s, '_> {
         }))
     }
 
-    /// The name, and the result type of a function; the third edition lets a function do without.
-    fn pou_header(&mut self, kind: PouKind) -> (Option<Name<'s>>, Option<TypeSpecification<'s>>) {
+    /// The name, and the result type of a function; the third edition lets a function do without. Parameters that
+    /// stand in parentheses there, as other languages have them, are taken for inputs.
+    fn pou_header(
+        &mut self,
+        kind: PouKind,
+        blocks: &mut Vec<VariableBlock<'s>>,
+    ) -> (Option<Name<'s>>, Option<TypeSpecification<'s>>) {
         let Ok(name) = self.name("a name") else {
             self.skip_line();
             return (None, None);
         };
         self.unsupported_inheritance();
+        if self.kind() == TokenKind::LeftParen {
+            self.expected("variables (parameters stand between VAR_INPUT and END_VAR)");
+            blocks.push(self.parameters_in_parentheses());
+        }
         let mut result = None;
         if kind == PouKind::Function && self.eat(TokenKind::Colon) {
             result = Some(self.result_type());
@@ -293,6 +302,35 @@ mod tests {
             errors("PROGRAM p : INT\nVAR x : INT; END_VAR END_PROGRAM").len(),
             1
         );
+    }
+
+    #[test]
+    fn parameters_in_parentheses_are_one_error_and_are_kept() {
+        for header in [
+            "FUNCTION f(a : INT; b, c : REAL) : INT",
+            "FUNCTION f (a : INT, b : INT) : INT",
+            "FUNCTION f() : INT",
+            "FUNCTION f(a : ARRAY[0..3] OF INT) : INT",
+            "FUNCTION f(a : INT)",
+            "FUNCTION_BLOCK f(a : INT)",
+            "FUNCTION f(5) : INT",
+        ] {
+            let closer = header.split([' ']).next().unwrap_or_default();
+            let text = format!("{header}\nVAR x : INT; END_VAR x := 1; END_{closer}");
+            let found = errors(&text);
+            let message = "expected variables (parameters stand between VAR_INPUT and END_VAR), found `(`";
+            assert!(
+                matches!(&found[..], [only] if only.ends_with(message)),
+                "{text}: {found:?}"
+            );
+        }
+        let (unit, _) = crate::syntax::parse(
+            "FUNCTION f(a : INT; b : REAL) : INT f := a; END_FUNCTION",
+            &crate::Dialect::ironplc_ed2(),
+        );
+        let f = crate::syntax::parser::testing::pou(&unit, 0);
+        assert!(f.result.is_some());
+        assert_eq!((f.blocks[0].groups.len(), f.body.len()), (2, 1));
     }
 
     #[test]

@@ -24,6 +24,7 @@ impl Parser<'_, '_> {
                     return;
                 }
                 TokenKind::Name if self.is_anew() && begins(self.nth(1)) => return,
+                TokenKind::Name if self.at_misspelt_end() => return,
                 TokenKind::LeftParen | TokenKind::LeftBracket => self.open += 1,
                 TokenKind::RightParen | TokenKind::RightBracket => self.open = self.open.saturating_sub(1),
                 kind if kind.ends_statements() || kind.opens_section() || kind.opens_block() => return,
@@ -56,6 +57,33 @@ impl Parser<'_, '_> {
                 }
             }
         }
+    }
+
+    /// The keyword that was meant, and how many tokens are there instead, where `ENDIF`, `END IF` or its like
+    /// stands for the end of a statement: with nothing behind it that would make a variable or a call of it.
+    pub(super) fn misspelt_end(&self) -> Option<(TokenKind, usize)> {
+        use TokenKind::{Assign, Case, Dot, For, If, LeftBracket, LeftParen, Repeat, While};
+        if self.kind() != TokenKind::Name {
+            return None;
+        }
+        let (end, rest) = self.word().split_at_checked(3)?;
+        if !end.eq_ignore_ascii_case("END") {
+            return None;
+        }
+        let opens = |kind: &TokenKind| match rest {
+            "" => self.nth(1) == *kind,
+            _ => rest.eq_ignore_ascii_case(kind.text()),
+        };
+        let opener = [If, Case, For, While, Repeat].into_iter().find(opens)?;
+        let used = matches!(self.nth(1), Assign | Dot | LeftParen | LeftBracket);
+        let closer = match opener {
+            If => TokenKind::EndIf,
+            Case => TokenKind::EndCase,
+            For => TokenKind::EndFor,
+            While => TokenKind::EndWhile,
+            _ => TokenKind::EndRepeat,
+        };
+        (!used).then_some((closer, if rest.is_empty() { 2 } else { 1 }))
     }
 
     /// Moves to the start of the next line, or to the next section, statement or END_… on this one.

@@ -25,7 +25,7 @@ impl<'s> Parser<'s, '_> {
                 self.expected("a statement (variable sections stand before the statements)");
                 let section = self.variable_block();
                 self.late_sections.extend(section);
-            } else if stop(self) {
+            } else if stop(self) || self.at_misspelt_end() {
                 return;
             } else {
                 self.statement(list);

@@ -161,6 +161,36 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
+    /// `(a : INT; b, c : REAL)` behind the name of a POU, which is wrong there, and has been said to be.
+    pub(super) fn parameters_in_parentheses(&mut self) -> VariableBlock<'s> {
+        let start = self.bump().span;
+        let mut groups = Vec::new();
+        while self.kind() == TokenKind::Name {
+            self.hush();
+            let mut names = Vec::with_capacity(1);
+            let specification = self.names_and_type(&mut names);
+            let sound = specification.is_ok();
+            groups.push(VariableGroup {
+                names,
+                specification: specification.unwrap_or_else(|_| error_specification(self.previous_span())),
+                initializer: None,
+            });
+            if !sound || !(self.eat(TokenKind::Semicolon) || self.eat(TokenKind::Comma)) {
+                break;
+            }
+        }
+        if !self.eat(TokenKind::RightParen) {
+            self.skip_line();
+        }
+        VariableBlock {
+            kind: VariableKind::Input,
+            constant: false,
+            retention: None,
+            groups,
+            span: start.to(self.previous_span()),
+        }
+    }
+
     fn names_and_type(&mut self, names: &mut Vec<Name<'s>>) -> Parsed<TypeSpecification<'s>> {
         loop {
             names.push(self.name("a variable's name")?);
