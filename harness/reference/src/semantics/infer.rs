@@ -6,9 +6,7 @@ use super::model::{Definition, EnumeratedName};
 use super::operators::Signature;
 use super::scope::Folded;
 use super::types::{Kind, TypeId};
-use crate::syntax::tree::{
-    ExpressionId, ExpressionKind, Name, PartialAccessForm, UnaryOperator, VariableKind,
-};
+use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, PartialAccessForm, UnaryOperator};
 use stickler_types::ElementaryType;
 
 impl<'m> Lowering<'m> {
@@ -115,14 +113,9 @@ impl<'m> Lowering<'m> {
         let Inferred::Known(ty) = self.infer(base) else {
             return Inferred::Error;
         };
-        match self.model.types.kind(ty) {
-            Kind::Structure(structure) | Kind::FunctionBlock(structure) => {
-                match structure.members.find(field.text) {
-                    Some(member) if member.kind != VariableKind::InOut => self.inferred_of(member.ty),
-                    _ => Inferred::Error,
-                }
-            }
-            _ => Inferred::Error,
+        match self.model.types.kind(ty).element(field.text) {
+            Some(member) => self.inferred_of(member.ty),
+            None => Inferred::Error,
         }
     }
 

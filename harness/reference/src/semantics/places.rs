@@ -12,7 +12,7 @@ use super::types::{ArrayShape, Dimension, Kind, TypeId};
 use crate::dialect::PartialAccess;
 use crate::instruction::Instruction;
 use crate::source::Span;
-use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, PartialAccessForm, VariableKind};
+use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, PartialAccessForm};
 use stickler_types::{Code, ElementaryType};
 
 impl<'m> Lowering<'m> {
@@ -72,11 +72,7 @@ impl<'m> Lowering<'m> {
     fn field(&mut self, base: ExpressionId, field: Name<'m>) -> Option<Place> {
         let place = self.place(base)?;
         let types = &self.model.types;
-        let member = match types.kind(place.content()) {
-            Kind::Structure(structure) | Kind::FunctionBlock(structure) => structure.members.find(field.text),
-            _ => None,
-        };
-        let Some(member) = member.filter(|member| member.kind != VariableKind::InOut) else {
+        let Some(member) = types.kind(place.content()).element(field.text) else {
             let name = types.name(place.content());
             let message = format!("{name} has no element `{}` that can be reached", field.text);
             self.report(Code::VariableUndefined, field.span, message);

@@ -124,6 +124,23 @@ pub(super) struct Member {
     pub(super) constant: bool,
 }
 
+impl Kind {
+    /// What `x.name` reaches in a variable of this type: any element of a structure, and of a function block its
+    /// inputs and outputs; its other variables are its own.
+    ///
+    /// Basis: iec-61131-3: 2.5.2 of the second edition (only inputs and outputs are accessible from outside).
+    pub(super) fn element(&self, name: &str) -> Option<&Member> {
+        match self {
+            Kind::Structure(structure) => structure.members.find(name),
+            Kind::FunctionBlock(block) => block
+                .members
+                .find(name)
+                .filter(|member| matches!(member.kind, VariableKind::Input | VariableKind::Output)),
+            _ => None,
+        }
+    }
+}
+
 /// The value that a variable has without an initial value of its own.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum DefaultValue {

@@ -93,7 +93,7 @@ fn types_are_looked_for_wherever_they_stand() {
 fn types_and_functions_may_stand_in_any_order() {
     gives(
         "PROGRAM main VAR p : PAIR; n : INT; f : OUTER; END_VAR p.a := 3; n := TWICE(p.a); f(); n := n + f.inner.q; END_PROGRAM
-         FUNCTION_BLOCK OUTER VAR inner : INNER; END_VAR inner(); END_FUNCTION_BLOCK
+         FUNCTION_BLOCK OUTER VAR_OUTPUT inner : INNER; END_VAR inner(); END_FUNCTION_BLOCK
          FUNCTION TWICE : NUMBER VAR_INPUT x : NUMBER; END_VAR TWICE := 2 * x; END_FUNCTION
          TYPE PAIR : STRUCT a, b : NUMBER; END_STRUCT; NUMBER : INT; END_TYPE
          FUNCTION_BLOCK INNER VAR_OUTPUT q : INT := 10; END_VAR END_FUNCTION_BLOCK",
@@ -121,8 +121,7 @@ fn what_contains_itself_is_said_once() {
     ] {
         assert_eq!(says(text), [expected], "{text}");
     }
-    let by_reference =
-        "FUNCTION_BLOCK f VAR_IN_OUT next : f; END_VAR VAR n : INT; END_VAR n := next.n; END_FUNCTION_BLOCK";
+    let by_reference = "FUNCTION_BLOCK f VAR_IN_OUT next : f; END_VAR VAR_OUTPUT n : INT; END_VAR n := next.n; END_FUNCTION_BLOCK";
     assert!(says(by_reference).is_empty());
 }
 

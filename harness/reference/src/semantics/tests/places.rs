@@ -150,3 +150,29 @@ c := 2; END_PROGRAM"
         ["2 S0001"]
     );
 }
+
+#[test]
+fn only_inputs_and_outputs_of_a_function_block_are_reached_from_outside() {
+    let block = "FUNCTION_BLOCK B VAR_INPUT i : INT; END_VAR VAR l : INT; END_VAR VAR_TEMP t : INT; END_VAR
+        VAR_OUTPUT o : INT; END_VAR o := l; l := i; END_FUNCTION_BLOCK
+        PROGRAM main VAR b : B; x : INT; END_VAR\n";
+    let said = |statement: &str| says(&format!("{block}{statement} END_PROGRAM"));
+    for statement in ["x := b.o;", "x := b.i;", "b.i := 1;", "b(i := 1, o => x);"] {
+        assert!(said(statement).is_empty(), "{statement}");
+    }
+    for statement in [
+        "x := b.l;",
+        "b.l := 1;",
+        "x := b.t;",
+        "x := b.l + 1;",
+        "x := b.q;",
+    ] {
+        assert_eq!(said(statement), ["4 P4007"], "{statement}");
+    }
+    // A test observes what a program cannot reach.
+    gives(
+        "FUNCTION_BLOCK B VAR l : INT := 7; END_VAR END_FUNCTION_BLOCK
+         PROGRAM main VAR b : B; END_VAR END_PROGRAM",
+        &["b.l = INT#7"],
+    );
+}

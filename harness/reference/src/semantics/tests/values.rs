@@ -49,7 +49,7 @@ fn instances_may_be_chosen_as_the_program_runs() {
 #[test]
 fn nested_blocks_and_references_reach_the_right_cells() {
     gives(
-        "FUNCTION_BLOCK INNER VAR_IN_OUT a : ARRAY[0..2] OF INT; END_VAR VAR_INPUT i : INT; END_VAR VAR n : INT; END_VAR
+        "FUNCTION_BLOCK INNER VAR_IN_OUT a : ARRAY[0..2] OF INT; END_VAR VAR_INPUT i : INT; END_VAR VAR_OUTPUT n : INT; END_VAR
          a[i] := a[i] + 10; n := n + a[i]; a[i].0 := TRUE; END_FUNCTION_BLOCK
          FUNCTION_BLOCK OUTER VAR one, two : INNER; END_VAR VAR_IN_OUT a : ARRAY[0..2] OF INT; END_VAR VAR k : ARRAY[0..2] OF INT := [5, 6, 7]; END_VAR
          one(a := a, i := 1); two(a := k, i := 2); two(a := a); k[0] := one.n; END_FUNCTION_BLOCK
