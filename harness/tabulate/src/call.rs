@@ -70,6 +70,18 @@ impl Call {
     }
 }
 
+/// Whether a text is among the one in so many that are chosen where a table has room for some only.
+///
+/// The choice depends on the text alone, not on its place in a list: a list may grow, and no case vanishes.
+#[must_use]
+pub fn is_chosen(text: &str, one_in: u64) -> bool {
+    // FNV-1a of 64 bits, whose low bits alone are not mixed well enough.
+    let hash = text.bytes().fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
+    });
+    (hash >> 32).is_multiple_of(one_in)
+}
+
 impl std::fmt::Display for Call {
     /// As a program writes it with typed literals: `DINT_TO_INT(DINT#1)`.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -105,6 +117,14 @@ mod tests {
             Some("forgeiec-conversion-functions: Range and precision")
         );
         assert_eq!(call.basis(DialectName::Plcnext), None);
+    }
+
+    #[test]
+    fn about_as_many_are_chosen_as_were_asked_for_and_always_the_same() {
+        let chosen = (0..7_000).filter(|number| is_chosen(&number.to_string(), 7));
+        let chosen: Vec<u32> = chosen.collect();
+        assert!((900..1_100).contains(&chosen.len()), "{}", chosen.len());
+        assert!(is_chosen("anything", 1));
     }
 
     #[test]

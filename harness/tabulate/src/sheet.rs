@@ -26,7 +26,8 @@ pub enum Column {
     Id,
     /// A number of the operand's type whose square is infinite.
     Huge,
-    /// An expression with `huge` that makes an operand that no literal can write.
+    /// An expression with `huge` that makes an operand that no literal can write: NaN, an infinity, and -0.0 for those who read
+    /// its literal as 0.0.
     Made,
     /// The result as a typed literal, for the dialects in which a probe asserts it.
     Expected,
@@ -73,6 +74,7 @@ impl Column {
             Column::Made => match operand(0).map(|operand| &*operand.literal) {
                 Some("Infinity") => "huge * huge".to_owned(),
                 Some("-Infinity") => "-huge * huge".to_owned(),
+                Some("-0.0") => "-1.0 / (huge * huge)".to_owned(),
                 _ => "huge * huge - huge * huge".to_owned(),
             },
             Column::Expected => expected.to_owned(),

@@ -4,11 +4,12 @@ use super::words::{
     BCD, CONFORMANCE, DESIGN, IRONPLC_EXPLICIT, IRONPLC_NARROWING, NAMED_VALUES, NAMING, OPEN_NAMED, RANGE,
     TRUNC,
 };
-use crate::call::Call;
+use crate::call::{Call, is_chosen};
 use crate::class::{self, Class, Form, Voices};
 use crate::operand::Operand;
 use crate::sheet::{CallProbe, Sheet, owned};
 use crate::table::{Probe, Table};
+use std::collections::HashSet;
 use stickler_types::DialectName;
 use stickler_types::ElementaryType::{self, Byte, Dint, Int, Lint, Real, Sint, String as Text, Time, Word};
 
@@ -42,11 +43,15 @@ const DIALECTS: [&str; 3] = ["ironplc-ed3", "matiec", "plcnext"];
 /// # Errors
 /// What [`class::sheets`] says.
 pub fn sheets(already: &[Call]) -> Result<Vec<Sheet>, String> {
-    let asserted = already
-        .iter()
-        .filter(|call| is_written(call) && call.basis(DialectName::Matiec).is_some());
-    // A prime number, so that no pattern of the lists is followed.
-    let mut calls: Vec<Call> = asserted.step_by(7).cloned().collect();
+    let mut calls: Vec<Call> = Vec::new();
+    let mut seen = HashSet::new();
+    for call in already {
+        let text = call.to_string();
+        let is_asserted = is_written(call) && call.basis(DialectName::Matiec).is_some();
+        if is_asserted && is_chosen(&text, 7) && seen.insert(text) {
+            calls.push(call.clone());
+        }
+    }
     let voices = |name, title, voices| Class {
         name,
         title,
@@ -150,7 +155,7 @@ pub fn sheets(already: &[Call]) -> Result<Vec<Sheet>, String> {
             "named-constant-by-ironplc"
         };
     }
-    calls = calls.into_iter().step_by(5).collect();
+    calls.retain(|call| is_chosen(&format!("initially {call}"), 5));
     sheets.push(initial_values(calls));
     Ok(sheets)
 }

@@ -1,7 +1,7 @@
 //! Texts at the edges that [`super::texts`] leaves out, and all that no document says of them.
 
 use super::words::{CONFORMANCE, NAMING, OPEN_PAIR, VALUES};
-use crate::call::Call;
+use crate::call::{Call, is_chosen};
 use crate::class::{self, Class, Form, Voices};
 use crate::inputs::edges::{of_format, of_precision};
 use crate::inputs::integers::{BIT_STRINGS, INTEGERS, ascending, limits};
@@ -85,9 +85,13 @@ fn read(from: ElementaryType, to: ElementaryType, texts: &[&str]) -> Vec<Call> {
     operands.map(|operand| Call::convert(from, to, operand)).collect()
 }
 
-/// Every third text, for a type that reads as another does.
+/// The first and about every third text, for a type that reads as another does.
 fn some<'t>(texts: &[&'t str]) -> Vec<&'t str> {
-    texts.iter().copied().step_by(3).collect()
+    let texts = texts.iter().copied().enumerate();
+    texts
+        .filter(|(at, text)| *at == 0 || is_chosen(text, 3))
+        .map(|(_, text)| text)
+        .collect()
 }
 
 fn read_numbers() -> Vec<Call> {
@@ -192,11 +196,13 @@ fn written() -> Vec<Call> {
     }
     operands.extend(["TRUE", "FALSE"].map(|literal| Operand::read(Bool, literal)));
     let mut calls = Vec::new();
-    for (at, operand) in operands.into_iter().enumerate() {
+    let mut last = None;
+    for operand in operands {
         let stickler_types::Value::Plain { ty, .. } = operand.value else {
             continue;
         };
-        if at % 3 == 0 {
+        // The first of each type, and about every third.
+        if last.replace(ty) != Some(ty) || is_chosen(&operand.typed, 3) {
             calls.push(Call::convert(ty, Wstring, operand.clone()));
         }
         calls.push(Call::convert(ty, Text, operand));

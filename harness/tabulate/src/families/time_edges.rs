@@ -1,7 +1,7 @@
 //! Durations at the edges that [`super::times`] leaves out, and all that no document says of them.
 
 use super::words::{NAMING, OPEN_PAIR, VALUES};
-use crate::call::Call;
+use crate::call::{Call, is_chosen};
 use crate::class::{self, Class, Form, Voices};
 use crate::inputs::integers::{BIT_STRINGS, INTEGERS, ascending, limits};
 use crate::inputs::moments::{
@@ -150,13 +150,12 @@ fn from_number(from: ElementaryType, to: ElementaryType) -> Vec<Call> {
     calls.collect()
 }
 
-/// About every third of them, the first and the last among them: where a rule was tried with another type already.
-fn few(calls: Vec<Call>) -> Vec<Call> {
-    let last = calls.len().saturating_sub(1);
-    let kept = calls.into_iter().enumerate();
-    kept.filter(|(at, _)| at % 3 == 0 || *at == last)
+/// The first and about every third of them: where a rule was tried with another type already.
+fn few(calls: Vec<Call>) -> impl Iterator<Item = Call> {
+    let calls = calls.into_iter().enumerate();
+    calls
+        .filter(|(at, call)| *at == 0 || is_chosen(&call.to_string(), 3))
         .map(|(_, call)| call)
-        .collect()
 }
 
 fn durations(ty: ElementaryType) -> Vec<Operand> {
