@@ -26,14 +26,20 @@ fn complaint(suggestion: &Suggestion, reference: &Reference) -> Option<String> {
     let Ok(mut session) = reference.session() else {
         return Some("the reference has no session".to_owned());
     };
-    let outcome = session.run(&request);
-    match &outcome {
-        Outcome::Executed { values } if values.iter().any(|(_, value)| *value == suggestion.value) => None,
-        _ => Some(format!(
-            "{} in {}: {} is suggested, the reference gives {outcome:?}",
-            suggestion.place, suggestion.dialect, suggestion.value
-        )),
-    }
+    let given = match session.run(&request) {
+        Outcome::Executed { values } if values.iter().any(|(_, value)| *value == suggestion.value) => {
+            return None;
+        }
+        Outcome::Executed { values } => {
+            let values = values.iter().map(|(_, value)| value.to_string());
+            values.collect::<Vec<String>>().join(", ")
+        }
+        other => format!("{other:?}"),
+    };
+    Some(format!(
+        "{} in {}: {} is suggested, the reference gives {given}",
+        suggestion.place, suggestion.dialect, suggestion.value
+    ))
 }
 
 #[test]
