@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};
 use stickler_tabulate::families;
-use stickler_tabulate::sheet::Suggestion;
+use stickler_tabulate::suggestion::Suggestion;
 
 /// What is to be said of a suggestion that the reference does not follow.
 fn complaint(suggestion: &Suggestion, reference: &Reference) -> Option<String> {

@@ -4,8 +4,9 @@
 //! IronPLC dialects for all, for these have one page on conversion functions.
 
 use crate::call::Call;
+use crate::column::Column;
 use crate::families::words::{CONFORMANCE, DESIGN};
-use crate::sheet::{CallProbe, Column, Sheet};
+use crate::sheet::{CallProbe, Sheet};
 use stickler_exact::Operation;
 use stickler_types::{DialectName, ElementaryType};
 
@@ -20,6 +21,16 @@ pub enum Voice {
     Open,
     /// The dialect does not have the function.
     Lacks,
+}
+
+impl Voice {
+    /// The section that says what the call gives.
+    const fn basis(self) -> Option<&'static str> {
+        match self {
+            Voice::Says(basis) => Some(basis),
+            Voice::Names | Voice::Open | Voice::Lacks => None,
+        }
+    }
 }
 
 /// What the documents of each dialect say of a call.
@@ -186,52 +197,16 @@ pub fn sheets(calls: &[Call], classes: &[Class], form: Form) -> Result<Vec<Sheet
 
 fn sheet(class: &Class, calls: Vec<Call>, form: Form) -> Sheet {
     let voices = class.voices.named();
-    let said = voices.iter().find_map(|(_, voice)| match voice {
-        Voice::Says(basis) => Some(*basis),
-        Voice::Names | Voice::Open | Voice::Lacks => None,
-    });
-    let mut probes = Vec::new();
-    for (kind, source) in [("variable", Some(form.variable)), ("constant", form.constant)] {
-        let Some(source) = source else { continue };
-        let by = |wanted: Option<&'static str>| -> Vec<&'static str> {
-            let of_basis = voices.iter().filter(|(_, voice)| match voice {
-                Voice::Says(basis) => wanted.map_or(Some(*basis) != said, |wanted| *basis == wanted),
-                Voice::Names | Voice::Open | Voice::Lacks => false,
-            });
-            of_basis.map(|(name, _)| *name).collect()
-        };
-        if said.is_some() {
-            probes.push(CallProbe::value(kind, &by(said), source));
-        }
-        for dialect in by(None) {
-            let basis = voices.iter().find_map(|(name, voice)| match voice {
-                Voice::Says(basis) if *name == dialect => Some(*basis),
-                _ => None,
-            });
-            let probe = CallProbe::value(own_probe(kind, dialect), &[dialect], source);
-            probes.push(probe.by(basis.unwrap_or_default()));
-        }
-    }
-    let open: Vec<&'static str> = voices
-        .iter()
-        .filter(|(_, voice)| *voice == Voice::Open)
-        .map(|(name, _)| *name)
-        .collect();
-    for (dialect, _) in voices.iter().filter(|(_, voice)| *voice == Voice::Names) {
-        probes.push(CallProbe::never_faults(&[dialect], form.variable));
-    }
-    if form.recorded && !open.is_empty() {
-        probes.push(CallProbe::recorded(&open, form.variable));
-    }
+    let said = voices.iter().find_map(|(_, voice)| voice.basis());
+    let silent = match class.voices.matiec {
+        Voice::Names => CONFORMANCE,
+        _ => DESIGN,
+    };
     let present = voices.iter().filter(|(_, voice)| *voice != Voice::Lacks);
     Sheet {
         name: class.name,
         title: class.title,
-        basis: said.unwrap_or(if class.voices.matiec == Voice::Names {
-            CONFORMANCE
-        } else {
-            DESIGN
-        }),
+        basis: said.unwrap_or(silent),
         dialects: present.map(|(name, _)| *name).collect(),
         summary: class.summary.to_owned(),
         columns: if said.is_some() {
@@ -240,8 +215,39 @@ fn sheet(class: &Class, calls: Vec<Call>, form: Form) -> Sheet {
             form.open_columns
         },
         calls,
-        probes,
+        probes: probes(class.voices, said, form),
     }
+}
+
+/// The probes of a class, `said` being the basis of its table: one for all dialects with this basis, one for each other that
+/// asserts, one that never faults, one that records.
+fn probes(voices: Voices, said: Option<&'static str>, form: Form) -> Vec<CallProbe> {
+    let voices = voices.named();
+    let with = |wanted: Voice| -> Vec<&'static str> {
+        let dialects = voices.iter().filter(|(_, voice)| *voice == wanted);
+        dialects.map(|(name, _)| *name).collect()
+    };
+    let mut probes = Vec::new();
+    for (kind, source) in [("variable", Some(form.variable)), ("constant", form.constant)] {
+        let (Some(said), Some(source)) = (said, source) else {
+            continue;
+        };
+        probes.push(CallProbe::value(kind, &with(Voice::Says(said)), source));
+        for (dialect, voice) in voices {
+            if let Some(basis) = voice.basis().filter(|basis| *basis != said) {
+                probes.push(CallProbe::value(own_probe(kind, dialect), &[dialect], source).by(basis));
+            }
+        }
+    }
+    let named = with(Voice::Names);
+    if !named.is_empty() {
+        probes.push(CallProbe::never_faults(&named, form.variable));
+    }
+    let open = with(Voice::Open);
+    if form.recorded && !open.is_empty() {
+        probes.push(CallProbe::recorded(&open, form.variable));
+    }
+    probes
 }
 
 /// The probe of a dialect whose own document says what another's says too.

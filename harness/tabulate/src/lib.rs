@@ -5,6 +5,8 @@
 //! | which operands? | [`inputs`] |
 //! | which calls, in which table, with which claim? | [`families`] |
 //! | what does each call give, and who says so? | `stickler_exact`, through [`call`], [`class`] and [`sheet`] |
+//! | what stands in which cell? | [`column`], [`program`] |
+//! | what does the design suggest where nothing is asserted? | [`suggestion`] |
 //! | what does the file look like? | [`text`] |
 //! | does the folder have these files? | [`folder`] |
 //!
@@ -16,11 +18,13 @@
 
 pub mod call;
 pub mod class;
+pub mod column;
 pub mod families;
 pub mod folder;
 pub mod inputs;
 pub mod operand;
 pub mod program;
 pub mod sheet;
+pub mod suggestion;
 pub mod table;
 pub mod text;

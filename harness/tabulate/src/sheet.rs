@@ -2,85 +2,9 @@
 //! assert what no document says, or to leave open what one does.
 
 use crate::call::Call;
+use crate::column::Column;
 use crate::table::{Probe, Table};
-use stickler_types::{DialectName, ElementaryType, Value};
-
-/// A column of a sheet.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Column {
-    /// The name of the function.
-    Function,
-    /// The type of the operand.
-    From,
-    /// The type of the result.
-    To,
-    /// The operand as a declaration initializes a variable with it.
-    Input,
-    /// The operand as a typed literal.
-    Typed,
-    /// The type of the second operand.
-    SecondFrom,
-    /// The second operand as a declaration initializes a variable with it.
-    Second,
-    /// What stands in the id where the cells would be too long: the function and the operand.
-    Id,
-    /// A number of the operand's type whose square is infinite.
-    Huge,
-    /// An expression with `huge` that makes an operand that no literal can write: NaN, an infinity, and -0.0 for those who read
-    /// its literal as 0.0.
-    Made,
-    /// The result as a typed literal, for the dialects in which a probe asserts it.
-    Expected,
-}
-
-impl Column {
-    /// The name of the column, which is also its placeholder.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Column::Function => "function",
-            Column::From => "from",
-            Column::To => "to",
-            Column::Input => "input",
-            Column::Typed => "typed",
-            Column::SecondFrom => "with",
-            Column::Second => "second",
-            Column::Id => "id",
-            Column::Huge => "huge",
-            Column::Made => "made",
-            Column::Expected => "expected",
-        }
-    }
-
-    fn cell(self, call: &Call, expected: &str) -> String {
-        let operand = |at: usize| call.operands.get(at);
-        match self {
-            Column::Function => call.signature.function.clone(),
-            Column::From => call.from().to_string(),
-            Column::To => call.to().to_string(),
-            Column::Input => operand(0).map_or_else(String::new, |operand| operand.literal.clone()),
-            Column::Typed => operand(0).map_or_else(String::new, |operand| operand.typed.clone()),
-            Column::SecondFrom => {
-                operand(1).map_or_else(String::new, |operand| operand.value.type_name().to_owned())
-            }
-            Column::Second => operand(1).map_or_else(String::new, |operand| operand.literal.clone()),
-            Column::Id => format!(
-                "{}/{}",
-                call.signature.function,
-                operand(0).map_or("", |operand| &operand.typed)
-            ),
-            Column::Huge if call.from() == ElementaryType::Real => "3.0E38".to_owned(),
-            Column::Huge => "1.0E308".to_owned(),
-            Column::Made => match operand(0).map(|operand| &*operand.literal) {
-                Some("Infinity") => "huge * huge".to_owned(),
-                Some("-Infinity") => "-huge * huge".to_owned(),
-                Some("-0.0") => "-1.0 / (huge * huge)".to_owned(),
-                _ => "huge * huge - huge * huge".to_owned(),
-            },
-            Column::Expected => expected.to_owned(),
-        }
-    }
-}
+use stickler_types::DialectName;
 
 /// What a probe says of the result of the call.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -271,7 +195,8 @@ impl CallProbe {
         }
     }
 
-    fn dialects_in<'a>(&'a self, sheet: &'a Sheet) -> &'a [&'static str] {
+    /// The dialects and groups that it asks in.
+    pub(crate) fn dialects_in<'a>(&'a self, sheet: &'a Sheet) -> &'a [&'static str] {
         if self.dialects.is_empty() {
             &sheet.dialects
         } else {
@@ -301,61 +226,6 @@ impl CallProbe {
             ..Probe::default()
         }
     }
-}
-
-/// What the design suggests for a call of which a probe asserts nothing.
-///
-/// The suite records such a value and holds nobody to it. The reference says of itself that it does what the design suggests, so
-/// its own test may hold it to this.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Suggestion {
-    /// The table and the call, for a message.
-    pub place: String,
-    /// The dialect in which the probe asks.
-    pub dialect: DialectName,
-    /// The program; the value arrives in its variable `into`.
-    pub program: String,
-    /// The type of `into`.
-    pub ty: ElementaryType,
-    /// The value.
-    pub value: Value,
-}
-
-impl Sheet {
-    /// What the design suggests for each call that a probe only records.
-    ///
-    /// # Errors
-    /// As [`Sheet::table`].
-    pub fn suggestions(&self) -> Result<Vec<Suggestion>, String> {
-        let table = self.table()?;
-        let mut suggestions = Vec::new();
-        for (probe, written) in self.probes.iter().zip(&table.probes) {
-            if probe.claim == Claim::Value {
-                continue;
-            }
-            for dialect in resolve(probe.dialects_in(self))? {
-                let rows = self.calls.iter().zip(&table.rows);
-                suggestions.extend(rows.filter_map(|(call, row)| {
-                    Some(Suggestion {
-                        place: format!("{}: {call}", self.name),
-                        dialect,
-                        program: filled(&written.source, &table.columns, row),
-                        ty: call.to(),
-                        value: call.expected(dialect)?.value,
-                    })
-                }));
-            }
-        }
-        Ok(suggestions)
-    }
-}
-
-/// A template with the cells of a row for the names of their columns.
-fn filled(template: &str, columns: &[String], row: &[String]) -> String {
-    let cells = columns.iter().zip(row);
-    cells.fold(template.to_owned(), |text, (column, cell)| {
-        text.replace(&format!("{{{column}}}"), cell)
-    })
 }
 
 /// The words as a table keeps them.

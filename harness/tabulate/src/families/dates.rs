@@ -3,12 +3,13 @@
 use super::words::{ALL, ELSEWHERE, MATIEC, NAMING, OPEN_PAIR, VALUES};
 use crate::call::Call;
 use crate::class::{self, Class, Form, Voices};
+use crate::column::Column;
 use crate::inputs::integers::{BIT_STRINGS, INTEGERS, ascending};
 use crate::inputs::moments::{DATES, FAR_DATES, FINE_TIMES, TIMES_OF_DAY, ends};
 use crate::inputs::reals::{REALS, by_value};
 use crate::operand::Operand;
 use crate::program::{CONCATENATION, PAIR_OF_TYPED_INPUT, PAIR_OF_VARIABLE};
-use crate::sheet::{CallProbe, Column, Sheet};
+use crate::sheet::{CallProbe, Sheet};
 use stickler_types::ElementaryType;
 use stickler_types::ElementaryType::{Bool, Date, Dt, Ldate, Ldt, Ltod, Tod};
 

@@ -4,10 +4,11 @@
 use super::words::{DESIGN, IRONPLC_EXPLICIT, NAMING, RANGE};
 use crate::call::Call;
 use crate::class::{self, Class, Form, Voices};
+use crate::column::Column;
 use crate::inputs::integers::{BIT_STRINGS, INTEGERS};
 use crate::inputs::reals::REALS;
 use crate::operand::Operand;
-use crate::sheet::{Column, Sheet};
+use crate::sheet::Sheet;
 use stickler_types::ElementaryType;
 use stickler_types::ElementaryType::{Bool, Date, Dint, Dt, Lreal, Real, String as Text, Time, Tod};
 

@@ -3,11 +3,12 @@
 
 use super::words::{ALL, CONFORMANCE, DESIGN, ELSEWHERE, MATIEC, NAMING, OPEN_PAIR, PAIR};
 use crate::call::Call;
+use crate::column::Column;
 use crate::inputs::integers::{INTEGERS, ascending, limits};
 use crate::inputs::reals::REALS;
 use crate::operand::Operand;
 use crate::program::{PAIR_OF_CONSTANT, PAIR_OF_VARIABLE};
-use crate::sheet::{CallProbe, Column, Sheet};
+use crate::sheet::{CallProbe, Sheet};
 use stickler_types::ElementaryType;
 use stickler_types::ElementaryType::{
     Bool, Byte, Date, Dint, Dt, Dword, Int, Lint, Lreal, Lword, Real, String as Text, Time, Tod, Udint, Uint,

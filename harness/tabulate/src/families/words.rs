@@ -1,6 +1,6 @@
 //! Words that many families need: sources, groups of dialects, columns.
 
-use crate::sheet::Column;
+use crate::column::Column;
 
 /// The ForgeIEC page's table of names.
 pub const NAMING: &str = "forgeiec-conversion-functions: The naming pattern";
