@@ -220,11 +220,12 @@ fn top_level_help() -> String {
 
 const TOP_LEVEL_EXAMPLES: &str = "\
 Examples:
-  stickler                                          run everything, write reports/latest
+  stickler                                          run everything
   stickler run --dialect matiec                     run the cases of one dialect
-  stickler list --basis                             which claims are checked, and where
-  stickler check motor.st --dialect ironplc-ed3     diagnostics for a program of yours
-  stickler explain P4035                            what a diagnostic means, and its fix
+  stickler list --basis                             the claims, and their cases
+  stickler check motor.st --dialect ironplc-ed3     check a program of yours
+  stickler conversions REAL_TO_INT                  what a conversion gives
+  stickler explain P4035                            what a diagnostic means
 
 From a clone, `cargo run --release --` stands for `stickler`.";
 
