@@ -1,7 +1,6 @@
 //! Constant expressions of integers, with exact numbers: limits of arrays and subranges, lengths of texts,
 //! numbers of enumerated values, repetitions. Where types count, [`super::folding`] goes on.
 
-use super::emitter::SHORT_TEXT;
 use super::folding::{Known, not_constant};
 use super::model::{Definition, Source};
 use super::scope::Scope;
@@ -16,7 +15,7 @@ use stickler_types::{Code, ElementaryType, literal};
 pub(super) enum Constant {
     /// A number, and the integer type that the constant has, unless something is wrong with that.
     Value(i128, Option<ElementaryType>),
-    /// A constant of another elementary type.
+    /// A constant of another elementary type; of a text a short one, lest each use of a long one cost much.
     Typed(Known),
     /// A constant whose own value was not understood, which has been said.
     Silent,
@@ -31,13 +30,9 @@ pub(super) enum Constant {
 }
 
 impl Constant {
-    /// Whether the value is known, and so short that it can stand in the code wherever the name does.
-    pub(super) fn is_known(&self) -> bool {
-        match self {
-            Constant::Value(..) | Constant::Typed(Known::Plain(..)) => true,
-            Constant::Typed(Known::Text(_, units)) => units.len() <= SHORT_TEXT,
-            _ => false,
-        }
+    /// Whether the value is known.
+    pub(super) const fn is_known(&self) -> bool {
+        matches!(self, Constant::Value(..) | Constant::Typed(_))
     }
 }
 

@@ -146,7 +146,7 @@ impl<'m> Lowering<'m> {
                     constant: Some(number),
                 })
             }
-            Constant::Typed(known) if constant.is_known() => {
+            Constant::Typed(known) => {
                 match known {
                     Known::Plain(_, raw) => self.emit(Instruction::Push(*raw)),
                     Known::Text(_, units) => self.emitter.push_text(units.to_vec()),

@@ -3,6 +3,8 @@
 use super::constants::Constant;
 use super::contexts::Context;
 use super::declare::{Declared, Declarer};
+use super::emitter::SHORT_TEXT;
+use super::folding::Known;
 use super::model::Definition;
 use super::scope::Folded;
 use super::types::{DEFAULT_CAPACITY, TypeId};
@@ -35,7 +37,10 @@ impl<'u> Declarer<'u, '_> {
             Written::Elementary(ty, _) if ty.is_integer() => self.exact_number(id, ty),
             Written::Elementary(ty, capacity) => {
                 match self.evaluating(|evaluator| evaluator.operand(id, ty, Context::Initializer)) {
-                    Ok(known) => Constant::Typed(known.cut(capacity)),
+                    Ok(known) => match known.cut(capacity) {
+                        Known::Text(_, units) if units.len() > SHORT_TEXT => Constant::NotInteger,
+                        known => Constant::Typed(known),
+                    },
                     // Lowering says what is wrong with it, if anything is.
                     Err(_) => Constant::NotInteger,
                 }

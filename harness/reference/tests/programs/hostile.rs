@@ -1,8 +1,8 @@
 //! Input that nobody would write: diagnostics, never a panic, a hang or memory without bound.
 
 use crate::support::{DIALECT, attempt, program};
-use stickler_reference::{Outcome, check, check_bytes, render};
-use stickler_types::{Code, DialectName, Fault};
+use stickler_reference::{Limits, Observation, Outcome, Request, check, check_bytes, render, run};
+use stickler_types::{Code, DialectName, Fault, Value};
 
 /// Everything that can be asked about a source text; gives its codes in the ordinary dialect.
 fn codes(source: &str) -> Vec<Code> {
@@ -164,5 +164,50 @@ fn texts_that_grow_meet_the_step_limit() {
             | Outcome::Rejected(_),
         ) => {}
         other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn the_longest_texts_are_converted_in_constants_and_as_the_program_runs() {
+    let digits = format!("{}12", "0".repeat(65_533));
+    let spoilt = format!("{}x", "9".repeat(65_534));
+    let source = format!(
+        "PROGRAM main
+         VAR CONSTANT k : STRING[65535] := '{digits}'; END_VAR
+         VAR s : STRING[65535] := '{digits}'; t : STRING[65535] := '{spoilt}'; w : WSTRING[65535];
+             a : ARRAY[0..STRING_TO_INT('{digits}')] OF INT; i, j, n, c : INT; r : REAL; l : LREAL; d : TIME; hit : BOOL;
+         END_VAR
+             i := STRING_TO_INT(s); j := STRING_TO_INT(k); n := STRING_TO_INT(t); r := STRING_TO_REAL(s);
+             l := STRING_TO_LREAL(t); d := STRING_TO_TIME(t); w := STRING_TO_WSTRING(s); c := WSTRING_TO_INT(w);
+             CASE i OF STRING_TO_INT('{digits}'): hit := TRUE; END_CASE; a[12] := 1;
+         END_PROGRAM"
+    );
+    let expected = [
+        ("i", "INT#12"),
+        ("j", "INT#12"),
+        ("n", "INT#0"),
+        ("c", "INT#12"),
+        ("r", "REAL#12.0"),
+        ("l", "LREAL#0.0"),
+        ("d", "TIME#0ms"),
+        ("hit", "BOOL#TRUE"),
+        ("a[12]", "INT#1"),
+    ];
+    for dialect in DialectName::ALL {
+        let outcome = run(&Request {
+            dialect,
+            source: &source,
+            scans: 1,
+            observe: &expected.map(|(name, _)| Observation { name, after: None }),
+            clock: &[],
+            set: &[],
+            limits: Limits::default(),
+        });
+        let values = expected.map(|(name, value)| {
+            let value = Value::parse(value).expect("a typed literal");
+            (name.to_owned(), value)
+        });
+        let values = values.to_vec();
+        assert!(outcome == Ok(Outcome::Executed { values }), "{dialect}");
     }
 }
