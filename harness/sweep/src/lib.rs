@@ -1,1 +1,24 @@
 //! Every input of a conversion function, held against exact arithmetic.
+//!
+//! [`agenda`] turns the name of a function into [`Sweep`]s, one for each pair of types and each distinct rule of the
+//! dialects; [`run`] takes all inputs of one of them, a [`Domain`], through a [`Subject`] (on the reference that is its own
+//! conversion) and gives [`Findings`].
+//!
+//! Architecture Invariant: this crate knows no terminal and no command line.
+#![forbid(unsafe_code)]
+
+mod agenda;
+mod comparison;
+mod domain;
+mod findings;
+mod random;
+mod reference;
+mod run;
+mod subject;
+
+pub use agenda::{AgendaError, Sweep, Through, agenda};
+pub use domain::{Detail, Domain, Operands, Sampling, Texts};
+pub use findings::{Difference, Findings, Got, KEPT};
+pub use reference::Reference;
+pub use run::{Progress, SweepError, run};
+pub use subject::Subject;

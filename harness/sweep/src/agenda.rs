@@ -1,0 +1,177 @@
+//! From the name of a function to the sweeps that it takes: one for each pair of types and each distinct rule.
+
+use crate::domain::{Domain, Sampling};
+use crate::reference::Reference;
+use stickler_exact::{Choices, Operation, Signature, signatures};
+use stickler_types::{DialectName, ElementaryType};
+
+/// One function between fixed types, by one rule.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Sweep {
+    /// The function with its types.
+    pub signature: Signature,
+    /// What decides the exact result besides the types.
+    pub choices: Choices,
+    /// The dialects in which this is the rule; never empty.
+    pub dialects: Vec<DialectName>,
+    /// The inputs.
+    pub domain: Domain,
+    /// The reference's own conversion.
+    pub reference: Reference,
+}
+
+/// Why there is nothing to sweep.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+pub enum AgendaError {
+    /// None of the dialects has such a function.
+    #[error("there is no conversion function `{function}`{}", in_which(.asked))]
+    NoSuchFunction {
+        /// The name as it was given.
+        function: String,
+        /// The dialects that were asked for.
+        asked: Vec<DialectName>,
+        /// The dialects that have it.
+        elsewhere: Vec<DialectName>,
+    },
+    /// The reference does not know a function that exact arithmetic does; one of them is wrong.
+    #[error("{dialect} of the reference has no `{function}`, but should: this is a defect of Stickler")]
+    NotInReference {
+        /// The name as it was given.
+        function: String,
+        /// The dialect.
+        dialect: DialectName,
+    },
+}
+
+/// Where a function was looked for, as the end of a sentence; nothing where that was everywhere.
+fn in_which(asked: &[DialectName]) -> String {
+    if asked.len() == DialectName::ALL.len() {
+        return String::new();
+    }
+    let names: Vec<&str> = asked.iter().map(|dialect| dialect.as_str()).collect();
+    format!(" in {}", names.join(", "))
+}
+
+/// By which way the inputs go in.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Through {
+    /// The reference's own conversion. Dialects that have the same rule share a sweep, for nothing else differs.
+    Conversion,
+    /// Programs that an engine executes. Each dialect has its own sweep, for a foreign engine may do in each what it likes;
+    /// a source of 32 bits is swept only where a program can fold the results into one number, and sampled elsewhere.
+    Programs,
+}
+
+impl Through {
+    /// The size of a sample where nobody says another: programs take their time.
+    const SAMPLED_BY_PROGRAMS: u64 = 10_000;
+
+    fn domain(self, signature: &Signature, sampling: Sampling) -> Domain {
+        let domain = Domain::of(&signature.operands, sampling);
+        let folded = |from| domain.len() <= 1 << 16 || has_digest(from, signature.result);
+        match signature.operands[..] {
+            _ if self == Through::Conversion => domain,
+            [from] if domain.is_exhaustive() && folded(from) => domain,
+            _ => {
+                let inputs = sampling.inputs.unwrap_or(Through::SAMPLED_BY_PROGRAMS);
+                let sampled = Sampling {
+                    inputs: Some(inputs),
+                    ..sampling
+                };
+                Domain::of(&signature.operands, sampled)
+            }
+        }
+    }
+}
+
+/// Whether a program can count through all values of one type and fold the results of the other.
+fn has_digest(from: ElementaryType, to: ElementaryType) -> bool {
+    let counted = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string() || ty.is_real();
+    counted(from) && (counted(to) || to == ElementaryType::Bool)
+}
+
+/// The sweeps of a function, in the order of its signatures and, for each, of the dialects. The name may be in any ASCII
+/// case; dialects that lack the function are left out.
+///
+/// # Errors
+/// [`AgendaError`] where none of the dialects has it, or where the reference lacks it.
+pub fn agenda(
+    function: &str,
+    dialects: &[DialectName],
+    sampling: Sampling,
+    through: Through,
+) -> Result<Vec<Sweep>, AgendaError> {
+    let mut sweeps: Vec<Sweep> = Vec::new();
+    for &dialect in dialects {
+        let choices = Choices::of(dialect);
+        for signature in signatures(function, dialect) {
+            let Some(reference) = Reference::find(&signature, dialect) else {
+                return Err(AgendaError::NotInReference {
+                    function: function.to_owned(),
+                    dialect,
+                });
+            };
+            let same = sweeps.iter_mut().find(|sweep| {
+                through == Through::Conversion
+                    && sweep.signature == signature
+                    && sweep.reference == reference
+                    && relevant(&signature, sweep.choices) == relevant(&signature, choices)
+            });
+            match same {
+                Some(sweep) => sweep.dialects.push(dialect),
+                None => sweeps.push(Sweep {
+                    domain: through.domain(&signature, sampling),
+                    dialects: vec![dialect],
+                    signature,
+                    choices,
+                    reference,
+                }),
+            }
+        }
+    }
+    if sweeps.is_empty() {
+        let has = |dialect: &DialectName| !signatures(function, *dialect).is_empty();
+        return Err(AgendaError::NoSuchFunction {
+            function: function.to_owned(),
+            asked: dialects.to_vec(),
+            elsewhere: DialectName::ALL.into_iter().filter(has).collect(),
+        });
+    }
+    let order = in_order(function, dialects);
+    sweeps.sort_by_key(|sweep| order.iter().position(|signature| *signature == sweep.signature));
+    Ok(sweeps)
+}
+
+/// The signatures of all the dialects, those of one type beside each other.
+fn in_order(function: &str, dialects: &[DialectName]) -> Vec<Signature> {
+    let mut all: Vec<Signature> = dialects
+        .iter()
+        .flat_map(|dialect| signatures(function, *dialect))
+        .collect();
+    all.sort_by(|one, other| (&one.operands, one.result).cmp(&(&other.operands, other.result)));
+    all
+}
+
+/// The choices with those that cannot matter between these types made equal.
+fn relevant(signature: &Signature, choices: Choices) -> Choices {
+    let has = |is: fn(ElementaryType) -> bool| signature.operands.iter().any(|ty| is(*ty));
+    let (real, text) = (has(|ty| ty.is_real()), has(|ty| ty.is_text()));
+    let mut kept = Choices::of(DialectName::ALL[0]);
+    if real {
+        (kept.real_to_integer, kept.outside) = (choices.real_to_integer, choices.outside);
+    }
+    if text {
+        kept.text_reading = choices.text_reading;
+    }
+    if signature.result.is_text() && real {
+        kept.real_text = choices.real_text;
+    }
+    if signature.result.is_text() && has(|ty| ty.is_bit_string()) {
+        kept.bit_string_text = choices.bit_string_text;
+    }
+    if signature.result.is_text() || signature.operation != Operation::Convert {
+        // No function to a text, and none that names its own way of rounding, asks how a conversion rounds.
+        kept.real_to_integer = Choices::of(DialectName::ALL[0]).real_to_integer;
+    }
+    kept
+}

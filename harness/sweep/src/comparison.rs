@@ -1,0 +1,155 @@
+//! One stretch of inputs through the subject and through exact arithmetic, and the two results side by side.
+
+use crate::agenda::Sweep;
+use crate::findings::{Difference, Findings, Got, KEPT};
+use crate::subject::Subject;
+use std::ops::Range;
+use stickler_exact::{Bulk, expected, value};
+use stickler_types::{ElementaryType, Value};
+
+/// How many raw forms are converted before they are compared; three buffers of this size stay in the nearest cache.
+const BLOCK: usize = 1024;
+
+/// How many inputs a worker takes at a time: about a millisecond's work.
+const STEP: u64 = 1 << 18;
+
+/// The same where each input is a value of its own, with no quick form.
+const SLOW_STEP: u64 = 1 << 9;
+
+/// A sweep with the subject that it holds against exact arithmetic.
+#[derive(Clone, Copy)]
+pub struct Comparison<'s> {
+    sweep: &'s Sweep,
+    subject: &'s dyn Subject,
+    /// The quick form of exact arithmetic, where there is one.
+    bulk: Option<Bulk>,
+}
+
+impl<'s> Comparison<'s> {
+    /// Of this sweep.
+    #[must_use]
+    pub fn new(sweep: &'s Sweep, subject: &'s dyn Subject) -> Comparison<'s> {
+        Comparison {
+            sweep,
+            subject,
+            bulk: Bulk::new(&sweep.signature, &sweep.choices),
+        }
+    }
+
+    /// How many inputs a worker should take at a time.
+    #[must_use]
+    pub const fn step(&self) -> u64 {
+        if self.bulk.is_some() { STEP } else { SLOW_STEP }
+    }
+
+    /// Where one worker does its comparing.
+    #[must_use]
+    pub fn desk(&self) -> Desk<'s> {
+        Desk {
+            comparison: *self,
+            operands: vec![0; BLOCK],
+            expected: vec![0; BLOCK],
+            results: vec![0; BLOCK],
+        }
+    }
+
+    /// The difference at a place whose operands gave another result.
+    fn difference(&self, place: u64, operands: Vec<Value>, expected: Value, got: Value) -> Difference {
+        let dialects = self.sweep.dialects.iter();
+        let basis = dialects
+            .filter_map(|dialect| self::expected(&self.sweep.signature, &operands, *dialect).basis)
+            .next();
+        Difference {
+            place,
+            operands,
+            expected,
+            got: Got::Value(got),
+            basis,
+        }
+    }
+}
+
+/// The buffers of one worker.
+pub struct Desk<'s> {
+    comparison: Comparison<'s>,
+    operands: Vec<u64>,
+    expected: Vec<u64>,
+    results: Vec<u64>,
+}
+
+impl Desk<'_> {
+    /// Holds the inputs at these places against exact arithmetic.
+    pub fn compare(&mut self, places: Range<u64>) -> Findings {
+        let mut found = Findings::new(0);
+        match self.comparison.bulk {
+            Some(bulk) => self.compare_blocks(bulk, places, &mut found),
+            None => places.for_each(|place| self.compare_values(place, &mut found)),
+        }
+        found
+    }
+
+    fn compare_blocks(&mut self, bulk: Bulk, places: Range<u64>, found: &mut Findings) {
+        let mut start = places.start;
+        while start < places.end {
+            let end = places.end.min(start + BLOCK as u64);
+            // A block has at most `BLOCK` inputs.
+            let length = (end - start) as usize;
+            let operands = &mut self.operands[..length];
+            let (expected, results) = (&mut self.expected[..length], &mut self.results[..length]);
+            self.comparison.sweep.domain.fill(start..end, operands);
+            self.comparison.subject.convert_all(operands, results);
+            bulk.fill(operands, expected);
+            if results != expected {
+                self.look_closely(start, length, found);
+            }
+            found.done += end - start;
+            start = end;
+        }
+    }
+
+    /// Goes through a block that differs. Two NaNs are the same whatever their bits.
+    #[cold]
+    fn look_closely(&self, start: u64, length: usize, found: &mut Findings) {
+        let signature = &self.comparison.sweep.signature;
+        let result = signature.result;
+        for (offset, place) in (0..length).zip(start..) {
+            let (expected, got) = (self.expected[offset], self.results[offset]);
+            if expected == got || (is_nan(result, expected) && is_nan(result, got)) {
+                continue;
+            }
+            found.mismatches += 1;
+            if found.first.len() < KEPT {
+                let operands = self.comparison.sweep.domain.operands(place);
+                let (expected, got) = (Value::plain(result, expected), Value::plain(result, got));
+                found
+                    .first
+                    .push(self.comparison.difference(place, operands, expected, got));
+            }
+        }
+    }
+
+    fn compare_values(&self, place: u64, found: &mut Findings) {
+        let sweep = self.comparison.sweep;
+        let operands = sweep.domain.operands(place);
+        let exact = value(&sweep.signature, &operands, &sweep.choices);
+        let got = self.comparison.subject.convert(&operands);
+        if exact != got {
+            found.mismatches += 1;
+            if found.first.len() < KEPT {
+                found
+                    .first
+                    .push(self.comparison.difference(place, operands, exact, got));
+            }
+        }
+        found.done += 1;
+    }
+}
+
+/// Whether a raw form stands for no number: all bits of the exponent, and some of the fraction.
+const fn is_nan(ty: ElementaryType, raw: u64) -> bool {
+    match ty {
+        ElementaryType::Real => raw & 0x7FFF_FFFF > 0x7F80_0000,
+        ElementaryType::Lreal => raw & 0x7FFF_FFFF_FFFF_FFFF > 0x7FF0_0000_0000_0000,
+        _ => false,
+    }
+}

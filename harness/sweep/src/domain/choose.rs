@@ -1,0 +1,153 @@
+//! A domain: inputs that can be had by their place, so that workers need not wait for each other.
+
+use super::operands::{Operands, Texts};
+use super::{Detail, neighbours, sample, texts};
+use crate::random::Scattered;
+use std::ops::Range;
+use stickler_types::{ElementaryType, Value};
+
+/// How large a sample is and where it comes from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Sampling {
+    /// So many inputs beside the chosen ones. `None` is every input of a source of at most 32 bits, and
+    /// [`Sampling::DEFAULT`] of all others. A source of at most 16 bits is never sampled.
+    pub inputs: Option<u64>,
+    /// The same seed gives the same inputs.
+    pub seed: u64,
+    /// How many neighbours each boundary has.
+    pub detail: Detail,
+}
+
+impl Sampling {
+    /// The size of a sample where nobody says another.
+    pub const DEFAULT: u64 = 1_000_000;
+}
+
+impl Default for Sampling {
+    /// Every input where that can be, otherwise fine neighbourhoods and the sample of seed 1.
+    fn default() -> Sampling {
+        Sampling {
+            inputs: None,
+            seed: 1,
+            detail: Detail::Fine,
+        }
+    }
+}
+
+/// The inputs of one sweep, in a fixed order.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Domain {
+    /// Every value of a type, in the order of its bits: 0, 1, 2 … and then, of signed types and REAL, the
+    /// negative ones; a REAL passes its infinity and its NaNs on the way.
+    Every(ElementaryType),
+    /// The boundaries of a type with their neighbours, then a sample.
+    Some(Operands),
+    /// Texts: written by hand, then made up.
+    Texts(Texts),
+    /// Two operands: the boundaries of one type with those of the other, then a sample.
+    Pairs {
+        /// Of the first operand.
+        first: Operands,
+        /// Of the second.
+        second: Operands,
+    },
+}
+
+impl Domain {
+    /// The domain of a function with these operands; the empty one where there are neither one nor two.
+    #[must_use]
+    pub fn of(operands: &[ElementaryType], sampling: Sampling) -> Domain {
+        let sampled = sampling.inputs.unwrap_or(Sampling::DEFAULT);
+        let (random, detail) = (Scattered::new(sampling.seed), sampling.detail);
+        match *operands {
+            [ty] if ty.is_text() => Domain::Texts(Texts::new(ty, texts::by_hand(ty), sampled, random)),
+            [ty] if ty.bits() <= 16 || (ty.bits() <= 32 && sampling.inputs.is_none()) => Domain::Every(ty),
+            [ty] => Domain::Some(Operands::new(ty, neighbours::of(ty, detail), sampled, random)),
+            [first, second] => Domain::Pairs {
+                first: Operands::new(first, neighbours::of(first, detail), sampled, random.row(1)),
+                second: Operands::new(second, neighbours::of(second, detail), sampled, random.row(2)),
+            },
+            _ => Domain::Some(Operands::new(ElementaryType::Bool, Vec::new(), 0, random)),
+        }
+    }
+
+    /// How many inputs there are.
+    #[must_use]
+    pub fn len(&self) -> u64 {
+        match self {
+            Domain::Every(ty) => 1 << ty.bits().min(63),
+            Domain::Some(operands) => operands.count(),
+            Domain::Texts(texts) => texts.count(),
+            Domain::Pairs { first, second } => first.chosen() * second.chosen() + first.sampled(),
+        }
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether there is no other input than these.
+    #[must_use]
+    pub const fn is_exhaustive(&self) -> bool {
+        matches!(self, Domain::Every(_))
+    }
+
+    /// The inputs chosen by hand or as neighbours of a boundary, and the sampled ones; `None` where every input
+    /// is there.
+    #[must_use]
+    pub fn parts(&self) -> Option<(u64, u64)> {
+        match self {
+            Domain::Every(_) => None,
+            Domain::Some(operands) => Some((operands.chosen(), operands.sampled())),
+            Domain::Texts(texts) => Some((texts.chosen(), texts.sampled())),
+            Domain::Pairs { first, second } => Some((first.chosen() * second.chosen(), first.sampled())),
+        }
+    }
+
+    /// The operands at a place. Beyond the last place they are others of the same kind.
+    #[must_use]
+    pub fn operands(&self, place: u64) -> Vec<Value> {
+        match self {
+            Domain::Every(ty) => vec![Value::plain(*ty, ty.wrap(place.into()))],
+            Domain::Some(operands) => vec![operands.value(place)],
+            Domain::Texts(texts) => vec![texts.value(place)],
+            Domain::Pairs { first, second } => {
+                let (rows, columns) = (first.chosen(), second.chosen());
+                match place.checked_sub(rows * columns) {
+                    None => vec![first.value(place / columns), second.value(place % columns)],
+                    Some(sampled) => vec![first.value(rows + sampled), second.value(columns + sampled)],
+                }
+            }
+        }
+    }
+
+    /// Writes the raw forms at these places, as many as `raws` has room for; nothing where an input is no single raw form.
+    pub fn fill(&self, places: Range<u64>, raws: &mut [u64]) {
+        match self {
+            Domain::Every(ty) => every(*ty, places, raws),
+            Domain::Some(operands) => places
+                .zip(raws)
+                .for_each(|(place, raw)| *raw = operands.raw(place)),
+            Domain::Texts(_) | Domain::Pairs { .. } => {}
+        }
+    }
+}
+
+/// Bits at these places as raw forms: the low ones, sign-extended for a signed type.
+fn every(ty: ElementaryType, places: Range<u64>, raws: &mut [u64]) {
+    let sign = if ty.is_signed() {
+        1 << (ty.bits() - 1)
+    } else {
+        0_u64
+    };
+    for (place, raw) in places.zip(raws) {
+        *raw = (place ^ sign).wrapping_sub(sign);
+    }
+}
+
+/// Shapes scattered bits into a value of a type; see [`sample::raw`].
+pub(super) fn sampled(ty: ElementaryType, random: Scattered, place: u64) -> u64 {
+    sample::raw(ty, random.at(2 * place), random.at(2 * place + 1))
+}

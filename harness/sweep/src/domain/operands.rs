@@ -1,0 +1,117 @@
+//! Chosen inputs followed by sampled ones, each to be had by its place.
+
+use super::choose::sampled;
+use super::texts;
+use crate::random::Scattered;
+use stickler_types::{ElementaryType, Value};
+
+/// Values of one type that is no text.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Operands {
+    ty: ElementaryType,
+    chosen: Vec<u64>,
+    sampled: u64,
+    random: Scattered,
+}
+
+impl Operands {
+    /// The chosen raw forms, then so many of the sample.
+    #[must_use]
+    pub const fn new(ty: ElementaryType, chosen: Vec<u64>, sampled: u64, random: Scattered) -> Operands {
+        Operands {
+            ty,
+            chosen,
+            sampled,
+            random,
+        }
+    }
+
+    /// How many were chosen.
+    #[must_use]
+    pub fn chosen(&self) -> u64 {
+        self.chosen.len() as u64
+    }
+
+    /// How many are sampled.
+    #[must_use]
+    pub const fn sampled(&self) -> u64 {
+        self.sampled
+    }
+
+    /// All of them.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.chosen().saturating_add(self.sampled)
+    }
+
+    /// The raw form at a place.
+    #[must_use]
+    pub fn raw(&self, place: u64) -> u64 {
+        match usize::try_from(place)
+            .ok()
+            .and_then(|place| self.chosen.get(place))
+        {
+            Some(raw) => *raw,
+            None => sampled(self.ty, self.random, place),
+        }
+    }
+
+    /// The value at a place.
+    #[must_use]
+    pub fn value(&self, place: u64) -> Value {
+        Value::plain(self.ty, self.raw(place))
+    }
+}
+
+/// Texts of one width.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Texts {
+    ty: ElementaryType,
+    chosen: Vec<Vec<u16>>,
+    sampled: u64,
+    random: Scattered,
+}
+
+impl Texts {
+    /// The chosen texts, then so many made up.
+    #[must_use]
+    pub const fn new(ty: ElementaryType, chosen: Vec<Vec<u16>>, sampled: u64, random: Scattered) -> Texts {
+        Texts {
+            ty,
+            chosen,
+            sampled,
+            random,
+        }
+    }
+
+    /// How many were chosen.
+    #[must_use]
+    pub fn chosen(&self) -> u64 {
+        self.chosen.len() as u64
+    }
+
+    /// How many are made up.
+    #[must_use]
+    pub const fn sampled(&self) -> u64 {
+        self.sampled
+    }
+
+    /// All of them.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.chosen().saturating_add(self.sampled)
+    }
+
+    /// The text at a place.
+    #[must_use]
+    pub fn value(&self, place: u64) -> Value {
+        let units = match usize::try_from(place)
+            .ok()
+            .and_then(|place| self.chosen.get(place))
+        {
+            Some(units) => units.clone(),
+            None => texts::made_up(self.random.row(place)),
+        };
+        Value::text(self.ty, units)
+    }
+}

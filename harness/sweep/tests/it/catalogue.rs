@@ -1,0 +1,110 @@
+//! The reference against exact arithmetic, function by function.
+
+use crate::support::{findings, sampled};
+use std::collections::HashSet;
+use stickler_exact::{Signature, functions};
+use stickler_sweep::{AgendaError, Detail, Sampling, Sweep, Through, agenda};
+use stickler_types::DialectName;
+
+/// Every function of every dialect, each distinct rule once: every input of a source of at most 16 bits, and the
+/// nearest neighbours of the boundaries with a small sample of the others.
+#[test]
+fn the_reference_is_exact_wherever_a_moment_suffices() {
+    let mut seen = HashSet::new();
+    let mut wrong = Vec::new();
+    for dialect in DialectName::ALL {
+        for function in functions(dialect) {
+            for sweep in coarse(&function, dialect, Some(200)) {
+                let Signature {
+                    operands,
+                    result,
+                    operation,
+                    ..
+                } = &sweep.signature;
+                let rule = (
+                    operands.clone(),
+                    *result,
+                    *operation,
+                    format!("{:?}", sweep.reference),
+                );
+                if !seen.insert(rule) {
+                    continue;
+                }
+                let small = operands.iter().all(|ty| ty.bits() <= 16 && !ty.is_text());
+                let sweeps = match small {
+                    true => coarse(&function, dialect, None),
+                    false => vec![sweep.clone()],
+                };
+                for sweep in sweeps.iter().filter(|all| all.signature == sweep.signature) {
+                    let found = findings(sweep, &sweep.reference);
+                    wrong.extend(
+                        found
+                            .first
+                            .into_iter()
+                            .map(|difference| (function.clone(), difference)),
+                    );
+                }
+            }
+        }
+    }
+    let shown: Vec<String> = wrong
+        .iter()
+        .map(|(function, difference)| format!("{function}: {difference}"))
+        .collect();
+    assert!(shown.is_empty(), "{}", shown.join("\n"));
+    assert!(seen.len() > 600, "only {} rules", seen.len());
+}
+
+fn coarse(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Sweep> {
+    let sampling = Sampling {
+        inputs,
+        detail: Detail::Coarse,
+        ..Sampling::default()
+    };
+    agenda(function, &[dialect], sampling, Through::Conversion).expect("the reference has every function")
+}
+
+#[test]
+fn dialects_with_the_same_rule_share_a_sweep() {
+    let shared = sampled("DINT_TO_INT", &DialectName::ALL, None);
+    assert_eq!(shared.len(), 1);
+    assert_eq!(shared[0].dialects, DialectName::ALL);
+    let rounding = sampled("REAL_TO_INT", &DialectName::ALL, None);
+    assert_eq!(rounding.len(), 2);
+    assert_eq!(rounding[1].dialects, [DialectName::Plcnext]);
+    let separate = agenda(
+        "DINT_TO_INT",
+        &DialectName::ALL,
+        Sampling::default(),
+        Through::Programs,
+    );
+    assert_eq!(separate.map(|sweeps| sweeps.len()), Ok(5));
+}
+
+#[test]
+fn an_overloaded_name_is_swept_for_each_of_its_types() {
+    let types: Vec<String> = sampled("TRUNC", &[DialectName::Matiec], None)
+        .iter()
+        .map(|sweep| format!("{} {}", sweep.signature.operands[0], sweep.signature.result))
+        .collect();
+    assert_eq!(types, ["REAL DINT", "LREAL DINT"]);
+}
+
+#[test]
+fn a_function_that_a_dialect_lacks_is_named_with_those_that_have_it() {
+    let error = agenda(
+        "ROUND",
+        &[DialectName::Matiec],
+        Sampling::default(),
+        Through::Conversion,
+    );
+    let Err(AgendaError::NoSuchFunction { elsewhere, .. }) = &error else {
+        panic!("{error:?}")
+    };
+    assert_eq!(elsewhere.len(), 4);
+    let unknown = agenda("FOO", &DialectName::ALL, Sampling::default(), Through::Conversion);
+    assert_eq!(
+        unknown.map_err(|error| error.to_string()),
+        Err("there is no conversion function `FOO`".to_owned())
+    );
+}

@@ -1,0 +1,198 @@
+//! Which inputs a sweep goes through.
+
+use stickler_sweep::{Domain, Sampling};
+use stickler_types::{ElementaryType, Value, literal};
+
+fn domain(ty: ElementaryType, inputs: u64) -> Domain {
+    let sampling = Sampling {
+        inputs: Some(inputs),
+        ..Sampling::default()
+    };
+    Domain::of(&[ty], sampling)
+}
+
+fn holds(domain: &Domain, literal: &str) -> bool {
+    let value = Value::parse(literal).expect("a typed literal");
+    (0..domain.len()).any(|place| domain.operands(place) == [value.clone()])
+}
+
+#[test]
+fn a_small_source_is_swept_in_the_order_of_its_bits() {
+    for ty in ElementaryType::ALL
+        .into_iter()
+        .filter(|ty| !ty.is_text() && ty.bits() <= 16)
+    {
+        let domain = Domain::of(&[ty], Sampling::default());
+        assert!(domain.is_exhaustive());
+        assert_eq!(domain.len(), 1 << ty.bits(), "{ty}");
+        let mut raws = vec![u64::MAX; 1 << ty.bits()];
+        domain.fill(0..domain.len(), &mut raws);
+        for (place, raw) in raws.iter().enumerate() {
+            assert_eq!(domain.operands(place as u64), [Value::plain(ty, *raw)]);
+            // Every pattern of bits comes once, in its canonical raw form.
+            assert_eq!(ty.wrap((*raw).into()), *raw);
+            assert_eq!(raw & ((1 << ty.bits()) - 1), place as u64);
+        }
+    }
+}
+
+#[test]
+fn a_real_source_passes_both_infinities_and_every_nan() {
+    let domain = Domain::of(&[ElementaryType::Real], Sampling::default());
+    assert_eq!(domain.len(), 1 << 32);
+    let at = |place: u64| domain.operands(place)[0].to_string();
+    assert_eq!(
+        [
+            0x7F80_0000,
+            0x7F80_0001,
+            0x7FFF_FFFF,
+            0x8000_0000,
+            0xFF80_0000,
+            0xFFFF_FFFF
+        ]
+        .map(at),
+        [
+            "REAL#Infinity",
+            "REAL#NaN",
+            "REAL#NaN",
+            "REAL#-0.0",
+            "REAL#-Infinity",
+            "REAL#NaN"
+        ]
+    );
+}
+
+#[test]
+fn the_neighbourhoods_hold_what_conversions_get_wrong() {
+    for (ty, literals) in [
+        (
+            ElementaryType::Lint,
+            &[
+                "LINT#-9223372036854775808",
+                "LINT#0",
+                "LINT#-1",
+                "LINT#32768",
+                "LINT#9007199254740993",
+                "LINT#99",
+            ][..],
+        ),
+        (
+            ElementaryType::Ulint,
+            &["ULINT#18446744073709551615", "ULINT#9223372036854775807"],
+        ),
+        (
+            ElementaryType::Lreal,
+            &[
+                "LREAL#0.5",
+                "LREAL#-2.5",
+                "LREAL#32767.5",
+                "LREAL#-32768.5",
+                "LREAL#0.49999999999999994",
+                "LREAL#-0.0",
+                "LREAL#9007199254740993.0",
+                "LREAL#4.9E-324",
+                "LREAL#NaN",
+                "LREAL#-Infinity",
+                "LREAL#1.7976931348623157E308",
+                "LREAL#9223372036854775808.0",
+            ],
+        ),
+        (
+            ElementaryType::Time,
+            &["TIME#-1ms", "TIME#0.5ms", "TIME#32768ms", "TIME#-0.999999ms"],
+        ),
+        (
+            ElementaryType::Date,
+            &[
+                "DATE#1970-01-01",
+                "DATE#2024-02-29",
+                "DATE#1969-12-31",
+                "DATE#2262-04-11",
+                "DATE#2100-03-01",
+            ],
+        ),
+        (ElementaryType::Tod, &["TOD#00:00:00", "TOD#23:59:59.999999999"]),
+        (
+            ElementaryType::Dt,
+            &["DT#1969-12-31-23:59:59", "DT#2000-02-29-00:00:00"],
+        ),
+        (
+            ElementaryType::String,
+            &["STRING#''", "STRING#'12abc'", "STRING#'16#FF'"],
+        ),
+    ] {
+        let domain = domain(ty, 0);
+        for literal in literals {
+            assert!(holds(&domain, literal), "{literal}");
+        }
+    }
+}
+
+#[test]
+fn a_sample_is_the_same_for_the_same_seed_and_another_for_another() {
+    for ty in [ElementaryType::Lreal, ElementaryType::Dt, ElementaryType::String] {
+        let with = |seed| {
+            let sampling = Sampling {
+                inputs: Some(100),
+                seed,
+                ..Sampling::default()
+            };
+            let domain = Domain::of(&[ty], sampling);
+            let (chosen, _) = domain.parts().expect("a sample");
+            (chosen..domain.len())
+                .map(|place| domain.operands(place))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(with(7), with(7));
+        assert_ne!(with(7), with(8));
+    }
+}
+
+#[test]
+fn whatever_is_sampled_is_a_value_of_its_type() {
+    for ty in ElementaryType::ALL {
+        let domain = domain(ty, 5_000);
+        for place in 0..domain.len() {
+            let operands = domain.operands(place);
+            let written = operands[0].to_string();
+            assert_eq!(Value::parse(&written).as_ref(), Ok(&operands[0]), "{written}");
+        }
+    }
+}
+
+#[test]
+fn a_sample_of_reals_has_ties_and_numbers_on_either_side() {
+    let domain = domain(ElementaryType::Lreal, 10_000);
+    let (chosen, _) = domain.parts().expect("a sample");
+    let mut ties = 0;
+    for place in chosen..domain.len() {
+        let Value::Plain { raw, .. } = domain.operands(place)[0] else {
+            continue;
+        };
+        let number = f64::from_bits(raw);
+        ties += u32::from(number.fract().abs() == 0.5);
+    }
+    assert!((500..8_000).contains(&ties), "{ties}");
+    assert!(literal::real("0.5", ElementaryType::Lreal).is_ok());
+}
+
+#[test]
+fn two_operands_are_paired_boundary_by_boundary() {
+    let operands = [ElementaryType::Date, ElementaryType::Tod];
+    let sampling = Sampling {
+        inputs: Some(10),
+        ..Sampling::default()
+    };
+    let domain = Domain::of(&operands, sampling);
+    let (chosen, sampled) = domain.parts().expect("a sample");
+    assert_eq!(sampled, 10);
+    assert_eq!(domain.len(), chosen + 10);
+    for place in [0, chosen - 1, chosen, chosen + 9] {
+        let types: Vec<String> = domain
+            .operands(place)
+            .iter()
+            .map(|value| value.type_name().to_owned())
+            .collect();
+        assert_eq!(types, ["DATE", "TOD"]);
+    }
+}

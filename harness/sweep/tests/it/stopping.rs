@@ -1,0 +1,55 @@
+//! How a sweep shows how far it is, and stops.
+
+use crate::support::{Spoilt, sweep};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+use stickler_sweep::{Progress, run};
+use stickler_types::DialectName;
+
+#[test]
+fn progress_counts_every_input_and_every_mismatch() {
+    let sweep = sweep("UINT_TO_INT", DialectName::Matiec);
+    let subject = Spoilt {
+        sweep: &sweep,
+        spoil: |operand, right| right ^ (operand & 1),
+    };
+    let seen = Mutex::new(Vec::new());
+    let progress = |reached: Progress| seen.lock().expect("no panic").push(reached);
+    run(&sweep, &subject, 0, &progress, &AtomicBool::new(false)).expect("threads");
+    let mut seen = seen.into_inner().expect("no panic");
+    seen.sort_by_key(|reached| reached.done);
+    let last = Progress {
+        done: 65_536,
+        mismatches: 32_768,
+    };
+    assert_eq!(seen.last(), Some(&last));
+}
+
+#[test]
+fn a_cancelled_sweep_has_looked_at_everything_up_to_a_place() {
+    let sweep = sweep("DINT_TO_INT", DialectName::Matiec);
+    // Everything is wrong, so that the count of mismatches tells what was looked at.
+    let subject = Spoilt {
+        sweep: &sweep,
+        spoil: |_, right| right ^ 1,
+    };
+    let cancel = AtomicBool::new(false);
+    let progress = |reached: Progress| {
+        if reached.done >= 1 << 20 {
+            cancel.store(true, Ordering::Relaxed);
+        }
+    };
+    let found = run(&sweep, &subject, 0, &progress, &cancel).expect("threads");
+    assert!(!found.is_complete());
+    assert!((1 << 20..1 << 28).contains(&found.done), "{}", found.done);
+    assert_eq!(found.mismatches, found.done);
+    let places: Vec<u64> = found.first.iter().map(|difference| difference.place).collect();
+    assert_eq!(places, (0..10).collect::<Vec<u64>>());
+}
+
+#[test]
+fn a_sweep_that_is_cancelled_before_it_begins_looks_at_nothing() {
+    let sweep = sweep("SINT_TO_INT", DialectName::Matiec);
+    let found = run(&sweep, &sweep.reference, 2, &|_| {}, &AtomicBool::new(true)).expect("threads");
+    assert_eq!((found.done, found.inputs), (0, 256));
+}

@@ -1,0 +1,59 @@
+//! What the tests share.
+
+use std::sync::atomic::AtomicBool;
+use stickler_sweep::{Findings, Sampling, Subject, Sweep, Through, agenda, run};
+use stickler_types::{DialectName, Value};
+
+/// The sweeps of a function in one dialect, each input of a small source, and a small sample of others.
+pub fn sweeps(function: &str, dialect: DialectName) -> Vec<Sweep> {
+    sampled(function, &[dialect], None)
+}
+
+/// The sweeps of a function in some dialects; `inputs` as in [`Sampling::inputs`].
+pub fn sampled(function: &str, dialects: &[DialectName], inputs: Option<u64>) -> Vec<Sweep> {
+    let sampling = Sampling {
+        inputs,
+        ..Sampling::default()
+    };
+    agenda(function, dialects, sampling, Through::Conversion).expect("a conversion function")
+}
+
+/// The only sweep of a function in a dialect.
+pub fn sweep(function: &str, dialect: DialectName) -> Sweep {
+    let mut sweeps = sweeps(function, dialect);
+    assert_eq!(sweeps.len(), 1, "{function}");
+    sweeps.remove(0)
+}
+
+/// Runs to the end without a word.
+pub fn findings(sweep: &Sweep, subject: &dyn Subject) -> Findings {
+    let found = run(sweep, subject, 0, &|_| {}, &AtomicBool::new(false)).expect("threads");
+    assert!(found.is_complete());
+    found
+}
+
+/// A subject made of the reference and of something that spoils its results.
+pub struct Spoilt<'s, F> {
+    /// What is swept.
+    pub sweep: &'s Sweep,
+    /// The raw form of an operand and of the right result, and gives the wrong one.
+    pub spoil: F,
+}
+
+impl<F: Fn(u64, u64) -> u64 + Sync> Subject for Spoilt<'_, F> {
+    fn convert_all(&self, operands: &[u64], results: &mut [u64]) {
+        self.sweep.reference.convert_all(operands, results);
+        for (operand, result) in operands.iter().zip(results) {
+            *result = (self.spoil)(*operand, *result);
+        }
+    }
+
+    fn convert(&self, operands: &[Value]) -> Value {
+        match (operands, self.sweep.reference.convert(operands)) {
+            ([Value::Plain { raw: operand, .. }, ..], Value::Plain { ty, raw }) => {
+                Value::plain(ty, (self.spoil)(*operand, raw))
+            }
+            (_, right) => right,
+        }
+    }
+}
