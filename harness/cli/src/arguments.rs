@@ -56,6 +56,9 @@ pub enum Command {
     /// Show what a conversion function gives for boundary values, dialects side by side
     #[command(after_help = CONVERSIONS_EXAMPLES)]
     Conversions(ConversionsArguments),
+    /// Hold every input of a conversion function against exact arithmetic
+    #[command(after_help = SWEEP_EXAMPLES)]
+    Sweep(SweepArguments),
 }
 
 /// Which cases a command works on.
@@ -209,6 +212,35 @@ pub struct ConversionsArguments {
     pub json: bool,
 }
 
+/// `stickler sweep`.
+#[derive(Args, Debug)]
+pub struct SweepArguments {
+    /// A conversion function such as DINT_TO_INT; one that takes several types is swept for each
+    #[arg(value_name = "FUNCTION")]
+    pub function: String,
+    /// Only this dialect; may be repeated [default: all that have the function; equal rules are swept once]
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: Vec<DialectName>,
+    /// Sweep this engine, through programs that it executes [default: reference, through its own conversion]
+    #[arg(
+        long,
+        value_name = "ENGINE",
+        default_value = "reference",
+        hide_default_value = true
+    )]
+    pub engine: String,
+    /// Take N inputs at random, beside the boundaries, instead of every one; sources of more than 32 bits and
+    /// texts are always sampled [default: 1000000, or 10000 of an engine that is not the reference]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(0..1 << 48))]
+    pub sample: Option<u64>,
+    /// Where the random inputs come from: the same N gives the same inputs
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Use N threads [default: one a processor]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+}
+
 fn dialects() -> impl TypedValueParser<Value = DialectName> {
     PossibleValuesParser::new(DialectName::ALL.map(DialectName::as_str))
         .try_map(|name| name.parse::<DialectName>())
@@ -297,6 +329,16 @@ Examples:
   stickler conversions TO_INT REAL#2.5              one type of several
   stickler conversions CONCAT_DATE_TOD 2024-02-29 12:00:00
   stickler conversions TRUNC --engine reference --engine 'cmd:my-adapter'";
+
+const SWEEP_EXAMPLES: &str = "\
+Examples:
+  stickler sweep DINT_TO_INT                        all 4 294 967 296 inputs
+  stickler sweep REAL_TO_INT --dialect matiec       all NaNs among them
+  stickler sweep LREAL_TO_LINT --sample 5000000     boundaries and a sample
+  stickler sweep INT_TO_BCD --engine 'cmd:my-adapter'
+
+Where no document says what must come, the reference is held to what IEC 60559 and two's complement suggest;
+what another engine does there is an observation and no mismatch.";
 
 #[cfg(test)]
 mod tests {

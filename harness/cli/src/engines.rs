@@ -6,7 +6,7 @@ use stickler_engines::{Engine, Identity, ProcessEngine, ProcessLimits, Reference
 use stickler_types::DialectName;
 
 /// The name of the engine that is always there.
-const REFERENCE: &str = "reference";
+pub const REFERENCE: &str = "reference";
 
 /// What stands in front of the command line of an engine that is a process.
 const COMMAND: &str = "cmd:";

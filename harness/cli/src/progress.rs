@@ -9,7 +9,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// A bar for so many cases; it shows nothing where stderr is no terminal.
+    /// A bar for so many cases or inputs; it shows nothing where stderr is no terminal.
     pub fn new(cases: u64) -> Progress {
         let bar = ProgressBar::new(cases);
         // The template is a constant; if it were wrong, the bar would look plain.
@@ -24,6 +24,14 @@ impl Progress {
     pub fn advance(&self, failed: u64) {
         self.bar.inc(1);
         if failed > 0 && self.bar.position().is_multiple_of(64) {
+            self.bar.set_message(format!(", {failed} not as expected"));
+        }
+    }
+
+    /// So many are done, and so many of them were not as expected.
+    pub fn reach(&self, done: u64, failed: u64) {
+        self.bar.set_position(done);
+        if failed > 0 {
             self.bar.set_message(format!(", {failed} not as expected"));
         }
     }

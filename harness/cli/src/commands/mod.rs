@@ -11,6 +11,7 @@ mod matrix;
 mod render;
 mod run;
 mod show;
+mod sweep;
 
 use crate::arguments::{Arguments, Command, RunArguments};
 use crate::exit::Exit;
@@ -36,5 +37,6 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Explain(arguments) => explain::execute(&arguments, out),
         Command::Matrix(arguments) => matrix::execute(&arguments, out),
         Command::Conversions(arguments) => conversions::execute(&arguments, out),
+        Command::Sweep(arguments) => sweep::execute(&arguments, out),
     }
 }

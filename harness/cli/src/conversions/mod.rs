@@ -13,5 +13,5 @@ mod table;
 
 pub use block::{Block, gather};
 pub use given::rows;
-pub use names::{Present, all, present};
+pub use names::{Present, all, listed, present};
 pub use {json::write as write_json, page::write as write_page};

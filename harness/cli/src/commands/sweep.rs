@@ -1,0 +1,61 @@
+//! `stickler sweep`: every input of a conversion function, held against exact arithmetic.
+
+mod names;
+mod page;
+
+use crate::arguments::SweepArguments;
+use crate::conversions::{self, Present};
+use crate::exit::Exit;
+use crate::progress::Progress;
+use crate::{engines, interrupt};
+use anyhow::bail;
+use page::Page;
+use std::io::Write;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+use stickler_sweep::{Detail, Findings, Progress as Reached, Sampling, Sweep, Through, agenda, run};
+
+/// Sweeps a function between each of its types and by each of its rules, and shows what was found after each.
+///
+/// # Errors
+/// A name that is no conversion function of the dialects, an engine that cannot be run, no threads.
+pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let function = arguments.function.to_ascii_uppercase();
+    let Present { having, lacking } = conversions::present(&function, &arguments.dialect)
+        .map_err(|error| names::with_list(&function, error))?;
+    let engine = engines::by_name(&arguments.engine)?;
+    if arguments.engine != engines::REFERENCE {
+        bail!("only the reference can be swept so far: `stickler conversions {function}` asks other engines");
+    }
+    let sampling = Sampling {
+        inputs: arguments.sample,
+        seed: arguments.seed,
+        detail: Detail::Fine,
+    };
+    let sweeps = agenda(&function, &having, sampling, Through::Conversion)?;
+    let cancel = interrupt::flag()?;
+    let mut page = Page::new(out, engine.identity());
+    page.lacking(&function, &lacking)?;
+    let jobs = arguments.jobs.map_or(0, usize::from);
+    for (index, sweep) in sweeps.iter().enumerate() {
+        page.begin(sweep, sampling)?;
+        let begun = Instant::now();
+        let findings = observed(sweep, jobs, cancel)?;
+        page.end(sweep, &findings, begun.elapsed())?;
+        if !findings.is_complete() {
+            page.not_begun(sweeps.len() - index - 1)?;
+            return Ok(Exit::Interrupted);
+        }
+    }
+    page.total()?;
+    Ok(page.exit())
+}
+
+/// Sweeps with a bar that shows how far it is.
+fn observed(sweep: &Sweep, jobs: usize, cancel: &AtomicBool) -> anyhow::Result<Findings> {
+    let bar = Progress::new(sweep.domain.len());
+    let advance = |reached: Reached| bar.reach(reached.done, reached.mismatches);
+    let findings = run(sweep, &sweep.reference, jobs, &advance, cancel);
+    bar.finish();
+    Ok(findings?)
+}

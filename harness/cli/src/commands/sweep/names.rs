@@ -1,0 +1,79 @@
+//! What can be swept, for whoever named something that cannot.
+
+use crate::conversions;
+use crate::output;
+
+/// The error with the list of all conversion functions behind it, where the name is one of no dialect.
+pub fn with_list(function: &str, error: anyhow::Error) -> anyhow::Error {
+    let names = conversions::all();
+    if names.iter().any(|name| name == function) {
+        return error;
+    }
+    anyhow::anyhow!(
+        "{error}\n\nConversion functions, `…` standing for each of the types behind it:\n{}",
+        list(&names)
+    )
+}
+
+/// All names, those with the same beginning in one paragraph.
+fn list(names: &[String]) -> String {
+    let mut families: Vec<(String, Vec<&str>)> = Vec::new();
+    for name in names {
+        let (family, rest) = split(name);
+        match families.iter_mut().find(|(known, _)| *known == family) {
+            Some((_, rests)) => rests.push(rest),
+            None => families.push((family, vec![rest])),
+        }
+    }
+    let paragraphs = families
+        .iter()
+        .map(|(family, rests)| output::wrap(&format!("{family} {}", rests.join(" ")).replace(" \n", "\n")));
+    paragraphs.collect::<Vec<_>>().join("\n").trim_end().to_owned()
+}
+
+/// What names have in common, and what follows; names without types follow `also:`.
+fn split(name: &str) -> (String, &str) {
+    for middle in ["_TO_BCD_", "_TRUNC_", "_TO_"] {
+        if let Some(at) = name.find(middle) {
+            let (front, rest) = name.split_at(at + middle.len());
+            return (format!("{front}…"), rest);
+        }
+    }
+    for front in ["TO_BCD_", "TO_", "TRUNC_"] {
+        if let Some(rest) = name.strip_prefix(front) {
+            return (format!("{front}…"), rest);
+        }
+    }
+    ("also:".to_owned(), name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{list, split};
+    use crate::conversions;
+
+    #[test]
+    fn a_name_is_split_before_its_last_type() {
+        for (name, family, rest) in [
+            ("DINT_TO_INT", "DINT_TO_…", "INT"),
+            ("TO_INT", "TO_…", "INT"),
+            ("UINT_TO_BCD_WORD", "UINT_TO_BCD_…", "WORD"),
+            ("WORD_BCD_TO_UINT", "WORD_BCD_TO_…", "UINT"),
+            ("REAL_TRUNC_INT", "REAL_TRUNC_…", "INT"),
+            ("TRUNC_INT", "TRUNC_…", "INT"),
+            ("TRUNC", "also:", "TRUNC"),
+            ("CONCAT_DATE_TOD", "also:", "CONCAT_DATE_TOD"),
+        ] {
+            assert_eq!(split(name), (family.to_owned(), rest));
+        }
+    }
+
+    #[test]
+    fn every_name_can_be_put_together_from_the_list() {
+        let names = conversions::all();
+        let list = list(&names);
+        let words = list.split_whitespace().count();
+        let families: std::collections::HashSet<String> = names.iter().map(|name| split(name).0).collect();
+        assert_eq!(words, names.len() + families.len());
+    }
+}

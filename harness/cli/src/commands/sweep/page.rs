@@ -1,0 +1,228 @@
+//! What a sweep shows: before it begins, what it goes through; after it ended, what it found.
+
+use crate::conversions;
+use crate::exit::Exit;
+use anstyle::{AnsiColor, Style};
+use std::io::{self, Write};
+use std::time::Duration;
+use stickler_engines::Identity;
+use stickler_sweep::{Difference, Findings, Got, KEPT, Sampling, Sweep};
+use stickler_types::{DialectName, Value};
+
+const BOLD: Style = Style::new().bold();
+const BAD: Style = AnsiColor::Red.on_default().bold();
+const DIM: Style = Style::new().dimmed();
+
+/// How much of a value is shown; texts can be long.
+const WIDEST: usize = 60;
+
+/// The page that is being written, and what it has to add up.
+pub struct Page<'p> {
+    out: &'p mut dyn Write,
+    engine: String,
+    sweeps: usize,
+    inputs: u64,
+    mismatches: u64,
+}
+
+impl<'p> Page<'p> {
+    /// An empty one.
+    pub fn new(out: &'p mut dyn Write, engine: &Identity) -> Page<'p> {
+        Page {
+            out,
+            engine: format!("{} {}", engine.name, engine.version),
+            sweeps: 0,
+            inputs: 0,
+            mismatches: 0,
+        }
+    }
+
+    /// The dialects that were asked for and lack the function.
+    pub fn lacking(&mut self, function: &str, dialects: &[DialectName]) -> io::Result<()> {
+        match dialects {
+            [] => Ok(()),
+            _ => writeln!(self.out, "{} has no {function}\n", conversions::listed(dialects)),
+        }
+    }
+
+    /// What is about to be swept; shown at once, for a sweep may take long.
+    pub fn begin(&mut self, sweep: &Sweep, sampling: Sampling) -> io::Result<()> {
+        let signature = &sweep.signature;
+        let operands: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
+        writeln!(
+            self.out,
+            "{BOLD}{}({}) : {}{BOLD:#}  on {}, in {}",
+            signature.function,
+            operands.join(", "),
+            signature.result,
+            self.engine,
+            conversions::listed(&sweep.dialects),
+        )?;
+        let inputs = grouped(sweep.domain.len());
+        match sweep.domain.parts() {
+            None => writeln!(self.out, "  {inputs} inputs: every {}", operands.join(", "))?,
+            Some((chosen, sampled)) => {
+                let (chosen, sampled, seed) = (grouped(chosen), grouped(sampled), sampling.seed);
+                let all = match signature.operands[..] {
+                    [ty] if !ty.is_text() && ty.bits() <= 32 => format!(", of {}", grouped(1 << ty.bits())),
+                    _ => String::new(),
+                };
+                writeln!(
+                    self.out,
+                    "  {inputs} inputs: {chosen} at boundaries, {sampled} at random (seed {seed}){all}"
+                )?;
+            }
+        }
+        self.out.flush()
+    }
+
+    /// What was found.
+    pub fn end(&mut self, sweep: &Sweep, found: &Findings, took: Duration) -> io::Result<()> {
+        self.sweeps += 1;
+        self.inputs += found.done;
+        self.mismatches += found.mismatches;
+        if !found.is_complete() {
+            self.cut_short(sweep, found)?;
+        }
+        let so_far = if found.is_complete() { "" } else { " so far" };
+        let seconds = took.as_secs_f64();
+        match found.mismatches {
+            0 => writeln!(self.out, "  no mismatch{so_far}, {seconds:.1} s")?,
+            _ => {
+                let count = counted(found.mismatches, "mismatch", "mismatches");
+                writeln!(self.out, "  {BAD}{count}{so_far}{BAD:#}, {seconds:.1} s")?;
+                self.differences(&found.first, found.mismatches)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The first differences, and how many more there are.
+    fn differences(&mut self, first: &[Difference], all: u64) -> io::Result<()> {
+        first
+            .iter()
+            .try_for_each(|difference| self.difference(difference))?;
+        let more = all.saturating_sub(KEPT as u64);
+        if more > 0 {
+            writeln!(self.out, "    and {} more", grouped(more))?;
+        }
+        Ok(())
+    }
+
+    fn difference(&mut self, difference: &Difference) -> io::Result<()> {
+        let operands: Vec<String> = difference.operands.iter().map(shown).collect();
+        let basis = difference
+            .basis
+            .unwrap_or("open: no document says what must come");
+        writeln!(
+            self.out,
+            "    {} gives {BAD}{}{BAD:#}, not {}  {DIM}({basis}){DIM:#}",
+            operands.join(", "),
+            match &difference.got {
+                Got::Value(value) => shown(value),
+                nothing @ Got::Nothing(_) => nothing.to_string(),
+            },
+            shown(&difference.expected),
+        )
+    }
+
+    fn cut_short(&mut self, sweep: &Sweep, found: &Findings) -> io::Result<()> {
+        // Of a hundred at most, so it fits whatever the number of inputs.
+        let percent = u128::from(found.done) * 100 / u128::from(found.inputs.max(1));
+        write!(
+            self.out,
+            "  stopped by Ctrl-C after {} of {} inputs ({percent} %)",
+            grouped(found.done),
+            grouped(found.inputs)
+        )?;
+        match found.done.checked_sub(1) {
+            None => writeln!(self.out),
+            Some(last) => {
+                let last: Vec<String> = sweep.domain.operands(last).iter().map(shown).collect();
+                writeln!(self.out, ", the last of them {}", last.join(", "))
+            }
+        }
+    }
+
+    /// How many sweeps were left out because of Ctrl-C.
+    pub fn not_begun(&mut self, sweeps: usize) -> io::Result<()> {
+        match sweeps {
+            0 => Ok(()),
+            1 => writeln!(self.out, "1 sweep was not begun"),
+            _ => writeln!(self.out, "{sweeps} sweeps were not begun"),
+        }
+    }
+
+    /// All sweeps together, where there are several.
+    pub fn total(&mut self) -> io::Result<()> {
+        if self.sweeps < 2 {
+            return Ok(());
+        }
+        let mismatches = match self.mismatches {
+            0 => "no mismatch".to_owned(),
+            count => counted(count, "mismatch", "mismatches"),
+        };
+        writeln!(
+            self.out,
+            "\n{} sweeps, {} inputs: {mismatches}",
+            self.sweeps,
+            grouped(self.inputs)
+        )
+    }
+
+    /// Whether all was as it must be.
+    pub const fn exit(&self) -> Exit {
+        match self.mismatches {
+            0 => Exit::AsExpected,
+            _ => Exit::Failures,
+        }
+    }
+}
+
+/// A value in few words.
+fn shown(value: &Value) -> String {
+    let written = value.to_string();
+    match written.char_indices().nth(WIDEST) {
+        None => written,
+        Some((at, _)) => format!("{}… ({} characters)", &written[..at], written.chars().count()),
+    }
+}
+
+fn counted(count: u64, one: &str, several: &str) -> String {
+    format!("{} {}", grouped(count), if count == 1 { one } else { several })
+}
+
+/// A number with blanks between its thousands: `4 294 967 296`.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::with_capacity(digits.len() * 4 / 3);
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{grouped, shown};
+    use stickler_types::{ElementaryType, Value};
+
+    #[test]
+    fn thousands_are_kept_apart() {
+        assert_eq!(
+            [0, 999, 1_000, 65_536, 4_294_967_296].map(grouped),
+            ["0", "999", "1 000", "65 536", "4 294 967 296"]
+        );
+    }
+
+    #[test]
+    fn a_long_text_is_cut_between_its_characters() {
+        let text = Value::text(ElementaryType::Wstring, vec![0xE9; 500]);
+        let shown = shown(&text);
+        assert!(shown.ends_with("characters)"), "{shown}");
+        assert!(shown.chars().count() < 90, "{shown}");
+    }
+}
