@@ -92,10 +92,17 @@ impl Lowering<'_> {
         let inferred = self.infer(argument);
         let value = self.value(argument, None);
         if value.ty != TypeId::ERROR || inferred == Inferred::Nothing {
-            let expected = TypeId::of(conversion.parameter.expected());
-            self.report_misfit(argument, inferred, expected, Context::Argument);
+            match conversion.parameter {
+                Parameter::Exactly(ty) => {
+                    self.report_misfit(argument, inferred, TypeId::of(ty), Context::Argument);
+                }
+                Parameter::AnyOf { allowed, default } => {
+                    self.report_misfit_of_any(argument, inferred, allowed, default);
+                }
+            }
         }
     }
+
     /// Joins a date and a time of day.
     pub(super) fn call_concatenation(
         &mut self,

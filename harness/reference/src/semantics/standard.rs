@@ -77,6 +77,22 @@ impl Signature {
         }
     }
 
+    /// The end of a message about a parameter that there is not: which there are.
+    fn parameters(&self) -> String {
+        let more = self.more.map(|(stem, first)| format!("{stem}{first} …"));
+        let names: Vec<_> = self
+            .fixed
+            .iter()
+            .map(|&name| name.to_owned())
+            .chain(more)
+            .collect();
+        match &names[..] {
+            [] => String::new(),
+            [one] => format!("; its only one is {one}"),
+            [others @ .., last] => format!("; it has {} and {last}", others.join(", ")),
+        }
+    }
+
     /// Which parameter a name is.
     fn position(&self, name: &str) -> Option<usize> {
         let fixed = self
@@ -140,7 +156,11 @@ pub(super) fn ordered_by(
             return Err((
                 Code::FunctionCallNamedArgUndeclared,
                 name.span,
-                format!("the function has no parameter `{}` here", name.text),
+                format!(
+                    "the function has no parameter `{}` here{}",
+                    name.text,
+                    signature.parameters()
+                ),
             ));
         };
         if places.len() <= position {

@@ -26,8 +26,31 @@ impl<'m> Lowering<'m> {
         context: Context,
     ) {
         let message = misfit(&self.model.types, inferred, target, context);
+        self.report_misfit_as(id, inferred, target, context, message);
+    }
+
+    /// The same for an argument that may be of any of several types, with the one that a suggestion converts to.
+    pub(super) fn report_misfit_of_any(
+        &mut self,
+        id: ExpressionId,
+        inferred: Inferred,
+        allowed: &[ElementaryType],
+        default: ElementaryType,
+    ) {
+        let message = misfit_of_any(&self.model.types, inferred, allowed);
+        self.report_misfit_as(id, inferred, TypeId::of(default), Context::Argument, message);
+    }
+
+    fn report_misfit_as(
+        &mut self,
+        id: ExpressionId,
+        inferred: Inferred,
+        target: TypeId,
+        context: Context,
+        message: String,
+    ) {
         let suggestion = match (inferred.elementary(), target.elementary()) {
-            (Some(from), Some(to)) if context != Context::Label => self.conversion_call(id, from, to),
+            (Some(from), Some(to)) => self.conversion_call(id, from, to),
             _ => None,
         };
         let span = self.span(id);
@@ -69,6 +92,19 @@ pub(super) fn misfit(types: &TypeTable, inferred: Inferred, target: TypeId, cont
         (Inferred::Known(_), Context::Condition) => format!("a condition is {name}, not {value}"),
         (Inferred::Known(_), _) => format!("{value} does not convert implicitly to {name}"),
         _ => format!("{value} is no {name} here"),
+    }
+}
+
+/// Why a value is no argument of a function that takes several types as they come. A long list would hide the point.
+fn misfit_of_any(types: &TypeTable, inferred: Inferred, allowed: &[ElementaryType]) -> String {
+    let value = describe(types, inferred);
+    let names: Vec<_> = allowed.iter().map(|ty| ty.name()).collect();
+    match (inferred, &names[..]) {
+        (Inferred::Nothing, _) => "the call gives no value".to_owned(),
+        (_, [others @ .., last]) if (1..4).contains(&others.len()) => {
+            format!("the function takes {} or {last}, not {value}", others.join(", "))
+        }
+        _ => format!("the function does not take {value}"),
     }
 }
 
@@ -140,10 +176,10 @@ fn similar<'n>(
 /// Basis: forgeiec-conversion-functions: TRUNC vs. ROUND.
 fn rounding_idiom(name: &str) -> Option<&'static str> {
     match name.to_ascii_uppercase().as_str() {
-        "ROUND" => Some("; there is none in the standard library: REAL_TO_DINT(x + SEL(x < 0.0, 0.5, -0.5))"),
-        "CEIL" | "CEILING" => Some("; there is none in the standard library: TRUNC_DINT(x + 0.999999)"),
+        "ROUND" => Some("; the standard library has none: write REAL_TO_DINT(x + SEL(x < 0.0, 0.5, -0.5))"),
+        "CEIL" | "CEILING" => Some("; the standard library has none: write TRUNC_DINT(x + 0.999999)"),
         "FLOOR" => Some(
-            "; there is none in the standard library: TRUNC_DINT(x), less 1 for a negative x with a fraction",
+            "; the standard library has none: write TRUNC_DINT(x), less 1 for a negative x with a fraction",
         ),
         _ => None,
     }

@@ -70,9 +70,18 @@ fn a_case_selects_by_integers_that_fit() {
 }
 
 #[test]
-fn a_label_has_no_suggestion_for_it_must_stay_a_constant() {
-    let text = "PROGRAM main VAR i : INT; END_VAR CASE i OF TRUE: ; END_CASE; END_PROGRAM";
-    assert_eq!(diagnose(ED3, text)[0].suggestion, None);
+fn a_label_of_another_type_may_be_converted_for_that_gives_a_constant_too() {
+    let program = |label: &str| {
+        format!(
+            "PROGRAM main VAR i : INT; END_VAR VAR CONSTANT w : WORD := WORD#5; END_VAR
+             CASE i OF {label}: ; END_CASE; END_PROGRAM"
+        )
+    };
+    for (label, suggested) in [("TRUE", "BOOL_TO_INT(TRUE)"), ("w", "WORD_TO_INT(w)")] {
+        let rejected = diagnose(ED3, &program(label));
+        assert_eq!(rejected[0].suggestion.as_deref(), Some(suggested), "{label}");
+        assert!(diagnose(ED3, &program(suggested)).is_empty(), "{suggested}");
+    }
 }
 
 #[test]
