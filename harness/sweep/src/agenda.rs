@@ -1,6 +1,7 @@
 //! From the name of a function to the sweeps that it takes: one for each pair of types and each distinct rule.
 
 use crate::domain::{Domain, Sampling};
+use crate::foreign::has_digest;
 use crate::reference::Reference;
 use stickler_exact::{Choices, Operation, Signature, signatures};
 use stickler_types::{DialectName, ElementaryType};
@@ -82,12 +83,6 @@ impl Through {
             }
         }
     }
-}
-
-/// Whether a program can count through all values of one type and fold the results of the other.
-fn has_digest(from: ElementaryType, to: ElementaryType) -> bool {
-    let counted = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string() || ty.is_real();
-    counted(from) && (counted(to) || to == ElementaryType::Bool)
 }
 
 /// The sweeps of a function, in the order of its signatures and, for each, of the dialects. The name may be in any ASCII

@@ -2,7 +2,7 @@
 //!
 //! [`agenda`] turns the name of a function into [`Sweep`]s, one for each pair of types and each distinct rule of the
 //! dialects; [`run`] takes all inputs of one of them, a [`Domain`], through a [`Subject`] (on the reference that is its own
-//! conversion) and gives [`Findings`].
+//! conversion) and gives [`Findings`]. [`foreign`] does the same with an engine that only executes programs.
 //!
 //! Architecture Invariant: this crate knows no terminal and no command line.
 #![forbid(unsafe_code)]
@@ -11,6 +11,7 @@ mod agenda;
 mod comparison;
 mod domain;
 mod findings;
+pub mod foreign;
 mod random;
 mod reference;
 mod run;

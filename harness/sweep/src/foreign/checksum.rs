@@ -1,0 +1,276 @@
+//! The checksum of results, said twice: once in ST and once in Rust.
+//!
+//! Each result becomes one or two whole numbers from 0 below 2^53, its parts, and each of these goes into the sum by
+//! `total := (total * FACTOR + part) MOD MODULUS`. No step exceeds 2^62, so a LINT never overflows.
+//!
+//! The modulus is a prime: a wrong part that is no multiple of the modulus away from the right one changes the sum,
+//! whatever follows. The factor is a primitive root: no two places in a block weigh the same, so that errors which
+//! follow a pattern do not cancel each other. And the modulus is far from all sums and differences of powers of two, by
+//! which results are wrong: modulo 2147483647, for instance, a DINT that stays at its limit would look like 0.
+//!
+//! A real number is taken apart by comparisons and by products with powers of two, which are exact in every format and
+//! by every rounding of IEC 60559 that holds the number at all; no sum of real numbers is formed, so nothing is lost.
+
+use super::spelling::power_of_two;
+use std::fmt::Write;
+use stickler_types::{ElementaryType, Family};
+
+const FACTOR: u64 = 1_234_567_891;
+const MODULUS: u64 = 1_999_999_973;
+/// What a half of 64 bits counts up to.
+const HALF: u64 = 1 << 32;
+
+/// How results of a type are added up.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Checksum {
+    result: ElementaryType,
+}
+
+impl Checksum {
+    /// Of results that are integers, bit strings, BOOL or real numbers; `None` of others.
+    #[must_use]
+    pub const fn new(result: ElementaryType) -> Option<Checksum> {
+        match result.family() {
+            Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString | Family::Real => {
+                Some(Checksum { result })
+            }
+            _ => None,
+        }
+    }
+
+    /// The sum after one more result, of which this is the raw form.
+    ///
+    /// Zeros of either sign count the same, and so do a NaN, the infinities and all numbers far outside the range of REAL.
+    #[must_use]
+    pub fn add(self, total: u64, raw: u64) -> u64 {
+        let step = |total, part| (total * FACTOR + part) % MODULUS;
+        match (self.result.family(), self.result.bits()) {
+            (Family::Real, _) => {
+                let (code, mantissa) = self.real(raw);
+                step(step(total, code), mantissa)
+            }
+            // The raw form of a signed integer is its sign-extended one; the sum has it counted from the type's lower limit.
+            (Family::Signed, 64) => {
+                let counted = raw ^ 1 << 63;
+                step(step(total, counted / HALF), counted % HALF)
+            }
+            (Family::Signed, bits) => step(total, raw.wrapping_add(1 << (bits - 1))),
+            (_, 64) => step(step(total, raw / HALF), raw % HALF),
+            _ => step(total, raw),
+        }
+    }
+
+    /// The code of sign and exponent, and the 53 bits of the mantissa.
+    fn real(self, raw: u64) -> (u64, u64) {
+        let number = match self.result {
+            // A REAL's raw form has 32 bits.
+            ElementaryType::Real => f64::from(f32::from_bits(raw as u32)),
+            _ => f64::from_bits(raw),
+        };
+        let (negative, bits) = (number.to_bits() >> 63, number.to_bits() << 1 >> 1);
+        let (exponent, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
+        match exponent {
+            _ if bits == 0 => (0, 0),
+            ..LEAST_EXPONENT | GREATEST_EXPONENT.. => (1, 0),
+            _ => (2 * (exponent + 1) + negative, fraction | 1 << 52),
+        }
+    }
+
+    /// The variables besides `given`, which has the result.
+    #[must_use]
+    pub fn declarations(self) -> String {
+        let more = match (self.result.family(), self.result) {
+            (Family::Real, _) => {
+                "    number   : LREAL;\n    exponent : LINT;\n    negative : LINT;\n    mantissa : LINT;\n"
+            }
+            (_, ElementaryType::Lint) => "    high : LINT;\n    low  : LINT;\n",
+            (_, ElementaryType::Ulint | ElementaryType::Lword) => "    whole : ULINT;\n",
+            _ => "",
+        };
+        format!("    part  : LINT;\n    total : LINT := LINT#0;\n{more}")
+    }
+
+    /// The statements that add `given` to `total`, each line indented twice.
+    #[must_use]
+    pub fn statements(self) -> String {
+        use ElementaryType::{Bool, Lint, Lreal, Lword, Real, Ulint};
+        let ty = self.result;
+        match ty {
+            Bool => lines(&[
+                "IF given THEN",
+                "    part := LINT#1;",
+                "ELSE",
+                "    part := LINT#0;",
+                "END_IF;",
+                &step("part"),
+            ]),
+            Lint => halves_of_signed(),
+            Ulint => lines(&["whole := given;"]) + &halves_of_unsigned(),
+            Lword => lines(&["whole := LWORD_TO_ULINT(given);"]) + &halves_of_unsigned(),
+            Real => lines(&["number := REAL_TO_LREAL(given);"]) + &digits(),
+            Lreal => lines(&["number := given;"]) + &digits(),
+            _ if ty.is_signed() => {
+                let limit = 1_u64 << (ty.bits() - 1);
+                lines(&[
+                    &format!("part := {ty}_TO_LINT(given) + LINT#{limit};"),
+                    &step("part"),
+                ])
+            }
+            _ => lines(&[&format!("part := {ty}_TO_LINT(given);"), &step("part")]),
+        }
+    }
+}
+
+/// The biased exponents that the program can tell: from that of 2^-255 up to, and without, that of 2^128. Those of REALs
+/// are among them, and nothing else is ever expected.
+const LEAST_EXPONENT: u64 = 1023 - 255;
+const GREATEST_EXPONENT: u64 = 1023 + 128;
+
+fn step(part: &str) -> String {
+    format!("total := (total * LINT#{FACTOR} + {part}) MOD LINT#{MODULUS};")
+}
+
+fn lines(lines: &[&str]) -> String {
+    lines.iter().map(|line| format!("        {line}\n")).collect()
+}
+
+/// High and low half, the low one never negative, whichever way the engine's `MOD` of a negative number goes.
+fn halves_of_signed() -> String {
+    lines(&[
+        &format!("high := given / LINT#{HALF};"),
+        &format!("low := given MOD LINT#{HALF};"),
+        "IF low < LINT#0 THEN",
+        &format!("    low := low + LINT#{HALF};"),
+        "    high := high - LINT#1;",
+        "END_IF;",
+        &format!("part := high + LINT#{};", HALF / 2),
+        &step("part"),
+        &step("low"),
+    ])
+}
+
+fn halves_of_unsigned() -> String {
+    lines(&[
+        &format!("part := ULINT_TO_LINT(whole / ULINT#{HALF});"),
+        &step("part"),
+        &format!("part := ULINT_TO_LINT(whole MOD ULINT#{HALF});"),
+        &step("part"),
+    ])
+}
+
+/// Sign, exponent and mantissa of `number`. Its magnitude is brought between 1 and 2 by products with powers of two, each
+/// of them exact; the mantissa is then a whole number of 53 bits. A NaN passes every comparison as false.
+fn digits() -> String {
+    let one = power_of_two(0);
+    let mut text = lines(&[
+        "exponent := LINT#1023;",
+        "negative := LINT#0;",
+        "IF number < LREAL#0.0 THEN",
+        "    negative := LINT#1;",
+        "    number := -number;",
+        "END_IF;",
+    ]);
+    let two = power_of_two(1);
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "        IF number >= {two} THEN");
+    for power in [64, 32, 16, 8, 4, 2, 1] {
+        scaled(&mut text, &format!(">= {}", power_of_two(power)), -power);
+    }
+    let _ = writeln!(text, "        ELSIF number < {one} AND number > LREAL#0.0 THEN");
+    for power in [128, 64, 32, 16, 8, 4, 2, 1] {
+        scaled(&mut text, &format!("< {}", power_of_two(1 - power)), power);
+    }
+    text + &lines(&[
+        "END_IF;",
+        "mantissa := LINT#0;",
+        "part := LINT#1;",
+        &format!("IF number >= {one} AND number < {two} THEN"),
+        &format!("    mantissa := LREAL_TO_LINT(number * {});", power_of_two(52)),
+        "    part := (exponent + LINT#1) * LINT#2 + negative;",
+        "ELSIF number = LREAL#0.0 THEN",
+        "    part := LINT#0;",
+        "END_IF;",
+        &step("part"),
+        &step("mantissa"),
+    ])
+}
+
+/// Multiplies `number` by a power of two where it compares so, and keeps the balance in `exponent`.
+fn scaled(text: &mut String, comparison: &str, power: i32) {
+    let product = power_of_two(power);
+    // As above.
+    let _ = writeln!(
+        text,
+        "            IF number {comparison} THEN\n                number := number * {product};\n                \
+         exponent := exponent - LINT#{power};\n            END_IF;"
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Checksum, FACTOR, MODULUS};
+    use stickler_types::ElementaryType;
+
+    /// A prime modulus, and a factor whose powers go through everything before they come back to 1.
+    #[test]
+    fn the_factor_is_a_primitive_root_of_the_modulus() {
+        let power = |exponent: u64| {
+            (0..64).rev().fold(1, |power, bit| {
+                let square = power * power % MODULUS;
+                if exponent >> bit & 1 == 1 {
+                    square * FACTOR % MODULUS
+                } else {
+                    square
+                }
+            })
+        };
+        assert!((2..46_341).all(|divisor| !MODULUS.is_multiple_of(divisor)));
+        assert_eq!(MODULUS - 1, 2 * 2 * 499_999_993);
+        assert_eq!(power(MODULUS - 1), 1);
+        for prime in [2, 499_999_993] {
+            assert_ne!(power((MODULUS - 1) / prime), 1);
+        }
+    }
+
+    /// A wrap instead of a limit, a sign, a bit, one more or less: none of these differences is a multiple of the modulus.
+    #[test]
+    fn no_usual_difference_vanishes() {
+        let edges: Vec<i128> = (0..=64)
+            .flat_map(|bits| (-2..=2).map(move |near| (1 << bits) + near))
+            .collect();
+        for one in &edges {
+            for other in &edges {
+                for difference in [one - other, one + other] {
+                    let small = difference.abs() < 1 << 33;
+                    assert!(
+                        difference == 0 || !small || difference % i128::from(MODULUS) != 0,
+                        "{one} {other}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_wrong_result_changes_the_sum() {
+        for (ty, raws) in [
+            (
+                ElementaryType::Dint,
+                [0, 1, (-1_i64).cast_unsigned(), 0x7FFF_FFFF],
+            ),
+            (ElementaryType::Lint, [0, 1, u64::MAX, i64::MAX.cast_unsigned()]),
+            (ElementaryType::Lword, [0, 1, u64::MAX, 1 << 32]),
+            (ElementaryType::Real, [0, 0x3F80_0000, 0x3F80_0001, 0xBF80_0000]),
+            (
+                ElementaryType::Lreal,
+                [0, 1.0_f64.to_bits(), 1.0_f64.to_bits() + 1, 2.0_f64.to_bits()],
+            ),
+        ] {
+            let checksum = Checksum::new(ty).expect("a checksum");
+            let mut sums: Vec<u64> = raws.iter().map(|raw| checksum.add(7, *raw)).collect();
+            sums.sort_unstable();
+            sums.dedup();
+            assert_eq!(sums.len(), raws.len(), "{ty}");
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! Which inputs a worker takes next, and how many of them an engine can take in one program.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
+
+/// How many operands a list has.
+const LISTED: u64 = 400;
+/// How many inputs the first program counts through.
+pub const FIRST: u64 = 1 << 14;
+/// More are never counted in one program, so that its counter, a DINT, holds them.
+const MOST: u64 = 1 << 28;
+/// A program that took no longer may be followed by one twice as large.
+const QUICK: Duration = Duration::from_secs(1);
+
+/// Places to be taken in order by all workers.
+pub struct Queue {
+    stretches: Vec<Range<u64>>,
+    /// The stretch at hand, and how far it was taken.
+    reached: Mutex<(usize, u64)>,
+    /// How many inputs the next program has.
+    size: AtomicU64,
+    /// How many it may have at most.
+    limit: AtomicU64,
+}
+
+impl Queue {
+    /// All of these places, by programs that count or by lists.
+    pub fn new(stretches: Vec<Range<u64>>, counted: bool) -> Queue {
+        let (size, limit) = if counted { (FIRST, MOST) } else { (LISTED, LISTED) };
+        let start = stretches.first().map_or(0, |stretch| stretch.start);
+        Queue {
+            stretches,
+            reached: Mutex::new((0, start)),
+            size: AtomicU64::new(size),
+            limit: AtomicU64::new(limit),
+        }
+    }
+
+    /// The next places; `None` where all are taken.
+    pub fn claim(&self) -> Option<Range<u64>> {
+        let mut reached = self.reached.lock().unwrap_or_else(PoisonError::into_inner);
+        let (index, start) = *reached;
+        let stretch = self.stretches.get(index)?;
+        let end = stretch.end.min(start + self.size.load(Ordering::Relaxed));
+        *reached = if end < stretch.end {
+            (index, end)
+        } else {
+            (
+                index + 1,
+                self.stretches.get(index + 1).map_or(0, |next| next.start),
+            )
+        };
+        Some(start..end)
+    }
+
+    /// A program of so many inputs was answered after so long.
+    pub fn answered(&self, inputs: u64, took: Duration) {
+        let limit = self.limit.load(Ordering::Relaxed);
+        if took < QUICK && 2 * inputs <= limit {
+            self.size.fetch_max(2 * inputs, Ordering::Relaxed);
+        }
+    }
+
+    /// A program of so many inputs took too long.
+    pub fn too_long(&self, inputs: u64) {
+        let less = (inputs / 2).max(1);
+        self.limit.fetch_min(less, Ordering::Relaxed);
+        self.size.fetch_min(less, Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FIRST, LISTED, Queue};
+    use std::time::Duration;
+
+    #[test]
+    fn every_place_is_taken_once_and_no_piece_crosses_a_stretch() {
+        let stretches = vec![0..1, 1..500, 1_000..100_000];
+        for counted in [false, true] {
+            let queue = Queue::new(stretches.clone(), counted);
+            let pieces: Vec<_> = std::iter::from_fn(|| queue.claim()).collect();
+            let longest = if counted { FIRST } else { LISTED };
+            for stretch in &stretches {
+                let mut reached = stretch.start;
+                for piece in pieces.iter().filter(|piece| stretch.contains(&piece.start)) {
+                    assert_eq!(piece.start, reached);
+                    assert!(piece.end - piece.start <= longest);
+                    reached = piece.end;
+                }
+                assert_eq!(reached, stretch.end);
+            }
+        }
+    }
+
+    #[test]
+    fn programs_grow_until_one_takes_too_long() {
+        let queue = Queue::new(std::iter::once(0..u64::MAX >> 1).collect(), true);
+        let size = || queue.claim().map(|piece| piece.end - piece.start);
+        queue.answered(FIRST, Duration::ZERO);
+        assert_eq!(size(), Some(2 * FIRST));
+        queue.answered(2 * FIRST, Duration::from_secs(2));
+        assert_eq!(size(), Some(2 * FIRST));
+        queue.too_long(2 * FIRST);
+        queue.answered(FIRST, Duration::ZERO);
+        assert_eq!(size(), Some(FIRST));
+    }
+}

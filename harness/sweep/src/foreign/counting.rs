@@ -1,0 +1,170 @@
+//! How a program goes from one operand to the next, said in ST.
+
+use super::spelling;
+use std::fmt::Write;
+use std::ops::Range;
+use stickler_types::{ElementaryType, Family, Value};
+
+/// The bits of a REAL's fraction.
+const FRACTION: u32 = 23;
+/// How many REALs there are of one sign.
+const SIGN: u64 = 1 << 31;
+/// The REALs of one sign from infinity on: it and the NaNs.
+const INFINITY: u64 = 0xFF << FRACTION;
+
+/// Counts through a type of at most 32 bits, in the order of [`Domain::Every`](crate::Domain::Every).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Counter {
+    operand: ElementaryType,
+    /// Itself, or of a bit string the unsigned integer of the same width, and the function that makes one of the other.
+    counted: ElementaryType,
+}
+
+impl Counter {
+    /// Of an integer, a bit string or REAL; `None` for any other type and for those of more than 32 bits.
+    #[must_use]
+    pub const fn new(operand: ElementaryType) -> Option<Counter> {
+        use ElementaryType::{Byte, Dint, Dword, Int, Real, Sint, Udint, Uint, Usint, Word};
+        let counted = match operand {
+            Sint | Int | Dint | Usint | Uint | Udint | Real => operand,
+            Byte => Usint,
+            Word => Uint,
+            Dword => Udint,
+            _ => return None,
+        };
+        Some(Counter { operand, counted })
+    }
+
+    /// Places in a row whose operands are one step apart, in order. They leave out what no program can count: the
+    /// infinities and NaNs. Each zero of a REAL stands alone, for whoever wants to see the sign of a result.
+    #[must_use]
+    pub fn stretches(self) -> Vec<Range<u64>> {
+        if self.operand == ElementaryType::Real {
+            return [0, SIGN].into_iter().flat_map(binades).collect();
+        }
+        let all = 1_u64 << self.operand.bits();
+        match self.operand.family() {
+            Family::Signed => vec![0..1, 1..all / 2, all / 2..all],
+            _ => vec![0..1, 1..all],
+        }
+    }
+
+    /// How many values of the type are in no stretch.
+    #[must_use]
+    pub const fn left_out(self) -> u64 {
+        match self.operand {
+            ElementaryType::Real => 2 * (SIGN - INFINITY),
+            _ => 0,
+        }
+    }
+
+    /// The variables, `operand` among them, with the value that they have at a place.
+    #[must_use]
+    pub fn declarations(self, place: u64) -> String {
+        let Counter { operand, counted } = self;
+        let start = literal(counted, place);
+        let mut text = String::new();
+        // Writing to a String cannot fail.
+        let _ = match operand {
+            ElementaryType::Real => writeln!(
+                text,
+                "    operand : REAL := {start};\n    ulp     : REAL := {};",
+                ulp(place)
+            ),
+            _ if operand == counted => writeln!(text, "    operand : {operand} := {start};"),
+            _ => writeln!(
+                text,
+                "    counted : {counted} := {start};\n    operand : {operand};"
+            ),
+        };
+        text
+    }
+
+    /// The statement that makes the operand of what is counted; empty where they are the same.
+    #[must_use]
+    pub fn making(self) -> String {
+        let Counter { operand, counted } = self;
+        if operand == counted {
+            return String::new();
+        }
+        format!("operand := {counted}_TO_{operand}(counted);")
+    }
+
+    /// The statement that goes on to the next.
+    #[must_use]
+    pub fn advancing(self) -> String {
+        let Counter { operand, counted } = self;
+        match operand {
+            ElementaryType::Real => "operand := operand + ulp;".to_owned(),
+            _ if operand == counted => format!("operand := operand + {operand}#1;"),
+            _ => format!("counted := counted + {counted}#1;"),
+        }
+    }
+}
+
+/// The stretches of one sign, from its zero on.
+fn binades(sign: u64) -> impl Iterator<Item = Range<u64>> {
+    let binade = move |exponent: u64| sign + (exponent << FRACTION)..sign + ((exponent + 1) << FRACTION);
+    // The subnormal numbers are as far apart as those of the binade after them.
+    [sign..sign + 1, sign + 1..sign + (2 << FRACTION)]
+        .into_iter()
+        .chain((2..0xFF).map(binade))
+}
+
+fn literal(ty: ElementaryType, place: u64) -> String {
+    let value = Value::plain(ty, ty.wrap(place.into()));
+    // Nothing that is counted is a NaN or an infinity.
+    spelling::literal(&value).unwrap_or_default()
+}
+
+/// The distance from the REAL at a place to the next one away from zero, as a literal with its sign.
+fn ulp(place: u64) -> String {
+    let exponent = (place >> FRACTION & 0xFF).max(1) as i32;
+    let magnitude = spelling::power_of_two(exponent - 150).replacen("LREAL#", "", 1);
+    let sign = if place & SIGN == 0 { "" } else { "-" };
+    format!("REAL#{sign}{magnitude}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Counter, ulp};
+    use stickler_types::{ElementaryType, Value};
+
+    fn counters() -> impl Iterator<Item = (ElementaryType, Counter)> {
+        let all = ElementaryType::ALL.into_iter();
+        all.filter_map(|ty| Counter::new(ty).map(|counter| (ty, counter)))
+    }
+
+    #[test]
+    fn every_value_is_in_one_stretch_or_left_out() {
+        for (ty, counter) in counters() {
+            let stretches = counter.stretches();
+            let counted: u64 = stretches.iter().map(|stretch| stretch.end - stretch.start).sum();
+            assert_eq!(counted + counter.left_out(), 1 << ty.bits(), "{ty}");
+            assert!(
+                stretches.is_sorted_by(|one, other| one.end <= other.start),
+                "{ty}"
+            );
+        }
+        assert_eq!(counters().count(), 10);
+    }
+
+    /// What the program adds is computed here in the arithmetic of REAL itself, at both ends of each stretch.
+    #[test]
+    fn adding_the_unit_in_the_last_place_gives_the_next_real() {
+        let counter = Counter::new(ElementaryType::Real).expect("a counter");
+        let real = |place: u64| f32::from_bits(u32::try_from(place).expect("32 bits"));
+        for stretch in counter.stretches() {
+            let Ok(Value::Plain { raw, .. }) = Value::parse(&ulp(stretch.start)) else {
+                panic!("no literal")
+            };
+            let step = real(raw);
+            let middle = u64::midpoint(stretch.start, stretch.end);
+            for place in [stretch.start, middle, stretch.end.saturating_sub(2)] {
+                if stretch.contains(&place) && stretch.contains(&(place + 1)) {
+                    assert_eq!((real(place) + step).to_bits(), real(place + 1).to_bits());
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Which inputs go to the engine in which kind of program.
+
+use super::checksum::Checksum;
+use super::counting::Counter;
+use crate::agenda::Sweep;
+use crate::domain::Domain;
+use std::ops::Range;
+use stickler_exact::Bulk;
+use stickler_types::ElementaryType;
+
+/// What a program that counts needs to know.
+#[derive(Clone, Copy, Debug)]
+pub struct Counting {
+    /// How it gets its operands.
+    pub counter: Counter,
+    /// How it adds up its results.
+    pub checksum: Checksum,
+    /// The exact results.
+    pub bulk: Bulk,
+}
+
+/// How the inputs of a sweep go to an engine.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// By programs that count; `None` is by lists of literals.
+    pub counting: Option<Counting>,
+    /// The places that may go into one program, in order.
+    pub stretches: Vec<Range<u64>>,
+    /// Inputs in no stretch, since no program can make them.
+    pub left_out: u64,
+}
+
+/// Whether a program can count through all operands of a type and add up results of another.
+#[must_use]
+pub const fn has_digest(operand: ElementaryType, result: ElementaryType) -> bool {
+    Counter::new(operand).is_some() && Checksum::new(result).is_some()
+}
+
+impl Plan {
+    /// Of a sweep.
+    #[must_use]
+    pub fn of(sweep: &Sweep) -> Plan {
+        match Plan::counting(sweep) {
+            Some(counting) => Plan {
+                stretches: counting.counter.stretches(),
+                left_out: counting.counter.left_out(),
+                counting: Some(counting),
+            },
+            None => {
+                let all = 0..sweep.domain.len();
+                Plan {
+                    counting: None,
+                    stretches: vec![all],
+                    left_out: 0,
+                }
+            }
+        }
+    }
+
+    fn counting(sweep: &Sweep) -> Option<Counting> {
+        let Domain::Every(operand) = sweep.domain else {
+            return None;
+        };
+        Some(Counting {
+            counter: Counter::new(operand)?,
+            checksum: Checksum::new(sweep.signature.result)?,
+            bulk: Bulk::new(&sweep.signature, &sweep.choices)?,
+        })
+    }
+}

@@ -1,0 +1,163 @@
+//! All inputs of a sweep through an engine, by as many sessions as there are workers, until done or cancelled.
+
+use super::asking::{Asker, Refusal};
+use super::claim::Queue;
+use super::findings::ForeignFindings;
+use super::inquiry::Inquiry;
+use super::plan::Plan;
+use super::program::{self, Program};
+use crate::agenda::Sweep;
+use crate::run::Progress;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+use stickler_engines::{Engine, EngineError};
+use stickler_types::DialectName;
+
+/// Stack enough for an engine in this process to recurse as deep as its own limits allow.
+const STACK: usize = 16 << 20;
+
+/// Why an engine could not be swept at all.
+#[derive(Debug, thiserror::Error)]
+pub enum ForeignError {
+    /// No session could be opened.
+    #[error(transparent)]
+    Engine(#[from] EngineError),
+    /// It answered none of the first programs.
+    #[error("{engine} could not be asked {function} in {dialect}: it {refusal}{}", advice(*.counts))]
+    NothingRun {
+        /// The engine's name.
+        engine: String,
+        /// The function.
+        function: String,
+        /// The dialect.
+        dialect: DialectName,
+        /// What it did instead.
+        refusal: Refusal,
+        /// Whether the programs were to count through the operands.
+        counts: bool,
+    },
+    /// The system gives no threads.
+    #[error("cannot start the threads of a sweep: {0}")]
+    Workers(#[from] std::io::Error),
+}
+
+/// What may help where counting does not.
+const fn advice(counts: bool) -> &'static str {
+    if counts {
+        "; `--sample N` asks by lists of literals instead of a loop"
+    } else {
+        ""
+    }
+}
+
+/// Holds every input of the sweep that a program can make against exact arithmetic, by so many sessions at a time, 0
+/// being one a processor. The sweep must have one dialect, as those of [`Through::Programs`](crate::Through::Programs) have.
+///
+/// `progress` and `cancel` as for [`crate::run`]; a program that was given to the engine is waited for.
+///
+/// # Errors
+/// [`ForeignError`]: no session, no thread, or none of a few inputs from all over the domain is answered at all.
+pub fn run(
+    sweep: &Sweep,
+    engine: &dyn Engine,
+    jobs: usize,
+    progress: &(dyn Fn(Progress) + Sync),
+    cancel: &AtomicBool,
+) -> Result<ForeignFindings, ForeignError> {
+    let plan = Plan::of(sweep);
+    let dialect = sweep.dialects.first().copied().unwrap_or(DialectName::ALL[0]);
+    if !cancel.load(Ordering::Relaxed) {
+        probe(sweep, &plan, engine, dialect)?;
+    }
+    let findings = ForeignFindings {
+        inputs: sweep.domain.len(),
+        done: plan.left_out,
+        left_out: plan.left_out,
+        ..ForeignFindings::default()
+    };
+    let inquiry = Inquiry {
+        sweep,
+        dialect,
+        plan: &plan,
+        queue: Queue::new(plan.stretches.clone(), plan.counting.is_some()),
+        findings: Mutex::new(findings),
+        progress,
+        cancel,
+    };
+    thread::scope(|scope| {
+        let workers = (0..workers(jobs)).map(|index| {
+            thread::Builder::new()
+                .name(format!("sweep-{index}"))
+                .stack_size(STACK)
+                .spawn_scoped(scope, || {
+                    Asker::new(engine, dialect).map(|mut asker| inquiry.work(&mut asker))
+                })
+        });
+        let workers: Vec<_> = workers.collect::<Result<_, _>>()?;
+        for worker in workers {
+            // A panic of a worker is one of this crate, since the engine's own are caught; it goes on in this thread.
+            worker
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
+        }
+        Ok::<(), ForeignError>(())
+    })?;
+    Ok(inquiry
+        .findings
+        .into_inner()
+        .unwrap_or_else(PoisonError::into_inner))
+}
+
+fn workers(jobs: usize) -> usize {
+    match jobs {
+        0 => thread::available_parallelism().map_or(1, NonZero::get),
+        _ => jobs,
+    }
+}
+
+/// Whether the engine answers anything: a few small programs are tried until one comes back with values.
+fn probe(sweep: &Sweep, plan: &Plan, engine: &dyn Engine, dialect: DialectName) -> Result<(), ForeignError> {
+    let mut asker = Asker::new(engine, dialect)?;
+    let mut refusal = None;
+    for program in probes(sweep, plan) {
+        match asker.ask(&program) {
+            Ok(_) => return Ok(()),
+            Err(reason) => refusal = refusal.or(Some(reason)),
+        }
+    }
+    match refusal {
+        // There is no input to ask.
+        None => Ok(()),
+        Some(refusal) => Err(ForeignError::NothingRun {
+            engine: engine.identity().name.clone(),
+            function: sweep.signature.function.clone(),
+            dialect,
+            refusal,
+            counts: plan.counting.is_some(),
+        }),
+    }
+}
+
+/// Small programs about inputs from all over the domain.
+fn probes(sweep: &Sweep, plan: &Plan) -> Vec<Program> {
+    let signature = &sweep.signature;
+    if let Some(counting) = &plan.counting {
+        let ends = plan
+            .stretches
+            .iter()
+            .map(|stretch| stretch.start..stretch.end.min(stretch.start + 2));
+        // The first has but one input; those in the middle have two.
+        let some = ends.filter(|places| places.end - places.start > 1).step_by(100);
+        return some
+            .map(|places| program::summed(signature, counting, &places))
+            .collect();
+    }
+    let length = sweep.domain.len();
+    (0..8)
+        .map(|eighth| length / 8 * eighth + length % 8 / 2)
+        .filter(|place| *place < length)
+        .filter_map(|place| program::listed(signature, &[sweep.domain.operands(place)]))
+        .collect()
+}

@@ -1,0 +1,66 @@
+//! Engines that are the reference with something wrong.
+
+use stickler_engines::{Engine, EngineError, Identity, Outcome, Reference, RunRequest, Session};
+use stickler_types::DialectName;
+
+/// Puts something between the reference and whoever asks it.
+pub struct Between<F> {
+    /// Who answers in the end.
+    pub reference: Reference,
+    /// What is done to a request, or instead of it.
+    pub answer: F,
+}
+
+impl<F: Fn(&mut dyn Session, &RunRequest<'_>) -> Outcome + Send + Sync> Engine for Between<F> {
+    fn identity(&self) -> &Identity {
+        self.reference.identity()
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        let session = self.reference.session()?;
+        Ok(Box::new(BetweenSession {
+            session,
+            answer: &self.answer,
+        }))
+    }
+}
+
+struct BetweenSession<'e, F> {
+    session: Box<dyn Session + 'e>,
+    answer: &'e F,
+}
+
+impl<F: Fn(&mut dyn Session, &RunRequest<'_>) -> Outcome> Session for BetweenSession<'_, F> {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        (self.answer)(self.session.as_mut(), request)
+    }
+
+    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        self.session.check(dialect, source)
+    }
+
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        self.session.render(dialect, source)
+    }
+}
+
+/// The reference with the function replaced: `body` assigns `Wrong` from `x`, and may say `RIGHT` for the right result.
+pub fn wrong(
+    function: &'static str,
+    from: &'static str,
+    to: &'static str,
+    body: &'static str,
+) -> impl Engine {
+    let body = body.replace("RIGHT", &format!("{function}(x)"));
+    let declared = format!("FUNCTION Wrong : {to}\nVAR_INPUT x : {from}; END_VAR\n{body}\nEND_FUNCTION\n");
+    Between {
+        reference: Reference::new(),
+        answer: move |session: &mut dyn Session, request: &RunRequest<'_>| {
+            let source = request.source.replace(&format!(":= {function}("), ":= Wrong(");
+            session.run(&RunRequest {
+                source: &format!("{declared}{source}"),
+                ..*request
+            })
+        },
+    }
+}
