@@ -1,6 +1,6 @@
 //! Conversions of conversions, and conversions inside expressions with implicit conversion around them.
 
-use super::words::{IRONPLC_EXPLICIT, RANGE};
+use super::words::{DESIGN, RANGE};
 use crate::call::Call;
 use crate::inputs::integers::{BIT_STRINGS, INTEGERS, ascending, limits};
 use crate::inputs::reals::{REALS, by_value};
@@ -33,7 +33,7 @@ pub fn tables() -> Result<Vec<Table>, String> {
         table(
             "chains",
             "A conversion of a conversion is done step by step",
-            IRONPLC_EXPLICIT,
+            DESIGN,
             &["matiec", "ironplc-ed3"],
             everywhere,
         ),
