@@ -61,14 +61,26 @@ pub fn digits(operands: &[u64], results: &mut [u64], from: ElementaryType, to: E
 
 /// The digits of `GROUPS` times four, of which `mask` keeps those that the target holds.
 fn grouped<const GROUPS: u32>(operands: &[u64], results: &mut [u64], from: ElementaryType, mask: u64) {
+    let table = &**DIGITS;
+    if !from.is_signed() {
+        // A source of 32 bits at most, whose divisions are quicker than those of 64.
+        return each(operands, results, |operand| {
+            let mut rest = operand as u32;
+            let mut digits = 0;
+            for group in 0..GROUPS {
+                digits |= u64::from(table[(rest % FOUR_DIGITS as u32) as usize]) << (16 * group);
+                rest /= FOUR_DIGITS as u32;
+            }
+            digits & mask
+        });
+    }
     // A multiple of all that is taken away at the front, above the least number of a 32-bit source, makes every
     // number positive and changes no digit that is kept.
-    let lift = match GROUPS {
-        _ if !from.is_signed() => 0,
-        1 => 10_u64.pow(10),
-        _ => 10_u64.pow(16),
+    let lift = if GROUPS == 1 {
+        10_u64.pow(10)
+    } else {
+        10_u64.pow(16)
     };
-    let table = &**DIGITS;
     each(operands, results, |operand| {
         let mut rest = operand.wrapping_add(lift);
         let mut digits = 0;
