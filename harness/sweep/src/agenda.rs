@@ -152,7 +152,7 @@ fn relevant(signature: &Signature, choices: Choices) -> Choices {
     let has = |is: fn(ElementaryType) -> bool| signature.operands.iter().any(|ty| is(*ty));
     let (real, text) = (has(|ty| ty.is_real()), has(|ty| ty.is_text()));
     let mut kept = Choices::of(DialectName::ALL[0]);
-    if real {
+    if real && (signature.result.is_integer() || signature.result.is_bit_string()) {
         (kept.real_to_integer, kept.outside) = (choices.real_to_integer, choices.outside);
     }
     if text {
@@ -164,8 +164,8 @@ fn relevant(signature: &Signature, choices: Choices) -> Choices {
     if signature.result.is_text() && has(|ty| ty.is_bit_string()) {
         kept.bit_string_text = choices.bit_string_text;
     }
-    if signature.result.is_text() || signature.operation != Operation::Convert {
-        // No function to a text, and none that names its own way of rounding, asks how a conversion rounds.
+    if signature.operation != Operation::Convert {
+        // A function that names its own way of rounding does not ask how a conversion rounds.
         kept.real_to_integer = Choices::of(DialectName::ALL[0]).real_to_integer;
     }
     kept

@@ -108,3 +108,22 @@ fn a_function_that_a_dialect_lacks_is_named_with_those_that_have_it() {
         Err("there is no conversion function `FOO`".to_owned())
     );
 }
+
+/// What a dialect says of rounding matters only where a real becomes an integer.
+#[test]
+fn dialects_share_a_sweep_unless_their_rules_for_it_differ() {
+    for (function, distinct) in [
+        ("REAL_TO_LREAL", 1),
+        ("REAL_TO_BOOL", 1),
+        ("REAL_TO_TIME", 1),
+        ("DINT_TO_INT", 1),
+        ("TRUNC_INT", 2),
+        ("REAL_TO_INT", 2),
+        ("REAL_TO_WORD", 2),
+        ("REAL_TO_STRING", 2),
+        ("WORD_TO_STRING", 2),
+    ] {
+        let sweeps = sampled(function, &DialectName::ALL, None);
+        assert_eq!(sweeps.len(), distinct, "{function}");
+    }
+}
