@@ -1,4 +1,4 @@
-//! A sweep that is interrupted.
+//! A sweep that is interrupted, and sweeps of engines that are processes.
 #![cfg(unix)]
 
 use std::io::{BufRead, BufReader, Read};
@@ -32,4 +32,72 @@ fn ctrl_c_tells_how_far_a_sweep_came() {
     assert!(lines.contains("  stopped by Ctrl-C after "), "{lines}");
     assert!(lines.contains(" of 4 294 967 296 inputs ("), "{lines}");
     assert!(lines.contains("  no mismatch so far, "), "{lines}");
+}
+
+/// What a sweep of an engine shows, and its exit code. `COMMAND` in the engine's command line stands for this command.
+fn swept(function: &str, dialect: &str, engine: &str) -> (Option<i32>, String) {
+    let command = env!("CARGO_BIN_EXE_stickler");
+    let engine = format!("cmd:{}", engine.replace("COMMAND", &format!("\"{command}\"")));
+    let output = Command::new(command)
+        .args([
+            "sweep",
+            function,
+            "--dialect",
+            dialect,
+            "--jobs",
+            "1",
+            "--engine",
+            &engine,
+        ])
+        .env("NO_COLOR", "1")
+        .stdin(Stdio::null())
+        .output()
+        .expect("the command runs");
+    let shown = String::from_utf8_lossy(&output.stdout).into_owned();
+    (output.status.code(), shown)
+}
+
+#[test]
+fn an_engine_that_is_right_is_swept_by_a_few_programs() {
+    let (code, shown) = swept("INT_TO_SINT", "matiec", "COMMAND engine");
+    assert_eq!(code, Some(0), "{shown}");
+    assert!(shown.contains("  65 536 inputs: every INT\n"), "{shown}");
+    assert!(
+        shown.contains("  no mismatch among 65 536 answered inputs, "),
+        "{shown}"
+    );
+}
+
+#[test]
+fn the_one_input_that_an_engine_gets_wrong_is_named() {
+    let wrong =
+        "sed -u \"s/:= INT_TO_SINT(operand)/& + BOOL_TO_SINT(operand = INT#4711)/g\" | COMMAND engine";
+    let (code, shown) = swept("INT_TO_SINT", "matiec", &format!("sh -c '{wrong}'"));
+    assert_eq!(code, Some(1), "{shown}");
+    assert!(
+        shown.contains("  1 mismatch among 65 536 answered inputs, "),
+        "{shown}"
+    );
+    assert!(
+        shown.contains("    INT#4711 gives SINT#104, not SINT#103  (forgeiec-"),
+        "{shown}"
+    );
+    let (code, shown) = swept("INT_TO_SINT", "plcnext", &format!("sh -c '{wrong}'"));
+    assert_eq!(code, Some(0), "{shown}");
+    assert!(
+        shown.contains("  1 result differs where no document says what must come:\n"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn an_engine_that_rejects_every_program_could_not_be_run() {
+    let rejects = "sed -u \"s/:= INT_TO_SINT(/:= INT_TO_SNIT(/g\" | COMMAND engine";
+    let (code, shown) = swept("INT_TO_SINT", "matiec", &format!("sh -c '{rejects}'"));
+    assert_eq!(code, Some(3), "{shown}");
+    assert!(
+        shown.contains("could not be asked INT_TO_SINT in matiec: it rejected"),
+        "{shown}"
+    );
+    assert!(!shown.contains("mismatch"), "{shown}");
 }

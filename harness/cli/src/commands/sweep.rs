@@ -2,13 +2,13 @@
 
 mod names;
 mod page;
+mod programs;
 
 use crate::arguments::SweepArguments;
 use crate::conversions::{self, Present};
 use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::{engines, interrupt};
-use anyhow::bail;
 use page::Page;
 use std::io::Write;
 use std::sync::atomic::AtomicBool;
@@ -21,12 +21,13 @@ use stickler_sweep::{Detail, Findings, Progress as Reached, Sampling, Sweep, Thr
 /// A name that is no conversion function of the dialects, an engine that cannot be run, no threads.
 pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let function = arguments.function.to_ascii_uppercase();
-    let Present { having, lacking } = conversions::present(&function, &arguments.dialect)
+    let present = conversions::present(&function, &arguments.dialect)
         .map_err(|error| names::with_list(&function, error))?;
     let engine = engines::by_name(&arguments.engine)?;
     if arguments.engine != engines::REFERENCE {
-        bail!("only the reference can be swept so far: `stickler conversions {function}` asks other engines");
+        return programs::execute(&function, &present, engine.as_ref(), arguments, out);
     }
+    let Present { having, lacking } = present;
     let sampling = Sampling {
         inputs: arguments.sample,
         seed: arguments.seed,

@@ -1,5 +1,7 @@
 //! What a sweep shows: before it begins, what it goes through; after it ended, what it found.
 
+mod programs;
+
 use crate::conversions;
 use crate::exit::Exit;
 use anstyle::{AnsiColor, Style};

@@ -1,0 +1,80 @@
+//! The sweep of an engine that is not the reference: through programs that it executes.
+
+use super::page::Page;
+use crate::arguments::SweepArguments;
+use crate::conversions::Present;
+use crate::exit::Exit;
+use crate::progress::Progress;
+use crate::{engines, interrupt};
+use std::io::Write;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+use stickler_engines::Engine;
+use stickler_sweep::foreign::{ForeignError, ForeignFindings, run};
+use stickler_sweep::{Detail, Progress as Reached, Sampling, Sweep, Through, agenda};
+
+/// Sweeps a function of an engine in each dialect that both have, and shows what was found after each.
+///
+/// # Errors
+/// An engine that speaks none of the dialects or cannot be started, no threads. What it does not execute is told on the
+/// page, and ends with [`Exit::EngineNotRun`] if that is all of it.
+pub fn execute(
+    function: &str,
+    present: &Present,
+    engine: &dyn Engine,
+    arguments: &SweepArguments,
+    out: &mut dyn Write,
+) -> anyhow::Result<Exit> {
+    let dialects = engines::spoken(engine.identity(), &present.having)?;
+    let sampling = Sampling {
+        inputs: arguments.sample,
+        seed: arguments.seed,
+        detail: Detail::Coarse,
+    };
+    let sweeps = agenda(function, &dialects, sampling, Through::Programs)?;
+    let cancel = interrupt::flag()?;
+    let mut page = Page::new(out, engine.identity());
+    page.lacking(function, &present.lacking)?;
+    let jobs = arguments.jobs.map_or(0, usize::from);
+    let (mut executed, mut failed) = (false, false);
+    for (index, sweep) in sweeps.iter().enumerate() {
+        page.begin(sweep, sampling)?;
+        let begun = Instant::now();
+        let findings = match observed(sweep, engine, jobs, cancel) {
+            Ok(findings) => findings,
+            Err(error @ ForeignError::NothingRun { .. }) => {
+                page.not_run(&error)?;
+                continue;
+            }
+            Err(ForeignError::Engine(error)) => return Err(error.into()),
+            Err(error) => return Err(error.into()),
+        };
+        page.end_of_programs(&findings, begun.elapsed())?;
+        executed |= findings.answered() > 0;
+        failed |= findings.has_failures();
+        if !findings.is_complete() {
+            page.not_begun(sweeps.len() - index - 1)?;
+            return Ok(Exit::Interrupted);
+        }
+    }
+    page.total()?;
+    Ok(match (executed, failed) {
+        (false, _) => Exit::EngineNotRun,
+        (true, true) => Exit::Failures,
+        (true, false) => Exit::AsExpected,
+    })
+}
+
+/// Sweeps with a bar that shows how far it is.
+fn observed(
+    sweep: &Sweep,
+    engine: &dyn Engine,
+    jobs: usize,
+    cancel: &AtomicBool,
+) -> Result<ForeignFindings, ForeignError> {
+    let bar = Progress::new(sweep.domain.len());
+    let advance = |reached: Reached| bar.reach(reached.done, reached.mismatches);
+    let findings = run(sweep, engine, jobs, &advance, cancel);
+    bar.finish();
+    findings
+}
