@@ -2,6 +2,7 @@
 
 use crate::exit::Exit;
 use anyhow::Context;
+use std::io::Write;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -38,11 +39,24 @@ fn listen() -> anyhow::Result<()> {
             if !ORDERLY.load(Ordering::Relaxed) || STOP.swap(true, Ordering::Relaxed) {
                 end();
             }
+            tell();
         })
         .context("cannot listen for Ctrl-C")?;
         LISTENING.get_or_init(|| ());
     }
     Ok(())
+}
+
+/// Says that the signal came through: an engine may take its whole time limit for the request that it works on.
+fn tell() {
+    let mut stderr = anstream::stderr();
+    // A terminal shows `^C`, and perhaps a bar, on the line where the cursor stands.
+    let start = if stderr.is_terminal() { "\n" } else { "" };
+    // Where nobody can be told, the work still stops.
+    let _ = writeln!(
+        stderr,
+        "{start}stopping after what is under way; Ctrl-C again ends at once"
+    );
 }
 
 fn end() {
