@@ -1,7 +1,6 @@
 //! Engines by the names that people give them on the command line.
 
-use crate::exit::NoSuchEngine;
-use anyhow::bail;
+use crate::exit::{NoSuchEngine, SpeaksNone};
 use stickler_engines::{Engine, Identity, ProcessEngine, ProcessLimits, Reference};
 use stickler_types::DialectName;
 
@@ -73,12 +72,12 @@ pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<
             let names: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
             names.join(", ")
         };
-        bail!(
-            "engine {} speaks none of {}; it says that it speaks: {}",
-            identity.name,
-            names(asked),
-            names(&identity.dialects)
-        );
+        return Err(SpeaksNone {
+            engine: identity.name.clone(),
+            asked: names(asked),
+            spoken: names(&identity.dialects),
+        }
+        .into());
     }
     Ok(spoken)
 }

@@ -93,7 +93,9 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
     match error.downcast_ref::<RunError>() {
         Some(RunError::NoCaseSelected) => Exit::NothingSelected,
         Some(RunError::Engine(_) | RunError::Workers(_)) => Exit::EngineNotRun,
-        None if error.is::<NoSuchEngine>() || error.is::<EngineError>() => Exit::EngineNotRun,
+        None if error.is::<NoSuchEngine>() || error.is::<SpeaksNone>() || error.is::<EngineError>() => {
+            Exit::EngineNotRun
+        }
         None => Exit::Usage,
     }
 }
@@ -105,6 +107,18 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
      protocol, such as `cmd:stickler engine`"
 )]
 pub struct NoSuchEngine(pub String);
+
+/// An engine that speaks none of the dialects at hand.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error("engine {engine} speaks none of {asked}; it says that it speaks: {spoken}")]
+pub struct SpeaksNone {
+    /// Its name.
+    pub engine: String,
+    /// The dialects at hand, in a list.
+    pub asked: String,
+    /// Those that it speaks, in a list.
+    pub spoken: String,
+}
 
 /// The list of exit codes as `--help` shows it.
 pub struct Listing;

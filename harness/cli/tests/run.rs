@@ -1,6 +1,7 @@
 //! What a run leaves behind: reports, exit codes, and a readable log when it is cut short.
 
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use stickler_report::events::{self, Completeness};
@@ -320,4 +321,67 @@ fn ctrl_c_leaves_no_engine_behind() {
 fn ctrl_c_ends_a_run_whose_engine_does_not_start() {
     let never = r#"cmd:sh -c 'exec 9>"$WITNESS"; tail -f /dev/null >/dev/null 2>&1'"#;
     interrupt_with_engine("run --no-report", never);
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_says_at_once_that_a_run_waits_for_its_engine_and_how_to_end_it() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    slow_suite(folder.path());
+    let witness = folder.path().join("witness");
+    let made = Command::new("mkfifo").arg(&witness).status().expect("mkfifo");
+    assert!(made.success());
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cmd/conversions.in/hangs.sh");
+    let engine = format!("cmd:sh '{script}'");
+    let mut run = stickler(
+        folder.path(),
+        &["run", "--no-report", "--jobs", "1", "--engine", &engine],
+    )
+    .env("WITNESS", &witness)
+    .stdout(Stdio::null())
+    .stderr(Stdio::piped())
+    .spawn()
+    .expect("the command starts");
+    let interrupt = |run: &Child| {
+        let killed = Command::new("kill")
+            .args(["-INT", &run.id().to_string()])
+            .status();
+        assert!(killed.expect("kill").success());
+    };
+    // Opens when the engine has its first request, which it never answers.
+    let pipe = fs::File::open(&witness).expect("the witness");
+    interrupt(&run);
+    let mut told = String::new();
+    let mut stderr = BufReader::new(run.stderr.take().expect("a pipe"));
+    stderr.read_line(&mut told).expect("a line");
+    assert_eq!(
+        told,
+        "stopping after what is under way; Ctrl-C again ends at once\n"
+    );
+    assert_eq!(run.try_wait().expect("a child"), None, "it waits for the engine");
+    interrupt(&run);
+    assert_eq!(run.wait().expect("an end").code(), Some(130));
+    drop(pipe);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_run_in_a_dialect_that_the_engine_does_not_speak_says_what_it_speaks() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let scripts = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cmd/conversions.in");
+    for (script, dialect, reason) in [
+        (
+            "rejects.sh",
+            "ironplc-ed2",
+            "speaks none of ironplc-ed2; it says that it speaks: matiec",
+        ),
+        ("far.sh", "matiec", "it says that it speaks: codesys"),
+    ] {
+        let engine = format!("cmd:sh '{scripts}/{script}'");
+        let arguments = ["run", "--cases", SUITE, "--dialect", dialect, "--engine", &engine];
+        let run = output(folder.path(), &arguments);
+        assert_eq!(run.status.code(), Some(3), "{}", text(&run.stderr));
+        assert_eq!(text(&run.stdout), "", "no empty table");
+        assert!(text(&run.stderr).contains(reason), "{}", text(&run.stderr));
+    }
 }

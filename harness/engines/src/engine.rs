@@ -178,4 +178,16 @@ pub enum EngineError {
         /// Why, as a fragment.
         reason: String,
     },
+    /// It speaks nothing that a request could be written in.
+    #[error(
+        "engine {engine} speaks none of the dialects that Stickler knows ({known}); it says that it speaks: {spoken}"
+    )]
+    SpeaksNone {
+        /// The engine's name.
+        engine: String,
+        /// The dialects that there are, in a list.
+        known: String,
+        /// Those that it names, in a list; `nothing` where it names none.
+        spoken: String,
+    },
 }

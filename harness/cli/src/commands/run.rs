@@ -15,6 +15,8 @@ use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
 use stickler_run::{Event, Plan, Summary, select};
+use stickler_suite::Case;
+use stickler_types::DialectName;
 
 /// Runs, writes the reports, shows a summary.
 ///
@@ -33,9 +35,11 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         asked_for,
         ..plan(arguments)
     };
-    if select(&plan, &suite.cases).is_empty() {
+    let selected = select(&plan, &suite.cases);
+    if selected.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));
     }
+    understood(&selected, &engines)?;
     let report_folder = report_folder(arguments, &folder);
     let cancel = interrupt::flag()?;
     let mut desk = Desk::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
@@ -50,6 +54,22 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         },
     )?;
     Ok(exit(&summary?).worst(case_folder::exit_of(&suite)))
+}
+
+/// # Errors
+/// Where none of the engines speaks the dialect of any case: then there is no run that could be reported.
+fn understood(cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
+    let mut dialects: Vec<DialectName> = cases.iter().map(|case| case.dialect).collect();
+    dialects.sort_unstable();
+    dialects.dedup();
+    let mut failed = None;
+    for engine in engines {
+        match engines::spoken(engine.identity(), &dialects) {
+            Ok(_) => return Ok(()),
+            Err(error) => failed = failed.or(Some(error)),
+        }
+    }
+    failed.map_or(Ok(()), Err)
 }
 
 /// How to ask for each engine again, in words for a shell.

@@ -22,8 +22,8 @@ impl CommandLine {
             Ok(reply) => reply,
             Err(failure) => return Err(self.not_started(unanswered(failure, connection, limits))),
         };
-        match identity(&reply) {
-            Ok(identity) => Ok((connection, identity)),
+        match understood(&reply) {
+            Ok(hello) => Ok((connection, identity(hello)?)),
             Err(reason) => {
                 let words = connection.kill();
                 Err(self.not_started(with_words(reason, &words)))
@@ -53,8 +53,8 @@ fn with_words(reason: String, words: &str) -> String {
     }
 }
 
-/// Who answered. Dialects and abilities that this version does not know are passed over: an engine may be newer.
-fn identity(line: &[u8]) -> Result<Identity, String> {
+/// What was answered. Abilities that this version does not know are passed over: an engine may be newer.
+fn understood(line: &[u8]) -> Result<HelloReply, String> {
     let nonsense = || {
         format!(
             "it answered `hello` by {}, which is no `hello` of the protocol",
@@ -66,7 +66,7 @@ fn identity(line: &[u8]) -> Result<Identity, String> {
         abilities.retain(|name| serde_json::from_value::<Ability>(name.clone()).is_ok());
     }
     match serde_json::from_value::<Reply>(json) {
-        Ok(Reply::Hello(hello)) if hello.protocol == PROTOCOL => Ok(from_hello(hello)),
+        Ok(Reply::Hello(hello)) if hello.protocol == PROTOCOL => Ok(hello),
         Ok(Reply::Hello(hello)) => Err(format!(
             "it speaks protocol {}, and protocol {PROTOCOL} is spoken here",
             hello.protocol
@@ -76,31 +76,82 @@ fn identity(line: &[u8]) -> Result<Identity, String> {
     }
 }
 
-fn from_hello(hello: HelloReply) -> Identity {
+/// Who answered. Dialects that this version does not know are passed over, as long as there are others.
+fn identity(hello: HelloReply) -> Result<Identity, EngineError> {
     let known = |name: &String| name.parse::<DialectName>().ok();
-    Identity {
-        name: hello.name,
-        version: hello.version,
+    let identity = Identity {
+        name: harmless(&hello.name),
+        version: harmless(&hello.version),
         dialects: hello.dialects.iter().filter_map(known).collect(),
         abilities: hello.abilities,
+    };
+    if identity.dialects.is_empty() {
+        let spoken: Vec<String> = hello.dialects.iter().map(|name| harmless(name)).collect();
+        return Err(EngineError::SpeaksNone {
+            engine: identity.name,
+            known: DialectName::ALL.map(DialectName::as_str).join(", "),
+            spoken: match spoken.is_empty() {
+                true => "nothing".to_owned(),
+                false => spoken.join(", "),
+            },
+        });
     }
+    Ok(identity)
+}
+
+/// The text with control characters spelled out (`\u{1b}`): an engine's name stands on terminals and in reports, where
+/// it must neither move the cursor nor begin a line.
+fn harmless(text: &str) -> String {
+    let spelled = |character: char| match character.is_control() {
+        true => character.escape_unicode().to_string(),
+        false => character.to_string(),
+    };
+    text.chars().map(spelled).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::identity;
+    use super::{identity, understood};
     use crate::Ability;
     use stickler_types::DialectName;
 
     #[test]
     fn what_a_newer_engine_knows_besides_is_passed_over() {
-        let hello =
+        let answer =
             br#"{"type":"hello","protocol":1,"name":"new","version":"9","dialects":["matiec","klingon"],
             "abilities":["check","sing"],"colour":"green"}"#;
-        let identity = identity(hello).unwrap();
+        let identity = identity(understood(answer).unwrap()).unwrap();
         assert_eq!(identity.name, "new");
         assert_eq!(identity.dialects, [DialectName::Matiec]);
         assert_eq!(identity.abilities, [Ability::Check]);
+    }
+
+    #[test]
+    fn an_engine_that_speaks_nothing_known_is_told_with_what_it_speaks() {
+        for (dialects, spoken) in [
+            (r#"["codesys","klingon"]"#, "codesys, klingon"),
+            ("[]", "nothing"),
+        ] {
+            let answer = format!(
+                r#"{{"type":"hello","protocol":1,"name":"far","version":"9","dialects":{dialects},"abilities":[]}}"#
+            );
+            let error = identity(understood(answer.as_bytes()).unwrap()).unwrap_err();
+            let error = error.to_string();
+            assert!(error.starts_with("engine far speaks none of"), "{error}");
+            assert!(
+                error.ends_with(&format!("; it says that it speaks: {spoken}")),
+                "{error}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_name_moves_no_cursor_and_begins_no_line() {
+        let answer = br#"{"type":"hello","protocol":1,"name":"\u001b[31mred\u0007","version":"1\n2 \u00e4",
+            "dialects":["matiec"],"abilities":[]}"#;
+        let identity = identity(understood(answer).unwrap()).unwrap();
+        assert_eq!(identity.name, "\\u{1b}[31mred\\u{7}");
+        assert_eq!(identity.version, "1\\u{a}2 \u{e4}");
     }
 
     #[test]
@@ -116,7 +167,7 @@ mod tests {
             ),
         ];
         for (answer, part) in answers {
-            let reason = identity(answer).unwrap_err();
+            let reason = understood(answer).unwrap_err();
             assert!(reason.contains(part), "{reason}");
         }
     }
