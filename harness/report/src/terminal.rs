@@ -11,7 +11,7 @@ use crate::table::{Cell, Table};
 use crate::text::{clip, counted, duration, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
-use stickler_run::{Totals, Verdict};
+use stickler_run::{EngineHeader, Totals, Verdict};
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
@@ -147,6 +147,11 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             "{observations} recorded where no document says what must be."
         )?;
     }
+    if let Some(header) = &overview.header {
+        let engines: Vec<String> = header.engines.iter().map(engine).collect();
+        let label = if engines.len() == 1 { "Engine" } else { "Engines" };
+        writeln!(out, "{label}: {}.", engines.join(", "))?;
+    }
     if let Some(folder) = around.reports {
         // A run that was cut short leaves its log and nothing else.
         match overview.footer {
@@ -173,6 +178,12 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
         return writeln!(out, "{BAD}Cut short after {cases}.{BAD:#}");
     };
     let time = duration(footer.duration_ms);
+    if sum.all() > 0 && sum.of(Verdict::Unsupported) == sum.all() {
+        return writeln!(
+            out,
+            "{BAD}{cases} in {time}: nothing was tested, since all are unsupported.{BAD:#}"
+        );
+    }
     match overview.failed {
         0 => {
             let style = if broken > 0 { BAD } else { GOOD };
@@ -190,6 +201,12 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             )
         }
     }
+}
+
+/// An engine by its name and version.
+fn engine(header: &EngineHeader) -> String {
+    let named = format!("{} {}", header.name, header.version);
+    visible(named.trim_end())
 }
 
 /// The numbers of those verdicts beside `pass` that are as expected, or of those that are not.
@@ -251,6 +268,7 @@ Cases          widening  all
   n/m: n of m cases are as expected
 
 1 observation recorded where no document says what must be.
+Engine: reference 0.1.0.
 Reports: reports/latest/summary.md; every case is in results.json beside it.
 1 of 4 cases not as expected (1 fail), in 34 ms.
 "
@@ -284,6 +302,21 @@ Reports: reports/latest/summary.md; every case is in results.json beside it.
             text.ends_with("2 cases in 34 ms: all as expected (1 xfail).\n"),
             "{text}"
         );
+    }
+
+    #[test]
+    fn a_run_of_which_nothing_was_executed_does_not_end_as_if_all_were_well() {
+        let unsupported = |id| sample::case(id, Verdict::Unsupported);
+        let text = shown(&sample::run_of(vec![unsupported("a"), unsupported("b")]));
+        assert!(
+            text.ends_with("2 cases in 34 ms: nothing was tested, since all are unsupported.\n"),
+            "{text}"
+        );
+        let text = shown(&sample::run_of(vec![
+            sample::case("a", Verdict::Pass),
+            unsupported("b"),
+        ]));
+        assert!(text.ends_with("all as expected (1 unsupported).\n"), "{text}");
     }
 
     #[test]
