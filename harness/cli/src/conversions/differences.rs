@@ -82,11 +82,11 @@ fn topics(signature: &Signature) -> Vec<Topic> {
         (Operation::Convert, Family::Text, _) if whole => vec![topic("reading", reading)],
         (Operation::Convert, Family::Real, Family::Text) => vec![topic("digits", digits)],
         (Operation::Convert, Family::BitString, Family::Text) => vec![topic("spelling", spelling)],
-        (Operation::Convert, Family::Duration, family) if whole || family == Family::Real => {
-            vec![topic("unit", milliseconds)]
+        (Operation::Convert, family, _) if is_moment(family) && (whole || to.is_real()) && to.bits() > 1 => {
+            vec![topic("unit", unit)]
         }
-        (Operation::Convert, Family::Signed | Family::Unsigned | Family::Real, Family::Duration) => {
-            vec![topic("unit", milliseconds)]
+        (Operation::Convert, _, family) if is_moment(family) && (from.is_integer() || from.is_real()) => {
+            vec![topic("unit", unit), topic(&outside, outside_of_moments)]
         }
         (Operation::Truncate | Operation::Round | Operation::Ceiling | Operation::Floor, ..) => {
             vec![topic(&outside, outside_of_reals)]
@@ -147,8 +147,34 @@ fn spelling(choices: &Choices, _: &Signature) -> String {
     .to_owned()
 }
 
-fn milliseconds(_: &Choices, _: &Signature) -> String {
-    "the number counts milliseconds".to_owned()
+/// Whether a number counts something where it is converted to or from a type of this family.
+fn is_moment(family: Family) -> bool {
+    matches!(
+        family,
+        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime
+    )
+}
+
+fn unit(_: &Choices, signature: &Signature) -> String {
+    let families = [signature.operands[0].family(), signature.result.family()];
+    match families.into_iter().find(|family| is_moment(*family)) {
+        Some(Family::TimeOfDay) => "the number counts milliseconds since midnight",
+        Some(Family::Date | Family::DateAndTime) => "the number counts seconds since 1970-01-01",
+        _ => "the number counts milliseconds",
+    }
+    .to_owned()
+}
+
+fn outside_of_moments(_: &Choices, signature: &Signature) -> String {
+    let wrapped = match signature.result.family() {
+        Family::TimeOfDay => "modulo a day",
+        Family::Date => "modulo 2^64 nanoseconds, of which the day is kept",
+        _ => "modulo 2^64 nanoseconds",
+    };
+    match signature.operands[0].is_real() {
+        true => format!("{wrapped}; NaN and the infinities give 0"),
+        false => wrapped.to_owned(),
+    }
 }
 
 #[cfg(test)]
@@ -173,5 +199,27 @@ mod tests {
         );
         assert_eq!(text("DINT_TO_INT", &both), "outside INT  modulo 2^16\n");
         assert_eq!(text("INT_TO_DINT", &both), "");
+    }
+
+    #[test]
+    fn what_a_number_counts_is_said_of_every_moment() {
+        let matiec = [DialectName::Matiec];
+        assert_eq!(
+            text("TIME_TO_DINT", &matiec),
+            "unit  the number counts milliseconds\n"
+        );
+        assert_eq!(
+            text("DATE_TO_DINT", &matiec),
+            "unit  the number counts seconds since 1970-01-01\n"
+        );
+        assert_eq!(
+            text("TOD_TO_DINT", &matiec),
+            "unit  the number counts milliseconds since midnight\n"
+        );
+        assert_eq!(
+            text("LREAL_TO_TIME", &matiec),
+            "unit          the number counts milliseconds\n\
+             outside TIME  modulo 2^64 nanoseconds; NaN and the infinities give 0\n"
+        );
     }
 }

@@ -1,6 +1,7 @@
 //! The values that somebody wrote on the command line.
 
 use super::inputs;
+use super::spelling::shortened;
 use anyhow::bail;
 use stickler_exact::Signature;
 use stickler_types::{ElementaryType, Family, LiteralError, Value};
@@ -31,12 +32,18 @@ pub fn rows(texts: &[String], signatures: Vec<Signature>) -> anyhow::Result<Vec<
         .into_iter()
         .map(|signature| (signature, Vec::new()))
         .collect();
-    let bare_text = rows.iter().all(|(signature, _)| signature.operands[0].is_text());
+    let bare_text = rows.iter().all(|(signature, _)| {
+        let family = signature.operands[0].family();
+        matches!(family, Family::Text | Family::Character)
+    });
     for call in texts.chunks(count) {
         let mut taken = false;
         for (signature, operands) in &mut rows {
             if let Ok(values) = read_all(call, signature, bare_text) {
-                operands.push(values);
+                // A value that was given twice has one answer.
+                if !operands.contains(&values) {
+                    operands.push(values);
+                }
                 taken = true;
             }
         }
@@ -62,7 +69,10 @@ fn misfit(call: &[String], rows: &[(Signature, Vec<Operands>)], bare_text: bool)
             let wrong = call.iter().zip(&signature.operands);
             let wrong = wrong.filter_map(|(text, ty)| {
                 let reason = read(text, *ty, bare_text).err()?;
-                Some(format!("`{text}` is no value of type {ty}: {reason}"))
+                Some(format!(
+                    "`{}` is no value of type {ty}: {reason}",
+                    shortened(text)
+                ))
             });
             wrong.collect::<Vec<_>>().join("; ")
         }
@@ -76,7 +86,8 @@ fn misfit(call: &[String], rows: &[(Signature, Vec<Operands>)], bare_text: bool)
                 .first()
                 .map_or("", |(signature, _)| signature.function.as_str());
             format!(
-                "`{texts}` is no value of a type that {name} takes: {}",
+                "`{}` is no value of a type that {name} takes: {}",
+                shortened(&texts),
                 types.join(", ")
             )
         }
@@ -95,19 +106,35 @@ fn read(text: &str, ty: ElementaryType, bare_text: bool) -> Result<Value, String
         None => text,
     };
     let literal = match ty.family() {
-        Family::Text if bare_text && !rest.starts_with(['\'', '"']) => quoted(rest, ty),
+        Family::Text | Family::Character if bare_text && !rest.starts_with(['\'', '"']) => quoted(rest, ty),
         Family::Real => with_point(rest),
         _ => rest.to_owned(),
     };
     let literal = format!("{ty}#{literal}");
-    Value::parse(&literal).map_err(|error| reason(error, &literal, ty))
+    Value::parse(&literal)
+        .map_err(|error| number_misfit(rest, ty).unwrap_or_else(|| reason(error, &literal, ty)))
+}
+
+/// What is wrong with a number where a type has whole ones; nothing where it is none, or written otherwise than in
+/// decimal digits.
+fn number_misfit(text: &str, ty: ElementaryType) -> Option<String> {
+    let (least, greatest) = ty.integer_range()?;
+    let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let plain = |digits: &str| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    match digits.split_once('.') {
+        None if plain(digits) => Some(format!("its values go from {least} to {greatest}")),
+        Some((whole, fraction)) if plain(whole) && plain(fraction) => {
+            Some("it is no whole number".to_owned())
+        }
+        _ => None,
+    }
 }
 
 /// What is wrong with a literal, without a place counted in bytes.
 fn reason(error: LiteralError, literal: &str, ty: ElementaryType) -> String {
     let place = match literal.get(error.offset()..) {
         None | Some("") => "at its end".to_owned(),
-        Some(rest) => format!("at `{rest}`"),
+        Some(rest) => format!("at `{}`", shortened(rest)),
     };
     match (error, ty.integer_range()) {
         (LiteralError::Malformed { expected, .. }, _) => format!("expected {expected} {place}"),
@@ -122,7 +149,8 @@ fn reason(error: LiteralError, literal: &str, ty: ElementaryType) -> String {
 
 /// A text between the quotes of its type.
 fn quoted(text: &str, ty: ElementaryType) -> String {
-    let quote = if ty == ElementaryType::String { '\'' } else { '"' };
+    let wide = matches!(ty, ElementaryType::Wstring | ElementaryType::Wchar);
+    let quote = if wide { '"' } else { '\'' };
     let escaped = text.replace('$', "$$").replace(quote, &format!("${quote}"));
     format!("{quote}{escaped}{quote}")
 }
@@ -162,6 +190,8 @@ mod tests {
         reads("T#5ms", ElementaryType::Time, "TIME#5ms");
         reads("2024-02-29", ElementaryType::Date, "DATE#2024-02-29");
         reads("it's $5", ElementaryType::String, "STRING#'it$'s $$5'");
+        reads("a", ElementaryType::Char, "CHAR#'a'");
+        reads("a", ElementaryType::Wchar, "WCHAR#\"a\"");
         reads("'it$'s'", ElementaryType::String, "STRING#'it$'s'");
     }
 
@@ -172,13 +202,26 @@ mod tests {
             wrong("128", ElementaryType::Sint),
             "its values go from -128 to 127"
         );
+        assert_eq!(wrong("-1", ElementaryType::Word), "its values go from 0 to 65535");
+        assert_eq!(wrong("1.5", ElementaryType::Dint), "it is no whole number");
         assert_eq!(wrong("REAL#2.5", ElementaryType::Sint), "it is one of type REAL");
+        let long = "x".repeat(70_000);
+        assert!(wrong(&long, ElementaryType::Dint).len() < 100);
         assert_eq!(wrong("1e5", ElementaryType::Dint), "expected a digit at `e5`");
         assert_eq!(wrong("", ElementaryType::Dint), "expected a digit at its end");
         assert_eq!(
             wrong("1E39", ElementaryType::Real),
             "it is outside the range of REAL"
         );
+    }
+
+    #[test]
+    fn a_value_that_is_given_twice_is_asked_for_once() {
+        let signatures = stickler_exact::signatures("INT_TO_DINT", DialectName::Matiec);
+        let texts = ["5", "7", "INT#5"].map(str::to_owned);
+        let rows = rows(&texts, signatures).unwrap();
+        let value = |literal| vec![Value::parse(literal).unwrap()];
+        assert_eq!(rows[0].1, [value("INT#5"), value("INT#7")]);
     }
 
     #[test]

@@ -106,7 +106,8 @@ fn telling(signature: &Signature) -> &'static [i128] {
             9_007_199_254_740_992,
             9_007_199_254_740_993,
         ],
-        (_, Family::Duration) => &[1000],
+        // The first whole milliseconds that 64 bits of nanoseconds do not hold.
+        (_, Family::Duration) => &[1000, 9_223_372_036_855],
         // A day in seconds and in milliseconds.
         (_, Family::Date | Family::TimeOfDay | Family::DateAndTime) => {
             &[86_399, 86_400, 86_399_999, 86_400_000]
@@ -163,7 +164,10 @@ fn reals(from: ElementaryType, to: ElementaryType) -> Vec<String> {
             least,
             greatest,
         ],
-        _ => &["0.0", "0.4", "0.5", "1.0", "1.5", "2.5", "-1.0", "1.0E10"],
+        // The last is more milliseconds than 64 bits of nanoseconds hold.
+        _ => &[
+            "0.0", "0.4", "0.5", "1.0", "1.5", "2.5", "-1.0", "1.0E10", "1.0E13",
+        ],
     };
     let mut literals: Vec<String> = common.iter().map(|&literal| literal.to_owned()).collect();
     if to.is_integer() || to.is_bit_string() {

@@ -5,7 +5,7 @@ use super::block::{Block, Cell, Column};
 use super::given::Operands;
 use super::table::{self, Align, Shown};
 use super::{differences, names, spelling};
-use crate::engines::Named;
+use crate::engines::{Named, REFERENCE};
 use crate::output;
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
@@ -21,8 +21,8 @@ const OPEN: &str = "?";
 /// How many contradictions of a table are told in words.
 const MOST: usize = 8;
 
-/// How many characters of a value are shown.
-const LONGEST: usize = 40;
+/// What is said above the rules where somebody else than the reference was asked, who need not follow them.
+const RULES: &str = "Stickler's rule for each dialect, which an engine may or may not follow:";
 
 /// From how many tables on it is said how to see one of them.
 const MANY: usize = 3;
@@ -136,6 +136,9 @@ fn write_block(block: &Block, engines: &[Named], notes: &mut Notes, out: &mut dy
         dialects.sort_unstable();
         dialects.dedup();
         writeln!(out)?;
+        if engines.iter().any(|named| named.asked_for != REFERENCE) {
+            writeln!(out, "{RULES}")?;
+        }
         differences::write(signature, &dialects, out)?;
     }
     Ok(())
@@ -237,15 +240,10 @@ fn align(ty: ElementaryType) -> Align {
 /// The literal without its type, where that is the one which the heading names; long ones in part.
 fn untyped(value: &Value, ty: ElementaryType) -> String {
     let literal = value.to_string();
-    let shown = match literal.split_once('#') {
+    spelling::shortened(match literal.split_once('#') {
         Some((prefix, rest)) if prefix == ty.name() => rest,
         _ => &literal,
-    };
-    if shown.chars().count() <= LONGEST {
-        return shown.to_owned();
-    }
-    let beginning: String = shown.chars().take(LONGEST - 1).collect();
-    format!("{beginning}…")
+    })
 }
 
 /// What contradicts a document, in words, and why an engine gave no value.
@@ -268,7 +266,7 @@ fn write_troubles(block: &Block, engines: &[Named], out: &mut dyn Write) -> io::
                 .map(move |(call, cell)| (column, call, cell))
         })
         .filter_map(|(column, call, cell)| {
-            let operands: Vec<String> = call.iter().map(ToString::to_string).collect();
+            let operands: Vec<String> = call.iter().map(in_words).collect();
             let call = format!("{}: {function}({})", name(column), operands.join(", "));
             trouble(cell).map(|trouble| format!("{call} {trouble}"))
         })
@@ -286,13 +284,18 @@ fn write_troubles(block: &Block, engines: &[Named], out: &mut dyn Write) -> io::
     }
 }
 
+/// A value with its type, long ones in part.
+fn in_words(value: &Value) -> String {
+    spelling::shortened(&value.to_string())
+}
+
 fn trouble(cell: &Cell) -> Option<String> {
     let must = match cell.expected.basis {
-        Some(_) if cell.contradicts() => format!(", and must give {}", cell.expected.value),
+        Some(_) if cell.contradicts() => format!(", and must give {}", in_words(&cell.expected.value)),
         _ => String::new(),
     };
     match &cell.got {
-        Got::Value(value) if cell.contradicts() => Some(format!("gives {value}{must}")),
+        Got::Value(value) if cell.contradicts() => Some(format!("gives {}{must}", in_words(value))),
         Got::Value(_) => None,
         Got::None { word, detail } => Some(format!("{word} ({detail}){must}")),
     }

@@ -6,6 +6,18 @@ use stickler_types::{ElementaryType, Value};
 /// From here on a real has so many digits that they say less than an exponent.
 const LARGE: f64 = 1e16;
 
+/// How many characters of a value are shown to people.
+const LONGEST: usize = 40;
+
+/// A text as it is shown to people: the beginning of a long one.
+pub fn shortened(text: &str) -> String {
+    if text.chars().count() <= LONGEST {
+        return text.to_owned();
+    }
+    let beginning: String = text.chars().take(LONGEST - 1).collect();
+    format!("{beginning}…")
+}
+
 /// The literal of an operand as a program writes it.
 ///
 /// A whole real has all of its digits: `2147483648.0`, where the canonical spelling of a REAL has the fewest that read
