@@ -30,23 +30,27 @@ fn turned(odometer: u16) -> u16 {
 }
 
 /// The number that the digits spell, modulo 2^n; a digit above 9 counts with its value.
+///
+/// Basis: forgeiec-conversion-functions: BCD encoding.
 pub fn number(operands: &[u64], results: &mut [u64], to: ElementaryType) {
     let narrow = Narrow::to(to);
-    each(operands, results, |operand| narrow.of(spelled(operand)));
+    let table = &**NUMBERS;
+    let four = |digits: u64| u64::from(table.get(digits as usize & 0xFFFF).copied().unwrap_or(0));
+    each(operands, results, |operand| {
+        // Eight digits, the sources here having no more.
+        narrow.of(four(operand) + four(operand >> 16) * FOUR_DIGITS as u64)
+    });
 }
 
-/// Eight digits, the sources here having no more. Basis: forgeiec-conversion-functions: BCD encoding.
-#[inline(always)]
-fn spelled(digits: u64) -> u64 {
-    let mut number = 0;
-    let mut weight = 1;
-    // Unrolled by the compiler: the count is a constant.
-    for place in 0..8 {
-        number += ((digits >> (4 * place)) & 0xF) * weight;
-        weight *= 10;
-    }
-    number
-}
+/// The number that any four digits spell.
+static NUMBERS: LazyLock<Box<[u32]>> = LazyLock::new(|| {
+    (0..=u16::MAX)
+        .map(|digits| {
+            let digit = |place: u32| u32::from(digits >> (4 * place)) & 0xF;
+            digit(3) * 1000 + digit(2) * 100 + digit(1) * 10 + digit(0)
+        })
+        .collect()
+});
 
 /// As many of the number's decimal digits as the target holds: the number modulo 10^n, -1 being 99.
 pub fn digits(operands: &[u64], results: &mut [u64], from: ElementaryType, to: ElementaryType) {

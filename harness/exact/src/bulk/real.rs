@@ -162,22 +162,42 @@ const fn composed(significand: u64, exponent: i32, fraction_bits: u32) -> u64 {
 }
 
 /// The real next to a number of at most 33 bits, ties to even.
+///
+/// Neighbours mostly have their leading bit at the same place. Where all of a stretch have, the shifts are the same
+/// for all, which is several times quicker than to look for the bit in each.
 pub fn nearest(operands: &[u64], results: &mut [u64], result: RealResult) {
-    match result {
-        RealResult::Single => each(operands, results, |operand| {
-            let (sign, magnitude) = sign_and_magnitude(operand);
-            sign << 31 | nearest_single(magnitude)
-        }),
-        RealResult::Double => each(operands, results, |operand| {
-            let (sign, magnitude) = sign_and_magnitude(operand);
-            let bits = if magnitude == 0 {
-                0
-            } else {
-                composed(magnitude, 0, 52)
-            };
-            sign << 63 | bits
-        }),
+    const STRETCH: usize = 64;
+    for (operands, results) in operands.chunks(STRETCH).zip(results.chunks_mut(STRETCH)) {
+        match (result, common_leading_zeros(operands)) {
+            (RealResult::Single, Some(zeros)) => each(operands, results, |operand| {
+                let (sign, magnitude) = sign_and_magnitude(operand);
+                sign << 31 | single_with(magnitude, zeros)
+            }),
+            (RealResult::Double, Some(zeros)) => each(operands, results, |operand| {
+                let (sign, magnitude) = sign_and_magnitude(operand);
+                sign << 63 | double_with(magnitude, zeros)
+            }),
+            (RealResult::Single, None) => each(operands, results, |operand| {
+                let (sign, magnitude) = sign_and_magnitude(operand);
+                sign << 31 | nearest_single(magnitude)
+            }),
+            (RealResult::Double, None) => each(operands, results, |operand| {
+                let (sign, magnitude) = sign_and_magnitude(operand);
+                sign << 63 | nearest_double(magnitude)
+            }),
+        }
     }
+}
+
+/// How many zeros stand before the leading bit of every magnitude; `None` where that differs, or one of them is 0.
+#[inline(always)]
+fn common_leading_zeros(operands: &[u64]) -> Option<u32> {
+    let first = sign_and_magnitude(*operands.first()?).1;
+    let differing = operands
+        .iter()
+        .fold(0, |bits, &operand| bits | (sign_and_magnitude(operand).1 ^ first));
+    let zeros = first.leading_zeros();
+    (first != 0 && differing.leading_zeros() > zeros).then_some(zeros)
 }
 
 /// A signed integer's raw form is two's complement; an unsigned one of 32 bits never looks negative.
@@ -188,17 +208,36 @@ const fn sign_and_magnitude(raw: u64) -> (u64, u64) {
 
 #[inline(always)]
 const fn nearest_single(magnitude: u64) -> u64 {
-    if magnitude == 0 {
-        return 0;
+    match magnitude {
+        0 => 0,
+        _ => single_with(magnitude, magnitude.leading_zeros()),
     }
-    let zeros = magnitude.leading_zeros();
-    // The leading bit at the top, 24 bits to keep, 40 to round away.
-    let normal = magnitude << zeros;
-    let (kept, rest) = (normal >> 40, normal & ((1 << 40) - 1));
-    let up = (rest + (kept & 1) > 1 << 39) as u64;
+}
+
+#[inline(always)]
+const fn nearest_double(magnitude: u64) -> u64 {
+    match magnitude {
+        0 => 0,
+        _ => double_with(magnitude, magnitude.leading_zeros()),
+    }
+}
+
+/// The REAL next to a number whose leading bit is at that place, with at least one zero before it.
+#[inline(always)]
+const fn single_with(magnitude: u64, zeros: u32) -> u64 {
+    // The leading bit next to the top, 24 bits to keep, 39 to round away: half of what those can say is added, less
+    // one where the last bit that is kept is even.
+    let normal = magnitude << (zeros - 1);
+    let rounded = (normal + ((1 << 38) - 1) + (normal >> 39 & 1)) >> 39;
     // The leading bit adds one to the exponent, and so does a carry out of the fraction.
-    let biased = (126 + 63 - zeros) as u64;
-    (biased << 23) + kept + up
+    (((126 + 63 - zeros) as u64) << 23) + rounded
+}
+
+/// The LREAL of a number whose leading bit is at that place, with at least eleven zeros before it.
+#[inline(always)]
+const fn double_with(magnitude: u64, zeros: u32) -> u64 {
+    // The leading bit, which is not written, adds one to the exponent.
+    (((1022 + 63 - zeros) as u64) << 52) + (magnitude << (zeros - 11))
 }
 
 /// REAL as an integer or bit string.
