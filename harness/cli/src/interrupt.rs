@@ -1,4 +1,5 @@
-//! Ctrl-C: the first stops a run in an orderly way, the second ends the process. Neither leaves an engine behind.
+//! Ctrl-C, and the signal that ends a process: the first stops a run in an orderly way, the second ends it at once. Neither
+//! leaves an engine behind.
 
 use crate::exit::Exit;
 use anyhow::Context;
