@@ -1,6 +1,20 @@
 //! Binary-coded decimal: four bits a digit, the lowest digit in the lowest bits.
 
+use crate::raw;
 use stickler_types::ElementaryType;
+
+/// The number that the digits spell, modulo 2^n of the target.
+#[inline]
+#[must_use]
+pub const fn number(digits: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+    let number = decode(digits, from);
+    // Eight digits spell at most 166 666 665, which every type of 32 bits holds as it is.
+    if from.bits() <= 32 && to.bits() >= 32 {
+        number
+    } else {
+        raw::narrow(number, to)
+    }
+}
 
 /// The number that the digits spell. A digit above 9 counts with its value, so `16#1A` is 20; no source says
 /// what it means.
@@ -8,7 +22,7 @@ use stickler_types::ElementaryType;
 /// A sixteenth of the raw form at a time would do; here neighbours are joined two by two, all at once.
 #[inline]
 #[must_use]
-pub const fn decode(raw: u64, from: ElementaryType) -> u64 {
+const fn decode(raw: u64, from: ElementaryType) -> u64 {
     if from.bits() <= 32 {
         eight_joined(raw)
     } else {
@@ -55,7 +69,9 @@ const fn modulo<const MODULUS: u64>(raw: u64, from: ElementaryType) -> u64 {
 /// The digits of a number below 10^8.
 #[inline]
 fn eight_digits(number: u64) -> u64 {
-    four_digits(number % 10_000) | four_digits(number / 10_000) << 16
+    // In 32 bits, where a division is quicker.
+    let number = number as u32;
+    four_digits((number % 10_000).into()) | four_digits((number / 10_000).into()) << 16
 }
 
 /// The digits of a number below 10^4.

@@ -208,7 +208,7 @@ impl Conversion {
             ConversionRule::Day => moment::day(value),
             ConversionRule::TimeOfDay => moment::time_of_day(value),
             ConversionRule::Character => text::character(value, self.to),
-            ConversionRule::FromBcd => raw::narrow(super::bcd::decode(value, self.from), self.to),
+            ConversionRule::FromBcd => super::bcd::number(value, self.from, self.to),
             ConversionRule::ToBcd => super::bcd::encode(value, self.from, self.to),
             ConversionRule::ReadText(_)
             | ConversionRule::WriteText(..)
