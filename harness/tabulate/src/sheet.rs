@@ -50,6 +50,25 @@ impl CallProbe {
         }
     }
 
+    /// The probes of a table whose values the documents of the dialects `said` say: `variable` and `constant`, and `recorded` in
+    /// the dialects `silent`, if there are any.
+    #[must_use]
+    pub fn variable_and_constant(
+        said: &[&'static str],
+        silent: &[&'static str],
+        variable: &'static str,
+        constant: &'static str,
+    ) -> Vec<CallProbe> {
+        let mut probes = vec![
+            CallProbe::value("variable", said, variable),
+            CallProbe::value("constant", said, constant),
+        ];
+        if !silent.is_empty() {
+            probes.push(CallProbe::recorded(silent, variable));
+        }
+        probes
+    }
+
     /// The probe `recorded`, which asserts nothing.
     #[must_use]
     pub fn recorded(dialects: &[&'static str], source: &'static str) -> CallProbe {

@@ -59,11 +59,7 @@ fn decimal() -> Sheet {
             .to_owned(),
         columns: NAMED,
         calls,
-        probes: vec![
-            CallProbe::value("variable", MATIEC, FUNCTION_OF_VARIABLE),
-            CallProbe::value("constant", MATIEC, FUNCTION_OF_CONSTANT),
-            CallProbe::recorded(ELSEWHERE, FUNCTION_OF_VARIABLE),
-        ],
+        probes: CallProbe::variable_and_constant(MATIEC, ELSEWHERE, FUNCTION_OF_VARIABLE, FUNCTION_OF_CONSTANT),
     }
 }
 

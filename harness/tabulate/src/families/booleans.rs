@@ -19,11 +19,7 @@ fn numbers() -> impl Iterator<Item = ElementaryType> {
 }
 
 fn probes() -> Vec<CallProbe> {
-    vec![
-        CallProbe::value("variable", DOCUMENTED, PAIR_OF_VARIABLE),
-        CallProbe::value("constant", DOCUMENTED, PAIR_OF_CONSTANT),
-        CallProbe::recorded(PLCNEXT, PAIR_OF_VARIABLE),
-    ]
+    CallProbe::variable_and_constant(DOCUMENTED, PLCNEXT, PAIR_OF_VARIABLE, PAIR_OF_CONSTANT)
 }
 
 fn bool_to_number() -> Sheet {

@@ -59,11 +59,7 @@ fn listed() -> Sheet {
             .to_owned(),
         columns: VALUES,
         calls,
-        probes: vec![
-            CallProbe::value("variable", MATIEC, PAIR_OF_VARIABLE),
-            CallProbe::value("constant", MATIEC, PAIR_OF_TYPED_INPUT),
-            CallProbe::recorded(ELSEWHERE, PAIR_OF_VARIABLE),
-        ],
+        probes: CallProbe::variable_and_constant(MATIEC, ELSEWHERE, PAIR_OF_VARIABLE, PAIR_OF_TYPED_INPUT),
     }
 }
 

@@ -69,10 +69,6 @@ fn modulo(
         summary: format!("{MODULO}{more}"),
         columns: PAIR,
         calls: calls.collect(),
-        probes: vec![
-            CallProbe::value("variable", DOCUMENTED, PAIR_OF_VARIABLE),
-            CallProbe::value("constant", DOCUMENTED, PAIR_OF_CONSTANT),
-            CallProbe::recorded(PLCNEXT, PAIR_OF_VARIABLE),
-        ],
+        probes: CallProbe::variable_and_constant(DOCUMENTED, PLCNEXT, PAIR_OF_VARIABLE, PAIR_OF_CONSTANT),
     }
 }

@@ -45,11 +45,7 @@ compilers round here, to even or away from zero, which is why these cases exist.
                 .to_owned(),
             columns: PAIR,
             calls: inside,
-            probes: vec![
-                CallProbe::value("variable", DOCUMENTED, PAIR_OF_VARIABLE),
-                CallProbe::value("constant", DOCUMENTED, PAIR_OF_CONSTANT),
-                CallProbe::recorded(PLCNEXT, PAIR_OF_VARIABLE),
-            ],
+            probes: CallProbe::variable_and_constant(DOCUMENTED, PLCNEXT, PAIR_OF_VARIABLE, PAIR_OF_CONSTANT),
         },
         Sheet {
             name: "real-to-integer-outside",
@@ -62,11 +58,7 @@ do not say; there the value is recorded."
                 .to_owned(),
             columns: PAIR,
             calls: outside,
-            probes: vec![
-                CallProbe::value("variable", MATIEC, PAIR_OF_VARIABLE),
-                CallProbe::value("constant", MATIEC, PAIR_OF_CONSTANT),
-                CallProbe::recorded(ELSEWHERE, PAIR_OF_VARIABLE),
-            ],
+            probes: CallProbe::variable_and_constant(MATIEC, ELSEWHERE, PAIR_OF_VARIABLE, PAIR_OF_CONSTANT),
         },
     ]
 }
@@ -117,11 +109,12 @@ fn truncation() -> [Sheet; 2] {
             summary: String::new(),
             columns: NAMED,
             calls: inside,
-            probes: vec![
-                CallProbe::value("variable", DOCUMENTED, FUNCTION_OF_VARIABLE),
-                CallProbe::value("constant", DOCUMENTED, FUNCTION_OF_CONSTANT),
-                CallProbe::recorded(PLCNEXT, FUNCTION_OF_VARIABLE),
-            ],
+            probes: CallProbe::variable_and_constant(
+                DOCUMENTED,
+                PLCNEXT,
+                FUNCTION_OF_VARIABLE,
+                FUNCTION_OF_CONSTANT,
+            ),
         },
         Sheet {
             name: "trunc-outside",
@@ -145,13 +138,8 @@ fn truncation_to_type() -> [Sheet; 2] {
         ("TRUNC_LINT", Lreal, Lint),
         ("TRUNC_LINT", Real, Lint),
     ]);
-    let probes = || {
-        vec![
-            CallProbe::value("variable", MATIEC, FUNCTION_OF_VARIABLE),
-            CallProbe::value("constant", MATIEC, FUNCTION_OF_CONSTANT),
-            CallProbe::recorded(ELSEWHERE, FUNCTION_OF_VARIABLE),
-        ]
-    };
+    let probes =
+        CallProbe::variable_and_constant(MATIEC, ELSEWHERE, FUNCTION_OF_VARIABLE, FUNCTION_OF_CONSTANT);
     [
         Sheet {
             name: "trunc-to-type",
@@ -161,7 +149,7 @@ fn truncation_to_type() -> [Sheet; 2] {
             summary: String::new(),
             columns: NAMED,
             calls: inside,
-            probes: probes(),
+            probes: probes.clone(),
         },
         Sheet {
             name: "trunc-to-type-outside",
@@ -172,7 +160,7 @@ fn truncation_to_type() -> [Sheet; 2] {
                 .to_owned(),
             columns: NAMED,
             calls: outside,
-            probes: probes(),
+            probes,
         },
     ]
 }
@@ -234,16 +222,8 @@ smallest normal and the subnormal numbers."
             .into_iter()
             .map(|operand| Call::convert(ElementaryType::Lreal, ElementaryType::Real, operand))
             .collect(),
-        probes: everywhere(),
+        probes: CallProbe::variable_and_constant(ALL, &[], PAIR_OF_VARIABLE, PAIR_OF_CONSTANT),
     }
-}
-
-/// The probes of a claim that every dialect makes.
-fn everywhere() -> Vec<CallProbe> {
-    vec![
-        CallProbe::value("variable", ALL, PAIR_OF_VARIABLE),
-        CallProbe::value("constant", ALL, PAIR_OF_CONSTANT),
-    ]
 }
 
 fn integer_to_real() -> Sheet {
@@ -275,7 +255,7 @@ a different REAL."
             .to_owned(),
         columns: PAIR,
         calls,
-        probes: everywhere(),
+        probes: CallProbe::variable_and_constant(ALL, &[], PAIR_OF_VARIABLE, PAIR_OF_CONSTANT),
     }
 }
 

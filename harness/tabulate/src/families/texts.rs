@@ -43,11 +43,7 @@ fn asserted(
         summary: summary.to_owned(),
         columns: PAIR,
         calls,
-        probes: vec![
-            CallProbe::value("variable", MATIEC, PAIR_OF_VARIABLE),
-            CallProbe::value("constant", MATIEC, PAIR_OF_CONSTANT),
-            CallProbe::recorded(ELSEWHERE, PAIR_OF_VARIABLE),
-        ],
+        probes: CallProbe::variable_and_constant(MATIEC, ELSEWHERE, PAIR_OF_VARIABLE, PAIR_OF_CONSTANT),
     }
 }
 

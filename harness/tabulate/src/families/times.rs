@@ -63,7 +63,7 @@ fn time_to_number() -> (Sheet, Sheet) {
                 .to_owned(),
         columns: PAIR,
         calls: exact,
-        probes: everywhere(),
+        probes: CallProbe::variable_and_constant(ALL, &[], PAIR_OF_VARIABLE, PAIR_OF_CONSTANT),
     };
     let inexact = Sheet {
         name: "time-to-number-inexact",
@@ -102,14 +102,6 @@ fn number_to_time() -> Sheet {
         summary: "\"DINT_TO_TIME (interprets as ms)\".".to_owned(),
         columns: PAIR,
         calls,
-        probes: everywhere(),
+        probes: CallProbe::variable_and_constant(ALL, &[], PAIR_OF_VARIABLE, PAIR_OF_CONSTANT),
     }
-}
-
-/// The probes of a claim that every dialect makes.
-fn everywhere() -> Vec<CallProbe> {
-    vec![
-        CallProbe::value("variable", ALL, PAIR_OF_VARIABLE),
-        CallProbe::value("constant", ALL, PAIR_OF_CONSTANT),
-    ]
 }
