@@ -13,8 +13,8 @@ use stickler_types::{Code, ElementaryType, literal};
 /// What a name means in a constant expression.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum Constant {
-    /// A number, and the integer type that the constant has, unless something is wrong with that.
-    Value(i128, Option<ElementaryType>),
+    /// A number, and the integer type that the constant has, which holds it.
+    Value(i128, ElementaryType),
     /// A constant of another elementary type; of a text a short one, lest each use of a long one cost much.
     Typed(Known),
     /// A constant whose own value was not understood, which has been said.

@@ -139,7 +139,7 @@ impl<'m> Lowering<'m> {
     /// Puts the value of a named constant on the stack, where it is known.
     fn known(&mut self, constant: &Constant) -> Option<Value> {
         match constant {
-            &Constant::Value(number, Some(ty)) => {
+            &Constant::Value(number, ty) => {
                 self.emit(Instruction::Push(ty.wrap(number)));
                 Some(Value {
                     ty: TypeId::of(ty),

@@ -183,8 +183,7 @@ impl<'u> Evaluator<'_, 'u> {
                 wanted,
             ),
             ExpressionKind::Name(name) => match (self.lookup)(*name) {
-                Constant::Value(number, Some(ty)) => Ok(Known::Plain(ty, ty.wrap(number))),
-                Constant::Value(_, None) => Err(None),
+                Constant::Value(number, ty) => Ok(Known::Plain(ty, ty.wrap(number))),
                 Constant::Typed(known) => Ok(known),
                 other => Err(self.refuse(*name, &other)),
             },
@@ -236,7 +235,7 @@ impl<'u> Evaluator<'_, 'u> {
         match &self.source.expression(id).kind {
             ExpressionKind::Literal(literal) => inferred_literal(literal, false, self.source.dialect),
             ExpressionKind::Name(name) => match (self.lookup)(*name) {
-                Constant::Value(_, Some(ty)) => Inferred::from(ty),
+                Constant::Value(_, ty) => Inferred::from(ty),
                 Constant::Typed(known) => Inferred::from(known.ty()),
                 _ => Inferred::Error,
             },

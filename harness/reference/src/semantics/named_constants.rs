@@ -50,28 +50,27 @@ impl<'u> Declarer<'u, '_> {
         }
     }
 
-    /// The number that an initial value stands for.
+    /// The number that an initial value stands for. Where a function is called in it types count: the program
+    /// computes in them, and what does not fit wraps there, which is no error.
     fn exact_number(&self, id: ExpressionId, ty: ElementaryType) -> Constant {
-        let found = self.evaluate(id);
-        let outside = match &found {
-            Ok(number) => ty
-                .integer_range()
-                .is_some_and(|(low, high)| !(low..=high).contains(number)),
-            Err(reason) => reason.as_ref().is_some_and(|reason| {
-                matches!(
-                    reason.code,
-                    Code::ConstantExpressionOverflow | Code::ConstantExpressionDivisionByZero
-                )
-            }),
+        let typed = self.evaluating(|evaluator| evaluator.calls(id));
+        let found = if typed {
+            let known = self.evaluating(|evaluator| evaluator.operand(id, ty, Context::Initializer));
+            known.and_then(|known| known.number().ok_or(None))
+        } else {
+            self.evaluate(id)
+        };
+        let holds = |number: &i128| {
+            ty.integer_range()
+                .is_some_and(|(low, high)| (low..=high).contains(number))
         };
         match found {
-            // With a function call in it the machine does what it does with variables, so nothing is wrong.
-            _ if outside && self.evaluating(|evaluator| evaluator.calls(id)) => Constant::NotInteger,
-            Ok(number) => Constant::Value(number, Some(ty)),
+            Ok(number) if holds(&number) => Constant::Value(number, ty),
             // This may well be an initial value, if not one that is known here.
             Err(Some(reason)) if reason.code == Code::VariableMustBeConst => Constant::NotInteger,
+            Err(Some(reason)) if typed && is_left_to_the_machine(reason.code) => Constant::NotInteger,
             // Lowering says what is wrong with it.
-            Err(_) => Constant::Silent,
+            _ => Constant::Silent,
         }
     }
 
@@ -85,15 +84,9 @@ impl<'u> Declarer<'u, '_> {
                 Constant::Missing
             };
         };
-        let elementary = self.model.elementary(ty);
         match self.exact_initializer(group, initializer) {
             _ if ty == TypeId::ERROR => Constant::Silent,
-            Constant::Value(value, _) => match elementary.and_then(ElementaryType::integer_range) {
-                // That it does not fit is said where the initial value is lowered.
-                Some((low, high)) if !(low..=high).contains(&value) => Constant::Silent,
-                _ => Constant::Value(value, elementary),
-            },
-            other => other,
+            value => value,
         }
     }
 
@@ -141,4 +134,13 @@ impl<'u> Declarer<'u, '_> {
             _ => Written::Unknown,
         }
     }
+}
+
+/// Whether an operation on constants whose types count, with this to be said of it, is done by the machine as it is
+/// done with variables.
+const fn is_left_to_the_machine(code: Code) -> bool {
+    matches!(
+        code,
+        Code::ConstantExpressionOverflow | Code::ConstantExpressionDivisionByZero
+    )
 }

@@ -120,6 +120,17 @@ fn folding_forbids_nothing_that_variables_may() {
          i := DINT_TO_INT(32767) + 1; j := n; k := -DINT_TO_INT(-32768); END_PROGRAM",
         &["i = INT#-32768", "j = INT#-32768", "k = INT#-32768"],
     );
+    gives(
+        "PROGRAM main VAR x, y : LINT; END_VAR
+         VAR CONSTANT n : LINT := DINT_TO_INT(32767) + 1; m : LINT := DINT_TO_UINT(3) - 5; END_VAR
+         x := n; y := m; END_PROGRAM",
+        &[
+            "n = LINT#-32768",
+            "m = LINT#65534",
+            "x = LINT#-32768",
+            "y = LINT#65534",
+        ],
+    );
     assert!(codes("i : INT;", "i := 1 / DINT_TO_INT(0);").is_empty());
     assert!(codes("r : INT(0..10);", "r := DINT_TO_INT(20);").is_empty());
     let unknown =
