@@ -47,9 +47,12 @@ pub fn by_names(names: &[String]) -> anyhow::Result<Vec<Named>> {
         if names[..index].contains(name) {
             continue;
         }
-        let taken: Vec<&str> = engines
+        // The reference never gets a number, so no engine before it may be called so.
+        let taken: Vec<&str> = names
             .iter()
-            .map(|named| named.identity().name.as_str())
+            .map(String::as_str)
+            .filter(|name| *name == REFERENCE)
+            .chain(engines.iter().map(|named| named.identity().name.as_str()))
             .collect();
         let engine = distinct(name, &taken)?;
         engines.push(Named {
