@@ -103,7 +103,19 @@ struct Matrix {
     dialect: DialectName,
     types: Vec<ElementaryType>,
     documents: Documents,
-    accepted: BTreeMap<(ElementaryType, ElementaryType), bool>,
+    answers: BTreeMap<(ElementaryType, ElementaryType), Answer>,
+}
+
+/// What an engine makes of a value of one type in a variable of another. Basis: design, section 2, rule 3 (a crash is no
+/// rejection).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Answer {
+    Accepts,
+    Rejects,
+    /// It says that it cannot tell, which contradicts no document.
+    Unsupported,
+    /// It crashed, took too long or answered nonsense.
+    Fails,
 }
 
 impl Matrix {
@@ -116,25 +128,26 @@ impl Matrix {
         let pairs = types
             .iter()
             .flat_map(|row| types.iter().map(|column| (*row, *column)));
-        let accepted = pairs
-            .map(|pair| (pair, accepts(session, dialect, pair)))
-            .collect();
+        let answers = pairs.map(|pair| (pair, answer(session, dialect, pair))).collect();
         Matrix {
             dialect,
             types,
             documents,
-            accepted,
+            answers,
         }
     }
 
     /// Whether the engine does what the documents do not say.
     fn differs(&self, pair: (ElementaryType, ElementaryType)) -> bool {
-        let accepted = self.accepted.get(&pair).copied().unwrap_or(false);
-        match self.documents.get(&pair) {
-            Some(Word::Yes | Word::Same) => !accepted,
-            Some(Word::No) => accepted,
-            Some(Word::Open) | None => false,
+        match (self.documents.get(&pair), self.answer(pair)) {
+            (_, Answer::Unsupported) | (Some(Word::Open) | None, _) => false,
+            (Some(Word::Yes | Word::Same), answer) => answer != Answer::Accepts,
+            (Some(Word::No), answer) => answer != Answer::Rejects,
         }
+    }
+
+    fn answer(&self, pair: (ElementaryType, ElementaryType)) -> Answer {
+        self.answers.get(&pair).copied().unwrap_or(Answer::Unsupported)
     }
 
     fn differing(&self) -> usize {
@@ -183,7 +196,7 @@ impl Matrix {
     }
 
     fn write_cell(&self, pair: (ElementaryType, ElementaryType), out: &mut dyn Write) -> io::Result<()> {
-        let accepted = self.accepted.get(&pair).copied().unwrap_or(false);
+        let answer = self.answer(pair);
         let said = match self.documents.get(&pair) {
             Some(Word::Yes) => 'y',
             Some(Word::Same) => '=',
@@ -191,13 +204,18 @@ impl Matrix {
             Some(Word::Open) => '?',
             None => ' ',
         };
-        let done = if accepted { '+' } else { '-' };
+        let done = match answer {
+            Answer::Accepts => '+',
+            Answer::Rejects => '-',
+            Answer::Unsupported => '?',
+            Answer::Fails => 'x',
+        };
         let differs = self.differs(pair);
         let mark = if differs { '!' } else { ' ' };
-        let style = match (differs, accepted) {
-            (true, _) => BAD,
-            (false, true) => YES,
-            (false, false) => DIM,
+        let style = match (differs, answer) {
+            (true, _) | (_, Answer::Fails) => BAD,
+            (false, Answer::Accepts) => YES,
+            (false, Answer::Rejects | Answer::Unsupported) => DIM,
         };
         // At the right, so that no line ends in blanks.
         let padding = width(pair.1) - 3;
@@ -210,12 +228,18 @@ fn width(column: ElementaryType) -> usize {
 }
 
 /// Whether the engine takes a value of one type for a variable of the other.
-fn accepts(session: &mut dyn Session, dialect: DialectName, pair: (ElementaryType, ElementaryType)) -> bool {
+fn answer(session: &mut dyn Session, dialect: DialectName, pair: (ElementaryType, ElementaryType)) -> Answer {
     let (from, into) = (pair.0.name(), pair.1.name());
     let source = format!(
         "PROGRAM main\nVAR\n    from : {from};\n    into : {into};\nEND_VAR\n    into := from;\nEND_PROGRAM\n"
     );
-    matches!(session.check(dialect, &source), Outcome::Accepted)
+    match session.check(dialect, &source) {
+        Outcome::Accepted => Answer::Accepts,
+        Outcome::Rejected { .. } => Answer::Rejects,
+        Outcome::Unsupported { .. } => Answer::Unsupported,
+        Outcome::Executed { .. } | Outcome::Faulted { .. } | Outcome::Rendered { .. } => Answer::Fails,
+        Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => Answer::Fails,
+    }
 }
 
 fn legend(engine: &str, out: &mut dyn Write) -> io::Result<()> {
@@ -227,5 +251,65 @@ fn legend(engine: &str, out: &mut dyn Write) -> io::Result<()> {
         out,
         "y yes, n no, = same type, ? open, blank not said; then the engine ({engine}):"
     )?;
-    writeln!(out, "+ accepts, - rejects. ! stands where they differ.")
+    writeln!(
+        out,
+        "+ accepts, - rejects, ? cannot tell, x fails. ! stands where they differ."
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Answer, Documents, Matrix};
+    use stickler_engines::{Outcome, RunRequest, Session};
+    use stickler_suite::Word;
+    use stickler_types::{DialectName, ElementaryType};
+
+    /// Answers every check alike.
+    struct Always(Outcome);
+
+    impl Session for Always {
+        fn run(&mut self, _: &RunRequest<'_>) -> Outcome {
+            self.0.clone()
+        }
+
+        fn check(&mut self, _: DialectName, _: &str) -> Outcome {
+            self.0.clone()
+        }
+
+        fn render(&mut self, _: DialectName, _: &str) -> Outcome {
+            self.0.clone()
+        }
+    }
+
+    /// What an outcome is shown as, and whether it differs from a document that says yes, and from one that says no.
+    fn judged(outcome: Outcome) -> (Answer, bool, bool) {
+        let widening = (ElementaryType::Sint, ElementaryType::Int);
+        let narrowing = (ElementaryType::Int, ElementaryType::Sint);
+        let documents = Documents::from([(widening, Word::Yes), (narrowing, Word::No)]);
+        let matrix = Matrix::new(DialectName::Matiec, documents, &mut Always(outcome));
+        (
+            matrix.answer(widening),
+            matrix.differs(widening),
+            matrix.differs(narrowing),
+        )
+    }
+
+    #[test]
+    fn a_crash_is_no_rejection_and_what_is_unsupported_contradicts_nothing() {
+        let reason = String::new;
+        assert_eq!(judged(Outcome::Accepted), (Answer::Accepts, false, true));
+        let diagnostics = Vec::new();
+        assert_eq!(
+            judged(Outcome::Rejected { diagnostics }),
+            (Answer::Rejects, true, false)
+        );
+        let unsupported = Outcome::Unsupported { reason: reason() };
+        assert_eq!(judged(unsupported), (Answer::Unsupported, false, false));
+        let crashed = Outcome::Crashed { reason: reason() };
+        assert_eq!(judged(crashed), (Answer::Fails, true, true));
+        assert_eq!(
+            judged(Outcome::TimedOut { after_ms: 1 }),
+            (Answer::Fails, true, true)
+        );
+    }
 }
