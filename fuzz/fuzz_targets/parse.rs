@@ -1,0 +1,2 @@
+//! Fuzz target `parse`.
+fn main() {}

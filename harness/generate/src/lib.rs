@@ -1,0 +1,6 @@
+//! Random well-typed programs, their variants, and what a fuzz target holds against what it is given.
+//!
+//! Architecture Invariant: this crate knows neither libFuzzer nor files nor threads. What is random comes from bytes.
+#![forbid(unsafe_code)]
+
+pub mod model;

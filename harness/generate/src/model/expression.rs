@@ -1,0 +1,153 @@
+//! Expressions and places.
+
+use super::{Type, VariableId};
+use stickler_exact::Signature;
+use stickler_types::Value;
+
+/// An expression and its type.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Expression {
+    /// Its type, after every conversion that stands in it.
+    pub ty: Type,
+    /// What it is.
+    pub kind: ExpressionKind,
+}
+
+/// The forms of an expression.
+#[derive(Clone, PartialEq, Debug)]
+pub enum ExpressionKind {
+    /// A literal of an elementary type.
+    Literal(Value, LiteralForm),
+    /// An enumerated value: its place in the list of its type ([`Expression::ty`] is [`Type::Declared`]).
+    Enumerated(usize),
+    /// The value of a variable, an element or a field.
+    Read(Place),
+    /// A bit of an integer or bit string, as BOOL; written `.n` or `.%Xn`.
+    Bit(Place, u32),
+    /// An operator with one operand, of the same type.
+    Unary(UnaryOperator, Box<Expression>),
+    /// An operator with two operands of one type; a comparison gives BOOL, any other that same type (but for durations and
+    /// dates, which the generator uses only in comparisons and in sums of two durations).
+    Binary(BinaryOperator, Box<Expression>, Box<Expression>),
+    /// An implicit conversion from the operand's elementary type to this expression's, which the dialect's documents grant.
+    Widen(Box<Expression>),
+    /// A call of a type conversion function; the result of the signature is the type of this expression.
+    Convert(Signature, Box<Expression>),
+    /// A call of a function of the program, by its place, with one argument an input.
+    Call(usize, Vec<Argument>),
+    /// A call of a standard function, positional.
+    Standard(StandardFunction, Vec<Expression>),
+    /// Text that stands for an expression of this type, put there to break a rule; the evaluator refuses it.
+    Raw(String),
+}
+
+/// How a literal is written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LiteralForm {
+    /// `INT#5`, `REAL#0.5`, `TIME#5ms`.
+    Typed,
+    /// `5`, `0.5`, `TRUE`, `T#5ms`: only where the context gives it the type.
+    Untyped,
+}
+
+/// An argument of a call.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Argument {
+    /// The parameter.
+    pub parameter: VariableId,
+    /// Its value, of the parameter's type.
+    pub value: Expression,
+}
+
+/// A variable, or an elementary or larger part of one.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Place {
+    /// The variable, of the POU in which the place stands.
+    pub variable: VariableId,
+    /// What is selected of it, outermost first.
+    pub path: Vec<Selector>,
+    /// The type of what is selected.
+    pub ty: Type,
+}
+
+/// One step into a variable.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Selector {
+    /// `[i, j]`, one subscript a dimension, each of an integer type.
+    Index(Vec<Expression>),
+    /// `.field` of a structure, by its place.
+    Field(usize),
+    /// `.output` of a function block instance.
+    Output(VariableId),
+}
+
+/// Prefix operators.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum UnaryOperator {
+    /// `-`, of signed integers, reals and durations.
+    Negate,
+    /// `NOT`, of BOOL and bit strings.
+    Not,
+}
+
+/// Infix operators.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BinaryOperator {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `MOD`
+    Modulo,
+    /// `AND`
+    And,
+    /// `OR`
+    Or,
+    /// `XOR`
+    Xor,
+    /// `=`
+    Equal,
+    /// `<>`
+    NotEqual,
+    /// `<`
+    Less,
+    /// `<=`
+    LessOrEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterOrEqual,
+}
+
+/// The standard functions that are no conversions.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum StandardFunction {
+    /// `ABS(IN)`
+    Abs,
+    /// `SEL(G, IN0, IN1)`
+    Sel,
+    /// `MUX(K, IN0, …)`
+    Mux,
+    /// `MIN(IN1, IN2)`
+    Min,
+    /// `MAX(IN1, IN2)`
+    Max,
+    /// `LIMIT(MN, IN, MX)`
+    Limit,
+    /// `SHL(IN, N)`
+    Shl,
+    /// `SHR(IN, N)`
+    Shr,
+    /// `ROL(IN, N)`
+    Rol,
+    /// `ROR(IN, N)`
+    Ror,
+    /// `LEN(IN)`
+    Len,
+    /// `CONCAT(IN1, IN2)`
+    Concat,
+}
