@@ -1,0 +1,7 @@
+//! What a fuzz target holds against the bytes that it is given: one file an oracle, and [`Target`], which names them all.
+
+mod failure;
+mod target;
+
+pub use failure::{Failure, Tried};
+pub use target::Target;

@@ -1,0 +1,115 @@
+//! The fuzz targets: their names, and the one door through which libFuzzer, replays, tests and campaigns judge an input.
+
+use super::{Failure, Tried};
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// One question that random input can be held against.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Target {
+    /// Bytes are a source text: reading it neither fails nor hangs, and what can be read keeps its tree when it is rendered.
+    Parse,
+    /// Bytes are a literal: its canonical spelling reads to the same value, which an independent reader finds too.
+    Literal,
+    /// A function, operands and a dialect: the reference agrees with exact arithmetic.
+    Convert,
+    /// A program with one planted error: the diagnostic has the planted code and line, and nothing else is reported.
+    Check,
+    /// A well-typed program: it is accepted and ends, and it and its variants give the values that the model's evaluator gives.
+    Execute,
+    /// Bytes are a case file: its reader gives cases or located errors.
+    CaseFile,
+    /// Bytes are what comes over the wire: every line is answered.
+    Protocol,
+    /// A well-typed program: an engine named in the environment gives the values that the model's evaluator gives.
+    Differential,
+}
+
+impl Target {
+    /// Every target, in the order in which people are shown them.
+    pub const ALL: [Target; 8] = [
+        Target::Parse,
+        Target::Literal,
+        Target::Convert,
+        Target::Check,
+        Target::Execute,
+        Target::CaseFile,
+        Target::Protocol,
+        Target::Differential,
+    ];
+
+    /// The name that the command line, the folders of the corpora and the binaries of the fuzz crate use.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Target::Parse => "parse",
+            Target::Literal => "literal",
+            Target::Convert => "convert",
+            Target::Check => "check",
+            Target::Execute => "execute",
+            Target::CaseFile => "case_file",
+            Target::Protocol => "protocol",
+            Target::Differential => "differential",
+        }
+    }
+
+    /// The target of this name, in lower case; `None` for any other text.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Target> {
+        Target::ALL.into_iter().find(|target| target.name() == name)
+    }
+
+    /// Judges one input, whatever it is; any bytes are an input.
+    ///
+    /// # Errors
+    /// How the input broke what the target holds it to. A panic is such a failure, with the symptom `panic`; under libFuzzer
+    /// the process ends before this is told.
+    pub fn judge(self, data: &[u8]) -> Result<Tried, Failure> {
+        // An oracle keeps nothing between inputs, so there is nothing that a panic could leave broken.
+        catch_unwind(AssertUnwindSafe(|| self.ask(data))).unwrap_or_else(|panic| Err(panicked(&*panic)))
+    }
+
+    fn ask(self, _data: &[u8]) -> Result<Tried, Failure> {
+        match self {
+            Target::Parse
+            | Target::Literal
+            | Target::Convert
+            | Target::Check
+            | Target::Execute
+            | Target::CaseFile
+            | Target::Protocol
+            | Target::Differential => Ok(Tried::PassedOver("nothing is held against this input")),
+        }
+    }
+}
+
+fn panicked(payload: &(dyn Any + Send)) -> Failure {
+    let text = payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    Failure::new("panic", text.unwrap_or("a panic with no message"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_target_is_found_by_its_name() {
+        for target in Target::ALL {
+            assert_eq!(Target::from_name(target.name()), Some(target));
+        }
+        assert_eq!(Target::from_name("Parse"), None);
+    }
+
+    #[test]
+    fn a_panic_is_a_failure_with_its_message() {
+        assert_eq!(panicked(&"broken"), Failure::new("panic", "broken"));
+        assert_eq!(
+            panicked(&"broken 7".to_owned()),
+            Failure::new("panic", "broken 7")
+        );
+        assert_eq!(panicked(&7).message, "a panic with no message");
+    }
+}
