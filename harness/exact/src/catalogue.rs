@@ -230,6 +230,6 @@ const REALS: [ElementaryType; 2] = [ElementaryType::Real, ElementaryType::Lreal]
 /// Whether a dialect has the types that the third edition added.
 ///
 /// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); stickler-design: §8.
-const fn has_third_edition(dialect: DialectName) -> bool {
+pub(crate) const fn has_third_edition(dialect: DialectName) -> bool {
     !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec)
 }

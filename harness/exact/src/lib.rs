@@ -12,6 +12,7 @@
 //! | what must a call give, and which document says so? | [`expected`] |
 //! | what would it give by other rules? | [`value`] with other [`Choices`] |
 //! | the same, for billions of operands? | [`Bulk`] |
+//! | which types become others without a call? | [`implicit`] |
 //!
 //! ```
 //! use stickler_exact::{expected, signatures};
@@ -38,6 +39,7 @@ mod calendar;
 mod catalogue;
 mod character;
 mod choices;
+mod implicit;
 mod integer;
 mod moment;
 mod pair;
@@ -51,5 +53,6 @@ pub use basis::{Expected, expected};
 pub use bulk::Bulk;
 pub use catalogue::{functions, signatures};
 pub use choices::{BitStringText, Choices, Outside, RealText, RealToInteger, TextReading};
+pub use implicit::{Word, implicit};
 pub use signature::{Operation, Signature};
 pub use value::value;

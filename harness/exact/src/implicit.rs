@@ -1,0 +1,96 @@
+//! What the documents say of implicit conversion: which elementary types become others without a call.
+//!
+//! This is the suite's own statement of the rules, beside the widening tables of the conformance cases; a test holds the two to
+//! each other, cell by cell. Only whether a pair converts stands here. What arrives is the number (rounded once, where the
+//! target is a real), the zero-extended bits, the same duration, or for UDINT and TIME the same count of milliseconds, which is
+//! what the function `<FROM>_TO_<TO>` gives.
+
+use crate::catalogue::has_third_edition;
+use stickler_types::{DialectName, ElementaryType, Family};
+
+/// What documents say of a pair of types.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Word {
+    /// A value of the one type stands wherever the other is expected.
+    Yes,
+    /// That is an error.
+    No,
+    /// No document says.
+    Open,
+}
+
+/// Whether a value of the type `from` stands where `to` is expected, in a dialect. A type stands for itself.
+///
+/// Types that the dialect does not have convert to nothing, and nothing to them.
+///
+/// Basis: ironplc-type-conversions: Implicit Type Widening, Cross-family widening; forgeiec-conversion-functions: matiec
+/// conformance; implicit-conversion-table: SEM1189 table; implicit-conversion-rules: ANY_DURATION, for TIME and LTIME, which are
+/// not in the table.
+#[must_use]
+pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> Word {
+    if from == to {
+        return Word::Yes;
+    }
+    if !has_third_edition(dialect) && (from.is_third_edition() || to.is_third_edition()) {
+        return Word::No;
+    }
+    match dialect {
+        DialectName::IronplcEd2 | DialectName::IronplcEd3 => ironplc(from, to),
+        DialectName::IronplcRusty if is_cross_family(from, to) => Word::Yes,
+        DialectName::IronplcRusty => ironplc(from, to),
+        DialectName::Matiec => Word::No,
+        DialectName::Plcnext => plcnext(from, to),
+    }
+}
+
+/// IronPLC's three categories, and what its general rule leaves open.
+fn ironplc(from: ElementaryType, to: ElementaryType) -> Word {
+    if from.long_form() == Some(to) || to.long_form() == Some(from) {
+        return Word::Open;
+    }
+    said(match (from.family(), to.family()) {
+        // "The source type's full value range is exactly representable in the target type", which the matrix repeats.
+        (Family::Signed | Family::Unsigned, Family::Signed | Family::Unsigned) => {
+            holds_every_integer(from, to)
+        }
+        // "LREAL … covers all standard integer types": by the matrix, although 64 bits do not fit.
+        (Family::Signed | Family::Unsigned, Family::Real) => to == ElementaryType::Lreal || from.bits() <= 16,
+        (Family::BitString, Family::BitString) | (Family::Real, Family::Real) => from.bits() < to.bits(),
+        _ => false,
+    })
+}
+
+/// "A bit-string type can widen to an integer type of strictly greater bit width", where the flag is on.
+const fn is_cross_family(from: ElementaryType, to: ElementaryType) -> bool {
+    from.is_bit_string() && to.is_integer() && from.bits() < to.bits()
+}
+
+/// PLCnext's coloured table.
+fn plcnext(from: ElementaryType, to: ElementaryType) -> Word {
+    use ElementaryType::{Ltime, Time, Udint};
+    said(match (from.family(), to.family()) {
+        (Family::Signed | Family::Unsigned, Family::Signed | Family::Unsigned) => {
+            holds_every_integer(from, to)
+        }
+        // "REAL mantissa = 23 bit, LREAL mantissa = 52 bit": so LINT and ULINT become no real.
+        (Family::Signed | Family::Unsigned, Family::Real) => {
+            from.bits() <= if to == ElementaryType::Real { 16 } else { 32 }
+        }
+        (Family::Boolean | Family::BitString, Family::BitString) | (Family::Real, Family::Real) => {
+            from.bits() < to.bits()
+        }
+        _ => matches!((from, to), (Udint, Time) | (Time, Udint) | (Time, Ltime)),
+    })
+}
+
+/// Whether one integer type holds every value of another.
+fn holds_every_integer(from: ElementaryType, to: ElementaryType) -> bool {
+    let (Some((least, greatest)), Some((low, high))) = (from.integer_range(), to.integer_range()) else {
+        return false;
+    };
+    low <= least && greatest <= high
+}
+
+const fn said(converts: bool) -> Word {
+    if converts { Word::Yes } else { Word::No }
+}
