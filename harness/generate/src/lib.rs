@@ -3,5 +3,8 @@
 //! Architecture Invariant: this crate knows neither libFuzzer nor files nor threads. What is random comes from bytes.
 #![forbid(unsafe_code)]
 
+pub mod generator;
 pub mod model;
 pub mod oracles;
+pub mod random;
+pub mod writer;

@@ -5,6 +5,7 @@
 //! here knows the reference's tree.
 
 mod expression;
+mod look;
 mod program;
 mod statement;
 mod types;
@@ -13,6 +14,7 @@ pub use expression::{
     Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Selector, StandardFunction,
     UnaryOperator,
 };
+pub use look::subscripts;
 pub use program::{Block, Function, Initial, Main, Program, Section, Variable, VariableId};
 pub use statement::{CaseBranch, CaseLabel, Statement, StatementKind, Target};
 pub use types::{ArrayType, Declared, Type, TypeDeclaration};

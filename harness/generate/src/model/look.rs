@@ -1,0 +1,100 @@
+//! Questions that every reader of a program asks: what an alias stands for, which fields a structure has, what is observed.
+
+use super::{ArrayType, Declared, Expression, Program, Section, Type};
+use stickler_types::ElementaryType;
+
+impl Program {
+    /// The type that an alias stands for; any other type itself.
+    #[must_use]
+    pub fn unaliased<'t>(&'t self, ty: &'t Type) -> &'t Type {
+        let Type::Declared(declared) = ty else {
+            return ty;
+        };
+        match self.types.get(*declared).map(|declaration| &declaration.kind) {
+            Some(Declared::Alias(of)) => of,
+            _ => ty,
+        }
+    }
+
+    /// The fields of a structure, each with its name, its type and its initial value; nothing for any other type.
+    #[must_use]
+    pub fn fields(&self, ty: &Type) -> Option<&[(String, Type, Option<Expression>)]> {
+        let Type::Declared(declared) = ty else { return None };
+        match &self.types.get(*declared)?.kind {
+            Declared::Structure(fields) => Some(fields),
+            _ => None,
+        }
+    }
+
+    /// The names of the values of an enumeration; nothing for any other type.
+    #[must_use]
+    pub fn enumerated_values(&self, ty: &Type) -> Option<&[String]> {
+        let Type::Declared(declared) = ty else { return None };
+        match &self.types.get(*declared)?.kind {
+            Declared::Enumeration(names) => Some(names),
+            _ => None,
+        }
+    }
+
+    /// What is to be observed: the path and the type of each elementary value in the variables of main, checksums included, in
+    /// the order of their declarations; of arrays the last subscript moves quickest, and there are no blanks in `a[1,2]`.
+    ///
+    /// Of an instance of a function block these are its outputs, which every compiler lets its environment read. Enumerations
+    /// are left out, for they have no elementary type; they enter the checksum.
+    #[must_use]
+    pub fn observed(&self) -> Vec<(String, ElementaryType)> {
+        let mut found = Vec::new();
+        for variable in &self.main.variables {
+            self.observe(&variable.name, &variable.ty, &mut found);
+        }
+        found
+    }
+
+    fn observe(&self, path: &str, ty: &Type, found: &mut Vec<(String, ElementaryType)>) {
+        match self.unaliased(ty) {
+            Type::Elementary(ty) => found.push((path.to_owned(), *ty)),
+            Type::Array(array) => {
+                for subscripts in subscripts(array) {
+                    self.observe(&format!("{path}[{}]", joined(&subscripts)), &array.element, found);
+                }
+            }
+            Type::Declared(_) => {
+                for (name, field, _) in self.fields(ty).unwrap_or_default() {
+                    self.observe(&format!("{path}.{name}"), field, found);
+                }
+            }
+            Type::Block(block) => {
+                let variables = self.blocks.get(*block).map_or(&[][..], |block| &block.variables);
+                for output in variables
+                    .iter()
+                    .filter(|variable| variable.section == Section::Output)
+                {
+                    self.observe(&format!("{path}.{}", output.name), &output.ty, found);
+                }
+            }
+        }
+    }
+}
+
+/// The subscripts of every element of an array, the last one quickest.
+pub fn subscripts(array: &ArrayType) -> Vec<Vec<i64>> {
+    let mut all = vec![Vec::new()];
+    for &(low, high) in &array.dimensions {
+        all = all
+            .into_iter()
+            .flat_map(|before| {
+                (low..=high).map(move |next| {
+                    let mut subscripts = before.clone();
+                    subscripts.push(next);
+                    subscripts
+                })
+            })
+            .collect();
+    }
+    all
+}
+
+fn joined(subscripts: &[i64]) -> String {
+    let texts: Vec<String> = subscripts.iter().map(i64::to_string).collect();
+    texts.join(",")
+}

@@ -1,0 +1,203 @@
+//! Types, variables, POUs, and the whole text.
+
+use super::sheet::Sheet;
+use super::statements::Pou;
+use super::style::Style;
+use crate::model::{Declared, Initial, Program, Section, Statement, Type, TypeDeclaration, Variable};
+
+/// The text of a program.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Written {
+    /// The source text; its last line is ended.
+    pub text: String,
+    /// The line, counted from 1, on which each raw expression or statement begins, in the order of the text.
+    pub raw_lines: Vec<u32>,
+}
+
+/// Writes a program. Takes any program, also one that is not well-typed; a reference to something that the program does not
+/// have is left out.
+#[must_use]
+pub fn write(program: &Program, style: &Style) -> Written {
+    let mut sheet = Sheet::new(program, *style);
+    sheet.types(&program.types);
+    for function in &program.functions {
+        sheet.word("FUNCTION");
+        sheet.blank();
+        sheet.put(&function.name);
+        sheet.between_blanks(":");
+        sheet.type_name(&function.result);
+        sheet.pou(
+            &function.variables,
+            &function.body,
+            &function.name,
+            "END_FUNCTION",
+        );
+    }
+    for block in &program.blocks {
+        sheet.word("FUNCTION_BLOCK");
+        sheet.blank();
+        sheet.put(&block.name);
+        sheet.pou(&block.variables, &block.body, &block.name, "END_FUNCTION_BLOCK");
+    }
+    sheet.word("PROGRAM");
+    sheet.blank();
+    sheet.put("main");
+    sheet.pou(&program.main.variables, &program.main.body, "main", "END_PROGRAM");
+    Written {
+        text: sheet.text,
+        raw_lines: sheet.raw_lines,
+    }
+}
+
+impl<'p> Sheet<'p> {
+    /// Everything of a POU behind its first line.
+    fn pou(&mut self, variables: &'p [Variable], body: &'p [Statement], name: &'p str, end: &str) {
+        for section in variables.chunk_by(|one, next| one.section == next.section) {
+            self.section(section, variables);
+        }
+        self.statements(
+            body,
+            Pou {
+                variables,
+                result: name,
+            },
+        );
+        self.new_line();
+        self.word(end);
+        self.new_line();
+    }
+
+    fn section(&mut self, declared: &[Variable], variables: &[Variable]) {
+        let Some(first) = declared.first() else { return };
+        self.new_line();
+        self.word(match first.section {
+            Section::Local => "VAR",
+            Section::Constant => "VAR CONSTANT",
+            Section::Input => "VAR_INPUT",
+            Section::Output => "VAR_OUTPUT",
+            Section::InOut => "VAR_IN_OUT",
+        });
+        self.deeper();
+        for variable in declared {
+            self.new_line();
+            self.put(&variable.name);
+            self.between_blanks(":");
+            self.type_name(&variable.ty);
+            if let Some(initial) = &variable.initial {
+                self.between_blanks(":=");
+                self.initial(initial, &variable.ty, variables);
+            }
+            self.put(";");
+        }
+        self.shallower();
+        self.new_line();
+        self.word("END_VAR");
+    }
+
+    fn initial(&mut self, initial: &Initial, ty: &Type, variables: &[Variable]) {
+        match initial {
+            Initial::Expression(value) => self.expression(value, variables),
+            Initial::Array(values) => {
+                self.put("[");
+                for (number, value) in values.iter().enumerate() {
+                    if number > 0 {
+                        self.comma();
+                    }
+                    self.expression(value, variables);
+                }
+                self.put("]");
+            }
+            Initial::Structure(values) => {
+                let fields = self.program.fields(ty).unwrap_or_default();
+                self.put("(");
+                for (number, (field, value)) in values.iter().enumerate() {
+                    if number > 0 {
+                        self.comma();
+                    }
+                    if let Some((name, ..)) = fields.get(*field) {
+                        self.put(name);
+                    }
+                    self.between_blanks(":=");
+                    self.expression(value, variables);
+                }
+                self.put(")");
+            }
+        }
+    }
+
+    /// A type where it is used: its name, or an array written out.
+    fn type_name(&mut self, ty: &Type) {
+        let program = self.program;
+        match ty {
+            Type::Elementary(ty) => self.word(ty.name()),
+            Type::Array(array) => {
+                self.word("ARRAY");
+                self.put("[");
+                for (number, (low, high)) in array.dimensions.iter().enumerate() {
+                    if number > 0 {
+                        self.comma();
+                    }
+                    self.put(&format!("{low}..{high}"));
+                }
+                self.put("]");
+                self.between_blanks("OF");
+                self.type_name(&array.element);
+            }
+            Type::Declared(declared) => self.put(program.types.get(*declared).map_or("", |ty| &ty.name)),
+            Type::Block(block) => self.put(program.blocks.get(*block).map_or("", |block| &block.name)),
+        }
+    }
+
+    fn types(&mut self, types: &'p [TypeDeclaration]) {
+        if types.is_empty() {
+            return;
+        }
+        self.word("TYPE");
+        self.deeper();
+        for declaration in types {
+            self.new_line();
+            self.put(&declaration.name);
+            self.between_blanks(":");
+            self.declared(&declaration.kind);
+            self.put(";");
+        }
+        self.shallower();
+        self.new_line();
+        self.word("END_TYPE");
+        self.new_line();
+    }
+
+    fn declared(&mut self, declared: &'p Declared) {
+        match declared {
+            Declared::Enumeration(names) => {
+                self.put("(");
+                for (number, name) in names.iter().enumerate() {
+                    if number > 0 {
+                        self.comma();
+                    }
+                    self.put(name);
+                }
+                self.put(")");
+            }
+            Declared::Alias(ty) => self.type_name(ty),
+            Declared::Structure(fields) => {
+                self.word("STRUCT");
+                self.deeper();
+                for (name, ty, initial) in fields {
+                    self.new_line();
+                    self.put(name);
+                    self.between_blanks(":");
+                    self.type_name(ty);
+                    if let Some(initial) = initial {
+                        self.between_blanks(":=");
+                        self.expression(initial, &[]);
+                    }
+                    self.put(";");
+                }
+                self.shallower();
+                self.new_line();
+                self.word("END_STRUCT");
+            }
+        }
+    }
+}

@@ -1,0 +1,300 @@
+//! Expressions and places.
+
+use super::literals::begins_with_minus;
+use super::sheet::Sheet;
+use super::style::{Arguments, Bits, Widening};
+use crate::model::{
+    Argument, BinaryOperator, Declared, Expression, ExpressionKind, LiteralForm, Place, Selector,
+    StandardFunction, Type, UnaryOperator, Variable,
+};
+use stickler_exact::signatures;
+
+/// How strongly the outermost operator of an expression binds; what has none binds most strongly.
+///
+/// Basis: iec-61131-3: Table 71.
+fn strength(kind: &ExpressionKind) -> u8 {
+    match kind {
+        ExpressionKind::Binary(operator, ..) => operator_strength(*operator),
+        ExpressionKind::Unary(..) => UNARY,
+        ExpressionKind::Literal(value, LiteralForm::Untyped) if begins_with_minus(value) => UNARY,
+        // Nobody knows what stands in it, so it stands in parentheses wherever an operator is near.
+        ExpressionKind::Raw(_) => 0,
+        _ => OPERAND,
+    }
+}
+
+const UNARY: u8 = 8;
+const OPERAND: u8 = 9;
+
+const fn operator_strength(operator: BinaryOperator) -> u8 {
+    use BinaryOperator as B;
+    match operator {
+        B::Or => 1,
+        B::Xor => 2,
+        B::And => 3,
+        B::Equal | B::NotEqual => 4,
+        B::Less | B::LessOrEqual | B::Greater | B::GreaterOrEqual => 5,
+        B::Add | B::Subtract => 6,
+        B::Multiply | B::Divide | B::Modulo => 7,
+    }
+}
+
+const fn operator_text(operator: BinaryOperator) -> &'static str {
+    use BinaryOperator as B;
+    match operator {
+        B::Add => "+",
+        B::Subtract => "-",
+        B::Multiply => "*",
+        B::Divide => "/",
+        B::Modulo => "MOD",
+        B::And => "AND",
+        B::Or => "OR",
+        B::Xor => "XOR",
+        B::Equal => "=",
+        B::NotEqual => "<>",
+        B::Less => "<",
+        B::LessOrEqual => "<=",
+        B::Greater => ">",
+        B::GreaterOrEqual => ">=",
+    }
+}
+
+pub(super) const fn function_name(function: StandardFunction) -> &'static str {
+    use StandardFunction as S;
+    match function {
+        S::Abs => "ABS",
+        S::Sel => "SEL",
+        S::Mux => "MUX",
+        S::Min => "MIN",
+        S::Max => "MAX",
+        S::Limit => "LIMIT",
+        S::Shl => "SHL",
+        S::Shr => "SHR",
+        S::Rol => "ROL",
+        S::Ror => "ROR",
+        S::Len => "LEN",
+        S::Concat => "CONCAT",
+    }
+}
+
+impl Sheet<'_> {
+    /// An expression in the POU that declares `variables`.
+    pub fn expression(&mut self, expression: &Expression, variables: &[Variable]) {
+        match &expression.kind {
+            ExpressionKind::Literal(value, form) => self.literal(value, *form),
+            ExpressionKind::Enumerated(which) => self.enumerated(&expression.ty, *which),
+            ExpressionKind::Read(place) => self.place(place, variables),
+            ExpressionKind::Bit(place, bit) => self.bit(place, *bit, variables),
+            ExpressionKind::Unary(operator, operand) => self.unary(*operator, operand, variables),
+            ExpressionKind::Binary(operator, left, right) => self.binary(*operator, left, right, variables),
+            ExpressionKind::Widen(operand) => self.widened(&expression.ty, operand, variables),
+            ExpressionKind::Convert(signature, operand) => {
+                self.call(&signature.function, [&**operand], variables);
+            }
+            ExpressionKind::Call(function, arguments) => self.function(*function, arguments, variables),
+            ExpressionKind::Standard(function, arguments) => {
+                self.call(function_name(*function), arguments, variables);
+            }
+            ExpressionKind::Raw(text) => self.raw(text),
+        }
+    }
+
+    /// A call of a function that the language defines.
+    fn call<'e>(
+        &mut self,
+        name: &str,
+        arguments: impl IntoIterator<Item = &'e Expression>,
+        variables: &[Variable],
+    ) {
+        self.word(name);
+        self.put("(");
+        for (number, argument) in arguments.into_iter().enumerate() {
+            if number > 0 {
+                self.comma();
+            }
+            self.expression(argument, variables);
+        }
+        self.put(")");
+    }
+
+    pub fn comma(&mut self) {
+        self.put(",");
+        self.blank();
+    }
+
+    /// A call of a function of the program.
+    fn function(&mut self, function: usize, arguments: &[Argument], variables: &[Variable]) {
+        let Some(called) = self.program.functions.get(function) else {
+            return;
+        };
+        self.put(&called.name);
+        self.put("(");
+        for (number, argument) in arguments.iter().enumerate() {
+            if number > 0 {
+                self.comma();
+            }
+            if self.style.arguments == Arguments::Named {
+                self.parameter(&called.variables, argument);
+            }
+            self.expression(&argument.value, variables);
+        }
+        self.put(")");
+    }
+
+    /// `name := `.
+    pub fn parameter(&mut self, parameters: &[Variable], argument: &Argument) {
+        if let Some(parameter) = parameters.get(argument.parameter.0) {
+            self.put(&parameter.name);
+            self.between_blanks(":=");
+        }
+    }
+
+    fn unary(&mut self, operator: UnaryOperator, operand: &Expression, variables: &[Variable]) {
+        match operator {
+            UnaryOperator::Negate => self.put("-"),
+            UnaryOperator::Not => {
+                self.word("NOT");
+                self.blank();
+            }
+        }
+        // Two signs beside each other are no expression of the standard.
+        self.operand(operand, OPERAND, variables);
+    }
+
+    fn binary(
+        &mut self,
+        operator: BinaryOperator,
+        left: &Expression,
+        right: &Expression,
+        variables: &[Variable],
+    ) {
+        let own = operator_strength(operator);
+        // Comparisons of comparisons read badly, and some compilers have no rule for them.
+        let left_needs = if (4..=5).contains(&own) { 6 } else { own };
+        self.operand(left, left_needs, variables);
+        self.between_blanks(operator_text(operator));
+        self.operand(right, (own + 1).max(left_needs), variables);
+    }
+
+    /// An operand, in parentheses unless its operator binds at least as strongly as `needed`.
+    fn operand(&mut self, operand: &Expression, needed: u8, variables: &[Variable]) {
+        // What an implicit conversion leaves is its operand; an untyped minus at the left end of a product, too, is safer inside.
+        let mut seen = operand;
+        while let (ExpressionKind::Widen(inner), true) = (&seen.kind, self.stays_implicit(seen)) {
+            seen = inner;
+        }
+        let bare_minus = matches!(&seen.kind, ExpressionKind::Literal(..)) && strength(&seen.kind) == UNARY;
+        if strength(&seen.kind) >= needed && !bare_minus {
+            self.expression(operand, variables);
+        } else {
+            self.put("(");
+            self.expression(operand, variables);
+            self.put(")");
+        }
+    }
+
+    fn widened(&mut self, into: &Type, operand: &Expression, variables: &[Variable]) {
+        match self.spelled_conversion(into, operand) {
+            Some(function) => self.call(&function, [operand], variables),
+            None => self.expression(operand, variables),
+        }
+    }
+
+    fn stays_implicit(&self, widened: &Expression) -> bool {
+        match &widened.kind {
+            ExpressionKind::Widen(operand) => self.spelled_conversion(&widened.ty, operand).is_none(),
+            _ => true,
+        }
+    }
+
+    /// The function that spells an implicit conversion, where the style wants it and the dialect has it.
+    fn spelled_conversion(&self, into: &Type, operand: &Expression) -> Option<String> {
+        let (&Type::Elementary(from), &Type::Elementary(into)) = (&operand.ty, into) else {
+            return None;
+        };
+        if self.style.widening == Widening::Implicit {
+            return None;
+        }
+        let name = format!("{from}_TO_{into}");
+        (!signatures(&name, self.program.dialect).is_empty()).then_some(name)
+    }
+
+    fn enumerated(&mut self, ty: &Type, which: usize) {
+        let Type::Declared(declared) = ty else { return };
+        let declaration = self.program.types.get(*declared);
+        if let Some(Declared::Enumeration(names)) = declaration.map(|declaration| &declaration.kind)
+            && let Some(name) = names.get(which)
+        {
+            self.put(name);
+        }
+    }
+
+    /// A bit of a place.
+    pub fn bit(&mut self, place: &Place, bit: u32, variables: &[Variable]) {
+        self.place(place, variables);
+        self.put(match self.style.bits {
+            Bits::Short => ".",
+            Bits::Percent => ".%X",
+        });
+        self.put(&bit.to_string());
+    }
+
+    /// A variable with everything that is selected of it.
+    pub fn place(&mut self, place: &Place, variables: &[Variable]) {
+        let Some(variable) = variables.get(place.variable.0) else {
+            return;
+        };
+        self.put(&variable.name);
+        let mut within = &variable.ty;
+        for selector in &place.path {
+            let Some(selected) = self.selected(within, selector, variables) else {
+                return;
+            };
+            within = selected;
+        }
+    }
+
+    /// Writes one selector; gives the type of what it selects.
+    fn selected<'t>(
+        &mut self,
+        within: &'t Type,
+        selector: &Selector,
+        variables: &[Variable],
+    ) -> Option<&'t Type>
+    where
+        Self: 't,
+    {
+        let program = self.program;
+        match selector {
+            Selector::Index(subscripts) => {
+                self.put("[");
+                for (number, subscript) in subscripts.iter().enumerate() {
+                    if number > 0 {
+                        self.comma();
+                    }
+                    self.expression(subscript, variables);
+                }
+                self.put("]");
+                match program.unaliased(within) {
+                    Type::Array(array) => Some(&array.element),
+                    _ => None,
+                }
+            }
+            Selector::Field(field) => {
+                let (name, ty, _) = program.fields(within)?.get(*field)?;
+                self.put(".");
+                self.put(name);
+                Some(ty)
+            }
+            Selector::Output(output) => {
+                let Type::Block(block) = within else {
+                    return None;
+                };
+                let variable = program.blocks.get(*block)?.variables.get(output.0)?;
+                self.put(".");
+                self.put(&variable.name);
+                Some(&variable.ty)
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Literals.
+
+use super::sheet::Sheet;
+use crate::model::LiteralForm;
+use std::fmt::Write as _;
+use stickler_types::{ElementaryType, Family, Value};
+
+impl Sheet<'_> {
+    /// A literal in its canonical spelling, with the prefix of its type or without it.
+    ///
+    /// Without it, bit strings are written in base 16, and durations and dates keep the short prefix that the standard
+    /// demands: `T#5ms`, `D#2024-02-29`.
+    pub fn literal(&mut self, value: &Value, form: LiteralForm) {
+        let start = self.text.len();
+        // Writing to a String does not fail.
+        let _ = write!(self.text, "{value}");
+        let Some(ty) = elementary(value) else {
+            return;
+        };
+        let Some(sign) = self.text[start..].find('#').map(|offset| start + offset) else {
+            return;
+        };
+        let spelled = self.text.split_off(sign);
+        self.text.truncate(start);
+        match form {
+            LiteralForm::Typed => {
+                self.word(ty.name());
+                self.put(&spelled);
+            }
+            LiteralForm::Untyped => self.without_prefix(ty, &spelled),
+        }
+    }
+
+    /// The digits behind a `#`, which is their first byte.
+    fn without_prefix(&mut self, ty: ElementaryType, spelled: &str) {
+        match ty.family() {
+            Family::Boolean => self.word(&spelled[1..]),
+            Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
+                self.word(match ty {
+                    ElementaryType::Time => "T",
+                    ElementaryType::Ltime => "LT",
+                    ElementaryType::Date => "D",
+                    ElementaryType::Ldate => "LD",
+                    _ => ty.name(),
+                });
+                self.put(spelled);
+            }
+            _ => self.put(&spelled[1..]),
+        }
+    }
+}
+
+/// The type of a value that is no enumerated one.
+pub(super) const fn elementary(value: &Value) -> Option<ElementaryType> {
+    match value {
+        Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
+        Value::Enumerated { .. } => None,
+    }
+}
+
+/// Whether the untyped spelling begins with a minus, which binds more loosely than some operators beside it.
+pub(super) fn begins_with_minus(value: &Value) -> bool {
+    let &Value::Plain { ty, raw } = value else {
+        return false;
+    };
+    match ty.family() {
+        Family::Signed => ty.integer_value(raw) < 0,
+        Family::Real => {
+            let sign_bit = if ty == ElementaryType::Real { 31 } else { 63 };
+            raw >> sign_bit & 1 == 1
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,20 @@
+//! The writer: a program of the model as source text, in one of several spellings that mean the same.
+//!
+//! | file | spells |
+//! |---|---|
+//! | `style` | nothing; it says what may vary |
+//! | `sheet` | keywords, lines, indents and comments |
+//! | `literals` | literals |
+//! | `expressions` | expressions and places |
+//! | `statements` | statements |
+//! | `declarations` | types, variables, POUs |
+
+mod declarations;
+mod expressions;
+mod literals;
+mod sheet;
+mod statements;
+mod style;
+
+pub use declarations::{Written, write};
+pub use style::{Arguments, Bits, Keywords, LineEnds, Style, Widening};

@@ -1,0 +1,138 @@
+//! What text is made of: keywords in the style's case, lines, indents, blanks with comments.
+
+use super::style::{Keywords, LineEnds, Style};
+use crate::model::Program;
+
+/// The text so far, and everything that decides how it goes on.
+pub(super) struct Sheet<'p> {
+    pub program: &'p Program,
+    pub style: Style,
+    pub text: String,
+    pub raw_lines: Vec<u32>,
+    line: u32,
+    indent: usize,
+    /// Where the random sequence of the style stands.
+    random: u64,
+}
+
+/// Between two comments stand so many blanks, more or less.
+const BLANKS_A_COMMENT: u64 = 12;
+
+/// What comments say: things that a scanner may take for something else.
+const COMMENTS: [&str; 8] = [
+    "(**)",
+    "(* END_IF; *)",
+    "(* it's *)",
+    "(* \" *)",
+    "(*** x := 1; ***)",
+    "(* // *)",
+    "(* ( * ) *)",
+    "(* two\nlines *)",
+];
+
+impl<'p> Sheet<'p> {
+    pub fn new(program: &'p Program, style: Style) -> Sheet<'p> {
+        Sheet {
+            program,
+            style,
+            // A mean program has about this many bytes, so the text rarely moves.
+            text: String::with_capacity(4096),
+            raw_lines: Vec::new(),
+            line: 1,
+            indent: 0,
+            random: style.seed,
+        }
+    }
+
+    /// Text as it is.
+    pub fn put(&mut self, text: &str) {
+        self.text.push_str(text);
+    }
+
+    /// A keyword, or a name that the language defines; given in upper case.
+    pub fn word(&mut self, word: &str) {
+        match self.style.keywords {
+            Keywords::Upper => self.text.push_str(word),
+            Keywords::Lower => self.text.extend(word.chars().map(|c| c.to_ascii_lowercase())),
+            Keywords::Mixed => {
+                let mut cases = self.next_random();
+                for letter in word.chars() {
+                    let upper = cases & 1 == 1;
+                    cases = cases.rotate_right(1);
+                    self.text.push(if upper {
+                        letter
+                    } else {
+                        letter.to_ascii_lowercase()
+                    });
+                }
+            }
+        }
+    }
+
+    /// A blank, or a comment between two blanks.
+    pub fn blank(&mut self) {
+        self.text.push(' ');
+        if self.style.comments && self.next_random().is_multiple_of(BLANKS_A_COMMENT) {
+            let which = self.next_random() as usize % COMMENTS.len();
+            for (number, line) in COMMENTS[which].split('\n').enumerate() {
+                if number > 0 {
+                    self.end_line();
+                }
+                self.text.push_str(line);
+            }
+            self.text.push(' ');
+        }
+    }
+
+    /// An infix operator or `:=`, given as it is, between blanks.
+    pub fn between_blanks(&mut self, operator: &str) {
+        self.blank();
+        self.word(operator);
+        self.blank();
+    }
+
+    /// Ends the line and indents the next one.
+    pub fn new_line(&mut self) {
+        self.end_line();
+        for _ in 0..self.indent {
+            self.text.push_str("    ");
+        }
+    }
+
+    /// Begins a line that is indented one step more than the last.
+    pub fn deeper(&mut self) {
+        self.indent += 1;
+    }
+
+    /// Lines are indented one step less from here on.
+    pub fn shallower(&mut self) {
+        self.indent = self.indent.saturating_sub(1);
+    }
+
+    /// Text that breaks a rule on purpose; remembers the line on which it begins.
+    pub fn raw(&mut self, text: &str) {
+        self.raw_lines.push(self.line);
+        for (number, line) in text.split('\n').enumerate() {
+            if number > 0 {
+                self.end_line();
+            }
+            self.text.push_str(line);
+        }
+    }
+
+    fn end_line(&mut self) {
+        self.text.push_str(match self.style.line_ends {
+            LineEnds::Lf => "\n",
+            LineEnds::CrLf => "\r\n",
+        });
+        self.line += 1;
+    }
+
+    /// The next number of the style's own sequence (splitmix64), which has nothing to do with the program's bytes.
+    fn next_random(&mut self) -> u64 {
+        self.random = self.random.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (self.random ^ (self.random >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ (mixed >> 31)
+    }
+}

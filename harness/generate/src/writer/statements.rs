@@ -1,0 +1,226 @@
+//! Statements.
+
+use super::sheet::Sheet;
+use crate::model::{
+    Argument, CaseBranch, CaseLabel, Expression, Place, Statement, StatementKind, Target, Type, Variable,
+    VariableId,
+};
+
+/// The POU whose statements are written.
+#[derive(Clone, Copy)]
+pub(super) struct Pou<'p> {
+    pub variables: &'p [Variable],
+    /// What the result of a function is called.
+    pub result: &'p str,
+}
+
+impl Sheet<'_> {
+    /// Statements, each on a line of its own, one step deeper. Where there are none stands an empty one, for the standard
+    /// demands a statement there.
+    pub fn statements(&mut self, statements: &[Statement], pou: Pou<'_>) {
+        self.deeper();
+        for statement in statements {
+            self.new_line();
+            self.statement(statement, pou);
+        }
+        if statements.is_empty() {
+            self.new_line();
+            self.put(";");
+        }
+        self.shallower();
+    }
+
+    fn statement(&mut self, statement: &Statement, pou: Pou<'_>) {
+        match &statement.kind {
+            StatementKind::Assign(target, value) => {
+                self.target(target, pou);
+                self.between_blanks(":=");
+                self.expression(value, pou.variables);
+            }
+            StatementKind::If(branches, otherwise) => self.branches(branches, otherwise.as_deref(), pou),
+            StatementKind::Case(selector, branches, otherwise) => {
+                self.case(selector, branches, otherwise.as_deref(), pou);
+            }
+            StatementKind::For {
+                variable,
+                from,
+                to,
+                by,
+                body,
+            } => {
+                self.for_head(*variable, from, to, by.as_ref(), pou);
+                self.statements(body, pou);
+                self.closing("END_FOR");
+            }
+            StatementKind::While(condition, body) => {
+                self.word("WHILE");
+                self.blank();
+                self.expression(condition, pou.variables);
+                self.between_blanks("DO");
+                self.statements(body, pou);
+                self.closing("END_WHILE");
+            }
+            StatementKind::Repeat(body, condition) => {
+                self.word("REPEAT");
+                self.statements(body, pou);
+                self.closing("UNTIL");
+                self.blank();
+                self.expression(condition, pou.variables);
+                self.closing("END_REPEAT");
+            }
+            StatementKind::Invoke {
+                instance,
+                inputs,
+                outputs,
+            } => self.invocation(*instance, inputs, outputs, pou),
+            StatementKind::Exit => self.word("EXIT"),
+            StatementKind::Return => self.word("RETURN"),
+            StatementKind::Raw(text) => return self.raw(text),
+        }
+        self.put(";");
+    }
+
+    fn closing(&mut self, keyword: &str) {
+        self.new_line();
+        self.word(keyword);
+    }
+
+    fn target(&mut self, target: &Target, pou: Pou<'_>) {
+        match target {
+            Target::Place(place) => self.place(place, pou.variables),
+            Target::Bit(place, bit) => self.bit(place, *bit, pou.variables),
+            Target::Result => self.put(pou.result),
+        }
+    }
+
+    fn branches(
+        &mut self,
+        branches: &[(Expression, Vec<Statement>)],
+        otherwise: Option<&[Statement]>,
+        pou: Pou<'_>,
+    ) {
+        for (number, (condition, body)) in branches.iter().enumerate() {
+            if number == 0 {
+                self.word("IF");
+            } else {
+                self.closing("ELSIF");
+            }
+            self.blank();
+            self.expression(condition, pou.variables);
+            self.between_blanks("THEN");
+            self.statements(body, pou);
+        }
+        self.otherwise(otherwise, pou);
+        self.closing("END_IF");
+    }
+
+    fn otherwise(&mut self, otherwise: Option<&[Statement]>, pou: Pou<'_>) {
+        if let Some(body) = otherwise {
+            self.closing("ELSE");
+            self.statements(body, pou);
+        }
+    }
+
+    fn case(
+        &mut self,
+        selector: &Expression,
+        branches: &[CaseBranch],
+        otherwise: Option<&[Statement]>,
+        pou: Pou<'_>,
+    ) {
+        self.word("CASE");
+        self.blank();
+        self.expression(selector, pou.variables);
+        self.between_blanks("OF");
+        self.deeper();
+        for branch in branches {
+            self.new_line();
+            for (number, label) in branch.labels.iter().enumerate() {
+                if number > 0 {
+                    self.comma();
+                }
+                self.label(label, pou);
+            }
+            self.put(":");
+            self.statements(&branch.body, pou);
+        }
+        self.shallower();
+        self.otherwise(otherwise, pou);
+        self.closing("END_CASE");
+    }
+
+    fn label(&mut self, label: &CaseLabel, pou: Pou<'_>) {
+        match label {
+            CaseLabel::One(value) => self.expression(value, pou.variables),
+            CaseLabel::Range(low, high) => {
+                self.expression(low, pou.variables);
+                self.put("..");
+                self.expression(high, pou.variables);
+            }
+        }
+    }
+
+    fn for_head(
+        &mut self,
+        variable: VariableId,
+        from: &Expression,
+        to: &Expression,
+        by: Option<&Expression>,
+        pou: Pou<'_>,
+    ) {
+        self.word("FOR");
+        self.blank();
+        if let Some(variable) = pou.variables.get(variable.0) {
+            self.put(&variable.name);
+        }
+        self.between_blanks(":=");
+        self.expression(from, pou.variables);
+        self.between_blanks("TO");
+        self.expression(to, pou.variables);
+        if let Some(by) = by {
+            self.between_blanks("BY");
+            self.expression(by, pou.variables);
+        }
+        self.between_blanks("DO");
+    }
+
+    fn invocation(
+        &mut self,
+        instance: VariableId,
+        inputs: &[Argument],
+        outputs: &[(VariableId, Place)],
+        pou: Pou<'_>,
+    ) {
+        let Some(variable) = pou.variables.get(instance.0) else {
+            return;
+        };
+        let program = self.program;
+        let parameters = match variable.ty {
+            Type::Block(block) => program
+                .blocks
+                .get(block)
+                .map_or(&[][..], |block| &block.variables),
+            _ => &[],
+        };
+        self.put(&variable.name);
+        self.put("(");
+        for (number, input) in inputs.iter().enumerate() {
+            if number > 0 {
+                self.comma();
+            }
+            self.parameter(parameters, input);
+            self.expression(&input.value, pou.variables);
+        }
+        for (number, (output, place)) in outputs.iter().enumerate() {
+            if number > 0 || !inputs.is_empty() {
+                self.comma();
+            }
+            if let Some(output) = parameters.get(output.0) {
+                self.put(&output.name);
+            }
+            self.between_blanks("=>");
+            self.place(place, pou.variables);
+        }
+        self.put(")");
+    }
+}

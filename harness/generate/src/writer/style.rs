@@ -1,0 +1,76 @@
+//! What may vary in the text of one program.
+
+/// How a program is spelled. Whatever is chosen, the program means the same, as long as its dialect knows the spelling.
+///
+/// The default is the canonical spelling: upper-case keywords, no comments, `LF`, `.n`, implicit conversions left implicit, and
+/// positional arguments.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Style {
+    /// The case of keywords and of the names of types and standard functions.
+    pub keywords: Keywords,
+    /// Whether comments `(* … *)` stand where blanks stand; they do not nest.
+    pub comments: bool,
+    /// The characters that end a line.
+    pub line_ends: LineEnds,
+    /// How a bit is selected; only some dialects know the longer form.
+    pub bits: Bits,
+    /// Whether an implicit conversion is spelled by the function that does the same. Where no function of the dialect does,
+    /// it stays implicit.
+    pub widening: Widening,
+    /// How the functions of the program are called. Function blocks are always called with names.
+    pub arguments: Arguments,
+    /// Decides where comments stand, and the case of each letter of [`Keywords::Mixed`].
+    pub seed: u64,
+}
+
+/// The case of keywords.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Keywords {
+    /// `END_IF`
+    #[default]
+    Upper,
+    /// `end_if`
+    Lower,
+    /// `eNd_IF`
+    Mixed,
+}
+
+/// The end of a line.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum LineEnds {
+    /// A line feed.
+    #[default]
+    Lf,
+    /// A carriage return and a line feed.
+    CrLf,
+}
+
+/// The selection of a bit.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Bits {
+    /// `word.3`
+    #[default]
+    Short,
+    /// `word.%X3`
+    Percent,
+}
+
+/// An implicit conversion.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Widening {
+    /// `i`, where a DINT is expected.
+    #[default]
+    Implicit,
+    /// `INT_TO_DINT(i)`
+    Explicit,
+}
+
+/// The arguments of a function's call.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Arguments {
+    /// `f(1, 2)`
+    #[default]
+    Positional,
+    /// `f(a := 1, b := 2)`
+    Named,
+}
