@@ -7,4 +7,5 @@ pub mod generator;
 pub mod model;
 pub mod oracles;
 pub mod random;
+pub mod reduce;
 pub mod writer;

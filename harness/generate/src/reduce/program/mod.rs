@@ -1,0 +1,14 @@
+//! Programs of the model made smaller.
+//!
+//! Every candidate is well-typed, because each pass keeps the type of what it changes. Whether a candidate is free of what
+//! the documents leave open, and whether it ends, the predicate has to ask of the evaluator before it starts an engine.
+
+mod declarations;
+mod method;
+mod removal;
+mod statements;
+mod usage;
+mod walk;
+mod weight;
+
+pub use method::{METHOD, program};

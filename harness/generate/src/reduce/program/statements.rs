@@ -1,0 +1,105 @@
+//! Statements dropped, and replaced by the statements that they guard.
+
+use super::walk::{Visitor, walk_program, walk_statement, walk_statements};
+use crate::model::{Program, Statement, StatementKind};
+use crate::reduce::Sites;
+use std::mem;
+
+/// Drops statements from the body of `PROGRAM main`, whole with what they guard.
+pub(super) fn drop_of_main(program: &mut Program, sites: &mut Sites) {
+    program.main.body.retain(|_| !sites.here());
+}
+
+/// Drops statements wherever they stand.
+pub(super) fn drop_anywhere(program: &mut Program, sites: &mut Sites) {
+    struct Drop<'s>(&'s mut Sites);
+    impl Visitor for Drop<'_> {
+        fn statements(&mut self, statements: &mut Vec<Statement>) {
+            statements.retain(|_| !self.0.here());
+            walk_statements(self, statements);
+        }
+    }
+    walk_program(&mut Drop(sites), program);
+}
+
+/// Puts one of the bodies of a statement in its place: of IF and CASE each branch in turn, of a loop what it repeats.
+pub(super) fn splice(program: &mut Program, sites: &mut Sites) {
+    struct Splice<'s>(&'s mut Sites);
+    impl Visitor for Splice<'_> {
+        fn statements(&mut self, statements: &mut Vec<Statement>) {
+            for statement in mem::take(statements) {
+                let chosen = bodies(&statement).position(|_| self.0.here());
+                match chosen.and_then(|chosen| bodies(&statement).nth(chosen)) {
+                    Some(body) => statements.extend(body.iter().cloned()),
+                    None => statements.push(statement),
+                }
+            }
+            walk_statements(self, statements);
+        }
+    }
+    walk_program(&mut Splice(sites), program);
+}
+
+/// Drops branches of IF and CASE, and ELSE; of an IF the first branch stays, unless another can take its place.
+pub(super) fn drop_branches(program: &mut Program, sites: &mut Sites) {
+    struct Branches<'s>(&'s mut Sites);
+    impl Visitor for Branches<'_> {
+        fn statement(&mut self, statement: &mut Statement) {
+            match &mut statement.kind {
+                StatementKind::If(branches, otherwise) => {
+                    retain_one(branches, self.0);
+                    drop_else(otherwise, self.0);
+                }
+                StatementKind::Case(_, branches, otherwise) => {
+                    retain_one(branches, self.0);
+                    drop_else(otherwise, self.0);
+                    for branch in branches {
+                        retain_one(&mut branch.labels, self.0);
+                    }
+                }
+                StatementKind::For { by, .. } if by.is_some() && self.0.here() => *by = None,
+                StatementKind::Invoke { outputs, .. } => outputs.retain(|_| !self.0.here()),
+                _ => {}
+            }
+            walk_statement(self, statement);
+        }
+    }
+    walk_program(&mut Branches(sites), program);
+}
+
+/// Drops what is chosen of a list, but never the last of it.
+fn retain_one<T>(list: &mut Vec<T>, sites: &mut Sites) {
+    let mut left = list.len();
+    if left > 1 {
+        list.retain(|_| {
+            let goes = sites.here() && left > 1;
+            left -= usize::from(goes);
+            !goes
+        });
+    }
+}
+
+fn drop_else(otherwise: &mut Option<Vec<Statement>>, sites: &mut Sites) {
+    if otherwise.is_some() && sites.here() {
+        *otherwise = None;
+    }
+}
+
+/// The bodies of a statement, in the order of the text.
+fn bodies(statement: &Statement) -> impl Iterator<Item = &Vec<Statement>> {
+    let bodies: Vec<&Vec<Statement>> = match &statement.kind {
+        StatementKind::If(branches, otherwise) => {
+            branches.iter().map(|(_, body)| body).chain(otherwise).collect()
+        }
+        StatementKind::Case(_, branches, otherwise) => branches
+            .iter()
+            .map(|branch| &branch.body)
+            .chain(otherwise)
+            .collect(),
+        StatementKind::For { body, .. } | StatementKind::While(_, body) | StatementKind::Repeat(body, _) => {
+            vec![body]
+        }
+        _ => Vec::new(),
+    };
+    bodies.into_iter()
+}

@@ -1,0 +1,149 @@
+//! What of a program's declarations anything refers to.
+
+use super::walk::{Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
+use crate::model::{
+    Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type, VariableId,
+};
+
+/// For each declaration whether anything refers to it. An argument of a call is no use of its parameter.
+#[derive(Clone, Debug)]
+pub(super) struct Usage {
+    pub functions: Vec<bool>,
+    pub blocks: Vec<bool>,
+    pub types: Vec<bool>,
+    pub main: Vec<bool>,
+    /// The variables of each function.
+    pub of_functions: Vec<Vec<bool>>,
+    /// The variables of each function block.
+    pub of_blocks: Vec<Vec<bool>>,
+}
+
+impl Usage {
+    /// What a program uses.
+    pub fn of(program: &Program) -> Usage {
+        let mut gatherer = Gatherer {
+            usage: Usage {
+                functions: vec![false; program.functions.len()],
+                blocks: vec![false; program.blocks.len()],
+                types: vec![false; program.types.len()],
+                main: vec![false; program.main.variables.len()],
+                of_functions: program
+                    .functions
+                    .iter()
+                    .map(|one| vec![false; one.variables.len()])
+                    .collect(),
+                of_blocks: program
+                    .blocks
+                    .iter()
+                    .map(|one| vec![false; one.variables.len()])
+                    .collect(),
+            },
+            program,
+            unit: Unit::Main,
+        };
+        // The walk is written for passes, which change what they walk over.
+        walk_program(&mut gatherer, &mut program.clone());
+        gatherer.usage
+    }
+
+    /// The variables of a unit.
+    pub fn variables(&mut self, unit: Unit) -> Option<&mut Vec<bool>> {
+        match unit {
+            Unit::Main => Some(&mut self.main),
+            Unit::Function(index) => self.of_functions.get_mut(index),
+            Unit::Block(index) => self.of_blocks.get_mut(index),
+            Unit::Types => None,
+        }
+    }
+}
+
+/// The type of a variable of a unit.
+pub(super) fn variable_type(program: &Program, unit: Unit, variable: VariableId) -> Option<&Type> {
+    let variables = match unit {
+        Unit::Main => &program.main.variables,
+        Unit::Function(index) => &program.functions.get(index)?.variables,
+        Unit::Block(index) => &program.blocks.get(index)?.variables,
+        Unit::Types => return None,
+    };
+    variables.get(variable.0).map(|variable| &variable.ty)
+}
+
+/// The function block of which a variable is an instance.
+pub(super) fn instance_of(program: &Program, unit: Unit, variable: VariableId) -> Option<usize> {
+    match variable_type(program, unit, variable)? {
+        Type::Block(block) => Some(*block),
+        _ => None,
+    }
+}
+
+struct Gatherer<'p> {
+    usage: Usage,
+    program: &'p Program,
+    unit: Unit,
+}
+
+impl Gatherer<'_> {
+    fn mark(&mut self, unit: Unit, variable: VariableId) {
+        let variables = self.usage.variables(unit);
+        if let Some(used) = variables.and_then(|variables| variables.get_mut(variable.0)) {
+            *used = true;
+        }
+    }
+
+    fn mark_output(&mut self, instance: VariableId, output: VariableId) {
+        if let Some(block) = instance_of(self.program, self.unit, instance) {
+            self.mark(Unit::Block(block), output);
+        }
+    }
+}
+
+impl Visitor for Gatherer<'_> {
+    fn enter(&mut self, unit: Unit) {
+        self.unit = unit;
+    }
+
+    fn statement(&mut self, statement: &mut Statement) {
+        match &statement.kind {
+            StatementKind::For { variable, .. } => self.mark(self.unit, *variable),
+            StatementKind::Invoke {
+                instance, outputs, ..
+            } => {
+                self.mark(self.unit, *instance);
+                for (output, _) in outputs {
+                    self.mark_output(*instance, *output);
+                }
+            }
+            _ => {}
+        }
+        walk_statement(self, statement);
+    }
+
+    fn expression(&mut self, expression: &mut Expression) {
+        if let ExpressionKind::Call(function, _) = &expression.kind
+            && let Some(used) = self.usage.functions.get_mut(*function)
+        {
+            *used = true;
+        }
+        walk_expression(self, expression);
+    }
+
+    fn place(&mut self, place: &mut Place) {
+        self.mark(self.unit, place.variable);
+        if let Some(Selector::Output(output)) = place.path.first() {
+            self.mark_output(place.variable, *output);
+        }
+        walk_place(self, place);
+    }
+
+    fn ty(&mut self, ty: &mut Type) {
+        let used = match ty {
+            Type::Declared(index) => self.usage.types.get_mut(*index),
+            Type::Block(index) => self.usage.blocks.get_mut(*index),
+            Type::Elementary(_) | Type::Array(_) => None,
+        };
+        if let Some(used) = used {
+            *used = true;
+        }
+        walk_type(self, ty);
+    }
+}

@@ -1,0 +1,132 @@
+//! How much there is of a program, and which programs are the same.
+
+use super::walk::{
+    Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type, walk_variable,
+};
+use crate::model::{
+    Declared, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Selector, Statement,
+    StatementKind, Type, Variable,
+};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use stickler_types::Value;
+
+/// First how many parts a program has, each counted with a weight; then how large its literals are.
+///
+/// A line weighs more than all that can stand in its place within a line, and a variable read more than any literal.
+pub(super) fn of(program: &Program) -> (u64, u128) {
+    let mut scales = Scales { parts: 0, size: 0 };
+    scales.parts += 30 * (program.functions.len() + program.blocks.len() + program.types.len()) as u64;
+    for declaration in &program.types {
+        scales.parts += match &declaration.kind {
+            Declared::Structure(fields) => 10 * fields.len() as u64,
+            Declared::Enumeration(values) => values.len() as u64,
+            Declared::Alias(_) => 1,
+        };
+    }
+    // The walk is written for passes; a copy is cheaper than a second walk to maintain.
+    walk_program(&mut scales, &mut program.clone());
+    (scales.parts, scales.size)
+}
+
+/// The same for programs that are the same.
+pub(super) fn key(program: &Program) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    format!("{program:?}").hash(&mut hasher);
+    hasher.finish()
+}
+
+struct Scales {
+    parts: u64,
+    size: u128,
+}
+
+impl Visitor for Scales {
+    fn statement(&mut self, statement: &mut Statement) {
+        self.parts += match &statement.kind {
+            StatementKind::If(branches, otherwise) => {
+                20 * (branches.len() + usize::from(otherwise.is_some())) as u64
+            }
+            StatementKind::Case(_, branches, otherwise) => {
+                let labels: usize = branches.iter().map(|branch| branch.labels.len()).sum();
+                20 + (20 * (branches.len() + usize::from(otherwise.is_some())) + labels) as u64
+            }
+            StatementKind::For { by, .. } => 30 + u64::from(by.is_some()),
+            StatementKind::While(..) | StatementKind::Repeat(..) => 25,
+            _ => 10,
+        };
+        walk_statement(self, statement);
+    }
+
+    fn expression(&mut self, expression: &mut Expression) {
+        self.parts += match &expression.kind {
+            ExpressionKind::Literal(value, form) => {
+                self.size += 2 * magnitude(value) + u128::from(*form == LiteralForm::Typed);
+                1
+            }
+            ExpressionKind::Enumerated(which) => {
+                self.size += *which as u128;
+                1
+            }
+            ExpressionKind::Read(_) => 2,
+            ExpressionKind::Bit(_, bit) => {
+                self.size += u128::from(*bit);
+                3
+            }
+            _ => 3,
+        };
+        walk_expression(self, expression);
+    }
+
+    fn literal(&mut self, expression: &mut Expression) {
+        self.expression(expression);
+    }
+
+    fn place(&mut self, place: &mut Place) {
+        self.parts += place.path.len() as u64;
+        self.parts += place
+            .path
+            .iter()
+            .filter(|selector| matches!(selector, Selector::Index(_)))
+            .count() as u64;
+        walk_place(self, place);
+    }
+
+    fn variable(&mut self, variable: &mut Variable) {
+        // Each section that is not VAR brings two lines of its own.
+        self.parts += if variable.section == Section::Local {
+            10
+        } else {
+            12
+        };
+        self.parts += 2 * u64::from(variable.initial.is_some());
+        walk_variable(self, variable);
+    }
+
+    fn ty(&mut self, ty: &mut Type) {
+        match ty {
+            Type::Array(array) => {
+                self.parts += 3 * array.dimensions.len() as u64;
+                for (low, high) in &array.dimensions {
+                    self.size += u128::from(low.unsigned_abs()) + u128::from(high.abs_diff(*low));
+                }
+            }
+            Type::Declared(_) => self.parts += 2,
+            Type::Elementary(_) | Type::Block(_) => {}
+        }
+        walk_type(self, ty);
+    }
+}
+
+/// How far a value is from the plainest one of its type: a number by its size, its sign and the length of its spelling, a text
+/// by its characters.
+pub(super) fn magnitude(value: &Value) -> u128 {
+    match value {
+        Value::Plain { ty, .. } if ty.is_real() => value.to_string().len() as u128,
+        Value::Plain { ty, raw } => {
+            let number = ty.integer_value(*raw);
+            2 * number.unsigned_abs() + u128::from(number < 0)
+        }
+        Value::Text { units, .. } => units.iter().map(|unit| 1 << 16 | u128::from(*unit)).sum(),
+        Value::Enumerated { .. } => 0,
+    }
+}
