@@ -1,0 +1,142 @@
+//! Holds [`implicit`] to the widening tables of the conformance cases: both state what the same documents say.
+
+use std::collections::HashMap;
+use std::path::Path;
+use stickler_exact::{Word, implicit};
+use stickler_types::{DialectName, ElementaryType};
+
+/// The tables of elementary types, each in an assignment.
+const FILES: [&str; 11] = [
+    "integer",
+    "integer-to-real",
+    "real",
+    "bit-string",
+    "bool",
+    "cross-family",
+    "time-and-text",
+    "third-edition",
+    "plcnext",
+    "plcnext-beyond-the-table",
+    "matiec",
+];
+
+type Cell = (ElementaryType, ElementaryType, DialectName);
+
+/// Every cell of the tables, with the file it stands in and its word.
+fn cells() -> HashMap<Cell, (&'static str, Word)> {
+    let mut cells = HashMap::new();
+    for file in FILES {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases/widening");
+        let path = folder.join(file).with_extension("toml");
+        let text = std::fs::read_to_string(&path).expect("the table can be read");
+        let table: toml::Table = text.parse().expect("the table is TOML");
+        let of_file = table.get("dialects");
+        match &table["matrix"] {
+            toml::Value::String(matrix) => add(&mut cells, file, matrix, of_file),
+            toml::Value::Array(matrices) => {
+                for matrix in matrices {
+                    let text = matrix["table"].as_str().expect("a matrix is a text");
+                    add(&mut cells, file, text, matrix.get("dialects").or(of_file));
+                }
+            }
+            other => panic!("{file}: a matrix is no {other:?}"),
+        }
+    }
+    cells
+}
+
+/// Adds one matrix: a line of columns, then a line for each row.
+fn add(
+    cells: &mut HashMap<Cell, (&'static str, Word)>,
+    file: &'static str,
+    matrix: &str,
+    names: Option<&toml::Value>,
+) {
+    let mut lines = matrix
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let columns: Vec<ElementaryType> = lines
+        .next()
+        .expect("a line of columns")
+        .split_whitespace()
+        .map(ty)
+        .collect();
+    for line in lines {
+        let mut words = line.split_whitespace();
+        let row = ty(words.next().expect("a row has a name"));
+        for (&column, word) in columns.iter().zip(words) {
+            let word = match word {
+                "=" | "yes" => Word::Yes,
+                "no" => Word::No,
+                "open" => Word::Open,
+                other => panic!("{file}: {row} {column}: {other}"),
+            };
+            for dialect in dialects(names.expect("a matrix has dialects")) {
+                cells.insert((row, column, dialect), (file, word));
+            }
+        }
+    }
+}
+
+fn ty(name: &str) -> ElementaryType {
+    ElementaryType::from_name(name).unwrap_or_else(|| panic!("{name} is no type"))
+}
+
+fn dialects(names: &toml::Value) -> Vec<DialectName> {
+    let names = names.as_array().expect("dialects are a list");
+    let of = |name: &str| match name {
+        "ironplc" => DialectName::ALL[..3].to_vec(),
+        "all" => DialectName::ALL.to_vec(),
+        name => vec![name.parse().expect("a dialect")],
+    };
+    names
+        .iter()
+        .flat_map(|name| of(name.as_str().expect("a name")))
+        .collect()
+}
+
+#[test]
+fn every_cell_of_the_widening_tables_says_the_same() {
+    let cells = cells();
+    assert!(cells.len() > 2000, "only {} cells were found", cells.len());
+    for ((from, to, dialect), (file, word)) in cells {
+        assert_eq!(
+            implicit(from, to, dialect),
+            word,
+            "{file}: {from} to {to} in {dialect}"
+        );
+    }
+}
+
+#[test]
+fn every_pair_of_types_that_a_dialect_has_is_in_a_table() {
+    let cells = cells();
+    for dialect in DialectName::ALL {
+        let third_edition = !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec);
+        // matiec has twenty types, and WSTRING is none of them.
+        let has = |ty: ElementaryType| {
+            (third_edition || !ty.is_third_edition())
+                && !(dialect == DialectName::Matiec && ty == ElementaryType::Wstring)
+        };
+        let types: Vec<ElementaryType> = ElementaryType::ALL.into_iter().filter(|&ty| has(ty)).collect();
+        for &from in &types {
+            for &to in &types {
+                assert!(
+                    from == to || cells.contains_key(&(from, to, dialect)),
+                    "no table has {from} to {to} in {dialect}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_type_that_a_dialect_does_not_have_converts_to_nothing() {
+    for dialect in [DialectName::IronplcEd2, DialectName::Matiec] {
+        assert_eq!(
+            implicit(ElementaryType::Time, ElementaryType::Ltime, dialect),
+            Word::No
+        );
+    }
+}
