@@ -20,6 +20,7 @@ mod subject;
 pub use agenda::{AgendaError, Sweep, Through, agenda};
 pub use domain::{Detail, Domain, Operands, Sampling, Texts};
 pub use findings::{Difference, Findings, Got, KEPT};
+pub use random::Scattered;
 pub use reference::Reference;
 pub use run::{Progress, SweepError, run};
 pub use subject::Subject;

@@ -1,0 +1,275 @@
+//! A finding: a disagreement made small, with all that is needed to see it again.
+
+use crate::fingerprint::Fingerprint;
+use serde::{Deserialize, Serialize};
+use stickler_generate::oracles::Target;
+use stickler_types::DialectName;
+
+/// The version of the form in which findings are saved.
+pub const FORMAT: u32 = 1;
+
+/// A disagreement or crash, reduced and run again.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Finding {
+    /// [`FORMAT`]. Keys may be added under the same number.
+    pub format: u32,
+    /// Who, how, and a fingerprint of [`Finding::rule`]; the name of its folder.
+    pub id: String,
+    /// The version of Stickler that found it.
+    pub stickler: String,
+    /// The target whose oracle found it.
+    pub target: String,
+    /// The engine that disagrees; `None` where it is the reference, asked by a target of its own.
+    pub engine: Option<Asked>,
+    /// How it disagrees, in a word such as `value:INT`, `rejected:P4035`, `crash`.
+    pub symptom: String,
+    /// What is left of the language in the reduced program: functions, operators, kinds of statements. Sorted.
+    pub rule: Vec<String>,
+    /// The dialect of the program, where the input is one.
+    pub dialect: Option<String>,
+    /// Whether it was seen again.
+    pub standing: Standing,
+    /// How it was found and what it became.
+    pub origin: Origin,
+    /// What happened, for a person.
+    pub message: String,
+    /// What must happen.
+    pub expected: Expected,
+    /// What each engine did with the reduced program.
+    pub outcomes: Vec<Answer>,
+    /// Commands for a shell: the first judges the saved program again, the second finds the original again.
+    pub reproduce: Vec<String>,
+    /// Of the saved program, so that one that was edited is not taken for what was found.
+    pub fingerprint: String,
+    /// The reduced program; in a file of its own.
+    #[serde(skip)]
+    pub program: Option<String>,
+    /// The program as it was found; in a file of its own.
+    #[serde(skip)]
+    pub original: Option<String>,
+    /// The bytes that the target judges, as small as they could be made; in a file of its own.
+    #[serde(skip)]
+    pub input: Vec<u8>,
+}
+
+/// An engine that was asked.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Asked {
+    /// Its name in the campaign.
+    pub name: String,
+    /// Its version, in its own words.
+    pub version: String,
+    /// What stands behind `--engine` to get it.
+    pub asked_for: String,
+}
+
+/// Whether a finding was seen again.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Standing {
+    /// The reduced program was run once more, and did the same.
+    Confirmed,
+    /// When it was run once more, it did something else. It is kept as it was found.
+    Flaky,
+}
+
+/// Where a finding comes from.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Origin {
+    /// The seed of the campaign.
+    pub seed: u64,
+    /// The place of the input in the row of that seed.
+    pub place: u64,
+    /// Whether the campaign let programs use what documents leave open.
+    pub open: bool,
+    /// Whether nothing smaller was left to try; otherwise the end of the campaign, or of patience, cut it short.
+    pub smallest: bool,
+    /// How many smaller ones were tried.
+    pub tries: u64,
+    /// Lines, or bytes where the input is no program, as it was found.
+    pub size_found: u64,
+    /// Lines, or bytes where the input is no program, now.
+    pub size: u64,
+}
+
+/// What must happen.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(tag = "what", rename_all = "lowercase")]
+pub enum Expected {
+    /// The program is accepted, and at its end its variables have these values.
+    Values {
+        /// The variables and their values, as typed literals.
+        values: Vec<Observed>,
+        /// The document and section that say so; `None` where something that happened is open.
+        basis: Option<String>,
+        /// What happened that no document settles.
+        opened: Vec<String>,
+    },
+    /// The program is rejected, by this diagnostic and no other.
+    Rejected {
+        /// The code.
+        code: String,
+        /// The line, from 1.
+        line: u32,
+        /// The document and section that say so.
+        basis: Option<String>,
+    },
+    /// A property of the target, in words.
+    Property {
+        /// What holds for every input.
+        claim: String,
+    },
+}
+
+/// A variable and its value.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Observed {
+    /// The variable, or a path to an elementary value.
+    pub name: String,
+    /// A typed literal.
+    pub value: String,
+}
+
+/// What one engine did.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Answer {
+    /// The engine.
+    pub engine: Asked,
+    /// `executed`, `rejected`, `crashed` …
+    pub outcome: String,
+    /// One fact a line: values, diagnostics, reasons.
+    pub said: Vec<String>,
+}
+
+impl Finding {
+    /// Gives the finding the name that it has by what it is: the same for whoever finds it.
+    #[must_use]
+    pub fn named(mut self) -> Finding {
+        let who = self.subject().to_owned();
+        let mut print = Fingerprint::default();
+        print.add(&self.target);
+        print.add(self.dialect.as_deref().unwrap_or_default());
+        self.rule.iter().for_each(|part| print.add(part));
+        self.id = file_name(&format!("{who}-{}-{:08x}", self.symptom, print.short()));
+        self.fingerprint = fingerprint(self.program.as_deref(), &self.input);
+        self
+    }
+
+    /// Who disagrees: the engine, or the target where that asks the reference alone.
+    #[must_use]
+    pub fn subject(&self) -> &str {
+        match &self.engine {
+            Some(engine) => &engine.name,
+            None => &self.target,
+        }
+    }
+
+    /// The target, if this version of Stickler has it.
+    #[must_use]
+    pub fn target(&self) -> Option<Target> {
+        Target::from_name(&self.target)
+    }
+
+    /// The dialect, if the input is a program and this version of Stickler knows it.
+    #[must_use]
+    pub fn dialect(&self) -> Option<DialectName> {
+        self.dialect.as_deref()?.parse().ok()
+    }
+
+    /// Whether the program and the input are those that were found.
+    #[must_use]
+    pub fn is_as_found(&self) -> bool {
+        self.fingerprint == fingerprint(self.program.as_deref(), &self.input)
+    }
+
+    /// Of two findings of one name the one that is worth keeping: seen again before flaky, small before large; the earlier
+    /// place where they are alike, so that the choice does not depend on who came first.
+    #[must_use]
+    pub fn better(self, other: Finding) -> Finding {
+        if self.rank() <= other.rank() { self } else { other }
+    }
+
+    /// Whether this one would be kept where the other has been.
+    #[must_use]
+    pub fn improves_on(&self, other: &Finding) -> bool {
+        self.rank() < other.rank()
+    }
+
+    fn rank(&self) -> (Standing, bool, u64, usize, u64, u64) {
+        let length = self.program.as_ref().map_or(self.input.len(), String::len);
+        (
+            self.standing,
+            !self.origin.smallest,
+            self.origin.size,
+            length,
+            self.origin.place,
+            self.origin.seed,
+        )
+    }
+}
+
+fn fingerprint(program: Option<&str>, input: &[u8]) -> String {
+    let mut print = Fingerprint::default();
+    print.add(program.unwrap_or_default());
+    print.add_bytes(input);
+    format!("{:016x}", print.long())
+}
+
+/// Lower-case letters, digits and hyphens alone, so that any file system takes it.
+fn file_name(name: &str) -> String {
+    let mut text = String::with_capacity(name.len());
+    for character in name.chars() {
+        if character.is_ascii_alphanumeric() {
+            text.push(character.to_ascii_lowercase());
+        } else if !text.ends_with('-') {
+            text.push('-');
+        }
+    }
+    text.trim_matches('-').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn a_name_tells_who_and_how_and_is_a_file_name() {
+        let finding = sample::finding("My Compiler", "value:INT", &["MOD"], 9);
+        assert!(finding.id.starts_with("my-compiler-value-int-"), "{}", finding.id);
+        assert_eq!(finding.id.len(), "my-compiler-value-int-".len() + 8);
+    }
+
+    #[test]
+    fn what_is_the_same_has_the_same_name_wherever_it_was_found() {
+        let one = sample::finding("a", "crash", &["FOR", "MOD"], 9);
+        let other = sample::finding("a", "crash", &["FOR", "MOD"], 12);
+        assert_eq!(one.id, other.id);
+        assert_ne!(one.id, sample::finding("a", "crash", &["FOR"], 9).id);
+        assert_ne!(one.id, sample::finding("b", "crash", &["FOR", "MOD"], 9).id);
+    }
+
+    #[test]
+    fn the_better_of_two_does_not_depend_on_their_order() {
+        let small = sample::finding("a", "crash", &[], 3);
+        let large = sample::finding("a", "crash", &[], 30);
+        assert_eq!(small.clone().better(large.clone()), small);
+        assert_eq!(large.clone().better(small.clone()), small);
+        let flaky = Finding {
+            standing: Standing::Flaky,
+            ..small
+        };
+        assert_eq!(flaky.better(large.clone()), large);
+    }
+
+    #[test]
+    fn a_program_that_was_edited_is_noticed() {
+        let finding = sample::finding("a", "crash", &[], 3);
+        assert!(finding.is_as_found());
+        let edited = Finding {
+            program: Some("PROGRAM other END_PROGRAM".to_owned()),
+            ..finding
+        };
+        assert!(!edited.is_as_found());
+    }
+}

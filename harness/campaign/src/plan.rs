@@ -1,0 +1,122 @@
+//! How long a campaign goes on, on how many threads, and which places are its own.
+
+use crate::Part;
+use std::time::Duration;
+
+/// A campaign.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Plan {
+    /// The first place.
+    pub first: u64,
+    /// How long it goes on.
+    pub until: Until,
+    /// Which of the places are judged here.
+    pub part: Part,
+    /// How many judge at a time; 0: one a processor.
+    pub jobs: usize,
+    /// How many places are given out at a time.
+    pub batch: usize,
+}
+
+/// How long a campaign goes on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Until {
+    /// For so many places of the row, of which a part judges its share. All that is found depends on the seed alone.
+    Count(u64),
+    /// For so long. What is found depends on how quick the machine is.
+    Time(Duration),
+}
+
+impl Plan {
+    /// The places of this part in order, in batches of [`Plan::batch`].
+    pub(crate) fn batches(self) -> impl Iterator<Item = Vec<u64>> {
+        let end = match self.until {
+            Until::Count(count) => self.first.saturating_add(count),
+            Until::Time(_) => u64::MAX,
+        };
+        let step = u64::from(self.part.count());
+        let mut next = self.part.first_at(self.first);
+        std::iter::from_fn(move || {
+            let mut batch = Vec::with_capacity(self.batch);
+            while batch.len() < self.batch.max(1)
+                && let Some(place) = next.filter(|place| *place < end)
+            {
+                batch.push(place);
+                next = place.checked_add(step);
+            }
+            (!batch.is_empty()).then_some(batch)
+        })
+    }
+
+    /// How many places are this part's, where that is known.
+    #[must_use]
+    pub fn share(self) -> Option<u64> {
+        let Until::Count(count) = self.until else {
+            return None;
+        };
+        let first = self.part.first_at(self.first)?;
+        let end = self.first.saturating_add(count);
+        Some(end.saturating_sub(first).div_ceil(u64::from(self.part.count())))
+    }
+}
+
+/// Whether the `number`-th disagreement (from 1) of one subject and symptom is made small.
+///
+/// The first sixteen are, and eight of each further doubling: a defect that every tenth program meets must not keep a
+/// campaign from going on, and yet a rarer one with the same symptom gets its turn.
+pub(crate) const fn is_reduced(number: u64) -> bool {
+    if number <= 16 {
+        return number > 0;
+    }
+    let step = 1_u64 << (number.ilog2() - 3);
+    number.is_multiple_of(step)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn places(plan: Plan) -> Vec<u64> {
+        plan.batches().flatten().collect()
+    }
+
+    fn plan(part: Part, count: u64) -> Plan {
+        Plan {
+            first: 3,
+            until: Until::Count(count),
+            part,
+            jobs: 1,
+            batch: 4,
+        }
+    }
+
+    #[test]
+    fn the_parts_together_have_every_place_once() {
+        let mut all = Vec::new();
+        for index in 1..=3 {
+            let plan = plan(Part::new(index, 3).unwrap(), 20);
+            let own = places(plan);
+            assert_eq!(Some(own.len() as u64), plan.share());
+            all.extend(own);
+        }
+        all.sort_unstable();
+        assert_eq!(all, places(plan(Part::WHOLE, 20)));
+        assert_eq!(all, (3..23).collect::<Vec<u64>>());
+    }
+
+    #[test]
+    fn a_batch_is_never_empty() {
+        assert_eq!(plan(Part::WHOLE, 0).batches().count(), 0);
+        let sizes: Vec<usize> = plan(Part::WHOLE, 9).batches().map(|batch| batch.len()).collect();
+        assert_eq!(sizes, [4, 4, 1]);
+    }
+
+    #[test]
+    fn every_doubling_has_its_share_of_reductions() {
+        let of = |range: std::ops::Range<u64>| range.filter(|&number| is_reduced(number)).count();
+        assert_eq!(of(0..17), 16);
+        assert_eq!(of(17..33), 8);
+        assert_eq!(of(1025..2049), 8);
+        assert!(of(0..1_000_000) < 150);
+    }
+}

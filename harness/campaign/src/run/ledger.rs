@@ -1,0 +1,93 @@
+//! What a campaign counts and keeps.
+
+use super::{Ended, Progress, Summary};
+use crate::bench::{Suspicion, Verdict};
+use crate::finding::Finding;
+use crate::plan::is_reduced;
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+/// The books of a campaign. Verdicts are entered in the order of their places.
+#[derive(Default)]
+pub(super) struct Ledger {
+    programs: u64,
+    passed_over: BTreeMap<&'static str, u64>,
+    disagreements: BTreeMap<(String, String), u64>,
+    deaths: u64,
+    findings: BTreeMap<String, Finding>,
+    times: BTreeMap<String, u64>,
+    left: u64,
+    lost: Option<String>,
+}
+
+impl Ledger {
+    /// Counts a verdict, and gives those of its suspicions that are to be made small.
+    pub(super) fn enter(&mut self, verdict: Verdict) -> Vec<Suspicion> {
+        self.programs += 1;
+        self.deaths += verdict.deaths;
+        if let Some(word) = verdict.passed_over {
+            *self.passed_over.entry(word).or_default() += 1;
+        }
+        let mut reduced = Vec::new();
+        for suspicion in verdict.suspicions {
+            let key = (suspicion.subject.clone(), suspicion.symptom.clone());
+            let number = self.disagreements.entry(key).or_default();
+            *number += 1;
+            if is_reduced(*number) {
+                reduced.push(suspicion);
+            } else {
+                self.left += 1;
+            }
+        }
+        reduced
+    }
+
+    /// Takes a finding; gives it back where it is new, or better than the one of its name.
+    pub(super) fn found(&mut self, finding: Finding) -> Option<&Finding> {
+        let id = finding.id.clone();
+        *self.times.entry(id.clone()).or_default() += 1;
+        if self
+            .findings
+            .get(&id)
+            .is_some_and(|known| !finding.improves_on(known))
+        {
+            return None;
+        }
+        self.findings.insert(id.clone(), finding);
+        self.findings.get(&id)
+    }
+
+    /// An engine can no longer be used.
+    pub(super) fn lost(&mut self, reason: String) {
+        self.lost.get_or_insert(reason);
+    }
+
+    /// How far the campaign is.
+    pub(super) fn progress(&self) -> Progress {
+        Progress {
+            programs: self.programs,
+            disagreements: self.disagreements.values().sum(),
+            findings: self.findings.len() as u64,
+        }
+    }
+
+    /// The end.
+    pub(super) fn summary(self, elapsed: Duration, interrupted: bool) -> Summary {
+        let ended = match self.lost {
+            Some(reason) => Ended::Lost(reason),
+            None if interrupted => Ended::Interrupted,
+            None => Ended::Done,
+        };
+        Summary {
+            programs: self.programs,
+            passed_over: self.passed_over,
+            disagreements: self.disagreements,
+            deaths: self.deaths,
+            findings: self.findings,
+            times: self.times,
+            left: self.left,
+            ended,
+            elapsed,
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! The campaign on a bench that knows beforehand what it will say.
+
+use super::{Ended, Event, Summary, run};
+use crate::bench::{Bench, Suspicion, Verdict, Worker};
+use crate::finding::Finding;
+use crate::{Part, Plan, Until, sample};
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::Duration;
+use stickler_engines::EngineError;
+
+/// Every fifth input makes an engine disagree, by three defects of two symptoms.
+#[derive(Default)]
+struct Known {
+    judged: AtomicU64,
+    /// From here on the engine does not answer.
+    gone: Option<u64>,
+    /// Here Stickler itself has a defect.
+    panics: Option<u64>,
+}
+
+struct KnownWorker<'b>(&'b Known);
+
+impl Bench for Known {
+    fn worker(&self) -> Result<Box<dyn Worker + '_>, EngineError> {
+        Ok(Box::new(KnownWorker(self)))
+    }
+}
+
+fn verdict(place: u64) -> Verdict {
+    let symptoms: &[&str] = match place % 5 {
+        0 if place.is_multiple_of(3) => &["crash"],
+        0 => &["value:INT"],
+        _ => &[],
+    };
+    let suspicion = |symptom: &&str| Suspicion {
+        place,
+        subject: "engine".to_owned(),
+        symptom: (*symptom).to_owned(),
+    };
+    Verdict {
+        suspicions: symptoms.iter().map(suspicion).collect(),
+        passed_over: (place % 5 == 1).then_some("poisoned"),
+        ..Verdict::agreed(place)
+    }
+}
+
+impl Worker for KnownWorker<'_> {
+    fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict> {
+        assert!(places.iter().all(|&place| self.0.panics != Some(place)));
+        self.0.judged.fetch_add(places.len() as u64, Ordering::Relaxed);
+        let going = places.iter().take_while(|_| going());
+        going.map(|&place| verdict(place)).collect()
+    }
+
+    fn reduce(&mut self, suspicion: &Suspicion, _: &dyn Fn() -> bool) -> Finding {
+        let rule = if suspicion.place.is_multiple_of(7) {
+            "MOD"
+        } else {
+            "FOR"
+        };
+        let mut finding = sample::finding("engine", &suspicion.symptom, &[rule], suspicion.place % 11);
+        finding.origin.place = suspicion.place;
+        finding
+    }
+
+    fn lost(&self) -> Option<String> {
+        let gone = self.0.gone?;
+        (self.0.judged.load(Ordering::Relaxed) >= gone).then(|| "it does not answer".to_owned())
+    }
+}
+
+fn plan(jobs: usize, part: Part, until: Until) -> Plan {
+    Plan {
+        first: 0,
+        until,
+        part,
+        jobs,
+        batch: 8,
+    }
+}
+
+fn campaign(bench: &Known, plan: Plan) -> Summary {
+    run(&plan, bench, &mut |_| (), &AtomicBool::new(false)).unwrap()
+}
+
+#[test]
+fn a_seed_finds_the_same_whatever_the_number_of_workers() {
+    let of = |jobs| campaign(&Known::default(), plan(jobs, Part::WHOLE, Until::Count(3000)));
+    let (one, many) = (of(1), of(7));
+    assert_eq!(one.findings, many.findings);
+    assert_eq!(one.findings.len(), 4);
+    assert_eq!(one.times, many.times);
+    assert_eq!(one.disagreements, many.disagreements);
+    assert_eq!(one.programs, 3000);
+    assert_eq!(one.passed_over["poisoned"], 600);
+    assert_eq!(one.ended, Ended::Done);
+    let reduced: u64 = one.times.values().sum();
+    assert_eq!(
+        one.left + reduced,
+        600,
+        "each disagreement is made small or counted as left"
+    );
+}
+
+#[test]
+fn the_parts_of_a_seed_find_together_what_the_whole_finds() {
+    // So few that each is made small.
+    let until = Until::Count(100);
+    let whole = campaign(&Known::default(), plan(2, Part::WHOLE, until)).findings;
+    let mut together: BTreeMap<String, Finding> = BTreeMap::new();
+    for index in 1..=3 {
+        let part = Part::new(index, 3).unwrap();
+        for (id, finding) in campaign(&Known::default(), plan(2, part, until)).findings {
+            let best = match together.remove(&id) {
+                Some(known) => known.better(finding),
+                None => finding,
+            };
+            together.insert(id, best);
+        }
+    }
+    assert_eq!(together, whole);
+}
+
+#[test]
+fn each_finding_is_told_and_what_is_told_last_is_what_is_kept() {
+    let mut told: BTreeMap<String, Finding> = BTreeMap::new();
+    let mut programs = 0;
+    let mut tell = |event: Event<'_>| match event {
+        Event::Found(finding) => {
+            told.insert(finding.id.clone(), finding.clone());
+        }
+        Event::Progress(progress) => programs = progress.programs,
+    };
+    let plan = plan(3, Part::WHOLE, Until::Count(500));
+    let summary = run(&plan, &Known::default(), &mut tell, &AtomicBool::new(false)).unwrap();
+    assert_eq!(told, summary.findings);
+    assert_eq!(programs, 500);
+}
+
+#[test]
+fn a_campaign_that_is_told_to_stop_keeps_what_it_has() {
+    let cancel = AtomicBool::new(false);
+    let mut tell = |event: Event<'_>| {
+        if let Event::Found(_) = event {
+            cancel.store(true, Ordering::Relaxed);
+        }
+    };
+    let endless = plan(2, Part::WHOLE, Until::Count(u64::MAX));
+    let summary = run(&endless, &Known::default(), &mut tell, &cancel).unwrap();
+    assert_eq!(summary.ended, Ended::Interrupted);
+    assert!(!summary.findings.is_empty());
+}
+
+#[test]
+fn a_campaign_ends_when_its_time_is_up() {
+    let short = plan(2, Part::WHOLE, Until::Time(Duration::from_millis(50)));
+    let summary = campaign(&Known::default(), short);
+    assert_eq!(summary.ended, Ended::Done);
+    assert!(summary.programs > 0);
+    assert!(summary.elapsed < Duration::from_secs(5), "{:?}", summary.elapsed);
+}
+
+#[test]
+fn an_engine_that_is_lost_ends_the_campaign_and_what_was_found_is_kept() {
+    let bench = Known {
+        gone: Some(400),
+        ..Known::default()
+    };
+    let summary = campaign(&bench, plan(2, Part::WHOLE, Until::Count(u64::MAX)));
+    assert_eq!(summary.ended, Ended::Lost("it does not answer".to_owned()));
+    assert!(!summary.findings.is_empty());
+}
+
+#[test]
+fn a_defect_of_stickler_itself_ends_the_campaign_in_words_and_loses_nothing() {
+    let bench = Known {
+        panics: Some(401),
+        ..Known::default()
+    };
+    let summary = campaign(&bench, plan(1, Part::WHOLE, Until::Count(u64::MAX)));
+    let Ended::Lost(reason) = &summary.ended else {
+        panic!("{:?}", summary.ended)
+    };
+    assert!(reason.contains("over one of the inputs 400 to 407"), "{reason}");
+    assert!(!summary.findings.is_empty());
+}
