@@ -1,0 +1,227 @@
+//! What operators give: integers in 128 bits, wrapped to their type; reals rounded once; durations in nanoseconds.
+//!
+//! Basis: stickler-design: §8 (two's complement of the declared width; IEC 60559 in 32 and 64 bits, each operation rounded once).
+
+use super::Question;
+use crate::model::{BinaryOperator, UnaryOperator};
+use stickler_types::{ElementaryType, Family};
+
+/// A value, and what no document settles about it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Computed {
+    /// Its raw form.
+    pub raw: u64,
+    /// The open question, if there is one.
+    pub question: Option<Question>,
+}
+
+/// What an operator with two operands gives.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Binary {
+    /// A value.
+    Computed(Computed),
+    /// The fault of an integer divided by zero.
+    DivisionByZero,
+    /// Nothing: the type does not have the operator.
+    Undefined,
+}
+
+fn settled(raw: u64) -> Computed {
+    Computed { raw, question: None }
+}
+
+/// What a prefix operator gives; `None` where the type does not have it.
+pub(super) fn unary(operator: UnaryOperator, ty: ElementaryType, raw: u64) -> Option<Computed> {
+    match (operator, ty.family()) {
+        (UnaryOperator::Negate, Family::Signed) => Some(settled(ty.wrap(-ty.integer_value(raw)))),
+        (UnaryOperator::Negate, Family::Duration) => Some(moment(-ty.integer_value(raw))),
+        (UnaryOperator::Negate, Family::Real) => Some(settled(negated(ty, raw))),
+        (UnaryOperator::Not, Family::Boolean | Family::BitString) => {
+            Some(settled(ty.wrap(!ty.integer_value(raw))))
+        }
+        _ => None,
+    }
+}
+
+/// A real with the other sign; no number stays none.
+fn negated(ty: ElementaryType, raw: u64) -> u64 {
+    raw ^ 1 << (ty.bits() - 1)
+}
+
+/// What an operator other than a comparison gives for two operands of one type.
+pub(super) fn binary(operator: BinaryOperator, ty: ElementaryType, a: u64, b: u64) -> Binary {
+    match ty.family() {
+        Family::Signed | Family::Unsigned => integers(operator, ty, ty.integer_value(a), ty.integer_value(b)),
+        Family::Real if ty == ElementaryType::Real => {
+            let (a, b) = (f32::from_bits(a as u32), f32::from_bits(b as u32));
+            reals(operator, a, b).map_or(Binary::Undefined, |result| {
+                real(u64::from(result.to_bits()), result.is_nan(), operator, b == 0.0)
+            })
+        }
+        Family::Real => {
+            let (a, b) = (f64::from_bits(a), f64::from_bits(b));
+            reals(operator, a, b).map_or(Binary::Undefined, |result| {
+                real(result.to_bits(), result.is_nan(), operator, b == 0.0)
+            })
+        }
+        Family::Boolean | Family::BitString => bits(operator, a, b),
+        Family::Duration => durations(operator, ty.integer_value(a), ty.integer_value(b)),
+        _ => Binary::Undefined,
+    }
+}
+
+/// Division truncates toward zero, and MOD has the sign of the dividend.
+///
+/// Basis: stickler-design: §8; the table integer-arithmetic says it of every type.
+fn integers(operator: BinaryOperator, ty: ElementaryType, a: i128, b: i128) -> Binary {
+    let exact = match operator {
+        BinaryOperator::Add => a + b,
+        BinaryOperator::Subtract => a - b,
+        // Two numbers of 64 bits: their product is below 2^128, and what is cut off is cut off by the wrapping too.
+        BinaryOperator::Multiply => a.wrapping_mul(b),
+        BinaryOperator::Divide | BinaryOperator::Modulo if b == 0 => return Binary::DivisionByZero,
+        BinaryOperator::Divide => a / b,
+        BinaryOperator::Modulo => a % b,
+        _ => return Binary::Undefined,
+    };
+    let is_quotient = matches!(operator, BinaryOperator::Divide | BinaryOperator::Modulo);
+    let least = ty.integer_range().map(|(least, _)| least);
+    let question = (is_quotient && b == -1 && Some(a) == least).then_some(Question::LeastByMinusOne);
+    Binary::Computed(Computed {
+        raw: ty.wrap(exact),
+        question,
+    })
+}
+
+/// The four operations of a type of reals, each rounded once by the processor.
+fn reals<T>(operator: BinaryOperator, a: T, b: T) -> Option<T>
+where
+    T: std::ops::Add<Output = T>
+        + std::ops::Sub<Output = T>
+        + std::ops::Mul<Output = T>
+        + std::ops::Div<Output = T>,
+{
+    match operator {
+        BinaryOperator::Add => Some(a + b),
+        BinaryOperator::Subtract => Some(a - b),
+        BinaryOperator::Multiply => Some(a * b),
+        BinaryOperator::Divide => Some(a / b),
+        _ => None,
+    }
+}
+
+fn real(raw: u64, is_nan: bool, operator: BinaryOperator, by_zero: bool) -> Binary {
+    let question = if operator == BinaryOperator::Divide && by_zero {
+        Some(Question::RealDivisionByZero)
+    } else {
+        is_nan.then_some(Question::NotANumber)
+    };
+    Binary::Computed(Computed { raw, question })
+}
+
+fn bits(operator: BinaryOperator, a: u64, b: u64) -> Binary {
+    let raw = match operator {
+        BinaryOperator::And => a & b,
+        BinaryOperator::Or => a | b,
+        BinaryOperator::Xor => a ^ b,
+        _ => return Binary::Undefined,
+    };
+    Binary::Computed(settled(raw))
+}
+
+fn durations(operator: BinaryOperator, a: i128, b: i128) -> Binary {
+    match operator {
+        BinaryOperator::Add => Binary::Computed(moment(a + b)),
+        BinaryOperator::Subtract => Binary::Computed(moment(a - b)),
+        _ => Binary::Undefined,
+    }
+}
+
+/// Nanoseconds in the 64 bits of a raw form.
+fn moment(nanoseconds: i128) -> Computed {
+    let outside = i64::try_from(nanoseconds).is_err();
+    Computed {
+        raw: nanoseconds as u64,
+        question: outside.then_some(Question::MomentRange),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use BinaryOperator::*;
+    use ElementaryType::*;
+
+    fn integer(operator: BinaryOperator, ty: ElementaryType, a: i128, b: i128) -> i128 {
+        match binary(operator, ty, ty.wrap(a), ty.wrap(b)) {
+            Binary::Computed(computed) => ty.integer_value(computed.raw),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn integers_wrap_at_the_width_of_their_type() {
+        assert_eq!(integer(Add, Sint, 127, 1), -128);
+        assert_eq!(integer(Multiply, Lint, i64::MAX.into(), 2), -2);
+        assert_eq!(integer(Multiply, Ulint, u64::MAX.into(), u64::MAX.into()), 1);
+        assert_eq!(integer(Subtract, Usint, 3, 5), 254);
+        assert_eq!(
+            unary(UnaryOperator::Negate, Sint, Sint.wrap(-128)),
+            Some(settled(Sint.wrap(-128)))
+        );
+        assert_eq!(unary(UnaryOperator::Not, Byte, 0xE7), Some(settled(0x18)));
+    }
+
+    #[test]
+    fn division_truncates_and_the_remainder_has_the_sign_of_the_dividend() {
+        assert_eq!(integer(Divide, Int, -100, 7), -14);
+        assert_eq!(integer(Modulo, Int, -100, 7), -2);
+        assert_eq!(integer(Modulo, Int, 100, -7), 2);
+        assert_eq!(binary(Divide, Int, 1, 0), Binary::DivisionByZero);
+    }
+
+    #[test]
+    fn the_least_integer_by_minus_one_is_an_open_question() {
+        let question = |operator| match binary(operator, Sint, Sint.wrap(-128), Sint.wrap(-1)) {
+            Binary::Computed(computed) => (Sint.integer_value(computed.raw), computed.question),
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(question(Divide), (-128, Some(Question::LeastByMinusOne)));
+        assert_eq!(question(Modulo), (0, Some(Question::LeastByMinusOne)));
+    }
+
+    #[test]
+    fn a_real_is_rounded_once_in_its_own_width() {
+        let sum = binary(Add, Real, 16_777_216_f32.to_bits().into(), 1_f32.to_bits().into());
+        assert_eq!(sum, Binary::Computed(settled(16_777_216_f32.to_bits().into())));
+        let none = binary(Subtract, Lreal, f64::INFINITY.to_bits(), f64::INFINITY.to_bits());
+        assert!(matches!(
+            none,
+            Binary::Computed(Computed {
+                question: Some(Question::NotANumber),
+                ..
+            })
+        ));
+        let endless = binary(Divide, Lreal, 1_f64.to_bits(), 0_f64.to_bits());
+        let question = Some(Question::RealDivisionByZero);
+        assert_eq!(
+            endless,
+            Binary::Computed(Computed {
+                raw: f64::INFINITY.to_bits(),
+                question
+            })
+        );
+    }
+
+    #[test]
+    fn a_sum_of_durations_that_64_bits_do_not_hold_is_an_open_question() {
+        let sum = binary(Add, Time, i64::MAX as u64, 1);
+        assert!(matches!(
+            sum,
+            Binary::Computed(Computed {
+                question: Some(Question::MomentRange),
+                ..
+            })
+        ));
+    }
+}

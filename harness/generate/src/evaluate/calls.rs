@@ -1,0 +1,204 @@
+//! Calls of functions, and invocations of the instances of function blocks.
+
+use super::machine::{Machine, Unit};
+use super::memory::Cell;
+use super::{Question, Refusal};
+use crate::model::{Argument, ExpressionKind, Place, Section, Type, VariableId};
+use std::rc::Rc;
+
+impl<'p> Machine<'p> {
+    /// Calls a function: gives the cells of its result.
+    ///
+    /// Basis: iec-61131-3: 6.6.1 (variables of a function start afresh with each call; an input that is not given has its
+    /// initial value).
+    pub fn call(
+        &mut self,
+        caller: Unit<'p>,
+        function: usize,
+        arguments: &'p [Argument],
+    ) -> Result<Vec<Cell>, Refusal> {
+        let missing = Refusal::IllFormed("a call of a function that there is not");
+        let called = self.program.functions.get(function).ok_or(missing)?;
+        let offsets = self.layout.functions.get(function).ok_or(missing)?;
+        let base = self.memory.len();
+        let size = self.layout.size(&called.result)?;
+        let unit = Unit {
+            name: &called.name,
+            variables: &called.variables,
+            offsets,
+            base,
+            result: Some((base + offsets.size, &called.result)),
+        };
+        // The arguments are evaluated while the callee's cells are not there yet: an argument may be a call itself.
+        let given = self.arguments(caller, unit, arguments)?;
+        self.enter(unit, function)?;
+        for (offset, cells) in given {
+            self.write(base + offset, cells)?;
+        }
+        self.statements(unit, &called.body)?;
+        let end = base + offsets.size;
+        let result = self
+            .memory
+            .get(end..end + size)
+            .map(<[Cell]>::to_vec)
+            .ok_or(missing)?;
+        self.memory.truncate(base);
+        Ok(result)
+    }
+
+    /// Appends the cells of a function in their initial state, the result's behind them.
+    fn enter(&mut self, unit: Unit<'p>, function: usize) -> Result<(), Refusal> {
+        if let Some(image) = self.images.get(function).and_then(Option::clone) {
+            self.memory.extend_from_slice(&image);
+            return Ok(());
+        }
+        self.start(unit)?;
+        if let Some((at, ty)) = unit.result {
+            let size = self.layout.size(ty)?;
+            self.memory.resize(at + size, Cell::Plain(0));
+            self.default(unit, ty, at)?;
+        }
+        let image: Rc<[Cell]> = self.memory.get(unit.base..).unwrap_or_default().into();
+        if let Some(slot) = self.images.get_mut(function) {
+            *slot = Some(image);
+        }
+        Ok(())
+    }
+
+    /// The values of arguments, each with the offset of its parameter.
+    fn arguments(
+        &mut self,
+        caller: Unit<'p>,
+        callee: Unit<'p>,
+        arguments: &'p [Argument],
+    ) -> Result<Vec<(usize, Vec<Cell>)>, Refusal> {
+        let unknown = Refusal::IllFormed("an argument for a parameter that there is not");
+        let mut given = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            let offset = *callee
+                .offsets
+                .variables
+                .get(argument.parameter.0)
+                .ok_or(unknown)?;
+            let parameter = callee.variables.get(argument.parameter.0).ok_or(unknown)?;
+            let cells = if parameter.section == Section::InOut {
+                vec![self.behind(caller, argument)?]
+            } else {
+                self.cells(caller, &argument.value)?
+            };
+            given.push((offset, cells));
+        }
+        Ok(given)
+    }
+
+    /// The address of the variable that stands behind an in-out.
+    fn behind(&mut self, caller: Unit<'p>, argument: &'p Argument) -> Result<Cell, Refusal> {
+        let ExpressionKind::Read(place) = &argument.value.kind else {
+            return Err(Refusal::IllFormed("an in-out that is no variable"));
+        };
+        let address = self.locate(caller, place)?;
+        Ok(Cell::Plain(address as u64))
+    }
+
+    fn write(&mut self, address: usize, cells: Vec<Cell>) -> Result<(), Refusal> {
+        for (index, cell) in cells.into_iter().enumerate() {
+            self.store(address + index, cell)?;
+        }
+        Ok(())
+    }
+
+    /// Invokes an instance: inputs in, body, outputs out. What is not given keeps its value from the last time.
+    ///
+    /// Basis: iec-61131-3: 6.6.3.
+    pub fn invoke(
+        &mut self,
+        caller: Unit<'p>,
+        instance: VariableId,
+        inputs: &'p [Argument],
+        outputs: &'p [(VariableId, Place)],
+    ) -> Result<(), Refusal> {
+        let missing = Refusal::IllFormed("an invocation of something that is no instance");
+        let (base, ty) = self.variable(caller, instance)?;
+        let Type::Block(index) = self.resolved(ty) else {
+            return Err(missing);
+        };
+        let block = self.program.blocks.get(*index).ok_or(missing)?;
+        let unit = Unit {
+            name: &block.name,
+            variables: &block.variables,
+            offsets: self.layout.blocks.get(*index).ok_or(missing)?,
+            base,
+            result: None,
+        };
+        let given = self.arguments(caller, unit, inputs)?;
+        for (offset, cells) in given {
+            self.write(base + offset, cells)?;
+        }
+        self.check_in_outs(caller, unit, inputs)?;
+        let targets = self.places(caller, outputs)?;
+        self.statements(unit, &block.body)?;
+        self.capture(caller, unit, outputs, &targets)
+    }
+
+    /// Notes where two in-outs of one invocation share a cell: copies in and out would give something else than references.
+    fn check_in_outs(
+        &mut self,
+        caller: Unit<'p>,
+        callee: Unit<'p>,
+        inputs: &'p [Argument],
+    ) -> Result<(), Refusal> {
+        let mut taken: Vec<std::ops::Range<usize>> = Vec::new();
+        for argument in inputs {
+            let is_in_out = callee
+                .variables
+                .get(argument.parameter.0)
+                .is_some_and(|parameter| parameter.section == Section::InOut);
+            if !is_in_out {
+                continue;
+            }
+            let (start, ty) = self.variable(callee, argument.parameter)?;
+            let cells = start..start + self.layout.size(ty)?;
+            if taken
+                .iter()
+                .any(|other| other.start < cells.end && cells.start < other.end)
+            {
+                self.open(Question::AliasedInOut, caller, || callee.name.to_owned());
+            }
+            taken.push(cells);
+        }
+        Ok(())
+    }
+
+    fn places(
+        &mut self,
+        caller: Unit<'p>,
+        outputs: &'p [(VariableId, Place)],
+    ) -> Result<Vec<usize>, Refusal> {
+        outputs
+            .iter()
+            .map(|(_, place)| self.locate(caller, place))
+            .collect()
+    }
+
+    /// Writes the outputs to their places, and notes where the invocation has moved one.
+    fn capture(
+        &mut self,
+        caller: Unit<'p>,
+        callee: Unit<'p>,
+        outputs: &'p [(VariableId, Place)],
+        before: &[usize],
+    ) -> Result<(), Refusal> {
+        let after = self.places(caller, outputs)?;
+        if after != before {
+            self.open(Question::OutputPlace, caller, || callee.name.to_owned());
+        }
+        for ((output, _), at) in outputs.iter().zip(after) {
+            let (from, ty) = self.variable(callee, *output)?;
+            for index in 0..self.layout.size(ty)? {
+                let cell = self.load(callee, from + index)?;
+                self.store(at + index, cell)?;
+            }
+        }
+        Ok(())
+    }
+}

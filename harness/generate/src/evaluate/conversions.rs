@@ -1,0 +1,100 @@
+//! Conversions, explicit and implicit, by exact arithmetic.
+
+use super::machine::{Machine, Unit};
+use super::memory::Cell;
+use super::{Question, Refusal};
+use std::sync::LazyLock;
+use stickler_exact::{Choices, Operation, Signature, Word, expected, implicit, value};
+use stickler_types::{ElementaryType, Family, Value};
+
+const TYPES: usize = ElementaryType::ALL.len();
+
+/// The plain conversion of each type to each, by the places of both in [`ElementaryType::ALL`].
+static PLAIN: LazyLock<Vec<Signature>> = LazyLock::new(|| {
+    let pairs = ElementaryType::ALL
+        .into_iter()
+        .flat_map(|from| ElementaryType::ALL.map(|to| (from, to)));
+    pairs
+        .map(|(from, to)| Signature {
+            function: format!("{from}_TO_{to}"),
+            operands: vec![from],
+            result: to,
+            operation: Operation::Convert,
+        })
+        .collect()
+});
+
+impl<'p> Machine<'p> {
+    /// What a conversion function gives; where no document says so, that is noted, and the value is the design's.
+    pub fn converted(
+        &mut self,
+        unit: Unit<'p>,
+        signature: &Signature,
+        cell: Cell,
+        from: ElementaryType,
+    ) -> Result<Cell, Refusal> {
+        let operands = [cell.into_value(from)?];
+        if !signature.takes(&operands) {
+            return Err(Refusal::IllFormed(
+                "an argument of another type than the signature has",
+            ));
+        }
+        let given = expected(signature, &operands, self.program.dialect);
+        if given.basis.is_none() {
+            let [operand] = &operands;
+            self.open(Question::Conversion, unit, || {
+                format!("{}({operand})", signature.function)
+            });
+        }
+        Cell::of_value(given.value)
+    }
+
+    /// What an implicit conversion gives: the value unchanged, or the nearest real, once.
+    ///
+    /// Basis: ironplc-type-conversions: Implicit Type Widening; implicit-conversion-table; stickler-design: §3.2 and §8.
+    pub fn widened(
+        &mut self,
+        unit: Unit<'p>,
+        cell: Cell,
+        from: ElementaryType,
+        to: ElementaryType,
+    ) -> Result<Cell, Refusal> {
+        if from == to {
+            return Ok(cell);
+        }
+        let operand = cell.into_value(from)?;
+        let Some(plain) = PLAIN.get(from as usize * TYPES + to as usize) else {
+            return Err(Refusal::IllFormed("an implicit conversion of no types"));
+        };
+        let arrives = value(
+            plain,
+            std::slice::from_ref(&operand),
+            &Choices::of(self.program.dialect),
+        );
+        let granted = implicit(from, to, self.program.dialect) != Word::Open;
+        if !granted || !arrives_as_documented(&operand, from, &arrives, to) {
+            self.open(Question::ImplicitConversion, unit, || {
+                format!("{operand} as {to}")
+            });
+        }
+        Cell::of_value(arrives)
+    }
+}
+
+/// Whether what arrives is what the documents promise: the same number, a real rounded once, or the same moment; of UDINT and
+/// TIME whole milliseconds.
+fn arrives_as_documented(operand: &Value, from: ElementaryType, arrives: &Value, to: ElementaryType) -> bool {
+    const MILLISECOND: i128 = 1_000_000;
+    let (&Value::Plain { raw, .. }, &Value::Plain { raw: arrived, .. }) = (operand, arrives) else {
+        return false;
+    };
+    let (before, after) = (from.integer_value(raw), to.integer_value(arrived));
+    let is_number = |ty: ElementaryType| ty.integer_range().is_some();
+    match (from.family(), to.family()) {
+        (_, Family::Real) => is_number(from) || from.is_real(),
+        (Family::Duration, Family::Unsigned) => before == after * MILLISECOND,
+        (Family::Unsigned, Family::Duration) => before * MILLISECOND == after,
+        (a, b) if a == b => before == after,
+        _ => is_number(from) && is_number(to) && before == after,
+    }
+}

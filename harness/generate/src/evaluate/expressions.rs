@@ -1,0 +1,179 @@
+//! Expressions.
+
+use super::machine::{Machine, Unit};
+use super::memory::Cell;
+use super::statements::DIVISION_BY_ZERO;
+use super::{Question, Refusal, arithmetic, ordering};
+use crate::model::{BinaryOperator, Expression, ExpressionKind, Place, Type, UnaryOperator};
+use stickler_types::ElementaryType;
+
+impl<'p> Machine<'p> {
+    /// The value of an expression that takes one cell.
+    pub fn expression(&mut self, unit: Unit<'p>, expression: &'p Expression) -> Result<Cell, Refusal> {
+        self.step()?;
+        self.deeper(|machine| machine.of_expression_kind(unit, expression))
+    }
+
+    fn of_expression_kind(&mut self, unit: Unit<'p>, expression: &'p Expression) -> Result<Cell, Refusal> {
+        match &expression.kind {
+            ExpressionKind::Literal(value, _) => Cell::of_value(value.clone()),
+            ExpressionKind::Enumerated(place) => Ok(Cell::Plain(*place as u64)),
+            ExpressionKind::Read(place) => {
+                let address = self.locate(unit, place)?;
+                self.load(unit, address)
+            }
+            ExpressionKind::Bit(place, bit) => self.bit(unit, place, *bit),
+            ExpressionKind::Unary(operator, operand) => self.unary(unit, *operator, operand),
+            ExpressionKind::Binary(operator, left, right) => self.binary(unit, *operator, left, right),
+            ExpressionKind::Widen(operand) => {
+                let from = self.elementary(&operand.ty)?;
+                let to = self.elementary(&expression.ty)?;
+                let cell = self.expression(unit, operand)?;
+                self.widened(unit, cell, from, to)
+            }
+            ExpressionKind::Convert(signature, operand) => {
+                let from = self.elementary(&operand.ty)?;
+                let cell = self.expression(unit, operand)?;
+                self.converted(unit, signature, cell, from)
+            }
+            ExpressionKind::Call(function, arguments) => {
+                let mut cells = self.call(unit, *function, arguments)?;
+                match (cells.pop(), cells.is_empty()) {
+                    (Some(cell), true) => self.settled(unit, cell),
+                    _ => Err(Refusal::IllFormed("a function whose result is no single value")),
+                }
+            }
+            ExpressionKind::Standard(function, arguments) => self.standard(unit, *function, arguments),
+            ExpressionKind::Raw(_) => Err(Refusal::Raw),
+        }
+    }
+
+    /// All cells of an expression of any type.
+    pub fn cells(&mut self, unit: Unit<'p>, expression: &'p Expression) -> Result<Vec<Cell>, Refusal> {
+        let size = self.layout.size(&expression.ty)?;
+        match &expression.kind {
+            _ if size == 1 => Ok(vec![self.expression(unit, expression)?]),
+            ExpressionKind::Read(place) => {
+                let address = self.locate(unit, place)?;
+                let outside = Refusal::IllFormed("a place outside the memory");
+                // A structure is copied as it is: what is unsettled in it stays so until somebody reads it.
+                Ok(self.memory.get(address..address + size).ok_or(outside)?.to_vec())
+            }
+            ExpressionKind::Call(function, arguments) => self.call(unit, *function, arguments),
+            ExpressionKind::Raw(_) => Err(Refusal::Raw),
+            _ => Err(Refusal::IllFormed("an operation on a structure or array")),
+        }
+    }
+
+    /// A cell that came from a call, noted where it is unsettled.
+    fn settled(&mut self, unit: Unit<'p>, cell: Cell) -> Result<Cell, Refusal> {
+        if let Cell::Unsettled(raw, question) = cell {
+            self.open(question, unit, || "as the result of a call".to_owned());
+            return Ok(Cell::Plain(raw));
+        }
+        Ok(cell)
+    }
+
+    fn bit(&mut self, unit: Unit<'p>, place: &'p Place, bit: u32) -> Result<Cell, Refusal> {
+        let ty = self.elementary(&place.ty)?;
+        let address = self.locate(unit, place)?;
+        match self.load(unit, address)? {
+            Cell::Plain(raw) if bit < ty.bits() => Ok(Cell::Plain(raw >> bit & 1)),
+            _ => Err(Refusal::IllFormed("a bit that the type does not have")),
+        }
+    }
+
+    fn unary(
+        &mut self,
+        unit: Unit<'p>,
+        operator: UnaryOperator,
+        operand: &'p Expression,
+    ) -> Result<Cell, Refusal> {
+        let ty = self.elementary(&operand.ty)?;
+        let raw = self.plain(unit, operand)?;
+        let computed = arithmetic::unary(operator, ty, raw).ok_or(Refusal::IllFormed(
+            "a prefix operator on a type that does not have it",
+        ))?;
+        self.computed(unit, computed, || format!("{operator:?} of {ty}"))
+    }
+
+    fn binary(
+        &mut self,
+        unit: Unit<'p>,
+        operator: BinaryOperator,
+        left: &'p Expression,
+        right: &'p Expression,
+    ) -> Result<Cell, Refusal> {
+        let (a, b) = (self.expression(unit, left)?, self.expression(unit, right)?);
+        let ty = match self.resolved(&left.ty) {
+            Type::Elementary(ty) => *ty,
+            // Enumerated values are equal or not; their places tell.
+            Type::Declared(_) if matches!(operator, BinaryOperator::Equal | BinaryOperator::NotEqual) => {
+                ElementaryType::Ulint
+            }
+            _ => return Err(Refusal::IllFormed("an operator on a structure or array")),
+        };
+        if is_comparison(operator) {
+            return self.comparison(unit, operator, ty, &a, &b);
+        }
+        let (Cell::Plain(a), Cell::Plain(b)) = (a, b) else {
+            return Err(Refusal::IllFormed("arithmetic with a text"));
+        };
+        match arithmetic::binary(operator, ty, a, b) {
+            arithmetic::Binary::Computed(computed) => {
+                self.computed(unit, computed, || format!("{operator:?} of {ty}"))
+            }
+            arithmetic::Binary::DivisionByZero => Err(DIVISION_BY_ZERO),
+            arithmetic::Binary::Undefined => {
+                Err(Refusal::IllFormed("an operator on a type that does not have it"))
+            }
+        }
+    }
+
+    fn comparison(
+        &mut self,
+        unit: Unit<'p>,
+        operator: BinaryOperator,
+        ty: ElementaryType,
+        a: &Cell,
+        b: &Cell,
+    ) -> Result<Cell, Refusal> {
+        use BinaryOperator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
+        let Some(order) = ordering::compare(ty, a, b) else {
+            // What is no number is neither less, nor equal, nor greater (IEC 60559).
+            self.open(Question::NotANumber, unit, || format!("{operator:?} of {ty}"));
+            return Ok(Cell::Plain(u64::from(operator == NotEqual)));
+        };
+        let holds = match operator {
+            Equal => order.is_eq(),
+            NotEqual => order.is_ne(),
+            Less => order.is_lt(),
+            LessOrEqual => order.is_le(),
+            Greater => order.is_gt(),
+            GreaterOrEqual => order.is_ge(),
+            _ => false,
+        };
+        Ok(Cell::Plain(u64::from(holds)))
+    }
+
+    /// The cell of a computed value, its question noted.
+    pub fn computed(
+        &mut self,
+        unit: Unit<'p>,
+        computed: arithmetic::Computed,
+        what: impl FnOnce() -> String,
+    ) -> Result<Cell, Refusal> {
+        if let Some(question) = computed.question {
+            self.open(question, unit, what);
+        }
+        Ok(Cell::Plain(computed.raw))
+    }
+}
+
+fn is_comparison(operator: BinaryOperator) -> bool {
+    use BinaryOperator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
+    matches!(
+        operator,
+        Equal | NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual
+    )
+}

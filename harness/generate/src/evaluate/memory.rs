@@ -1,0 +1,218 @@
+//! Cells, the places of a program in them, and the values at the end.
+
+use super::layout::extent;
+use super::machine::{Machine, Unit};
+use super::{Question, Refusal};
+use crate::model::{Declared, Place, Section, Selector, Type, VariableId};
+use stickler_types::{ElementaryType, Fault, Value};
+
+/// What one elementary variable holds.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Cell {
+    /// The raw form of a value (see [`ElementaryType`]), the place of an enumerated value, or the address behind an in-out.
+    Plain(u64),
+    /// The code units of a text.
+    Text(Box<[u16]>),
+    /// Something that no document settles, until it is assigned; the number is a guess, the question why it is one.
+    Unsettled(u64, Question),
+}
+
+impl Cell {
+    /// The value of an elementary type.
+    pub fn into_value(self, ty: ElementaryType) -> Result<Value, Refusal> {
+        match self {
+            Cell::Plain(raw) | Cell::Unsettled(raw, _) if !ty.is_text() => Ok(Value::plain(ty, raw)),
+            Cell::Text(units) if ty.is_text() => Ok(Value::text(ty, units.into_vec())),
+            _ => Err(Refusal::IllFormed("a text where there is none")),
+        }
+    }
+
+    /// The cell of an elementary value.
+    pub fn of_value(value: Value) -> Result<Cell, Refusal> {
+        match value {
+            Value::Plain { raw, .. } => Ok(Cell::Plain(raw)),
+            Value::Text { units, .. } => Ok(Cell::Text(units.into_boxed_slice())),
+            Value::Enumerated { .. } => Err(Refusal::IllFormed("an enumerated value where a literal stands")),
+        }
+    }
+}
+
+impl<'p> Machine<'p> {
+    /// The first cell of a variable; that of the caller's variable behind an in-out.
+    pub fn variable(&self, unit: Unit<'p>, id: VariableId) -> Result<(usize, &'p Type), Refusal> {
+        let unknown = Refusal::IllFormed("a variable that its unit does not have");
+        let variable = unit.variables.get(id.0).ok_or(unknown)?;
+        let own = unit.base + unit.offsets.variables.get(id.0).ok_or(unknown)?;
+        if variable.section != Section::InOut {
+            return Ok((own, &variable.ty));
+        }
+        match self.memory.get(own) {
+            Some(Cell::Plain(address)) => Ok((usize::try_from(*address).map_err(|_| unknown)?, &variable.ty)),
+            _ => Err(Refusal::IllFormed("an in-out with nothing behind it")),
+        }
+    }
+
+    /// The first cell of a place, after its subscripts have been evaluated.
+    pub fn locate(&mut self, unit: Unit<'p>, place: &'p Place) -> Result<usize, Refusal> {
+        let (mut address, ty) = self.variable(unit, place.variable)?;
+        let mut ty = self.resolved(ty);
+        for selector in &place.path {
+            let (offset, selected) = self.select(unit, ty, selector)?;
+            address += offset;
+            ty = self.resolved(selected);
+        }
+        Ok(address)
+    }
+
+    /// One step into something of a type: how far, and the type of what is there.
+    fn select(
+        &mut self,
+        unit: Unit<'p>,
+        ty: &'p Type,
+        selector: &'p Selector,
+    ) -> Result<(usize, &'p Type), Refusal> {
+        let nothing = Refusal::IllFormed("a selection of something that its type does not have");
+        match (selector, ty) {
+            (Selector::Index(subscripts), Type::Array(array))
+                if subscripts.len() == array.dimensions.len() =>
+            {
+                let mut element = 0;
+                for (subscript, &(low, high)) in subscripts.iter().zip(&array.dimensions) {
+                    let at = self.integer(unit, subscript)?;
+                    if !(i128::from(low)..=i128::from(high)).contains(&at) {
+                        return Err(Refusal::Fault(Fault::SubscriptRange));
+                    }
+                    let inside = usize::try_from(at - i128::from(low)).map_err(|_| nothing)?;
+                    element = element * extent((low, high))? + inside;
+                }
+                Ok((element * self.layout.size(&array.element)?, &array.element))
+            }
+            (Selector::Field(field), Type::Declared(structure)) => {
+                let offset = self.layout.field(*structure, *field).ok_or(nothing)?;
+                match self.program.types.get(*structure).map(|declared| &declared.kind) {
+                    Some(Declared::Structure(fields)) => Ok((offset, &fields.get(*field).ok_or(nothing)?.1)),
+                    _ => Err(nothing),
+                }
+            }
+            (Selector::Output(output), Type::Block(block)) => {
+                let offsets = self.layout.blocks.get(*block).ok_or(nothing)?;
+                let block = self.program.blocks.get(*block).ok_or(nothing)?;
+                let offset = offsets.variables.get(output.0).ok_or(nothing)?;
+                Ok((*offset, &block.variables.get(output.0).ok_or(nothing)?.ty))
+            }
+            _ => Err(nothing),
+        }
+    }
+
+    /// What a cell holds; what is unsettled is noted.
+    pub fn load(&mut self, unit: Unit<'p>, address: usize) -> Result<Cell, Refusal> {
+        let cell = self
+            .memory
+            .get(address)
+            .ok_or(Refusal::IllFormed("a place outside the memory"))?;
+        if let Cell::Unsettled(raw, question) = *cell {
+            self.open(question, unit, || "it is read".to_owned());
+            return Ok(Cell::Plain(raw));
+        }
+        Ok(cell.clone())
+    }
+
+    /// Gives a cell a value.
+    pub fn store(&mut self, address: usize, cell: Cell) -> Result<(), Refusal> {
+        let into = self
+            .memory
+            .get_mut(address)
+            .ok_or(Refusal::IllFormed("a place outside the memory"))?;
+        *into = cell;
+        Ok(())
+    }
+
+    /// The elementary values of the main program's variables and of the outputs of its instances, with their paths.
+    pub fn values(&mut self, main: Unit<'p>) -> Result<Vec<(String, Value)>, Refusal> {
+        let mut values = Vec::with_capacity(main.offsets.size);
+        for (variable, &offset) in main.variables.iter().zip(&main.offsets.variables) {
+            let mut path = variable.name.clone();
+            self.leaves(main, &mut path, &variable.ty, main.base + offset, &mut values)?;
+        }
+        Ok(values)
+    }
+
+    fn leaves(
+        &mut self,
+        main: Unit<'p>,
+        path: &mut String,
+        ty: &'p Type,
+        address: usize,
+        values: &mut Vec<(String, Value)>,
+    ) -> Result<(), Refusal> {
+        match self.resolved(ty) {
+            Type::Elementary(ty) => {
+                let value = self.load(main, address)?.into_value(*ty)?;
+                values.push((path.clone(), value));
+            }
+            Type::Array(array) => {
+                let size = self.layout.size(&array.element)?;
+                let mut subscripts: Vec<i64> = array.dimensions.iter().map(|&(low, _)| low).collect();
+                for element in 0..super::layout::elements(array)? {
+                    let written: Vec<String> = subscripts.iter().map(i64::to_string).collect();
+                    let length = path.len();
+                    path.push_str(&format!("[{}]", written.join(",")));
+                    self.leaves(main, path, &array.element, address + element * size, values)?;
+                    path.truncate(length);
+                    next(&mut subscripts, &array.dimensions);
+                }
+            }
+            Type::Declared(index) => {
+                if let Some(Declared::Structure(fields)) =
+                    self.program.types.get(*index).map(|declared| &declared.kind)
+                {
+                    for (field, (name, ty, _)) in fields.iter().enumerate() {
+                        let offset = self.layout.field(*index, field).unwrap_or_default();
+                        self.inside(main, path, name, ty, address + offset, values)?;
+                    }
+                }
+            }
+            Type::Block(index) => {
+                let (Some(block), Some(offsets)) =
+                    (self.program.blocks.get(*index), self.layout.blocks.get(*index))
+                else {
+                    return Ok(());
+                };
+                for (variable, &offset) in block.variables.iter().zip(&offsets.variables) {
+                    if variable.section == Section::Output {
+                        self.inside(main, path, &variable.name, &variable.ty, address + offset, values)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn inside(
+        &mut self,
+        main: Unit<'p>,
+        path: &mut String,
+        name: &str,
+        ty: &'p Type,
+        address: usize,
+        values: &mut Vec<(String, Value)>,
+    ) -> Result<(), Refusal> {
+        let length = path.len();
+        path.push('.');
+        path.push_str(name);
+        self.leaves(main, path, ty, address, values)?;
+        path.truncate(length);
+        Ok(())
+    }
+}
+
+/// The subscripts of the next element, the last one quickest.
+fn next(subscripts: &mut [i64], dimensions: &[(i64, i64)]) {
+    for (subscript, &(low, high)) in subscripts.iter_mut().zip(dimensions).rev() {
+        if *subscript < high {
+            *subscript += 1;
+            return;
+        }
+        *subscript = low;
+    }
+}

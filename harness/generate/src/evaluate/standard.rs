@@ -1,0 +1,197 @@
+//! The standard functions that are no conversions.
+//!
+//! Basis: iec-61131-3: Tables 28 to 31 and 34; the table standard-functions of the cases.
+
+use super::arithmetic::{self, Computed};
+use super::machine::{Machine, Unit};
+use super::memory::Cell;
+use super::{Question, Refusal, ordering};
+use crate::model::{Expression, StandardFunction, Type, UnaryOperator};
+use std::cmp::Ordering;
+use stickler_types::{ElementaryType, Family};
+
+/// A text of more characters may be cut by some system that takes part: the shortest default length known is 80.
+const SHORTEST_DEFAULT_LENGTH: usize = 80;
+
+const ARGUMENTS: Refusal = Refusal::IllFormed("a standard function with other arguments than it has");
+
+impl<'p> Machine<'p> {
+    /// What a standard function gives; all arguments are evaluated, in their order.
+    pub fn standard(
+        &mut self,
+        unit: Unit<'p>,
+        function: StandardFunction,
+        arguments: &'p [Expression],
+    ) -> Result<Cell, Refusal> {
+        use StandardFunction::{Abs, Concat, Len, Limit, Max, Min, Mux, Rol, Ror, Sel, Shl, Shr};
+        let mut cells = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            cells.push(self.expression(unit, argument)?);
+        }
+        match (function, &cells[..], arguments) {
+            (Abs, [cell], [argument]) => self.absolute(unit, argument, cell),
+            (Sel, [Cell::Plain(gate), first, second], _) => {
+                Ok(if *gate == 0 { first } else { second }.clone())
+            }
+            (Mux, [Cell::Plain(selector), inputs @ ..], [argument, ..]) => {
+                let selector = self.elementary(&argument.ty)?.integer_value(*selector);
+                self.selected(unit, selector, inputs)
+            }
+            (Min, [a, b], [argument, _]) => self.lesser(unit, argument, a, b, Ordering::Less),
+            (Max, [a, b], [argument, _]) => self.lesser(unit, argument, a, b, Ordering::Greater),
+            (Limit, [low, value, high], [argument, ..]) => self.limited(unit, argument, low, value, high),
+            (Shl | Shr | Rol | Ror, [Cell::Plain(raw), Cell::Plain(count)], [operand, by]) => {
+                let count = self.elementary(&by.ty)?.integer_value(*count);
+                let ty = self.elementary(&operand.ty)?;
+                let computed = shifted(function, ty, *raw, count).ok_or(ARGUMENTS)?;
+                self.computed(unit, computed, || format!("{function:?} of {ty} by {count}"))
+            }
+            (Len, [Cell::Text(units)], _) => Ok(Cell::Plain(units.len() as u64)),
+            (Concat, [Cell::Text(a), Cell::Text(b)], _) => {
+                let joined = [&a[..], &b[..]].concat();
+                if joined.len() > SHORTEST_DEFAULT_LENGTH {
+                    self.open(Question::TextLength, unit, || {
+                        format!("CONCAT gives {} characters", joined.len())
+                    });
+                }
+                Ok(Cell::Text(joined.into_boxed_slice()))
+            }
+            _ => Err(ARGUMENTS),
+        }
+    }
+
+    fn absolute(&mut self, unit: Unit<'p>, argument: &'p Expression, cell: &Cell) -> Result<Cell, Refusal> {
+        let ty = self.elementary(&argument.ty)?;
+        let Cell::Plain(raw) = *cell else {
+            return Err(ARGUMENTS);
+        };
+        let computed = match ty.family() {
+            Family::Unsigned => Computed { raw, question: None },
+            Family::Real => Computed {
+                raw: raw & !(1 << (ty.bits() - 1)),
+                question: None,
+            },
+            Family::Signed if ty.integer_value(raw) >= 0 => Computed { raw, question: None },
+            Family::Signed => arithmetic::unary(UnaryOperator::Negate, ty, raw).ok_or(ARGUMENTS)?,
+            _ => return Err(ARGUMENTS),
+        };
+        self.computed(unit, computed, String::new)
+    }
+
+    /// The input of MUX that the selector names, counted from 0.
+    fn selected(&mut self, unit: Unit<'p>, selector: i128, inputs: &[Cell]) -> Result<Cell, Refusal> {
+        let chosen = usize::try_from(selector).ok().and_then(|index| inputs.get(index));
+        if chosen.is_none() {
+            self.open(Question::MuxSelector, unit, || {
+                format!("{selector} of {}", inputs.len())
+            });
+        }
+        chosen.or(inputs.first()).cloned().ok_or(ARGUMENTS)
+    }
+
+    /// MIN where the first is wanted to be less, MAX where it is wanted to be greater.
+    fn lesser(
+        &mut self,
+        unit: Unit<'p>,
+        argument: &'p Expression,
+        a: &Cell,
+        b: &Cell,
+        wanted: Ordering,
+    ) -> Result<Cell, Refusal> {
+        let ty = self.comparable(argument)?;
+        let order = ordering::compare(ty, a, b);
+        if order.is_none() || (order == Some(Ordering::Equal) && a != b) {
+            self.open(Question::ZerosOfTwoSigns, unit, || format!("MIN or MAX of {ty}"));
+        }
+        Ok(if order == Some(wanted) { a } else { b }.clone())
+    }
+
+    /// MIN(MAX(low, value), high), as the standard writes it.
+    fn limited(
+        &mut self,
+        unit: Unit<'p>,
+        argument: &'p Expression,
+        low: &Cell,
+        value: &Cell,
+        high: &Cell,
+    ) -> Result<Cell, Refusal> {
+        let ty = self.comparable(argument)?;
+        if ordering::compare(ty, low, high).is_some_and(Ordering::is_gt) {
+            self.open(Question::LimitsCrossed, unit, || format!("LIMIT of {ty}"));
+        }
+        let above = self.lesser(unit, argument, low, value, Ordering::Greater)?;
+        self.lesser(unit, argument, &above, high, Ordering::Less)
+    }
+
+    /// The type by which values compare.
+    fn comparable(&self, argument: &'p Expression) -> Result<ElementaryType, Refusal> {
+        match self.resolved(&argument.ty) {
+            Type::Elementary(ty) => Ok(*ty),
+            _ => Err(ARGUMENTS),
+        }
+    }
+}
+
+/// A shift or rotation of a bit string; `None` where the type has none.
+///
+/// Basis: iec-61131-3: Table 29. By the width and more the table standard-functions of the cases says: shifted out, or around.
+fn shifted(function: StandardFunction, ty: ElementaryType, raw: u64, count: i128) -> Option<Computed> {
+    if !ty.is_bit_string() {
+        return None;
+    }
+    let bits = i128::from(ty.bits());
+    let question = if count < 0 {
+        Some(Question::NegativeShiftCount)
+    } else {
+        (count >= bits).then_some(Question::ShiftCount)
+    };
+    let (number, by) = (i128::from(raw), count.clamp(0, 64) as u32);
+    let around = count.rem_euclid(bits) as u32;
+    let rest = ty.bits() - around;
+    let exact = match function {
+        StandardFunction::Shl => number << by,
+        StandardFunction::Shr => number >> by,
+        StandardFunction::Rol => number << around | number >> rest,
+        StandardFunction::Ror => number >> around | number << rest,
+        _ => return None,
+    };
+    Some(Computed {
+        raw: ty.wrap(exact),
+        question,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use StandardFunction::*;
+
+    fn of(function: StandardFunction, ty: ElementaryType, raw: u64, count: i128) -> u64 {
+        shifted(function, ty, raw, count).unwrap().raw
+    }
+
+    #[test]
+    fn shifts_and_rotations_are_those_of_the_width() {
+        let ty = ElementaryType::Byte;
+        assert_eq!(
+            [Shl, Shr, Rol, Ror].map(|f| of(f, ty, 0x81, 1)),
+            [0x02, 0x40, 0x03, 0xC0]
+        );
+        assert_eq!([Shl, Shr, Rol, Ror].map(|f| of(f, ty, 0x81, 0)), [0x81; 4]);
+        assert_eq!(
+            [Shl, Shr, Rol, Ror].map(|f| of(f, ty, 0x81, 8)),
+            [0, 0, 0x81, 0x81]
+        );
+        let wide = ElementaryType::Lword;
+        assert_eq!(of(Rol, wide, 0xA5C3_9669_5A3C_1D81, 63), 0xD2E1_CB34_AD1E_0EC0);
+        assert_eq!(of(Shl, wide, 0xA5C3_9669_5A3C_1D81, 63), 0x8000_0000_0000_0000);
+    }
+
+    #[test]
+    fn a_count_outside_the_width_is_an_open_question() {
+        let question = |count| shifted(Shl, ElementaryType::Word, 1, count).unwrap().question;
+        assert_eq!(question(15), None);
+        assert_eq!(question(16), Some(Question::ShiftCount));
+        assert_eq!(question(-1), Some(Question::NegativeShiftCount));
+    }
+}

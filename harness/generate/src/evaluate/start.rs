@@ -1,0 +1,121 @@
+//! Initial values: of types, of variables, and of the instances of function blocks.
+
+use super::machine::{Machine, Unit};
+use super::memory::Cell;
+use super::{Question, Refusal};
+use crate::model::{Declared, Initial, Section, Type, Variable};
+use stickler_types::ElementaryType;
+
+impl<'p> Machine<'p> {
+    /// Gives the variables of a unit their initial values, in cells that are appended to the memory where its base is.
+    pub fn start(&mut self, unit: Unit<'p>) -> Result<(), Refusal> {
+        let end = unit.base + unit.offsets.size;
+        if self.memory.len() < end {
+            self.memory.resize(end, Cell::Plain(0));
+        }
+        for (index, variable) in unit.variables.iter().enumerate() {
+            // What stands behind an in-out is said by each call.
+            if variable.section != Section::InOut {
+                let offset = unit.offsets.variables.get(index).copied().unwrap_or_default();
+                self.start_variable(unit, variable, unit.base + offset)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn start_variable(&mut self, unit: Unit<'p>, variable: &'p Variable, at: usize) -> Result<(), Refusal> {
+        self.default(unit, &variable.ty, at)?;
+        match &variable.initial {
+            None => Ok(()),
+            Some(Initial::Expression(value)) => self.assign(unit, at, &variable.ty, value),
+            Some(Initial::Array(values)) => {
+                let Type::Array(array) = self.resolved(&variable.ty) else {
+                    return Err(Refusal::IllFormed("elements of something that is no array"));
+                };
+                let size = self.layout.size(&array.element)?;
+                if values.len() > super::layout::elements(array)? {
+                    return Err(Refusal::IllFormed(
+                        "more initial values than the array has elements",
+                    ));
+                }
+                for (element, value) in values.iter().enumerate() {
+                    self.assign(unit, at + element * size, &array.element, value)?;
+                }
+                Ok(())
+            }
+            Some(Initial::Structure(fields)) => {
+                let none = Refusal::IllFormed("fields of something that has none");
+                let Type::Declared(structure) = self.resolved(&variable.ty) else {
+                    return Err(none);
+                };
+                for (field, value) in fields {
+                    let offset = self.layout.field(*structure, *field).ok_or(none)?;
+                    let Some(Declared::Structure(declared)) = self
+                        .program
+                        .types
+                        .get(*structure)
+                        .map(|declaration| &declaration.kind)
+                    else {
+                        return Err(none);
+                    };
+                    let (_, ty, _) = declared.get(*field).ok_or(none)?;
+                    self.assign(unit, at + offset, ty, value)?;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// Writes the initial value of a type.
+    pub fn default(&mut self, unit: Unit<'p>, ty: &'p Type, at: usize) -> Result<(), Refusal> {
+        match self.resolved(ty) {
+            Type::Elementary(ty) => self.store(at, zero(*ty)),
+            Type::Array(array) => {
+                let size = self.layout.size(&array.element)?;
+                for element in 0..super::layout::elements(array)? {
+                    self.default(unit, &array.element, at + element * size)?;
+                }
+                Ok(())
+            }
+            Type::Declared(index) => match self.program.types.get(*index).map(|declared| &declared.kind) {
+                Some(Declared::Structure(fields)) => {
+                    for (field, (_, ty, initial)) in fields.iter().enumerate() {
+                        let offset = self.layout.field(*index, field).unwrap_or_default();
+                        self.default(unit, ty, at + offset)?;
+                        if let Some(value) = initial {
+                            self.assign(unit, at + offset, ty, value)?;
+                        }
+                    }
+                    Ok(())
+                }
+                // The first value of an enumeration.
+                _ => self.store(at, Cell::Plain(0)),
+            },
+            Type::Block(index) => {
+                let missing = Refusal::IllFormed("an instance of a function block that there is not");
+                let block = self.program.blocks.get(*index).ok_or(missing)?;
+                let instance = Unit {
+                    name: &block.name,
+                    variables: &block.variables,
+                    offsets: self.layout.blocks.get(*index).ok_or(missing)?,
+                    base: at,
+                    result: None,
+                };
+                self.deeper(|machine| machine.start(instance))
+            }
+        }
+    }
+}
+
+/// The initial value of an elementary type: 0, or the empty text.
+///
+/// A DATE and a DT begin with the year 1 in the second edition and with 1970 in what came after, so no document settles it.
+///
+/// Basis: iec-61131-3: Table 10 (default initial values).
+fn zero(ty: ElementaryType) -> Cell {
+    match ty {
+        ElementaryType::Date | ElementaryType::Dt => Cell::Unsettled(0, Question::InitialDate),
+        ty if ty.is_text() => Cell::Text(Box::default()),
+        _ => Cell::Plain(0),
+    }
+}

@@ -1,0 +1,295 @@
+//! Statements.
+
+use super::machine::{Machine, Unit};
+use super::memory::Cell;
+use super::{Question, Refusal};
+use crate::model::{
+    CaseBranch, CaseLabel, Expression, ExpressionKind, Place, Statement, StatementKind, Target, Type,
+    VariableId,
+};
+use stickler_types::{ElementaryType, Fault};
+
+/// How a list of statements ended.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Flow {
+    /// At its end.
+    Next,
+    /// By EXIT: the innermost loop ends.
+    Exit,
+    /// By RETURN: the unit ends.
+    Return,
+}
+
+/// A FOR loop, its parts by name.
+#[derive(Clone, Copy)]
+struct For<'p> {
+    variable: VariableId,
+    from: &'p Expression,
+    to: &'p Expression,
+    by: Option<&'p Expression>,
+    body: &'p [Statement],
+}
+
+impl<'p> Machine<'p> {
+    /// Runs statements one after another.
+    pub fn statements(&mut self, unit: Unit<'p>, statements: &'p [Statement]) -> Result<Flow, Refusal> {
+        for statement in statements {
+            let flow = self.statement(unit, statement)?;
+            if flow != Flow::Next {
+                return Ok(flow);
+            }
+        }
+        Ok(Flow::Next)
+    }
+
+    fn statement(&mut self, unit: Unit<'p>, statement: &'p Statement) -> Result<Flow, Refusal> {
+        self.step()?;
+        self.deeper(|machine| machine.of_kind(unit, &statement.kind))
+    }
+
+    fn of_kind(&mut self, unit: Unit<'p>, kind: &'p StatementKind) -> Result<Flow, Refusal> {
+        match kind {
+            StatementKind::Assign(target, value) => self.assignment(unit, target, value),
+            StatementKind::If(branches, otherwise) => {
+                for (condition, body) in branches {
+                    if self.condition(unit, condition)? {
+                        return self.statements(unit, body);
+                    }
+                }
+                self.statements(unit, otherwise.as_deref().unwrap_or_default())
+            }
+            StatementKind::Case(selector, branches, otherwise) => {
+                let selector = self.selector(unit, selector)?;
+                for branch in branches {
+                    if self.is_chosen(unit, branch, selector)? {
+                        return self.statements(unit, &branch.body);
+                    }
+                }
+                self.statements(unit, otherwise.as_deref().unwrap_or_default())
+            }
+            StatementKind::For {
+                variable,
+                from,
+                to,
+                by,
+                body,
+            } => self.counted(
+                unit,
+                For {
+                    variable: *variable,
+                    from,
+                    to,
+                    by: by.as_ref(),
+                    body,
+                },
+            ),
+            StatementKind::While(condition, body) => {
+                while self.condition(unit, condition)? {
+                    match self.turn(unit, body)? {
+                        Flow::Next => {}
+                        Flow::Exit => break,
+                        Flow::Return => return Ok(Flow::Return),
+                    }
+                }
+                Ok(Flow::Next)
+            }
+            StatementKind::Repeat(body, until) => loop {
+                match self.turn(unit, body)? {
+                    Flow::Next => {}
+                    Flow::Exit => break Ok(Flow::Next),
+                    Flow::Return => break Ok(Flow::Return),
+                }
+                if self.condition(unit, until)? {
+                    break Ok(Flow::Next);
+                }
+            },
+            StatementKind::Invoke {
+                instance,
+                inputs,
+                outputs,
+            } => {
+                self.invoke(unit, *instance, inputs, outputs)?;
+                Ok(Flow::Next)
+            }
+            StatementKind::Exit => Ok(Flow::Exit),
+            StatementKind::Return => Ok(Flow::Return),
+            StatementKind::Raw(_) => Err(Refusal::Raw),
+        }
+    }
+
+    /// One turn of a loop; an empty body counts too.
+    fn turn(&mut self, unit: Unit<'p>, body: &'p [Statement]) -> Result<Flow, Refusal> {
+        self.step()?;
+        self.statements(unit, body)
+    }
+
+    fn condition(&mut self, unit: Unit<'p>, condition: &'p Expression) -> Result<bool, Refusal> {
+        Ok(self.plain(unit, condition)? != 0)
+    }
+
+    fn assignment(
+        &mut self,
+        unit: Unit<'p>,
+        target: &'p Target,
+        value: &'p Expression,
+    ) -> Result<Flow, Refusal> {
+        match target {
+            Target::Place(place) => {
+                let address = self.locate(unit, place)?;
+                self.assign(unit, address, &place.ty, value)?;
+            }
+            Target::Bit(place, bit) => {
+                let set = self.condition(unit, value)?;
+                self.set_bit(unit, place, *bit, set)?;
+            }
+            Target::Result => {
+                let (address, ty) = unit
+                    .result
+                    .ok_or(Refusal::IllFormed("a result of something that is no function"))?;
+                self.assign(unit, address, ty, value)?;
+            }
+        }
+        Ok(Flow::Next)
+    }
+
+    /// Gives the cells from an address on the value of an expression of their type.
+    pub fn assign(
+        &mut self,
+        unit: Unit<'p>,
+        address: usize,
+        ty: &'p Type,
+        value: &'p Expression,
+    ) -> Result<(), Refusal> {
+        if self.layout.size(ty)? == 1 {
+            let cell = self.expression(unit, value)?;
+            return self.store(address, cell);
+        }
+        let cells = self.cells(unit, value)?;
+        let into = self.memory.get_mut(address..address + cells.len());
+        into.ok_or(Refusal::IllFormed("a place outside the memory"))?
+            .clone_from_slice(&cells);
+        Ok(())
+    }
+
+    /// Writes one bit of an integer or bit string, and leaves the others as they are.
+    ///
+    /// Basis: ironplc-bit-access: Syntax (0 is the least significant bit).
+    fn set_bit(&mut self, unit: Unit<'p>, place: &'p Place, bit: u32, set: bool) -> Result<(), Refusal> {
+        let ty = self.elementary(&place.ty)?;
+        let address = self.locate(unit, place)?;
+        let Cell::Plain(raw) = self.load(unit, address)? else {
+            return Err(Refusal::IllFormed("a bit of a text"));
+        };
+        if bit >= ty.bits() {
+            return Err(Refusal::IllFormed("a bit that the type does not have"));
+        }
+        let number = if set { raw | 1 << bit } else { raw & !(1 << bit) };
+        self.store(address, Cell::Plain(ty.wrap(i128::from(number))))
+    }
+
+    /// The number that a CASE selects by: that of an integer, or the place of an enumerated value.
+    fn selector(&mut self, unit: Unit<'p>, selector: &'p Expression) -> Result<i128, Refusal> {
+        let raw = self.plain(unit, selector)?;
+        Ok(match self.resolved(&selector.ty) {
+            Type::Elementary(ty) => ty.integer_value(raw),
+            _ => i128::from(raw),
+        })
+    }
+
+    fn is_chosen(&mut self, unit: Unit<'p>, branch: &'p CaseBranch, selector: i128) -> Result<bool, Refusal> {
+        for label in &branch.labels {
+            let chosen = match label {
+                CaseLabel::One(value) => self.selector(unit, value)? == selector,
+                CaseLabel::Range(low, high) => {
+                    (self.selector(unit, low)?..=self.selector(unit, high)?).contains(&selector)
+                }
+            };
+            if chosen {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// A FOR loop: it ends when the limit has been passed, also where the type ends there. What its variable holds then no
+    /// document says; after EXIT and RETURN it holds the value of that turn.
+    ///
+    /// Basis: iec-61131-3: 7.3.3.4.2.
+    fn counted(&mut self, unit: Unit<'p>, parts: For<'p>) -> Result<Flow, Refusal> {
+        let (address, ty) = self.variable(unit, parts.variable)?;
+        let ty = self.elementary(ty)?;
+        let mut value = self.integer(unit, parts.from)?;
+        let to = self.integer(unit, parts.to)?;
+        let by = match parts.by {
+            Some(by) => self.integer(unit, by)?,
+            None => 1,
+        };
+        if by == 0 {
+            return Err(Refusal::IllFormed("a FOR loop by 0"));
+        }
+        while if by > 0 { value <= to } else { value >= to } {
+            if !holds(ty, value) {
+                self.open(Question::LoopVariable, unit, || {
+                    format!("{value} does not fit {ty}")
+                });
+                break;
+            }
+            let raw = ty.wrap(value);
+            self.store(address, Cell::Plain(raw))?;
+            match self.turn(unit, parts.body)? {
+                Flow::Next => {}
+                Flow::Exit => return Ok(Flow::Next),
+                Flow::Return => return Ok(Flow::Return),
+            }
+            self.check_unchanged(unit, &parts, address, raw, to)?;
+            value += by;
+        }
+        self.store(address, Cell::Unsettled(ty.wrap(value), Question::LoopVariable))?;
+        Ok(Flow::Next)
+    }
+
+    /// Notes where a turn has changed the variable of its loop or the value of its limit, which systems may look at or not.
+    fn check_unchanged(
+        &mut self,
+        unit: Unit<'p>,
+        parts: &For<'p>,
+        address: usize,
+        raw: u64,
+        to: i128,
+    ) -> Result<(), Refusal> {
+        let changed = self.memory.get(address) != Some(&Cell::Plain(raw))
+            || (!is_literal(parts.to) && self.integer(unit, parts.to)? != to);
+        if changed {
+            self.open(Question::LoopChanged, unit, || {
+                "in the body of the loop".to_owned()
+            });
+        }
+        Ok(())
+    }
+
+    /// The value of an integer expression.
+    pub fn integer(&mut self, unit: Unit<'p>, expression: &'p Expression) -> Result<i128, Refusal> {
+        let ty = self.elementary(&expression.ty)?;
+        Ok(ty.integer_value(self.plain(unit, expression)?))
+    }
+
+    /// The raw form of an expression that is no text.
+    pub fn plain(&mut self, unit: Unit<'p>, expression: &'p Expression) -> Result<u64, Refusal> {
+        match self.expression(unit, expression)? {
+            Cell::Plain(raw) => Ok(raw),
+            _ => Err(Refusal::IllFormed("a text where a number stands")),
+        }
+    }
+}
+
+fn is_literal(expression: &Expression) -> bool {
+    matches!(expression.kind, ExpressionKind::Literal(..))
+}
+
+fn holds(ty: ElementaryType, value: i128) -> bool {
+    ty.integer_range()
+        .is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
+}
+
+/// A division by zero, as the refusal that it is.
+pub(super) const DIVISION_BY_ZERO: Refusal = Refusal::Fault(Fault::DivisionByZero);

@@ -1,0 +1,106 @@
+//! Models made by hand, each with what the documents say of it; here stands what they are made of.
+
+mod calls;
+mod flow;
+mod values;
+
+use super::*;
+use crate::model::*;
+use stickler_exact::signatures;
+use stickler_types::ElementaryType::{
+    self, Bool, Byte, Date, Dint, Int, Lreal, Ltime, Real, Sint, Time, Udint, Usint,
+};
+use stickler_types::{DialectName, Fault, Value};
+
+fn of(ty: ElementaryType, kind: ExpressionKind) -> Expression {
+    Expression {
+        ty: Type::Elementary(ty),
+        kind,
+    }
+}
+
+fn literal(text: &str) -> Expression {
+    let value = Value::parse(text).unwrap();
+    let ty = ElementaryType::from_name(value.type_name()).unwrap();
+    of(ty, ExpressionKind::Literal(value, LiteralForm::Typed))
+}
+
+fn place(variable: usize, path: Vec<Selector>, ty: ElementaryType) -> Place {
+    Place {
+        variable: VariableId(variable),
+        path,
+        ty: Type::Elementary(ty),
+    }
+}
+
+fn read(variable: usize, ty: ElementaryType) -> Expression {
+    of(ty, ExpressionKind::Read(place(variable, Vec::new(), ty)))
+}
+
+fn binary(operator: BinaryOperator, left: Expression, right: Expression) -> Expression {
+    Expression {
+        ty: left.ty.clone(),
+        kind: ExpressionKind::Binary(operator, Box::new(left), Box::new(right)),
+    }
+}
+
+fn variable(name: &str, ty: Type, section: Section, initial: Option<Expression>) -> Variable {
+    Variable {
+        name: name.to_owned(),
+        ty,
+        section,
+        initial: initial.map(Initial::Expression),
+    }
+}
+
+fn local(name: &str, ty: ElementaryType, initial: &str) -> Variable {
+    let initial = (!initial.is_empty()).then(|| literal(initial));
+    variable(name, Type::Elementary(ty), Section::Local, initial)
+}
+
+fn statement(kind: StatementKind) -> Statement {
+    Statement { kind }
+}
+
+fn assign(target: Place, value: Expression) -> Statement {
+    statement(StatementKind::Assign(Target::Place(target), value))
+}
+
+fn set(variable: usize, ty: ElementaryType, value: Expression) -> Statement {
+    assign(place(variable, Vec::new(), ty), value)
+}
+
+fn program(variables: Vec<Variable>, body: Vec<Statement>) -> Program {
+    Program {
+        dialect: DialectName::IronplcEd3,
+        types: Vec::new(),
+        functions: Vec::new(),
+        blocks: Vec::new(),
+        main: Main { variables, body },
+    }
+}
+
+/// The values as text: `a = INT#5`.
+fn values(program: &Program) -> Vec<String> {
+    values_after(program, 1)
+}
+
+fn values_after(program: &Program, scans: u32) -> Vec<String> {
+    let evaluation = evaluate(program, scans).unwrap();
+    let observed: Vec<String> = program.observed().into_iter().map(|(path, _)| path).collect();
+    let named: Vec<&String> = evaluation.values.iter().map(|(path, _)| path).collect();
+    assert!(
+        named.into_iter().eq(&observed),
+        "the values are those that are observed"
+    );
+    evaluation
+        .values
+        .iter()
+        .map(|(path, value)| format!("{path} = {value}"))
+        .collect()
+}
+
+fn questions(program: &Program) -> Vec<Question> {
+    let opened = evaluate(program, 1).unwrap().opened;
+    opened.into_iter().map(|opened| opened.question).collect()
+}
