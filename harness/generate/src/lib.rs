@@ -9,4 +9,5 @@ pub mod model;
 pub mod oracles;
 pub mod random;
 pub mod reduce;
+pub mod variants;
 pub mod writer;

@@ -26,7 +26,7 @@ mod standard;
 mod start;
 mod statements;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub use answer::{Evaluation, Opened, Question, Refusal};
 pub use machine::{MOST_STEPS, evaluate};

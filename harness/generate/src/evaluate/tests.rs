@@ -12,20 +12,20 @@ use stickler_types::ElementaryType::{
 };
 use stickler_types::{DialectName, Fault, Value};
 
-fn of(ty: ElementaryType, kind: ExpressionKind) -> Expression {
+pub(crate) fn of(ty: ElementaryType, kind: ExpressionKind) -> Expression {
     Expression {
         ty: Type::Elementary(ty),
         kind,
     }
 }
 
-fn literal(text: &str) -> Expression {
+pub(crate) fn literal(text: &str) -> Expression {
     let value = Value::parse(text).unwrap();
     let ty = ElementaryType::from_name(value.type_name()).unwrap();
     of(ty, ExpressionKind::Literal(value, LiteralForm::Typed))
 }
 
-fn place(variable: usize, path: Vec<Selector>, ty: ElementaryType) -> Place {
+pub(crate) fn place(variable: usize, path: Vec<Selector>, ty: ElementaryType) -> Place {
     Place {
         variable: VariableId(variable),
         path,
@@ -33,18 +33,18 @@ fn place(variable: usize, path: Vec<Selector>, ty: ElementaryType) -> Place {
     }
 }
 
-fn read(variable: usize, ty: ElementaryType) -> Expression {
+pub(crate) fn read(variable: usize, ty: ElementaryType) -> Expression {
     of(ty, ExpressionKind::Read(place(variable, Vec::new(), ty)))
 }
 
-fn binary(operator: BinaryOperator, left: Expression, right: Expression) -> Expression {
+pub(crate) fn binary(operator: BinaryOperator, left: Expression, right: Expression) -> Expression {
     Expression {
         ty: left.ty.clone(),
         kind: ExpressionKind::Binary(operator, Box::new(left), Box::new(right)),
     }
 }
 
-fn variable(name: &str, ty: Type, section: Section, initial: Option<Expression>) -> Variable {
+pub(crate) fn variable(name: &str, ty: Type, section: Section, initial: Option<Expression>) -> Variable {
     Variable {
         name: name.to_owned(),
         ty,
@@ -53,24 +53,24 @@ fn variable(name: &str, ty: Type, section: Section, initial: Option<Expression>)
     }
 }
 
-fn local(name: &str, ty: ElementaryType, initial: &str) -> Variable {
+pub(crate) fn local(name: &str, ty: ElementaryType, initial: &str) -> Variable {
     let initial = (!initial.is_empty()).then(|| literal(initial));
     variable(name, Type::Elementary(ty), Section::Local, initial)
 }
 
-fn statement(kind: StatementKind) -> Statement {
+pub(crate) fn statement(kind: StatementKind) -> Statement {
     Statement { kind }
 }
 
-fn assign(target: Place, value: Expression) -> Statement {
+pub(crate) fn assign(target: Place, value: Expression) -> Statement {
     statement(StatementKind::Assign(Target::Place(target), value))
 }
 
-fn set(variable: usize, ty: ElementaryType, value: Expression) -> Statement {
+pub(crate) fn set(variable: usize, ty: ElementaryType, value: Expression) -> Statement {
     assign(place(variable, Vec::new(), ty), value)
 }
 
-fn program(variables: Vec<Variable>, body: Vec<Statement>) -> Program {
+pub(crate) fn program(variables: Vec<Variable>, body: Vec<Statement>) -> Program {
     Program {
         dialect: DialectName::IronplcEd3,
         types: Vec::new(),

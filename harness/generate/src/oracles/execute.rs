@@ -1,0 +1,279 @@
+//! Well-typed programs: the reference accepts each, runs it to its end, and gives the values that the model's evaluator
+//! gives; and so it does with every variant of it that means the same.
+
+use super::{Failure, Tried};
+use crate::evaluate::{Evaluation, Refusal, evaluate};
+use crate::generator::{Settings, program};
+use crate::model::Program;
+use crate::random::Random;
+use crate::variants::Variant;
+use crate::writer::{Style, write};
+use arbitrary::Unstructured;
+use stickler_reference::{Limits, Observation, Outcome, Request, RequestError, run};
+use stickler_types::{DialectName, Value};
+
+/// How many variants of a program are tried; which, the input says.
+const VARIANTS_TRIED: usize = 3;
+
+/// Judges the program that these bytes stand for.
+///
+/// # Errors
+/// See [`judge_program`].
+pub fn execute(data: &[u8]) -> Result<Tried, Failure> {
+    judge_program(&program_of(data), data)
+}
+
+/// The program that these bytes stand for: of any dialect, and free of what documents leave open.
+#[must_use]
+pub fn program_of(data: &[u8]) -> Program {
+    program(&mut Unstructured::new(data), &Settings::default())
+}
+
+/// Judges a program. The bytes of `rest` choose which variants are tried, and what they vary: the same bytes choose alike for
+/// every program, so that a program can be made smaller while it stays wrong.
+///
+/// # Errors
+/// The reference rejects the program or a variant of it, faults where the evaluator does not or otherwise, does not end, breaks
+/// down, or gives another value; or the program is none: the generator's own defect. The symptom of a variant begins with
+/// `variant`, its name and a colon.
+pub fn judge_program(program: &Program, rest: &[u8]) -> Result<Tried, Failure> {
+    let text = write(program, &Style::default()).text;
+    let evaluation = match evaluate(program, 1) {
+        Ok(evaluation) => evaluation,
+        Err(Refusal::Raw) => return Ok(Tried::PassedOver("raw text in the program")),
+        Err(Refusal::Fault(fault)) => return judge_fault(program, &text, fault),
+        Err(Refusal::StepLimit) => {
+            let message = "the program takes too many steps, though it is made to end soon";
+            return Err(Failure::new("generator:step-limit", message).of_program(text));
+        }
+        Err(Refusal::IllFormed(why)) => {
+            let message = format!("the model of the program contradicts itself: {why}");
+            return Err(Failure::new("generator:ill-formed", message).of_program(text));
+        }
+    };
+    let given = values_of(program, &text).map_err(|failure| failure.of_program(&*text))?;
+    if !evaluation.binds_the_reference() {
+        return Ok(Tried::PassedOver("documents leave open what it gives"));
+    }
+    compare(&evaluation.values, &given).map_err(|failure| failure.of_program(&*text))?;
+    judge_variants(program, &text, &evaluation, rest)?;
+    Ok(Tried::Done)
+}
+
+/// Judges a program that stops: the reference stops it with the same fault.
+fn judge_fault(program: &Program, text: &str, fault: stickler_types::Fault) -> Result<Tried, Failure> {
+    let symptom = match reference(program.dialect, text, &[]) {
+        Ok(Outcome::Faulted { fault: given, .. }) if given == fault => return Ok(Tried::Done),
+        Ok(Outcome::Faulted { fault: given, .. }) => format!("fault:{given}"),
+        Ok(Outcome::Executed { .. }) => format!("not-fault:{fault}"),
+        Ok(Outcome::Rejected(diagnostics)) => rejected(&diagnostics).symptom,
+        Err(error) => broken(&error).symptom,
+    };
+    let message =
+        format!("the program stops by its documents with the fault {fault}; the reference does not");
+    Err(Failure::new(symptom, message).of_program(text))
+}
+
+/// Tries some variants of a program that the reference runs rightly.
+fn judge_variants(
+    program: &Program,
+    text: &str,
+    evaluation: &Evaluation,
+    rest: &[u8],
+) -> Result<(), Failure> {
+    let choices = scattered(rest);
+    let mut choices = Unstructured::new(&choices);
+    for _ in 0..VARIANTS_TRIED {
+        let chosen = Random::new(&mut choices).below(Variant::ALL.len());
+        let Some(variant) = Variant::ALL.get(chosen) else {
+            break;
+        };
+        if let Some(varied) = variant.text(program, &mut choices) {
+            judge_variant(*variant, program, text, &varied, evaluation)?;
+        }
+    }
+    Ok(())
+}
+
+fn judge_variant(
+    variant: Variant,
+    program: &Program,
+    text: &str,
+    varied: &str,
+    evaluation: &Evaluation,
+) -> Result<(), Failure> {
+    let judged = values_of(program, varied).and_then(|given| compare(&evaluation.values, &given));
+    judged.map_err(|failure| {
+        let name = variant.name();
+        Failure::new(
+            format!("variant {name}:{}", failure.symptom),
+            format!(
+                "the program is right, but its variant `{name}` is not: {}; the variant is\n{varied}\nof",
+                failure.message
+            ),
+        )
+        .of_program(text)
+    })
+}
+
+/// What the reference gives for everything that is observed of a program, by one of its texts.
+fn values_of(program: &Program, text: &str) -> Result<Vec<(String, Value)>, Failure> {
+    let observed = program.observed();
+    match reference(program.dialect, text, &observed) {
+        Ok(Outcome::Executed { values }) => Ok(values),
+        Ok(Outcome::Rejected(diagnostics)) => Err(rejected(&diagnostics)),
+        Ok(Outcome::Faulted { fault, line, .. }) => Err(Failure::new(
+            format!("fault:{fault}"),
+            format!(
+                "the reference stops with the fault {fault} on line {line}, and nothing in the program does that"
+            ),
+        )),
+        Err(error) => Err(broken(&error)),
+    }
+}
+
+/// Runs a text on the reference for one scan.
+fn reference(
+    dialect: DialectName,
+    source: &str,
+    observed: &[(String, stickler_types::ElementaryType)],
+) -> Result<Outcome, RequestError> {
+    let observe: Vec<Observation<'_>> = observed
+        .iter()
+        .map(|(name, _)| Observation { name, after: None })
+        .collect();
+    run(&Request {
+        dialect,
+        source,
+        scans: 1,
+        observe: &observe,
+        clock: &[],
+        set: &[],
+        limits: Limits::default(),
+    })
+}
+
+fn rejected(diagnostics: &[stickler_reference::LocatedDiagnostic]) -> Failure {
+    let code = diagnostics.first().map_or("nothing", |first| first.code.as_str());
+    let told: Vec<String> = diagnostics
+        .iter()
+        .map(|diagnostic| {
+            let place = format!("{}:{}", diagnostic.line, diagnostic.column);
+            format!("{place} {} {}", diagnostic.code, diagnostic.message)
+        })
+        .collect();
+    let message = format!("the reference rejects a well-typed program: {}", told.join("; "));
+    Failure::new(format!("rejected:{code}"), message)
+}
+
+fn broken(error: &RequestError) -> Failure {
+    let symptom = match error {
+        RequestError::Internal(_) => "internal-error",
+        _ => "not-observed",
+    };
+    Failure::new(symptom, format!("the reference gives no values: {error}"))
+}
+
+/// Holds the values that came against those that must come.
+///
+/// # Errors
+/// The first value that differs; the symptom is `value:` and its type.
+pub(super) fn compare(expected: &[(String, Value)], given: &[(String, Value)]) -> Result<(), Failure> {
+    for (index, (path, value)) in expected.iter().enumerate() {
+        match given.get(index) {
+            Some((name, other)) if name == path && other == value => {}
+            Some((_, other)) => {
+                return Err(Failure::new(
+                    format!("value:{}", value.type_name()),
+                    format!("{path} is {other}, and by the documents {value}"),
+                ));
+            }
+            None => {
+                let message = format!("{path} is told nothing of, and by the documents it is {value}");
+                return Err(Failure::new("value:missing", message));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Bytes for choices, the same for the same input, which differ altogether for inputs that differ in one bit.
+fn scattered(input: &[u8]) -> Vec<u8> {
+    const LENGTH: usize = 512;
+    // FNV-1a takes the input in, and splitmix64 spreads it out.
+    let mut state = input.iter().fold(0xCBF2_9CE4_8422_2325_u64, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3)
+    });
+    let mut bytes = Vec::with_capacity(LENGTH);
+    while bytes.len() < LENGTH {
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut word = state;
+        word = (word ^ (word >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        word = (word ^ (word >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        bytes.extend((word ^ (word >> 31)).to_le_bytes());
+    }
+    bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_bytes_and_few_bytes_stand_for_programs_that_are_right() {
+        for data in [&[][..], &[1], &[0xFF; 40], &[0x5A; 400]] {
+            assert_eq!(execute(data), Ok(Tried::Done), "{data:?}");
+        }
+    }
+
+    #[test]
+    fn every_variant_of_a_program_that_has_everything_gives_its_values() {
+        let program = crate::variants::tests::everything();
+        let text = write(&program, &Style::default()).text;
+        let evaluation = evaluate(&program, 1).unwrap();
+        for variant in Variant::ALL {
+            for seed in 0..20 {
+                let choices = scattered(&[seed]);
+                if let Some(varied) = variant.text(&program, &mut Unstructured::new(&choices)) {
+                    assert_eq!(
+                        judge_variant(variant, &program, &text, &varied, &evaluation),
+                        Ok(())
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_variant_that_gives_another_value_is_named() {
+        let program = crate::variants::tests::everything();
+        let text = write(&program, &Style::default()).text;
+        let evaluation = evaluate(&program, 1).unwrap();
+        let wrong = text.replace("7", "8");
+        let failure = judge_variant(Variant::DeadCode, &program, &text, &wrong, &evaluation).unwrap_err();
+        assert_eq!(failure.symptom, "variant dead-code:value:DINT");
+        let ill_formed = text.replace("INT#7", "INT#7.0");
+        let failure = judge_variant(Variant::Bits, &program, &text, &ill_formed, &evaluation).unwrap_err();
+        assert_eq!(failure.symptom, "variant bits:rejected:P2026");
+    }
+
+    #[test]
+    fn a_value_that_differs_is_named_with_its_type() {
+        let value = |text: &str| ("a".to_owned(), Value::parse(text).unwrap());
+        let failure = compare(&[value("INT#5")], &[value("INT#6")]).unwrap_err();
+        assert_eq!(failure.symptom, "value:INT");
+        assert_eq!(failure.message, "a is INT#6, and by the documents INT#5");
+        assert_eq!(
+            compare(&[value("INT#5")], &[]).unwrap_err().symptom,
+            "value:missing"
+        );
+        assert_eq!(compare(&[value("REAL#NaN")], &[value("REAL#NaN")]), Ok(()));
+    }
+
+    #[test]
+    fn one_bit_of_the_input_changes_the_choices_altogether() {
+        let (one, other) = (scattered(&[0]), scattered(&[1]));
+        assert!(one.iter().zip(&other).filter(|(a, b)| a == b).count() < 16);
+        assert_eq!(scattered(&[1]), other);
+    }
+}

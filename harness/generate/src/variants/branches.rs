@@ -1,0 +1,30 @@
+//! The two sides of an IF.
+
+use super::loops::not;
+use super::walk::{bodies, lists};
+use crate::model::{Program, StatementKind};
+use crate::random::Random;
+use std::mem;
+
+/// Negates the condition of some IFs without ELSIF, and exchanges what stands behind THEN and ELSE. Says how many.
+pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
+    let mut count = 0;
+    for body in bodies(program) {
+        lists(body.statements, &mut |list| {
+            for statement in list {
+                let StatementKind::If(branches, otherwise) = &mut statement.kind else {
+                    continue;
+                };
+                if let [(condition, then)] = &mut branches[..]
+                    && !random.chance(1, 4)
+                {
+                    *condition = not(condition);
+                    let positive = mem::replace(then, otherwise.take().unwrap_or_default());
+                    *otherwise = Some(positive);
+                    count += 1;
+                }
+            }
+        });
+    }
+    count
+}

@@ -1,0 +1,68 @@
+//! The case of letters: keywords, names, types, functions, the letters in numbers and durations.
+//!
+//! Basis: iec-61131-3: 6.1.2 (identifiers and keywords do not distinguish cases; literals neither, but for the characters of
+//! texts).
+
+use crate::model::Program;
+use crate::random::Random;
+use crate::writer::{Style, write};
+
+/// The text of a program with each letter outside texts in a case of its own.
+pub(super) fn scattered(program: &Program, random: &mut Random<'_, '_>) -> Option<String> {
+    let text = write(program, &Style::default()).text;
+    let mut bits = random.bits() | 1;
+    let mut quoted = None;
+    let varied: String = text
+        .chars()
+        .map(|letter| match quoted {
+            // A quote within a text stands behind a dollar, or is written by its number: what the writer spells `$'` is passed by
+            // its dollar, see `after_dollar`.
+            Some(Quoted::Escaped(quote)) => {
+                quoted = Some(Quoted::In(quote));
+                letter
+            }
+            Some(Quoted::In(_)) if letter == '$' => {
+                quoted = quoted.map(Quoted::escaped);
+                letter
+            }
+            Some(Quoted::In(quote)) => {
+                if letter == quote {
+                    quoted = None;
+                }
+                letter
+            }
+            None if matches!(letter, '\'' | '"') => {
+                quoted = Some(Quoted::In(letter));
+                letter
+            }
+            None => {
+                bits = bits.rotate_left(1);
+                in_case(letter, bits & 1 == 1)
+            }
+        })
+        .collect();
+    (varied != text).then_some(varied)
+}
+
+/// Where in a text a character stands: inside it, or behind a dollar sign; and the quote that ends it.
+#[derive(Clone, Copy)]
+enum Quoted {
+    In(char),
+    Escaped(char),
+}
+
+impl Quoted {
+    const fn escaped(self) -> Quoted {
+        match self {
+            Quoted::In(quote) | Quoted::Escaped(quote) => Quoted::Escaped(quote),
+        }
+    }
+}
+
+const fn in_case(letter: char, lower: bool) -> char {
+    if lower {
+        letter.to_ascii_lowercase()
+    } else {
+        letter.to_ascii_uppercase()
+    }
+}

@@ -1,0 +1,119 @@
+//! Statements that are never reached, or that change nothing, and variables that nobody reads.
+
+use super::walk::{FreeNames, bodies, has_loose_exit, lists, variable, whole};
+use crate::model::{
+    Expression, ExpressionKind, LiteralForm, Program, Section, Statement, StatementKind, Target, Type,
+    Variable, VariableId,
+};
+use crate::random::Random;
+use std::collections::HashSet;
+use stickler_types::{ElementaryType, Value};
+
+/// Inserts dead code beside some statements. Says how much.
+pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
+    let mut names = FreeNames::of(program);
+    let mut count = 0;
+    for mut body in bodies(program) {
+        body.add(variable(
+            names.next("unread"),
+            Type::Elementary(ElementaryType::Lword),
+            Section::Local,
+        ));
+        let settled = settled_variables(body.variables, body.statements);
+        lists(body.statements, &mut |list| {
+            let mut longer = Vec::with_capacity(list.len());
+            for statement in list.drain(..) {
+                if !random.chance(1, 2)
+                    && let Some(dead) = dead(&statement, &settled, random)
+                {
+                    longer.push(dead);
+                    count += 1;
+                }
+                longer.push(statement);
+            }
+            *list = longer;
+        });
+        body.statements.push(statement(StatementKind::Return));
+        // What stands behind the last RETURN is never reached.
+        if let Some(first) = body
+            .statements
+            .first()
+            .filter(|first| !has_loose_exit(std::slice::from_ref(*first)))
+        {
+            let first = first.clone();
+            body.statements.push(first);
+        }
+        count += 1;
+    }
+    count
+}
+
+/// The variables that may be assigned to themselves anywhere: in VAR, elementary, and no loop's.
+fn settled_variables(
+    variables: &[Variable],
+    statements: &mut Vec<Statement>,
+) -> Vec<(VariableId, ElementaryType)> {
+    let mut counting = HashSet::new();
+    lists(statements, &mut |list| {
+        for statement in list {
+            if let StatementKind::For { variable, .. } = &statement.kind {
+                counting.insert(*variable);
+            }
+        }
+    });
+    let settled = variables
+        .iter()
+        .enumerate()
+        .filter_map(|(index, variable)| match variable.ty {
+            Type::Elementary(ty) if variable.section == Section::Local => Some((VariableId(index), ty)),
+            _ => None,
+        });
+    settled.filter(|(id, _)| !counting.contains(id)).collect()
+}
+
+/// Something to stand before a statement: a copy of it that is never reached, or an assignment of a variable to itself.
+fn dead(
+    beside: &Statement,
+    settled: &[(VariableId, ElementaryType)],
+    random: &mut Random<'_, '_>,
+) -> Option<Statement> {
+    let copy = vec![beside.clone()];
+    let is_simple = !has_loose_exit(&copy);
+    match random.below(5) {
+        0 => random.pick(settled).map(|&(id, ty)| onto_itself(id, ty)),
+        1 if is_simple => Some(statement(StatementKind::While(truth(false), copy))),
+        2 => Some(statement(StatementKind::If(
+            vec![(truth(true), Vec::new()), (truth(true), copy)],
+            None,
+        ))),
+        3 => Some(statement(StatementKind::If(
+            vec![(truth(true), Vec::new())],
+            Some(copy),
+        ))),
+        _ => Some(statement(StatementKind::If(vec![(truth(false), copy)], None))),
+    }
+}
+
+/// `a := a;`
+fn onto_itself(id: VariableId, ty: ElementaryType) -> Statement {
+    let place = whole(id, Type::Elementary(ty));
+    let value = Expression {
+        ty: Type::Elementary(ty),
+        kind: ExpressionKind::Read(place.clone()),
+    };
+    statement(StatementKind::Assign(Target::Place(place), value))
+}
+
+fn truth(value: bool) -> Expression {
+    Expression {
+        ty: Type::Elementary(ElementaryType::Bool),
+        kind: ExpressionKind::Literal(
+            Value::plain(ElementaryType::Bool, u64::from(value)),
+            LiteralForm::Untyped,
+        ),
+    }
+}
+
+const fn statement(kind: StatementKind) -> Statement {
+    Statement { kind }
+}

@@ -1,0 +1,63 @@
+//! Literals: their values in variables and constants, or their types in front of them.
+
+use super::walk::{FreeNames, bodies, expressions, variable, whole};
+use crate::model::{
+    Expression, ExpressionKind, Initial, LiteralForm, Program, Section, Variable, VariableId,
+};
+use crate::random::Random;
+
+/// Puts the values of some literals and enumerated values into variables that are assigned nowhere: in VAR, so that a compiler
+/// knows nothing of them, or in VAR CONSTANT, so that it knows them by another way. Says how many.
+///
+/// The literal's type is that of the variable, so that every operation keeps its own.
+pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
+    let mut names = FreeNames::of(program);
+    let mut count = 0;
+    for body in bodies(program) {
+        let mut added: Vec<Variable> = Vec::new();
+        let first = body.variables.len();
+        expressions(body.statements, &mut |expression| {
+            let is_value = matches!(
+                expression.kind,
+                ExpressionKind::Literal(..) | ExpressionKind::Enumerated(_)
+            );
+            if !is_value || random.chance(1, 3) {
+                return;
+            }
+            let section = if random.chance(1, 2) {
+                Section::Constant
+            } else {
+                Section::Local
+            };
+            let ty = expression.ty.clone();
+            let hoisted = whole(VariableId(first + added.len()), ty.clone());
+            let value = std::mem::replace(&mut expression.kind, ExpressionKind::Read(hoisted));
+            added.push(Variable {
+                initial: Some(Initial::Expression(Expression {
+                    ty: ty.clone(),
+                    kind: value,
+                })),
+                ..variable(names.next("hoisted"), ty, section)
+            });
+        });
+        count += added.len();
+        body.variables.append(&mut added);
+    }
+    count
+}
+
+/// Writes literals that take their type from what stands around them with the type that they have. Says how many.
+pub(super) fn type_all(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
+    let mut count = 0;
+    for body in bodies(program) {
+        expressions(body.statements, &mut |expression| {
+            if let ExpressionKind::Literal(_, form @ LiteralForm::Untyped) = &mut expression.kind
+                && !random.chance(1, 4)
+            {
+                *form = LiteralForm::Typed;
+                count += 1;
+            }
+        });
+    }
+    count
+}

@@ -1,0 +1,185 @@
+//! The variants by name.
+
+use super::{branches, capitals, dead_code, literals, loops, operands, spelling};
+use crate::model::Program;
+use crate::random::Random;
+use crate::writer::{Arguments, Bits, Keywords, LineEnds, Style, Widening, write};
+use arbitrary::Unstructured;
+use stickler_reference::render;
+use stickler_types::DialectName;
+
+/// A way to write a program differently and mean the same.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Variant {
+    /// Keywords in lower case, or in both.
+    Keywords,
+    /// Every letter outside texts and comments in either case: names too are the same in both.
+    Capitals,
+    /// Comments where blanks stand.
+    Comments,
+    /// Lines that end with a carriage return and a line feed.
+    LineEnds,
+    /// `.%Xn` for `.n`.
+    Bits,
+    /// A conversion function for each implicit conversion.
+    ExplicitConversions,
+    /// Named arguments for positional ones.
+    NamedArguments,
+    /// Literals in variables and named constants that have their values.
+    ConstantsHoisted,
+    /// `INT#5` for `5`.
+    TypedLiterals,
+    /// Operands of what commutes, and of comparisons, the other way round.
+    OperandsSwapped,
+    /// Operands in variables of their own, assigned just before.
+    Temporaries,
+    /// A FOR loop turn after turn; the first turn of a WHILE or REPEAT in front of it.
+    LoopUnrolled,
+    /// Statements that are never reached, assignments of a variable to itself, variables that nobody reads.
+    DeadCode,
+    /// `IF NOT c THEN b ELSE a` for `IF c THEN a ELSE b`.
+    BranchesSwapped,
+    /// What the reference's renderer gives for the text.
+    Rendered,
+}
+
+impl Variant {
+    /// Every variant, in the order of the declaration.
+    pub const ALL: [Variant; 15] = [
+        Variant::Keywords,
+        Variant::Capitals,
+        Variant::Comments,
+        Variant::LineEnds,
+        Variant::Bits,
+        Variant::ExplicitConversions,
+        Variant::NamedArguments,
+        Variant::ConstantsHoisted,
+        Variant::TypedLiterals,
+        Variant::OperandsSwapped,
+        Variant::Temporaries,
+        Variant::LoopUnrolled,
+        Variant::DeadCode,
+        Variant::BranchesSwapped,
+        Variant::Rendered,
+    ];
+
+    /// The name in symptoms and reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Variant::Keywords => "keywords",
+            Variant::Capitals => "capitals",
+            Variant::Comments => "comments",
+            Variant::LineEnds => "line-ends",
+            Variant::Bits => "bits",
+            Variant::ExplicitConversions => "explicit-conversions",
+            Variant::NamedArguments => "named-arguments",
+            Variant::ConstantsHoisted => "constants-hoisted",
+            Variant::TypedLiterals => "typed-literals",
+            Variant::OperandsSwapped => "operands-swapped",
+            Variant::Temporaries => "temporaries",
+            Variant::LoopUnrolled => "loop-unrolled",
+            Variant::DeadCode => "dead-code",
+            Variant::BranchesSwapped => "branches-swapped",
+            Variant::Rendered => "rendered",
+        }
+    }
+
+    /// The text of this variant of a program; `None` where the program has nothing that could be varied so.
+    ///
+    /// The input chooses what is varied and what is left as it is. Variables that a variant adds come behind those of the
+    /// program, and every path of [`Program::observed`] means what it did.
+    #[must_use]
+    pub fn text(self, program: &Program, input: &mut Unstructured<'_>) -> Option<String> {
+        let mut random = Random::new(input);
+        match self {
+            Variant::Keywords => {
+                let keywords = [Keywords::Lower, Keywords::Mixed];
+                let keywords = *random.pick(&keywords)?;
+                spelling::other(
+                    program,
+                    Style {
+                        keywords,
+                        seed: random.bits(),
+                        ..Style::default()
+                    },
+                )
+            }
+            Variant::Capitals => capitals::scattered(program, &mut random),
+            Variant::Comments => {
+                let style = Style {
+                    comments: true,
+                    seed: random.bits(),
+                    ..Style::default()
+                };
+                spelling::other(program, style)
+            }
+            Variant::LineEnds => spelling::other(
+                program,
+                Style {
+                    line_ends: LineEnds::CrLf,
+                    ..Style::default()
+                },
+            ),
+            Variant::Bits if has_partial_access(program.dialect) => spelling::other(
+                program,
+                Style {
+                    bits: Bits::Percent,
+                    ..Style::default()
+                },
+            ),
+            Variant::Bits => None,
+            Variant::ExplicitConversions => spelling::other(
+                program,
+                Style {
+                    widening: Widening::Explicit,
+                    ..Style::default()
+                },
+            ),
+            Variant::NamedArguments => spelling::other(
+                program,
+                Style {
+                    arguments: Arguments::Named,
+                    ..Style::default()
+                },
+            ),
+            Variant::ConstantsHoisted => changed(program, &mut random, literals::hoist),
+            Variant::TypedLiterals => changed(program, &mut random, literals::type_all),
+            Variant::OperandsSwapped => changed(program, &mut random, operands::swap),
+            Variant::Temporaries => changed(program, &mut random, operands::split),
+            Variant::LoopUnrolled => changed(program, &mut random, loops::unroll),
+            Variant::DeadCode => changed(program, &mut random, dead_code::insert),
+            Variant::BranchesSwapped => changed(program, &mut random, branches::swap),
+            Variant::Rendered => Some(rendered(program)),
+        }
+    }
+}
+
+/// The text of a program after a change of its model that says how often it has changed something.
+fn changed(
+    program: &Program,
+    random: &mut Random<'_, '_>,
+    change: impl FnOnce(&mut Program, &mut Random<'_, '_>) -> usize,
+) -> Option<String> {
+    let mut program = program.clone();
+    (change(&mut program, random) > 0).then(|| write(&program, &Style::default()).text)
+}
+
+/// Whether a dialect knows `.%Xn`.
+///
+/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax; stickler-design: §8.
+const fn has_partial_access(dialect: DialectName) -> bool {
+    matches!(dialect, DialectName::IronplcEd3 | DialectName::IronplcRusty)
+}
+
+/// What the reference's renderer gives. Where it refuses, that is no text of a program, and whoever runs it will say so.
+fn rendered(program: &Program) -> String {
+    let text = write(program, &Style::default()).text;
+    render(&text, program.dialect).unwrap_or_else(|diagnostics| {
+        let told: Vec<String> = diagnostics
+            .iter()
+            .map(|diagnostic| format!("{} {}", diagnostic.code, diagnostic.message))
+            .collect();
+        format!("(* the renderer refuses the text: {} *)", told.join("; "))
+    })
+}

@@ -1,0 +1,233 @@
+//! The parts of a program that variants change: its bodies, their statement lists and expressions, and names that are free.
+
+use crate::model::{
+    Declared, Expression, ExpressionKind, Place, Program, Section, Selector, Statement, StatementKind,
+    Target, Type, Variable, VariableId,
+};
+use std::collections::HashSet;
+
+/// The variables and statements of a function, a function block or the main program.
+pub(super) struct Body<'p> {
+    pub variables: &'p mut Vec<Variable>,
+    pub statements: &'p mut Vec<Statement>,
+}
+
+impl Body<'_> {
+    /// Adds a variable behind all others.
+    pub fn add(&mut self, variable: Variable) -> VariableId {
+        self.variables.push(variable);
+        VariableId(self.variables.len() - 1)
+    }
+}
+
+/// All bodies of a program.
+pub(super) fn bodies(program: &mut Program) -> Vec<Body<'_>> {
+    let functions = program
+        .functions
+        .iter_mut()
+        .map(|function| (&mut function.variables, &mut function.body));
+    let blocks = program
+        .blocks
+        .iter_mut()
+        .map(|block| (&mut block.variables, &mut block.body));
+    let main = std::iter::once((&mut program.main.variables, &mut program.main.body));
+    functions
+        .chain(blocks)
+        .chain(main)
+        .map(|(variables, statements)| Body {
+            variables,
+            statements,
+        })
+        .collect()
+}
+
+/// Names that no part of a program has.
+pub(super) struct FreeNames {
+    taken: HashSet<String>,
+    next: usize,
+}
+
+impl FreeNames {
+    pub fn of(program: &Program) -> FreeNames {
+        let mut taken = HashSet::new();
+        let mut take = |name: &str| {
+            taken.insert(name.to_ascii_lowercase());
+        };
+        for declaration in &program.types {
+            take(&declaration.name);
+            if let Declared::Enumeration(names) = &declaration.kind {
+                names.iter().for_each(|name| take(name));
+            }
+        }
+        program.functions.iter().for_each(|function| take(&function.name));
+        program.blocks.iter().for_each(|block| take(&block.name));
+        let variables = program.functions.iter().map(|function| &function.variables);
+        let variables = variables.chain(program.blocks.iter().map(|block| &block.variables));
+        for variable in variables.chain([&program.main.variables]).flatten() {
+            take(&variable.name);
+        }
+        FreeNames { taken, next: 0 }
+    }
+
+    /// A name that begins with this word and is in use nowhere.
+    pub fn next(&mut self, word: &str) -> String {
+        loop {
+            self.next += 1;
+            let name = format!("{word}_{}", self.next);
+            if self.taken.insert(name.clone()) {
+                return name;
+            }
+        }
+    }
+}
+
+/// A variable of its own for a value, in VAR or VAR CONSTANT.
+pub(super) fn variable(name: String, ty: Type, section: Section) -> Variable {
+    Variable {
+        name,
+        ty,
+        section,
+        initial: None,
+    }
+}
+
+/// A whole variable.
+pub(super) fn whole(variable: VariableId, ty: Type) -> Place {
+    Place {
+        variable,
+        path: Vec::new(),
+        ty,
+    }
+}
+
+/// Shows every expression of some statements, the parts before the whole. CASE labels, and what stands behind BY, are left out:
+/// there only literals may stand.
+pub(super) fn expressions(statements: &mut [Statement], visit: &mut dyn FnMut(&mut Expression)) {
+    for statement in statements {
+        match &mut statement.kind {
+            StatementKind::Assign(target, value) => {
+                match target {
+                    Target::Place(place) | Target::Bit(place, _) => of_place(place, visit),
+                    Target::Result => {}
+                }
+                of_expression(value, visit);
+            }
+            StatementKind::If(branches, otherwise) => {
+                for (condition, body) in branches {
+                    of_expression(condition, visit);
+                    expressions(body, visit);
+                }
+                expressions(otherwise.as_deref_mut().unwrap_or_default(), visit);
+            }
+            StatementKind::Case(selector, branches, otherwise) => {
+                of_expression(selector, visit);
+                for branch in branches {
+                    expressions(&mut branch.body, visit);
+                }
+                expressions(otherwise.as_deref_mut().unwrap_or_default(), visit);
+            }
+            StatementKind::For { from, to, body, .. } => {
+                of_expression(from, visit);
+                of_expression(to, visit);
+                expressions(body, visit);
+            }
+            StatementKind::While(condition, body) | StatementKind::Repeat(body, condition) => {
+                of_expression(condition, visit);
+                expressions(body, visit);
+            }
+            StatementKind::Invoke { inputs, outputs, .. } => {
+                for input in inputs {
+                    of_expression(&mut input.value, visit);
+                }
+                for (_, place) in outputs {
+                    of_place(place, visit);
+                }
+            }
+            StatementKind::Exit | StatementKind::Return | StatementKind::Raw(_) => {}
+        }
+    }
+}
+
+fn of_place(place: &mut Place, visit: &mut dyn FnMut(&mut Expression)) {
+    for selector in &mut place.path {
+        if let Selector::Index(subscripts) = selector {
+            for subscript in subscripts {
+                of_expression(subscript, visit);
+            }
+        }
+    }
+}
+
+fn of_expression(expression: &mut Expression, visit: &mut dyn FnMut(&mut Expression)) {
+    match &mut expression.kind {
+        ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) => of_place(place, visit),
+        ExpressionKind::Unary(_, operand)
+        | ExpressionKind::Widen(operand)
+        | ExpressionKind::Convert(_, operand) => of_expression(operand, visit),
+        ExpressionKind::Binary(_, left, right) => {
+            of_expression(left, visit);
+            of_expression(right, visit);
+        }
+        ExpressionKind::Call(_, arguments) => {
+            for argument in arguments {
+                of_expression(&mut argument.value, visit);
+            }
+        }
+        ExpressionKind::Standard(_, arguments) => {
+            for argument in arguments {
+                of_expression(argument, visit);
+            }
+        }
+        ExpressionKind::Literal(..) | ExpressionKind::Enumerated(_) | ExpressionKind::Raw(_) => {}
+    }
+    visit(expression);
+}
+
+/// Shows every list of statements in a list, the inner ones before the outer, and the list itself last.
+pub(super) fn lists(statements: &mut Vec<Statement>, visit: &mut dyn FnMut(&mut Vec<Statement>)) {
+    for statement in statements.iter_mut() {
+        inner_lists(statement, visit);
+    }
+    visit(statements);
+}
+
+fn inner_lists(statement: &mut Statement, visit: &mut dyn FnMut(&mut Vec<Statement>)) {
+    match &mut statement.kind {
+        StatementKind::If(branches, otherwise) => {
+            for (_, body) in branches {
+                lists(body, visit);
+            }
+            if let Some(otherwise) = otherwise {
+                lists(otherwise, visit);
+            }
+        }
+        StatementKind::Case(_, branches, otherwise) => {
+            for branch in branches {
+                lists(&mut branch.body, visit);
+            }
+            if let Some(otherwise) = otherwise {
+                lists(otherwise, visit);
+            }
+        }
+        StatementKind::For { body, .. } | StatementKind::While(_, body) | StatementKind::Repeat(body, _) => {
+            lists(body, visit);
+        }
+        _ => {}
+    }
+}
+
+/// Whether an EXIT in these statements would leave a loop around them.
+pub(super) fn has_loose_exit(statements: &[Statement]) -> bool {
+    statements.iter().any(|statement| match &statement.kind {
+        StatementKind::Exit => true,
+        StatementKind::If(branches, otherwise) => {
+            branches.iter().any(|(_, body)| has_loose_exit(body))
+                || has_loose_exit(otherwise.as_deref().unwrap_or_default())
+        }
+        StatementKind::Case(_, branches, otherwise) => {
+            branches.iter().any(|branch| has_loose_exit(&branch.body))
+                || has_loose_exit(otherwise.as_deref().unwrap_or_default())
+        }
+        _ => false,
+    })
+}
