@@ -4,10 +4,10 @@
 pub const PAIR_OF_VARIABLE: &str = "\
 PROGRAM main
 VAR
-    from : {from} := {input};
+    data : {from} := {input};
     into : {to};
 END_VAR
-    into := {from}_TO_{to}(from);
+    into := {from}_TO_{to}(data);
 END_PROGRAM
 ";
 
@@ -35,10 +35,10 @@ END_PROGRAM
 pub const FUNCTION_OF_VARIABLE: &str = "\
 PROGRAM main
 VAR
-    from : {from} := {input};
+    data : {from} := {input};
     into : {to};
 END_VAR
-    into := {function}(from);
+    into := {function}(data);
 END_PROGRAM
 ";
 

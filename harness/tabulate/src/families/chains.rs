@@ -73,10 +73,10 @@ step holds."
 const NESTED: &str = "\
 PROGRAM main
 VAR
-    from : {from} := {input};
+    data : {from} := {input};
     into : {to};
 END_VAR
-    into := {outer}({inner}(from));
+    into := {outer}({inner}(data));
 END_PROGRAM
 ";
 

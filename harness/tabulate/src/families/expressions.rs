@@ -96,10 +96,10 @@ fn some(from: ElementaryType, through: ElementaryType) -> Vec<Operand> {
 const RESULT: &str = "\
 PROGRAM main
 VAR
-    from : {from} := {input};
+    data : {from} := {input};
     into : {wide};
 END_VAR
-    into := {from}_TO_{narrow}(from);
+    into := {from}_TO_{narrow}(data);
 END_PROGRAM
 ";
 
@@ -133,10 +133,10 @@ fn results() -> Result<Table, String> {
 const ARGUMENT: &str = "\
 PROGRAM main
 VAR
-    from : {narrow} := {input};
+    data : {narrow} := {input};
     into : {to};
 END_VAR
-    into := {wide}_TO_{to}(from);
+    into := {wide}_TO_{to}(data);
 END_PROGRAM
 ";
 
@@ -176,11 +176,11 @@ fn arguments() -> Result<Table, String> {
 const OPERAND: &str = "\
 PROGRAM main
 VAR
-    from : {from} := {input};
+    data : {from} := {input};
     wide : {wide} := 1;
     into : {wide};
 END_VAR
-    into := wide + {from}_TO_{narrow}(from);
+    into := wide + {from}_TO_{narrow}(data);
 END_PROGRAM
 ";
 

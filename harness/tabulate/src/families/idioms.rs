@@ -352,10 +352,10 @@ fn no_rounding_functions() -> Table {
         source: "\
 PROGRAM main
 VAR
-    from : {from} := 1.5;
+    data : {from} := 1.5;
     into : DINT;
 END_VAR
-    into := {function}(from);   (*! error P4017 *)
+    into := {function}(data);   (*! error P4017 *)
 END_PROGRAM
 "
         .to_owned(),
@@ -367,9 +367,9 @@ END_PROGRAM
         source: "\
 PROGRAM main
 VAR
-    from : {from} := 1.5;
+    data : {from} := 1.5;
 END_VAR
-    from := {function}(from);   (*! observe acceptance *)
+    data := {function}(data);   (*! observe acceptance *)
 END_PROGRAM
 "
         .to_owned(),

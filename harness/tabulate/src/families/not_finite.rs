@@ -17,11 +17,11 @@ const PROGRAM: &str = "\
 PROGRAM main
 VAR
     huge : {from} := {huge};
-    from : {from};
+    data : {from};
     into : {to};
 END_VAR
-    from := {made};
-    into := {function}(from);
+    data := {made};
+    into := {function}(data);
 END_PROGRAM
 ";
 
