@@ -1,68 +1,235 @@
-//! The end of main, where everything flows together into `checksum`.
+//! The end of main, where everything flows together: the LINT `checksum`, and for real numbers the LREAL `checksum_real`.
+//!
+//! What enters does so by ways that documents settle, and how depends on the dialect:
+//!
+//! | value | enters |
+//! |---|---|
+//! | LINT, and what widens to it | as it is |
+//! | other integers, bit strings, BOOL, TIME | by `<TYPE>_TO_LINT`, where its dialect's documents say what that gives |
+//! | texts | by LEN |
+//! | enumerations | by CASE |
+//! | REAL and LREAL | in `checksum_real`, which is halved before |
+//! | all other values, and texts besides | by comparison with a literal |
+//! | arrays and structures | by each of their parts |
+//!
+//! The comparison lets little of a value through (in PLCnext, whose documents say next to nothing about conversion functions, also
+//! of a ULINT or LWORD). But each value is observed itself, too: see [`crate::model::Program::observed`].
 
-use super::expressions::{elementary, read, whole};
+use super::calls::convert;
+use super::expressions::elementary;
+use super::literals;
 use super::maker::Maker;
+use super::operations::binary;
+use super::places::{integer, whole, whole_place};
+use super::scope::Step;
+use crate::model::ArrayType;
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, LiteralForm, Statement, StatementKind, Target, Type,
-    VariableId,
+    BinaryOperator, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Place, Selector,
+    StandardFunction, Statement, StatementKind, Target, Type, VariableId, subscripts,
 };
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, Family, Value};
+
+const LINT: ElementaryType = ElementaryType::Lint;
+const LREAL: ElementaryType = ElementaryType::Lreal;
 
 impl Maker<'_, '_> {
-    /// Adds the variable `checksum` and the statements that compute it from all others.
+    /// Adds the variables of the checksums and the statements that compute them from all others.
     pub fn add_checksums(&mut self, body: &mut Vec<Statement>) {
-        let observed = self.variables.len();
-        let checksum = self.add_variable(
-            "checksum".to_owned(),
-            Type::Elementary(ElementaryType::Lint),
-            None,
-        );
-        for variable in (0..observed).map(VariableId) {
-            let Type::Elementary(ty) = self.variables[variable.0].ty else {
-                continue;
-            };
-            if let Some(number) = self.as_lint(read(variable, ty), ty) {
-                body.push(mix(checksum, number));
+        let places = self.parts();
+        let checksum = self.pou.declare_reserved("checksum".to_owned(), LINT);
+        let has_reals = places
+            .iter()
+            .any(|place| matches!(place.ty, Type::Elementary(ty) if ty.is_real()));
+        let reals = has_reals.then(|| self.pou.declare_reserved("checksum_real".to_owned(), LREAL));
+        for place in places {
+            match (place.ty.clone(), reals) {
+                (Type::Elementary(ty), Some(reals)) if ty.is_real() => {
+                    body.extend(self.mixed_real(reals, read(place, ty), ty));
+                }
+                (Type::Elementary(ty), _) => body.extend(self.mixed(checksum, place, ty)),
+                (ty, _) => body.extend(self.mixed_enumeration(checksum, place, &ty)),
             }
         }
     }
 
+    /// Every elementary or enumerated part of main's variables, the ones that the generator keeps for itself left out.
+    fn parts(&self) -> Vec<Place> {
+        let mut parts = Vec::new();
+        for seen in &self.pou.places {
+            let is_own = self.pou.idle.iter().any(|&(idle, _)| idle == seen.variable);
+            let is_part =
+                matches!(seen.ty, Type::Elementary(_)) || self.program.enumerated_values(&seen.ty).is_some();
+            if is_part && !is_own {
+                for path in spread(&seen.path) {
+                    parts.push(Place {
+                        variable: seen.variable,
+                        path,
+                        ty: seen.ty.clone(),
+                    });
+                }
+            }
+        }
+        parts
+    }
+
+    /// The statements that mix a value that is no real into the checksum.
+    fn mixed(&mut self, checksum: VariableId, place: Place, ty: ElementaryType) -> Vec<Statement> {
+        if let Some(number) = self.as_lint(read(place.clone(), ty), ty) {
+            return vec![mix(checksum, number)];
+        }
+        let is_element = place
+            .path
+            .iter()
+            .any(|selector| matches!(selector, Selector::Index(_)));
+        let mut statements = Vec::new();
+        if ty.is_text() {
+            let length = ExpressionKind::Standard(StandardFunction::Len, vec![read(place.clone(), ty)]);
+            let length = elementary(ElementaryType::Int, length);
+            statements.extend(
+                self.as_lint(length, ElementaryType::Int)
+                    .map(|number| mix(checksum, number)),
+            );
+            // The same for each text of an array would fill pages.
+            if is_element {
+                return statements;
+            }
+        }
+        let literal = literals::value(ty, &mut self.random);
+        let literal = elementary(
+            ty,
+            ExpressionKind::Literal(
+                literal,
+                if ty.is_text() {
+                    LiteralForm::Untyped
+                } else {
+                    LiteralForm::Typed
+                },
+            ),
+        );
+        let ordered = !matches!(ty.family(), Family::Text | Family::Character | Family::Boolean);
+        let operator = if ordered {
+            BinaryOperator::Less
+        } else {
+            BinaryOperator::Equal
+        };
+        let condition = if ty == ElementaryType::Bool {
+            read(place, ty)
+        } else {
+            binary(operator, read(place, ty), literal, ElementaryType::Bool)
+        };
+        let otherwise = vec![mix(checksum, number(2))];
+        statements.push(Statement {
+            kind: StatementKind::If(vec![(condition, vec![mix(checksum, number(1))])], Some(otherwise)),
+        });
+        statements
+    }
+
     /// A value as LINT, where documents settle what that gives.
     fn as_lint(&self, value: Expression, ty: ElementaryType) -> Option<Expression> {
-        let lint = ElementaryType::Lint;
-        if ty == lint {
+        if ty == LINT {
             return Some(value);
         }
-        let kind = if self.language.sources(lint).contains(&ty) {
-            ExpressionKind::Widen(Box::new(value))
-        } else {
-            ExpressionKind::Convert(self.language.settled(ty, lint)?.clone(), Box::new(value))
+        if self.language.sources(LINT).contains(&ty) {
+            return Some(elementary(LINT, ExpressionKind::Widen(Box::new(value))));
+        }
+        let settled = self.language.settled(ty, LINT)?;
+        Some(convert(settled, value))
+    }
+
+    /// `CASE place OF name: … END_CASE`, with a number for each name.
+    fn mixed_enumeration(&mut self, checksum: VariableId, place: Place, ty: &Type) -> Option<Statement> {
+        let count = self.program.enumerated_values(ty)?.len();
+        let branches = (0..count).map(|value| CaseBranch {
+            labels: vec![CaseLabel::One(Expression {
+                ty: ty.clone(),
+                kind: ExpressionKind::Enumerated(value),
+            })],
+            body: vec![mix(checksum, number(value as i64))],
+        });
+        let selector = Expression {
+            ty: ty.clone(),
+            kind: ExpressionKind::Read(place),
         };
-        Some(elementary(lint, kind))
+        Some(Statement {
+            kind: StatementKind::Case(selector, branches.collect(), None),
+        })
+    }
+
+    /// `sum := sum * 0.5 + value;`
+    fn mixed_real(&self, sum: VariableId, value: Expression, ty: ElementaryType) -> Option<Statement> {
+        let value = if ty == LREAL {
+            value
+        } else if self.language.sources(LREAL).contains(&ty) {
+            elementary(LREAL, ExpressionKind::Widen(Box::new(value)))
+        } else {
+            convert(self.language.settled(ty, LREAL)?, value)
+        };
+        let half = ExpressionKind::Literal(Value::plain(LREAL, 0.5_f64.to_bits()), LiteralForm::Typed);
+        let halved = binary(
+            BinaryOperator::Multiply,
+            whole(sum, LREAL),
+            elementary(LREAL, half),
+            LREAL,
+        );
+        Some(assign(
+            sum,
+            LREAL,
+            binary(BinaryOperator::Add, halved, value, LREAL),
+        ))
     }
 }
 
+/// The paths to every element that steps lead to.
+fn spread(steps: &[Step]) -> Vec<Vec<Selector>> {
+    let mut paths = vec![Vec::new()];
+    for step in steps {
+        let selectors = match step {
+            Step::Field(field) => vec![Selector::Field(*field)],
+            Step::Output(output) => vec![Selector::Output(*output)],
+            Step::Index(limits) => every_element(limits),
+        };
+        paths = paths
+            .into_iter()
+            .flat_map(|path| {
+                selectors.iter().map(move |selector| {
+                    let mut longer = path.clone();
+                    longer.push(selector.clone());
+                    longer
+                })
+            })
+            .collect();
+    }
+    paths
+}
+
+fn every_element(limits: &[(i64, i64)]) -> Vec<Selector> {
+    let array = ArrayType {
+        dimensions: limits.to_vec(),
+        element: Type::Elementary(LINT),
+    };
+    let subscript = |number: &i64| integer(ElementaryType::Int, *number, LiteralForm::Untyped);
+    let selectors = subscripts(&array).into_iter();
+    selectors
+        .map(|numbers| Selector::Index(numbers.iter().map(subscript).collect()))
+        .collect()
+}
+
+fn read(place: Place, ty: ElementaryType) -> Expression {
+    elementary(ty, ExpressionKind::Read(place))
+}
+
+fn number(number: i64) -> Expression {
+    integer(LINT, number, LiteralForm::Untyped)
+}
+
 /// `checksum := checksum * 31 + number;`
-fn mix(checksum: VariableId, number: Expression) -> Statement {
-    let lint = ElementaryType::Lint;
-    let factor = elementary(
-        lint,
-        ExpressionKind::Literal(Value::plain(lint, 31), LiteralForm::Untyped),
-    );
-    let product = ExpressionKind::Binary(
-        BinaryOperator::Multiply,
-        Box::new(read(checksum, lint)),
-        Box::new(factor),
-    );
-    let sum = ExpressionKind::Binary(
-        BinaryOperator::Add,
-        Box::new(elementary(lint, product)),
-        Box::new(number),
-    );
+fn mix(checksum: VariableId, added: Expression) -> Statement {
+    let product = binary(BinaryOperator::Multiply, whole(checksum, LINT), number(31), LINT);
+    assign(checksum, LINT, binary(BinaryOperator::Add, product, added, LINT))
+}
+
+fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
     Statement {
-        kind: StatementKind::Assign(
-            Target::Place(whole(checksum, Type::Elementary(lint))),
-            elementary(lint, sum),
-        ),
+        kind: StatementKind::Assign(Target::Place(whole_place(variable, ty)), value),
     }
 }

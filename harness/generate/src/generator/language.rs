@@ -1,14 +1,15 @@
 //! What a dialect has, by its documents: types, implicit conversions, and conversion functions whose results are settled.
 
+use super::expressions::Wanted;
 use super::literals;
 use std::sync::LazyLock;
 use stickler_exact::{Signature, Word, expected, functions, implicit, signatures};
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, Family};
 
 /// How much of what a conversion gives is said by documents.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Settled {
-    /// What every value gives.
+    /// What every value gives that the generator makes.
     Always,
     /// What some values give.
     Sometimes,
@@ -19,13 +20,19 @@ pub(super) enum Settled {
 /// A conversion function of one argument.
 pub(super) struct Offer {
     pub signature: Signature,
+    pub from: ElementaryType,
     pub settled: Settled,
+    /// Whether it is `<FROM>_TO_<RESULT>`.
+    pub plain: bool,
+    /// Whether the call alone does not say which type it gives: the name has signatures with other results.
+    pub ambiguous: bool,
 }
 
 /// One dialect.
 pub(super) struct Language {
-    /// The elementary types, BOOL and INT first.
-    pub types: Vec<ElementaryType>,
+    pub dialect: DialectName,
+    /// The elementary types to draw from: the frequent ones stand there several times, INT first.
+    pub urn: Vec<ElementaryType>,
     /// The types that become a type without a call, by that type's place in the declaration.
     sources: Vec<Vec<ElementaryType>>,
     /// The conversion functions that give a type, by that type's place in the declaration.
@@ -50,19 +57,50 @@ impl Language {
         &self.sources[into as usize]
     }
 
-    /// The conversion functions that give a value of this type.
+    /// The conversion functions that give a value of this type; the overloaded `TO_…`, of which no document speaks, are left out.
     pub fn offers(&self, result: ElementaryType) -> &[Offer] {
         &self.offers[result as usize]
     }
 
-    /// The function `<FROM>_TO_<INTO>`, if its results are always settled.
+    /// The function `<FROM>_TO_<INTO>`, if its results are settled for every value that the generator makes.
     pub fn settled(&self, from: ElementaryType, into: ElementaryType) -> Option<&Signature> {
-        let name = format!("{from}_TO_{into}");
-        let offers = self.offers(into).iter();
-        let mut settled = offers.filter(|offer| offer.settled == Settled::Always);
-        settled
-            .find(|offer| offer.signature.function == name)
-            .map(|offer| &offer.signature)
+        let mut offers = self.offers(into).iter();
+        let found =
+            offers.find(|offer| offer.from == from && offer.plain && offer.settled == Settled::Always);
+        found.map(|offer| &offer.signature)
+    }
+
+    /// Whether the bits of integers and bit strings can be named.
+    ///
+    /// Basis: ironplc-bit-access: Valid Base Types; stickler-design: §8 (syntax error in matiec, open in PLCnext).
+    pub fn has_bits(&self, open: bool) -> bool {
+        match self.dialect {
+            DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty => true,
+            DialectName::Matiec => false,
+            DialectName::Plcnext => open,
+        }
+    }
+
+    /// Whether a literal without its prefix stands for a value of this type, in that context. Where the spelling without the
+    /// prefix has the type by itself (`TRUE`, `T#5ms`, `'text'`), it does everywhere.
+    ///
+    /// Basis: ironplc-type-conversions: Cross-family widening; stickler-design: §8 (untyped literals).
+    pub fn takes_untyped(&self, ty: ElementaryType, wanted: Wanted) -> bool {
+        match ty.family() {
+            Family::Boolean | Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
+                true
+            }
+            Family::Text => true,
+            // `'a'` may be a text of one character, and no document says whether it is a character as well.
+            Family::Character => false,
+            Family::Signed | Family::Unsigned | Family::Real => wanted != Wanted::Exact,
+            Family::BitString => match (wanted, self.dialect) {
+                (Wanted::Exact, _) | (_, DialectName::Plcnext) => false,
+                (Wanted::Initial | Wanted::Operand, _) => true,
+                (_, DialectName::IronplcRusty | DialectName::Matiec) => true,
+                _ => false,
+            },
+        }
     }
 
     fn written_out(dialect: DialectName) -> Language {
@@ -72,31 +110,49 @@ impl Language {
                 |from: &ElementaryType| *from != into && implicit(*from, into, dialect) == Word::Yes;
             types.iter().copied().filter(becomes).collect()
         });
-        let mut offers: Vec<Vec<Offer>> = ElementaryType::ALL.map(|_| Vec::new()).into();
-        for function in functions(dialect) {
-            for signature in signatures(&function, dialect) {
-                let &[from] = &signature.operands[..] else {
-                    continue;
-                };
-                if types.contains(&from) && types.contains(&signature.result) {
-                    offers[signature.result as usize].push(Offer {
-                        settled: settled(&signature, from, dialect),
-                        signature,
-                    });
-                }
-            }
-        }
         Language {
-            types,
+            dialect,
+            urn: urn(&types),
             sources: sources.into(),
-            offers,
+            offers: offers(dialect, &types),
         }
     }
 }
 
+/// The conversion functions of a dialect by their results.
+fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<Offer>> {
+    let mut offers: Vec<Vec<Offer>> = ElementaryType::ALL.map(|_| Vec::new()).into();
+    for function in functions(dialect) {
+        if function.starts_with("TO_") {
+            continue;
+        }
+        let signatures = signatures(&function, dialect);
+        let results = signatures.iter().map(|signature| signature.result);
+        let ambiguous = results
+            .clone()
+            .any(|result| Some(result) != results.clone().next());
+        for signature in signatures {
+            let &[from] = &signature.operands[..] else {
+                continue;
+            };
+            if types.contains(&from) && types.contains(&signature.result) {
+                offers[signature.result as usize].push(Offer {
+                    settled: settled(&signature, from, dialect),
+                    from,
+                    ambiguous,
+                    plain: function == format!("{from}_TO_{}", signature.result),
+                    signature,
+                });
+            }
+        }
+    }
+    offers
+}
+
 /// The elementary types of a dialect; those that its documents or its compiler name.
 ///
-/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); stickler-design: §8.
+/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); stickler-design: §8; that matiec
+/// has twenty types and no WSTRING is measured.
 fn types(dialect: DialectName) -> Vec<ElementaryType> {
     let third_edition = !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec);
     let has = |ty: &ElementaryType| {
@@ -106,19 +162,33 @@ fn types(dialect: DialectName) -> Vec<ElementaryType> {
     ElementaryType::ALL.into_iter().filter(has).collect()
 }
 
-/// How much of what a conversion gives documents say, tried on boundary values.
+/// Each type as often as it deserves: conversions, widening and bits are about numbers and bit strings.
+fn urn(types: &[ElementaryType]) -> Vec<ElementaryType> {
+    let mut urn = vec![ElementaryType::Int];
+    for &ty in types {
+        let times = match ty.family() {
+            Family::Signed | Family::Unsigned => 4,
+            Family::BitString | Family::Real => 5,
+            Family::Boolean => 6,
+            Family::Text | Family::Duration => 2,
+            _ => 1,
+        };
+        urn.extend(std::iter::repeat_n(ty, times));
+    }
+    urn
+}
+
+/// How much of what a conversion gives documents say, tried on the values that the generator likes.
 fn settled(signature: &Signature, from: ElementaryType, dialect: DialectName) -> Settled {
     let values = literals::boundaries(from);
-    let said = values
-        .iter()
-        .filter(|value| {
-            let operand: [Value; 1] = [(*value).clone()];
-            expected(signature, &operand, dialect).basis.is_some()
-        })
-        .count();
-    match said {
+    let said = |value| {
+        expected(signature, std::slice::from_ref(value), dialect)
+            .basis
+            .is_some()
+    };
+    match values.iter().filter(|value| said(value)).count() {
         0 => Settled::Never,
-        _ if said == values.len() => Settled::Always,
+        some if some == values.len() => Settled::Always,
         _ => Settled::Sometimes,
     }
 }

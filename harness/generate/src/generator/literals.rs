@@ -11,25 +11,11 @@ pub(super) fn boundaries(ty: ElementaryType) -> &'static [Value] {
     &TABLE[ty as usize]
 }
 
-/// A value of a type: often a boundary, sometimes a small one, sometimes any.
+/// A value of a type: as often a boundary as a small one, sometimes any.
 pub(super) fn value(ty: ElementaryType, random: &mut Random<'_, '_>) -> Value {
-    match random.weighted(&[3, 2, 1]) {
-        1 => random
-            .pick(boundaries(ty))
-            .cloned()
-            .unwrap_or(Value::plain(ty, 0)),
-        2 if ty.integer_range().is_some() => Value::plain(ty, ty.wrap(i128::from(random.bits()))),
-        _ => small(ty, random),
-    }
-}
-
-/// A value near the default, of which sums and products stay in range for a while.
-fn small(ty: ElementaryType, random: &mut Random<'_, '_>) -> Value {
-    let number = i128::from(random.below(12) as u64);
-    match ty.family() {
-        Family::Boolean => Value::plain(ty, number as u64 & 1),
-        Family::Signed if number > 9 => Value::plain(ty, ty.wrap(9 - number)),
-        _ if ty.integer_range().is_some() => Value::plain(ty, ty.wrap(number)),
+    match (random.weighted(&[3, 3, 2]), ty.integer_range().is_some()) {
+        (0, true) => Value::plain(ty, ty.wrap(i128::from(small(ty, random)))),
+        (2, true) => Value::plain(ty, ty.wrap(i128::from(random.bits()))),
         _ => random
             .pick(boundaries(ty))
             .cloned()
@@ -37,20 +23,59 @@ fn small(ty: ElementaryType, random: &mut Random<'_, '_>) -> Value {
     }
 }
 
-fn written_out(ty: ElementaryType) -> Vec<Value> {
+/// A small number of an integer type, a bit string or BOOL, of which sums and products stay in range for a while.
+fn small(ty: ElementaryType, random: &mut Random<'_, '_>) -> i64 {
     match ty.family() {
-        Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString => integers(ty),
-        Family::Real => reals(ty),
-        _ => vec![default_value(ty)],
+        Family::Boolean => random.between(0, 1),
+        Family::Signed => match random.between(0, 15) {
+            number @ 0..=11 => number,
+            number => 11 - number,
+        },
+        _ => random.between(0, 15),
     }
 }
 
-/// What a variable holds that nobody has given a value.
-pub(super) fn default_value(ty: ElementaryType) -> Value {
-    if ty.is_text() {
-        Value::text(ty, Vec::new())
-    } else {
-        Value::plain(ty, 0)
+fn written_out(ty: ElementaryType) -> Vec<Value> {
+    const MILLISECOND: i64 = 1_000_000;
+    const DAY: i64 = 86_400_000 * MILLISECOND;
+    let of = |numbers: &[i64], unit: i64| -> Vec<Value> {
+        let values = numbers
+            .iter()
+            .map(|number| Value::plain(ty, (number * unit).cast_unsigned()));
+        values.collect()
+    };
+    // Leap days, the turn of a century, the day on which 32 bits of signed seconds end.
+    const DAYS: [i64; 7] = [0, 1, 59, 10_956, 11_016, 19_782, 24_855];
+    match ty.family() {
+        Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString => integers(ty),
+        Family::Real => reals(ty),
+        // Whole milliseconds, which a conversion to a number keeps, within the 32 bits that some systems give a duration.
+        Family::Duration => of(
+            &[
+                0, 1, 5, 100, 127, 128, 999, 1000, 1500, 60_000, 65_536, 3_600_000, 86_400_000, -1,
+            ],
+            MILLISECOND,
+        ),
+        Family::Date => of(&DAYS, DAY),
+        Family::TimeOfDay => of(
+            &[0, 1, 999, 1000, 43_200_000, 45_296_789, 86_399_000, 86_399_999],
+            MILLISECOND,
+        ),
+        Family::DateAndTime => {
+            let seconds =
+                DAYS.map(|day| day * 86_400)
+                    .into_iter()
+                    .chain([86_399, 951_827_696, 1_709_210_096]);
+            of(&seconds.collect::<Vec<_>>(), 1000 * MILLISECOND)
+        }
+        Family::Text => ["", "a", "abc", "it's", "$", "0", "-12", "a b", "\"", "xyz!"]
+            .iter()
+            .map(|text| Value::text(ty, text.encode_utf16().collect()))
+            .collect(),
+        Family::Character => "\u{20}aZ0~'\"$"
+            .bytes()
+            .map(|unit| Value::plain(ty, unit.into()))
+            .collect(),
     }
 }
 
@@ -74,14 +99,44 @@ fn integers(ty: ElementaryType) -> Vec<Value> {
         .collect()
 }
 
+/// Numbers with and without fractions, halves, both zeros, the limits of the integers, and where a REAL ends to hold every one
+/// of them. What is huge or tiny is left out: a few products of such are no finite numbers any more.
 fn reals(ty: ElementaryType) -> Vec<Value> {
-    let numbers = [
-        0.0, 1.0, -1.0, 0.5, -0.5, 1.5, 2.5, -2.5, 0.1, -0.0, 100.0, 127.5, 255.0, -129.0, 32767.0, -32768.0,
-        65536.0, 1e6,
+    const NUMBERS: [f64; 30] = [
+        0.0,
+        1.0,
+        -1.0,
+        0.5,
+        -0.5,
+        1.5,
+        2.5,
+        -2.5,
+        0.1,
+        -0.1,
+        -0.0,
+        2.0,
+        3.0,
+        -7.25,
+        100.0,
+        127.0,
+        127.5,
+        128.0,
+        -128.5,
+        255.0,
+        255.5,
+        -129.0,
+        32767.0,
+        -32768.0,
+        65535.5,
+        65536.0,
+        1.0e6,
+        16_777_216.0,
+        2_147_483_520.0,
+        0.001,
     ];
     let raw = |number: f64| match ty {
         ElementaryType::Real => u64::from((number as f32).to_bits()),
         _ => number.to_bits(),
     };
-    numbers.map(|number| Value::plain(ty, raw(number))).into()
+    NUMBERS.map(|number| Value::plain(ty, raw(number))).into()
 }

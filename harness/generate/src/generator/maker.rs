@@ -1,91 +1,130 @@
 //! What is being made: the program so far, the POU in hand, and what is left of the budget.
 
+use super::features::{Feature, Features, palette};
 use super::language::Language;
-use super::literals;
+use super::scope::{Kind, Pou};
 use super::settings::Settings;
-use crate::model::{
-    Expression, ExpressionKind, Initial, LiteralForm, Main, Program, Section, Type, Variable, VariableId,
-};
+use crate::model::{Main, Program, VariableId};
 use crate::random::Random;
 use arbitrary::Unstructured;
 use stickler_types::{DialectName, ElementaryType};
 
-/// Makes a program from bytes. It never fails: when the bytes run out, it ends quickly with the simplest choices.
+/// Makes a program from bytes. It never fails: when the bytes run out, it ends quickly with the simplest choices. About 2000
+/// bytes are enough for the largest programs.
 ///
-/// What it makes is well-typed in its dialect, ends, and uses nothing that documents leave open, as far as that can be known
-/// without running it; [`Settings::open`] lifts the last.
+/// What it makes is well-typed in its dialect, ends after a few thousand statements, and uses nothing that documents leave
+/// open, as far as that can be known without running it; [`Settings::open`] lifts the last.
 #[must_use]
 pub fn program(input: &mut Unstructured<'_>, settings: &Settings) -> Program {
-    let mut random = Random::new(input);
-    let dialect = settings.dialect.unwrap_or_else(|| {
-        let chosen = random.pick(&DialectName::ALL).copied();
-        chosen.unwrap_or(DialectName::IronplcEd2)
-    });
-    let mut maker = Maker {
-        random,
-        language: Language::of(dialect),
-        statements_left: settings.statements,
-        variables: Vec::new(),
-    };
-    maker.main_variables();
-    let mut body = maker.statements(0);
-    maker.add_checksums(&mut body);
-    Program {
-        dialect,
-        types: Vec::new(),
-        functions: Vec::new(),
-        blocks: Vec::new(),
-        main: Main {
-            variables: maker.variables,
-            body,
-        },
-    }
+    let mut maker = Maker::new(Random::new(input), settings);
+    maker.declare_types();
+    maker.functions();
+    maker.blocks();
+    maker.main(settings.statements);
+    let Maker { mut program, pou, .. } = maker;
+    program.main.variables = pou.variables;
+    program
 }
 
 /// Everything that is known while a program is being made.
 pub(super) struct Maker<'r, 'u> {
     pub random: Random<'r, 'u>,
     pub language: &'static Language,
-    /// How many statements may still be made.
+    pub open: bool,
+    pub features: Features,
+    /// The types that variables have.
+    pub palette: Vec<ElementaryType>,
+    /// How many levels an expression has at most.
+    pub deepest: usize,
+    /// The program so far; PROGRAM main comes last.
+    pub program: Program,
+    /// What a call of each function, and of each function block, costs.
+    pub function_costs: Vec<u32>,
+    pub block_costs: Vec<u32>,
+    /// The POU in hand.
+    pub pou: Pou,
+    /// How many statements the POU in hand may still get.
     pub statements_left: usize,
-    /// The variables of the POU in hand.
-    pub variables: Vec<Variable>,
+    /// How many parts the statement in hand may still get.
+    pub nodes_left: usize,
+    /// Texts that stand in what is being made come from variables declared before this one, so that no text grows by going
+    /// around in a loop: how long a text may be no document says.
+    pub text_bound: VariableId,
 }
 
-impl Maker<'_, '_> {
-    fn main_variables(&mut self) {
-        let integers: Vec<ElementaryType> = self
-            .language
-            .types
-            .iter()
-            .copied()
-            .filter(|ty| ty.is_integer())
-            .collect();
-        for number in 0..2 + self.random.below(6) {
-            let ty = self
-                .random
-                .pick(&integers)
-                .copied()
-                .unwrap_or(ElementaryType::Int);
-            let initial = self.random.chance(1, 2).then(|| {
-                let value = literals::value(ty, &mut self.random);
-                Initial::Expression(Expression {
-                    ty: Type::Elementary(ty),
-                    kind: ExpressionKind::Literal(value, LiteralForm::Typed),
-                })
-            });
-            self.add_variable(format!("v{number}"), Type::Elementary(ty), initial);
+/// How many statements a whole program executes at most, counted as if every branch were taken.
+pub(super) const MOST_EXECUTED: u32 = 6000;
+
+impl<'r, 'u> Maker<'r, 'u> {
+    fn new(mut random: Random<'r, 'u>, settings: &Settings) -> Maker<'r, 'u> {
+        let dialect = settings.dialect.unwrap_or_else(|| {
+            let chosen = random.pick(&DialectName::ALL).copied();
+            chosen.unwrap_or(DialectName::IronplcEd2)
+        });
+        let language = Language::of(dialect);
+        let features = Features::drawn(&mut random);
+        let palette = palette(language, &mut random);
+        let deepest = if features.has(Feature::Deep) {
+            random.between(3, 8) as usize
+        } else {
+            2
+        };
+        Maker {
+            random,
+            language,
+            open: settings.open,
+            features,
+            palette,
+            deepest,
+            program: Program {
+                dialect,
+                types: Vec::new(),
+                functions: Vec::new(),
+                blocks: Vec::new(),
+                main: Main {
+                    variables: Vec::new(),
+                    body: Vec::new(),
+                },
+            },
+            function_costs: Vec::new(),
+            block_costs: Vec::new(),
+            pou: Pou::new(Kind::Main),
+            statements_left: 0,
+            nodes_left: 0,
+            text_bound: VariableId(0),
         }
     }
 
-    /// Adds a variable to the POU in hand.
-    pub fn add_variable(&mut self, name: String, ty: Type, initial: Option<Initial>) -> VariableId {
-        self.variables.push(Variable {
-            name,
-            ty,
-            section: Section::Local,
-            initial,
-        });
-        VariableId(self.variables.len() - 1)
+    /// Whether the program may use this construct.
+    pub const fn has(&self, feature: Feature) -> bool {
+        self.features.has(feature)
+    }
+
+    /// One of the types that the program uses.
+    pub fn any_type(&mut self) -> ElementaryType {
+        self.random
+            .pick(&self.palette)
+            .copied()
+            .unwrap_or(ElementaryType::Int)
+    }
+
+    /// Whether the POU in hand may execute so much more where it stands.
+    pub const fn affords(&self, cost: u32) -> bool {
+        self.pou.cost + self.pou.turns * cost <= MOST_EXECUTED
+    }
+
+    /// Notes that something is executed where the POU in hand stands.
+    pub const fn spend(&mut self, cost: u32) {
+        self.pou.cost += self.pou.turns * cost;
+    }
+
+    fn main(&mut self, most: usize) {
+        // Programs of very different lengths: a short one shows a fault clearly, a long one meets more of them.
+        let most = most.min([4, 10, 20, 40, 80][self.random.below(5)]);
+        self.begin(Kind::Main, most);
+        self.main_variables();
+        let mut body = self.body(most);
+        self.add_checksums(&mut body);
+        self.program.main.body = body;
     }
 }

@@ -3,18 +3,29 @@
 //! | file | decides |
 //! |---|---|
 //! | `settings` | what the caller may ask |
+//! | `features` | which constructs and types one program has |
 //! | `language` | what a dialect has: types, implicit conversions, functions whose results documents give |
 //! | `literals` | values, biased to boundaries |
-//! | `maker` | what is being made: the program so far, the POU in hand, what is left of the budget |
-//! | `expressions` | expressions of a wanted type |
-//! | `statements` | statements |
+//! | `maker` | what is being made: the program so far, and what is left of the budget |
+//! | `scope` | the POU in hand: what can be read and written in it |
+//! | `declarations`, `routines` | types and variables; functions and function blocks |
+//! | `expressions`, `places`, `operations`, `calls` | expressions of a wanted type |
+//! | `statements`, `loops` | statements |
 //! | `checksum` | the end of main, where everything flows together |
 
+mod calls;
 mod checksum;
+mod declarations;
 mod expressions;
+mod features;
 mod language;
 mod literals;
+mod loops;
 mod maker;
+mod operations;
+mod places;
+mod routines;
+mod scope;
 mod settings;
 mod statements;
 

@@ -1,43 +1,348 @@
-//! Statements.
+//! Statements, but for loops.
 
-use super::expressions::{Wanted, whole};
+use super::expressions::Wanted;
+use super::features::Feature;
 use super::maker::Maker;
-use crate::model::{Statement, StatementKind, Target, Type, VariableId};
+use super::operations::has_bits;
+use super::places::integer;
+use super::scope::{Kind, contains_text};
+use crate::model::{
+    Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Place, Section, Statement,
+    StatementKind, Target, Type, VariableId,
+};
+use stickler_types::ElementaryType;
 
-/// How deeply statements are nested at most.
-const DEEPEST: usize = 3;
+/// The kinds of statements that the generator chooses from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Choice {
+    Assign,
+    AssignBit,
+    If,
+    Case,
+    For,
+    While,
+    Repeat,
+    Invoke,
+    Leave,
+}
 
 impl Maker<'_, '_> {
-    /// At least one statement, at this depth of nesting.
-    pub fn statements(&mut self, depth: usize) -> Vec<Statement> {
-        let mut made = vec![self.statement(depth)];
-        let most = if depth == 0 { self.statements_left } else { 4 };
-        while made.len() < most && self.statements_left > 0 && self.random.chance(3, 4) {
-            made.push(self.statement(depth));
+    /// The statements of a POU: so many, or fewer if the bytes run out.
+    pub fn body(&mut self, most: usize) -> Vec<Statement> {
+        let mut made = Vec::new();
+        while made.is_empty()
+            || (made.len() < most && self.statements_left > 0 && !self.random.is_exhausted())
+        {
+            self.statement(0, &mut made);
         }
         made
     }
 
-    fn statement(&mut self, depth: usize) -> Statement {
-        self.statements_left = self.statements_left.saturating_sub(1);
-        let kind = if depth < DEEPEST && self.statements_left > 0 && self.random.chance(1, 4) {
-            let condition = self.condition(2);
-            let body = self.statements(depth + 1);
-            let otherwise = self.random.chance(1, 2).then(|| self.statements(depth + 1));
-            StatementKind::If(vec![(condition, body)], otherwise)
-        } else {
-            self.assignment()
-        };
-        Statement { kind }
+    /// The statements of a branch or a loop, of which there is at least one.
+    pub fn nested(&mut self, depth: usize) -> Vec<Statement> {
+        let mut made = Vec::new();
+        loop {
+            self.statement(depth, &mut made);
+            if made.len() >= 5 || self.statements_left == 0 || !self.random.chance(1, 2) {
+                return made;
+            }
+        }
     }
 
-    fn assignment(&mut self) -> StatementKind {
-        let variable = VariableId(self.random.below(self.variables.len()));
-        let ty = self.variables[variable.0].ty.clone();
-        let value = match ty {
-            Type::Elementary(ty) => self.value(ty, Wanted::Fitting, 3),
-            _ => unreachable!("only elementary variables are made"),
+    /// Starts a statement: what it may consist of is counted afresh.
+    pub fn begin_statement(&mut self) {
+        self.nodes_left = if self.has(Feature::Deep) && self.random.chance(1, 8) {
+            60
+        } else {
+            12
         };
-        StatementKind::Assign(Target::Place(whole(variable, ty)), value)
+        self.text_bound = VariableId(usize::MAX);
+    }
+
+    /// Makes a statement, and what has to stand beside it.
+    fn statement(&mut self, depth: usize, made: &mut Vec<Statement>) {
+        self.statements_left = self.statements_left.saturating_sub(1);
+        self.begin_statement();
+        self.spend(1);
+        let kind = match self.choice(depth) {
+            Choice::Assign => self.assignment(),
+            Choice::AssignBit => self.assigned_bit(),
+            Choice::If => Some(self.branches(depth)),
+            Choice::Case => self.case(depth),
+            Choice::For => return self.for_loop(depth, made),
+            Choice::While => return self.while_loop(depth, made),
+            Choice::Repeat => return self.repeat_loop(depth, made),
+            Choice::Invoke => self.invocation(),
+            Choice::Leave => Some(self.leave()),
+        };
+        if let Some(kind) = kind.or_else(|| self.assignment()) {
+            made.push(Statement { kind });
+        } else {
+            self.assign_reserved(made);
+        }
+    }
+
+    /// An assignment to a variable of the generator's own, where nothing else can be written.
+    fn assign_reserved(&mut self, made: &mut Vec<Statement>) {
+        let variable = self.reserved(ElementaryType::Int);
+        made.push(self.reset(variable, ElementaryType::Int));
+    }
+
+    fn choice(&mut self, depth: usize) -> Choice {
+        let deepest = if self.has(Feature::Nested) { 4 } else { 2 };
+        let nests = depth < deepest && self.statements_left > 0;
+        let loops = nests && self.pou.loops_around < 3 && self.affords(8);
+        let weight = |offered: bool, weight: u16| if offered { weight } else { 0 };
+        let instances = self
+            .pou
+            .variables
+            .iter()
+            .any(|variable| matches!(variable.ty, Type::Block(_)));
+        let may_leave = (self.pou.loops_around > 0 && self.has(Feature::Exit))
+            || (self.pou.kind != Kind::Main && self.has(Feature::Return));
+        let bits = self.has(Feature::Bits) && self.language.has_bits(self.open);
+        let choices = [
+            (Choice::Assign, 12),
+            (Choice::AssignBit, weight(bits, 4)),
+            (Choice::If, weight(nests && self.has(Feature::If), 5)),
+            (Choice::Case, weight(nests && self.has(Feature::Case), 4)),
+            (Choice::For, weight(loops && self.has(Feature::For), 3)),
+            (Choice::While, weight(loops && self.has(Feature::While), 2)),
+            (Choice::Repeat, weight(loops && self.has(Feature::Repeat), 2)),
+            (Choice::Invoke, weight(instances, 6)),
+            (Choice::Leave, weight(depth > 0 && may_leave, 2)),
+        ];
+        let weights = choices.map(|(_, weight)| weight);
+        choices[self.random.weighted(&weights)].0
+    }
+
+    /// An assignment to anything that can be written.
+    fn assignment(&mut self) -> Option<StatementKind> {
+        let place = self.target(|_| true)?;
+        let ty = place.ty.clone();
+        let value = self.assigned(&ty, place.variable.0)?;
+        Some(StatementKind::Assign(Target::Place(place), value))
+    }
+
+    /// A place to write to.
+    fn target(&mut self, suits: impl Fn(&super::scope::Seen) -> bool) -> Option<Place> {
+        let pou = &self.pou;
+        let count = pou
+            .places
+            .iter()
+            .filter(|seen| pou.may_write(seen) && suits(seen))
+            .count();
+        let chosen = self.random.below(count);
+        let pou = &self.pou;
+        let seen = pou
+            .places
+            .iter()
+            .filter(|seen| pou.may_write(seen) && suits(seen))
+            .nth(chosen)?
+            .clone();
+        Some(self.place(&seen, false))
+    }
+
+    /// A value for a place of this type, which is of that variable; nothing where there is none.
+    pub fn assigned(&mut self, ty: &Type, variable: usize) -> Option<Expression> {
+        if contains_text(ty, &self.program) {
+            self.text_bound = VariableId(variable);
+        }
+        if let Type::Elementary(ty) = ty {
+            return Some(self.value(*ty, Wanted::Assigned, self.deepest));
+        }
+        if self.program.enumerated_values(ty).is_some() {
+            let called = if self.random.chance(1, 4) {
+                self.call(ty, 1)
+            } else {
+                None
+            };
+            return Some(called.unwrap_or_else(|| self.enumerated(ty)));
+        }
+        self.read(ty, false)
+    }
+
+    fn assigned_bit(&mut self) -> Option<StatementKind> {
+        let place = self.target(has_bits)?;
+        let bit = self.bit_number(&place.ty);
+        let value = self.value(ElementaryType::Bool, Wanted::Assigned, self.deepest);
+        Some(StatementKind::Assign(Target::Bit(place, bit), value))
+    }
+
+    fn branches(&mut self, depth: usize) -> StatementKind {
+        let mut branches = Vec::new();
+        for _ in 0..=self.random.weighted(&[5, 2, 1]) {
+            self.begin_statement();
+            let condition = self.condition();
+            branches.push((condition, self.nested(depth + 1)));
+        }
+        let otherwise = self.random.chance(1, 2).then(|| self.nested(depth + 1));
+        StatementKind::If(branches, otherwise)
+    }
+
+    /// CASE of an enumeration or an integer.
+    fn case(&mut self, depth: usize) -> Option<StatementKind> {
+        let selector = self.enumeration_selector();
+        let (selector, labels) = match selector {
+            Some((selector, count)) => {
+                let labels = self.enumerated_labels(&selector.ty, count);
+                (selector, labels)
+            }
+            None => self.integer_selector()?,
+        };
+        let branches = labels.into_iter().map(|labels| CaseBranch {
+            labels,
+            body: self.nested(depth + 1),
+        });
+        let branches = branches.collect();
+        let otherwise = self.random.chance(1, 2).then(|| self.nested(depth + 1));
+        Some(StatementKind::Case(selector, branches, otherwise))
+    }
+
+    fn enumeration_selector(&mut self) -> Option<(Expression, usize)> {
+        if !self.has(Feature::Enumerations) || !self.random.chance(1, 2) {
+            return None;
+        }
+        let is_enumeration = |place: &usize| {
+            let ty = Type::Declared(*place);
+            self.program.enumerated_values(&ty).is_some() && self.pou.places.iter().any(|seen| seen.ty == ty)
+        };
+        let enumerations: Vec<usize> = (0..self.program.types.len()).filter(is_enumeration).collect();
+        let ty = Type::Declared(*self.random.pick(&enumerations)?);
+        let count = self.program.enumerated_values(&ty)?.len();
+        Some((self.read(&ty, true)?, count))
+    }
+
+    /// The names of an enumeration, spread over branches; some are left to ELSE.
+    fn enumerated_labels(&mut self, ty: &Type, count: usize) -> Vec<Vec<CaseLabel>> {
+        let mut branches: Vec<Vec<CaseLabel>> = Vec::new();
+        for value in 0..count {
+            if !branches.is_empty() && self.random.chance(1, 4) {
+                continue;
+            }
+            let label = CaseLabel::One(Expression {
+                ty: ty.clone(),
+                kind: ExpressionKind::Enumerated(value),
+            });
+            match branches.last_mut() {
+                Some(last) if self.random.chance(1, 3) => last.push(label),
+                _ => branches.push(vec![label]),
+            }
+        }
+        branches
+    }
+
+    /// An integer, and labels near the values that it may have, no number twice.
+    fn integer_selector(&mut self) -> Option<(Expression, Vec<Vec<CaseLabel>>)> {
+        let integers: Vec<ElementaryType> = self
+            .palette
+            .iter()
+            .copied()
+            .filter(|ty| ty.is_integer() && self.pou.varies(*ty))
+            .collect();
+        let &ty = self.random.pick(&integers)?;
+        let selector = self.value(ty, Wanted::Exact, 2);
+        let (least, greatest) = ty.integer_range()?;
+        // Labels go upwards, so that none meets another.
+        let starts = [0, least, -3, greatest - 20];
+        let mut next = starts[self.random.below(starts.len())].max(least);
+        let mut branches: Vec<Vec<CaseLabel>> = Vec::new();
+        for _ in 0..=self.random.below(4) {
+            let mut labels = Vec::new();
+            for _ in 0..=self.random.weighted(&[4, 2, 1]) {
+                let low = next + self.random.below(3) as i128;
+                let high = low + self.random.weighted(&[4, 1, 1, 1]) as i128;
+                if high > greatest {
+                    break;
+                }
+                let number = |number: i128| integer(ty, number as u64 as i64, LiteralForm::Untyped);
+                labels.push(if low == high {
+                    CaseLabel::One(number(low))
+                } else {
+                    CaseLabel::Range(number(low), number(high))
+                });
+                next = high + 1;
+            }
+            if !labels.is_empty() {
+                branches.push(labels);
+            }
+        }
+        (!branches.is_empty()).then_some((selector, branches))
+    }
+
+    /// A call of a function block.
+    fn invocation(&mut self) -> Option<StatementKind> {
+        let instances: Vec<(VariableId, usize)> = self
+            .pou
+            .variables
+            .iter()
+            .enumerate()
+            .filter_map(|(place, variable)| match variable.ty {
+                Type::Block(block) if !self.pou.locked.contains(&VariableId(place)) => {
+                    Some((VariableId(place), block))
+                }
+                _ => None,
+            })
+            .collect();
+        let &(instance, block) = self.random.pick(&instances)?;
+        if !self.affords(self.block_costs[block]) {
+            return None;
+        }
+        let parameters: Vec<(VariableId, Section, Type)> = self.program.blocks[block]
+            .variables
+            .iter()
+            .enumerate()
+            .map(|(place, variable)| (VariableId(place), variable.section, variable.ty.clone()))
+            .collect();
+        let mut inputs = Vec::new();
+        let mut outputs = Vec::new();
+        // What the block may write, each variable once.
+        let mut given = Vec::new();
+        for (parameter, section, ty) in parameters {
+            match section {
+                Section::Input if self.random.chance(3, 4) => {
+                    // Texts that come out again would grow.
+                    self.text_bound = VariableId(0);
+                    let value = self.argument(&ty, 2);
+                    inputs.push(Argument { parameter, value });
+                }
+                Section::InOut => {
+                    let ty = self.program.unaliased(&ty).clone();
+                    let place = self.writable_part(&ty, &given)?;
+                    given.push(place.variable);
+                    let kind = ExpressionKind::Read(place);
+                    inputs.push(Argument {
+                        parameter,
+                        value: Expression { ty, kind },
+                    });
+                }
+                Section::Output if self.random.chance(1, 2) => {
+                    if let Some(place) = self.writable_part(&ty, &given) {
+                        given.push(place.variable);
+                        outputs.push((parameter, place));
+                    }
+                }
+                _ => {}
+            }
+        }
+        self.spend(self.block_costs[block]);
+        Some(StatementKind::Invoke {
+            instance,
+            inputs,
+            outputs,
+        })
+    }
+
+    /// EXIT or RETURN, if a condition holds.
+    fn leave(&mut self) -> StatementKind {
+        let may_exit = self.pou.loops_around > 0 && self.has(Feature::Exit);
+        let may_return = self.pou.kind != Kind::Main && self.has(Feature::Return);
+        let kind = if may_exit && !(may_return && self.random.chance(1, 4)) {
+            StatementKind::Exit
+        } else {
+            StatementKind::Return
+        };
+        let condition = self.condition();
+        StatementKind::If(vec![(condition, vec![Statement { kind }])], None)
     }
 }

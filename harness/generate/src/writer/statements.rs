@@ -56,7 +56,8 @@ impl Sheet<'_> {
                 self.word("WHILE");
                 self.blank();
                 self.expression(condition, pou.variables);
-                self.between_blanks("DO");
+                self.blank();
+                self.word("DO");
                 self.statements(body, pou);
                 self.closing("END_WHILE");
             }
@@ -107,7 +108,8 @@ impl Sheet<'_> {
             }
             self.blank();
             self.expression(condition, pou.variables);
-            self.between_blanks("THEN");
+            self.blank();
+            self.word("THEN");
             self.statements(body, pou);
         }
         self.otherwise(otherwise, pou);
@@ -131,7 +133,8 @@ impl Sheet<'_> {
         self.word("CASE");
         self.blank();
         self.expression(selector, pou.variables);
-        self.between_blanks("OF");
+        self.blank();
+        self.word("OF");
         self.deeper();
         for branch in branches {
             self.new_line();
@@ -181,7 +184,8 @@ impl Sheet<'_> {
             self.between_blanks("BY");
             self.expression(by, pou.variables);
         }
-        self.between_blanks("DO");
+        self.blank();
+        self.word("DO");
     }
 
     fn invocation(

@@ -1,0 +1,204 @@
+//! Calls: of conversion functions, and of the program's own.
+
+use super::expressions::{Wanted, elementary};
+use super::features::Feature;
+use super::language::{Offer, Settled};
+use super::literals;
+use super::maker::Maker;
+use crate::model::{
+    Argument, Expression, ExpressionKind, LiteralForm, Section, StandardFunction, Type, VariableId,
+};
+use stickler_exact::{Operation, Signature, expected};
+use stickler_types::{ElementaryType, Family, Value};
+
+impl Maker<'_, '_> {
+    /// A conversion whose result documents settle; where what is open is wanted, any.
+    pub fn conversion(&mut self, ty: ElementaryType, wanted: Wanted, depth: usize) -> Option<Expression> {
+        let offer = self.offer(ty, wanted)?;
+        let settled = offer.settled == Settled::Always || (self.open && self.random.chance(1, 2));
+        let operand = if settled {
+            self.operand(offer, depth)
+        } else {
+            self.settled_operand(offer, depth)?
+        };
+        Some(convert(&offer.signature, operand))
+    }
+
+    /// A conversion function that gives this type; rather one of a type that variables have.
+    fn offer(&mut self, ty: ElementaryType, wanted: Wanted) -> Option<&'static Offer> {
+        let language = self.language;
+        let seen_only = self.random.chance(3, 4);
+        let open = self.open;
+        let pou = &self.pou;
+        let suits = |offer: &&Offer| {
+            (open || offer.settled != Settled::Never)
+                && (!offer.ambiguous || wanted == Wanted::Assigned)
+                && (!seen_only || pou.varies(offer.from))
+        };
+        let count = language.offers(ty).iter().filter(suits).count();
+        let chosen = self.random.below(count);
+        let pou = &self.pou;
+        let suits = |offer: &&Offer| {
+            (open || offer.settled != Settled::Never)
+                && (!offer.ambiguous || wanted == Wanted::Assigned)
+                && (!seen_only || pou.varies(offer.from))
+        };
+        language.offers(ty).iter().filter(suits).nth(chosen)
+    }
+
+    /// The argument of a conversion function; sometimes one that has to widen first, if the function's name says into what.
+    fn operand(&mut self, offer: &Offer, depth: usize) -> Expression {
+        let widened = if offer.plain && self.has(Feature::Widening) && self.random.chance(1, 8) {
+            self.widened(offer.from, Wanted::Argument, depth)
+        } else {
+            None
+        };
+        widened.unwrap_or_else(|| self.value(offer.from, Wanted::Exact, depth))
+    }
+
+    /// A variable, converted to this type by a function that is settled for all its values.
+    pub fn converted_variable(&mut self, ty: ElementaryType) -> Option<Expression> {
+        let language = self.language;
+        let pou = &self.pou;
+        let suits =
+            |offer: &&Offer| offer.settled == Settled::Always && !offer.ambiguous && pou.varies(offer.from);
+        let count = language.offers(ty).iter().filter(suits).count();
+        let chosen = self.random.below(count);
+        let pou = &self.pou;
+        let suits =
+            |offer: &&Offer| offer.settled == Settled::Always && !offer.ambiguous && pou.varies(offer.from);
+        let offer = language.offers(ty).iter().filter(suits).nth(chosen)?;
+        let operand = self.read(&Type::Elementary(offer.from), true)?;
+        Some(convert(&offer.signature, operand))
+    }
+
+    /// An operand of which documents say what the function gives.
+    fn settled_operand(&mut self, offer: &Offer, depth: usize) -> Option<Expression> {
+        let (from, to) = (offer.from, offer.signature.result);
+        let variable = match (offer.signature.operation, from.family(), to.family()) {
+            // Only a NaN is not settled, and the evaluator sees to that.
+            (_, Family::Real, Family::Boolean) => return Some(self.value(from, Wanted::Exact, depth)),
+            (Operation::ToBcd, ..) => {
+                self.limited_number(from, 0, if to == ElementaryType::Byte { 99 } else { 9999 })
+            }
+            (Operation::Convert | Operation::Truncate, Family::Real, Family::Signed | Family::Unsigned) => {
+                self.limited_real(from, to)
+            }
+            (Operation::Convert, Family::Signed | Family::Unsigned, Family::Duration) => {
+                self.limited_number(from, 0, 86_400_000)
+            }
+            (Operation::Convert, Family::Text, _) => self.written_number(from, to),
+            _ => None,
+        };
+        variable.or_else(|| self.settled_literal(offer))
+    }
+
+    /// `LIMIT(low, x, high)`, as far as the type holds that.
+    fn limited_number(&mut self, ty: ElementaryType, low: i64, high: i64) -> Option<Expression> {
+        let (least, greatest) = ty.integer_range()?;
+        let fitting =
+            |number: i64| i64::try_from(i128::from(number).clamp(least, greatest)).unwrap_or(number);
+        self.limited(ty, fitting(low), fitting(high))
+    }
+
+    /// A real within an integer type, whatever is done with its fraction.
+    fn limited_real(&mut self, from: ElementaryType, to: ElementaryType) -> Option<Expression> {
+        let operand = self.varying(from, 1)?;
+        // Powers of two are numbers of both real types; of the short integers the greatest value is one, too.
+        let (low, high) = match (to.is_signed(), to.bits()) {
+            (true, bits @ ..=16) => (-power(bits - 1), power(bits - 1) - 1.0),
+            (true, bits) => (-power(bits - 1), power(bits - 2)),
+            (false, bits @ ..=16) => (0.0, power(bits) - 1.0),
+            (false, bits) => (0.0, power(bits - 1)),
+        };
+        let limit = |number: f64| {
+            let raw = if from == ElementaryType::Real {
+                u64::from((number as f32).to_bits())
+            } else {
+                number.to_bits()
+            };
+            elementary(
+                from,
+                ExpressionKind::Literal(Value::plain(from, raw), LiteralForm::Typed),
+            )
+        };
+        let arguments = vec![limit(low), operand, limit(high)];
+        Some(elementary(
+            from,
+            ExpressionKind::Standard(StandardFunction::Limit, arguments),
+        ))
+    }
+
+    /// The text of a number, which certainly is one.
+    fn written_number(&mut self, text: ElementaryType, number: ElementaryType) -> Option<Expression> {
+        let signature = self.language.settled(number, text)?;
+        let operand = self.read(&Type::Elementary(number), true)?;
+        Some(convert(signature, operand))
+    }
+
+    /// A literal of which documents say what the function gives, if one is found quickly.
+    fn settled_literal(&mut self, offer: &Offer) -> Option<Expression> {
+        const TRIES: usize = 4;
+        let dialect = self.language.dialect;
+        for _ in 0..TRIES {
+            let value = literals::value(offer.from, &mut self.random);
+            if expected(&offer.signature, std::slice::from_ref(&value), dialect)
+                .basis
+                .is_some()
+            {
+                return Some(elementary(
+                    offer.from,
+                    ExpressionKind::Literal(value, LiteralForm::Typed),
+                ));
+            }
+        }
+        None
+    }
+
+    /// A call of a function of the program that gives this type.
+    pub fn call(&mut self, ty: &Type, depth: usize) -> Option<Expression> {
+        let functions = self.program.functions.iter().enumerate();
+        let suits: Vec<usize> = functions
+            .filter(|&(place, function)| function.result == *ty && self.affords(self.function_costs[place]))
+            .map(|(place, _)| place)
+            .collect();
+        let &called = self.random.pick(&suits)?;
+        let parameters: Vec<(VariableId, Type)> = self.program.functions[called]
+            .variables
+            .iter()
+            .enumerate()
+            .filter(|(_, variable)| variable.section == Section::Input)
+            .map(|(place, variable)| (VariableId(place), variable.ty.clone()))
+            .collect();
+        self.spend(self.function_costs[called]);
+        let arguments = parameters.into_iter().map(|(parameter, ty)| Argument {
+            parameter,
+            value: self.argument(&ty, depth),
+        });
+        let arguments = arguments.collect();
+        Some(Expression {
+            ty: ty.clone(),
+            kind: ExpressionKind::Call(called, arguments),
+        })
+    }
+
+    /// What is passed to a parameter of an elementary type or an enumeration.
+    pub fn argument(&mut self, ty: &Type, depth: usize) -> Expression {
+        match ty {
+            Type::Elementary(ty) => self.value(*ty, Wanted::Argument, depth),
+            ty => self.enumerated(ty),
+        }
+    }
+}
+
+/// A call of a conversion function.
+pub(super) fn convert(signature: &Signature, operand: Expression) -> Expression {
+    elementary(
+        signature.result,
+        ExpressionKind::Convert(signature.clone(), Box::new(operand)),
+    )
+}
+
+fn power(exponent: u32) -> f64 {
+    2.0_f64.powi(exponent.cast_signed())
+}

@@ -1,0 +1,248 @@
+//! Types, and variables with their initial values.
+
+use super::expressions::{Wanted, elementary};
+use super::features::Feature;
+use super::literals;
+use super::maker::Maker;
+use super::scope::Kind;
+use crate::model::{
+    ArrayType, Declared, Expression, ExpressionKind, Initial, LiteralForm, Section, Type, TypeDeclaration,
+    Variable, VariableId, subscripts,
+};
+use stickler_types::ElementaryType;
+
+/// How many elements an array has at most.
+const MOST_ELEMENTS: usize = 12;
+
+/// The same, where the elements are no elementary values.
+const MOST_STRUCTURES: usize = 3;
+
+impl Maker<'_, '_> {
+    /// TYPE … END_TYPE.
+    pub fn declare_types(&mut self) {
+        if self.has(Feature::Enumerations) {
+            for _ in 0..=self.random.below(2) {
+                let number = self.program.types.len();
+                let names = (0..2 + self.random.below(4)).map(|value| format!("e{number}v{value}"));
+                let names = names.collect();
+                self.declare_type("Enum", Declared::Enumeration(names));
+            }
+        }
+        if self.has(Feature::Structures) {
+            for _ in 0..=self.random.below(2) {
+                let fields = (0..1 + self.random.below(4))
+                    .map(|field| self.field(field))
+                    .collect();
+                self.declare_type("Rec", Declared::Structure(fields));
+            }
+        }
+        if self.has(Feature::Aliases) {
+            self.declare_alias();
+        }
+    }
+
+    fn declare_type(&mut self, stem: &str, kind: Declared) {
+        let name = format!("{stem}{}", self.program.types.len());
+        self.program.types.push(TypeDeclaration { name, kind });
+    }
+
+    fn field(&mut self, number: usize) -> (String, Type, Option<Expression>) {
+        let ty = match self.random.weighted(&[6, 1, 1]) {
+            1 if self.has(Feature::Arrays) => self.array(),
+            2 => self.declared_type(),
+            _ => Type::Elementary(self.any_type()),
+        };
+        let initial = match ty {
+            Type::Elementary(ty) if self.wants_initial() => Some(self.initial_literal(ty)),
+            _ => None,
+        };
+        (format!("m{number}"), ty, initial)
+    }
+
+    /// A name for an array type, of which whole values can be assigned. A name for an elementary type is made only where the
+    /// program may use what is open: whether such converts as its type does no document says.
+    fn declare_alias(&mut self) {
+        let ty = if self.open && self.random.chance(1, 2) {
+            Type::Elementary(self.any_type())
+        } else {
+            self.array()
+        };
+        self.declare_type("Alias", Declared::Alias(ty));
+    }
+
+    /// An array of one to three dimensions.
+    fn array(&mut self) -> Type {
+        let element = match self.random.weighted(&[6, 1]) {
+            1 => self.declared_type(),
+            _ => Type::Elementary(self.any_type()),
+        };
+        let dimensions = 1 + self.random.weighted(&[6, 2, 1]);
+        let is_simple = matches!(element, Type::Elementary(_));
+        let mut left = if is_simple { MOST_ELEMENTS } else { MOST_STRUCTURES };
+        let limits = (0..dimensions).map(|_| {
+            let low = [0, 1, -1, 5, -3][self.random.below(5)];
+            let length = 1 + self.random.below(left.min(6));
+            left /= length;
+            (low, low + length as i64 - 1)
+        });
+        let dimensions = limits.collect();
+        Type::Array(Box::new(ArrayType { dimensions, element }))
+    }
+
+    /// An enumeration or structure that is declared already; an elementary type where there is none. Structures are taken as
+    /// parts only if they are small, so that no variable has hundreds of parts.
+    fn declared_type(&mut self) -> Type {
+        let is_small = |kind: &Declared| match kind {
+            Declared::Enumeration(_) => true,
+            Declared::Structure(fields) => fields.iter().all(|(_, ty, _)| matches!(ty, Type::Elementary(_))),
+            Declared::Alias(_) => false,
+        };
+        let types = self.program.types.iter().enumerate();
+        let small: Vec<usize> = types
+            .filter(|(_, declared)| is_small(&declared.kind))
+            .map(|(place, _)| place)
+            .collect();
+        match self.random.pick(&small) {
+            Some(&declared) => Type::Declared(declared),
+            None => Type::Elementary(self.any_type()),
+        }
+    }
+
+    /// The variables of main: some of every shape that the program has, and an instance of every function block.
+    pub fn main_variables(&mut self) {
+        for _ in 0..3 + self.random.below(6) {
+            let ty = self.variable_type();
+            self.declare_local(ty);
+        }
+        for block in 0..self.program.blocks.len() {
+            for _ in 0..=self.random.below(2) {
+                self.declare_instance(block);
+            }
+        }
+    }
+
+    /// A type for a variable: of an array, a structure, an enumeration or an elementary one.
+    pub fn variable_type(&mut self) -> Type {
+        match self.random.weighted(&[7, 2, 2]) {
+            1 if self.has(Feature::Arrays) => self.array(),
+            2 if !self.program.types.is_empty() => {
+                Type::Declared(self.random.below(self.program.types.len()))
+            }
+            _ => Type::Elementary(self.any_type()),
+        }
+    }
+
+    /// An elementary type or an enumeration, for parameters.
+    pub fn small_type(&mut self) -> Type {
+        let is_enumeration =
+            |place: &usize| matches!(self.program.types[*place].kind, Declared::Enumeration(_));
+        let enumerations: Vec<usize> = (0..self.program.types.len()).filter(is_enumeration).collect();
+        match self.random.weighted(&[5, 1]) {
+            1 if !enumerations.is_empty() => {
+                Type::Declared(enumerations[self.random.below(enumerations.len())])
+            }
+            _ => Type::Elementary(self.any_type()),
+        }
+    }
+
+    /// A variable of the POU's own, or a constant.
+    pub fn declare_local(&mut self, ty: Type) -> VariableId {
+        let initial = self.initial(&ty);
+        let may_be_constant =
+            self.has(Feature::Constants) && matches!(ty, Type::Elementary(_)) && initial.is_some();
+        if may_be_constant && self.random.chance(1, 4) {
+            return self.declare_variable("c", ty, Section::Constant, initial);
+        }
+        self.declare_variable("v", ty, Section::Local, initial)
+    }
+
+    /// A variable in a section.
+    pub fn declare_variable(
+        &mut self,
+        stem: &str,
+        ty: Type,
+        section: Section,
+        initial: Option<Initial>,
+    ) -> VariableId {
+        let name = format!("{stem}{}", self.pou.variables.len());
+        let variable = Variable {
+            name,
+            ty,
+            section,
+            initial,
+        };
+        self.pou.declare(variable, &self.program)
+    }
+
+    pub fn declare_instance(&mut self, block: usize) {
+        self.declare_variable("inst", Type::Block(block), Section::Local, None);
+    }
+
+    fn wants_initial(&mut self) -> bool {
+        self.has(Feature::Initials) && self.random.chance(2, 3)
+    }
+
+    /// An initial value, perhaps.
+    pub fn initial(&mut self, ty: &Type) -> Option<Initial> {
+        if !self.wants_initial() {
+            return None;
+        }
+        match self.program.unaliased(ty).clone() {
+            Type::Elementary(ty) => Some(Initial::Expression(self.initial_value(ty))),
+            Type::Array(array) => match array.element {
+                Type::Elementary(ty) => {
+                    let values = (0..subscripts(&array).len()).map(|_| self.initial_literal(ty));
+                    Some(Initial::Array(values.collect()))
+                }
+                _ => None,
+            },
+            ty => match self.program.enumerated_values(&ty).map(<[String]>::len) {
+                Some(count) => Some(Initial::Expression(Expression {
+                    kind: ExpressionKind::Enumerated(self.random.below(count)),
+                    ty,
+                })),
+                None => self.initial_structure(&ty),
+            },
+        }
+    }
+
+    /// Values of some of the elementary fields.
+    fn initial_structure(&mut self, ty: &Type) -> Option<Initial> {
+        let fields = self.program.fields(ty)?.iter().enumerate();
+        let elementary_fields: Vec<(usize, ElementaryType)> = fields
+            .filter_map(|(field, (_, ty, _))| match ty {
+                Type::Elementary(ty) => Some((field, *ty)),
+                _ => None,
+            })
+            .collect();
+        let mut values = Vec::new();
+        for (field, ty) in elementary_fields {
+            if values.is_empty() || self.random.chance(2, 3) {
+                values.push((field, self.initial_literal(ty)));
+            }
+        }
+        (!values.is_empty()).then_some(Initial::Structure(values))
+    }
+
+    /// A literal, or one of a type that widens.
+    fn initial_value(&mut self, ty: ElementaryType) -> Expression {
+        let sources = self.language.sources(ty);
+        if self.has(Feature::Widening) && !sources.is_empty() && self.random.chance(1, 4) {
+            let from = self.random.pick(sources).copied().unwrap_or(ty);
+            let value = literals::value(from, &mut self.random);
+            let literal = elementary(from, ExpressionKind::Literal(value, LiteralForm::Typed));
+            return elementary(ty, ExpressionKind::Widen(Box::new(literal)));
+        }
+        self.initial_literal(ty)
+    }
+
+    fn initial_literal(&mut self, ty: ElementaryType) -> Expression {
+        self.literal(ty, Wanted::Initial)
+    }
+
+    /// Starts a POU that gets so many statements.
+    pub fn begin(&mut self, kind: Kind, statements: usize) {
+        self.pou = super::scope::Pou::new(kind);
+        self.statements_left = statements;
+    }
+}

@@ -1,0 +1,100 @@
+//! Which constructs one program may use: drawn from the input first, so that programs differ in kind and not only in size.
+//!
+//! A program with everything in it hides much: what one construct breaks, another covers. So each program gets about half of
+//! the constructs and a handful of types, and what it has it has often. Basis: Groce and others, "Swarm testing" (ISSTA 2012).
+
+use super::language::Language;
+use crate::random::Random;
+use stickler_types::ElementaryType;
+
+/// A construct that a program may or may not have.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Feature {
+    /// Implicit conversions.
+    Widening,
+    /// Conversion functions.
+    Conversions,
+    /// Literals without a type.
+    Untyped,
+    /// Initial values.
+    Initials,
+    /// VAR CONSTANT.
+    Constants,
+    /// Arrays.
+    Arrays,
+    /// Structures.
+    Structures,
+    /// Enumerations.
+    Enumerations,
+    /// Names for other types.
+    Aliases,
+    /// Functions of the program.
+    Functions,
+    /// Function blocks of the program.
+    Blocks,
+    /// `+`, `-`, `*`.
+    Arithmetic,
+    /// `/`, `MOD`.
+    Division,
+    /// AND, OR, XOR, NOT.
+    Logic,
+    /// Comparisons outside of conditions.
+    Comparisons,
+    /// Bits of integers and bit strings.
+    Bits,
+    /// SEL, MUX, MIN, MAX, LIMIT, ABS.
+    Selection,
+    /// SHL, SHR, ROL, ROR.
+    Shifts,
+    /// IF.
+    If,
+    /// CASE.
+    Case,
+    /// FOR.
+    For,
+    /// WHILE.
+    While,
+    /// REPEAT.
+    Repeat,
+    /// EXIT.
+    Exit,
+    /// RETURN.
+    Return,
+    /// Expressions of many levels.
+    Deep,
+    /// Statements nested deeply.
+    Nested,
+}
+
+/// The constructs of one program.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Features(u32);
+
+impl Features {
+    /// Draws them: each as likely as not, and all of them in one program of sixteen.
+    pub fn drawn(random: &mut Random<'_, '_>) -> Features {
+        let all = random.chance(1, 16);
+        let drawn = random.bits() as u32;
+        Features(if all { u32::MAX } else { drawn })
+    }
+
+    /// Whether the program may use this.
+    pub const fn has(self, feature: Feature) -> bool {
+        self.0 >> feature as u32 & 1 == 1
+    }
+}
+
+/// How many types a program uses at most, besides those that its conversions bring.
+const MOST_TYPES: usize = 7;
+
+/// The elementary types of one program, each once; INT alone when the bytes have run out.
+pub(super) fn palette(language: &Language, random: &mut Random<'_, '_>) -> Vec<ElementaryType> {
+    let mut palette = Vec::with_capacity(MOST_TYPES);
+    for _ in 0..=random.below(MOST_TYPES) {
+        let ty = random.pick(&language.urn).copied().unwrap_or(ElementaryType::Int);
+        if !palette.contains(&ty) {
+            palette.push(ty);
+        }
+    }
+    palette
+}

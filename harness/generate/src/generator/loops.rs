@@ -1,0 +1,233 @@
+//! Loops, all of which end by construction.
+
+use super::expressions::{Wanted, elementary};
+use super::maker::Maker;
+use super::operations::binary;
+use super::places::{integer, whole, whole_place};
+use crate::model::{
+    BinaryOperator, Expression, ExpressionKind, LiteralForm, StandardFunction, Statement, StatementKind,
+    Target, Type, VariableId,
+};
+use stickler_types::ElementaryType;
+
+/// How often a loop turns at most.
+const MOST_TURNS: i64 = 5;
+
+/// What a FOR loop runs over.
+struct Range {
+    from: i64,
+    to: i64,
+    by: i64,
+}
+
+impl Maker<'_, '_> {
+    /// A variable of this type that the generator keeps for itself.
+    pub fn reserved(&mut self, ty: ElementaryType) -> VariableId {
+        if let Some(place) = self.pou.idle.iter().position(|&(_, idle)| idle == ty) {
+            return self.pou.idle.swap_remove(place).0;
+        }
+        let name = format!("i{}", self.pou.variables.len());
+        self.pou.declare_reserved(name, ty)
+    }
+
+    /// `variable := 0;`
+    pub fn reset(&mut self, variable: VariableId, ty: ElementaryType) -> Statement {
+        let zero = integer(ty, 0, LiteralForm::Untyped);
+        assign(variable, ty, zero)
+    }
+
+    /// FOR, and behind it an assignment to its variable, for what that holds no document says.
+    pub fn for_loop(&mut self, depth: usize, made: &mut Vec<Statement>) {
+        let integers: Vec<ElementaryType> = self
+            .palette
+            .iter()
+            .copied()
+            .filter(|ty| ty.is_integer())
+            .collect();
+        let ty = self
+            .random
+            .pick(&integers)
+            .copied()
+            .unwrap_or(ElementaryType::Int);
+        let Range { from, to, by } = self.range(ty);
+        let bounds = self.bounds(ty, from, to, by);
+        let variable = self.reserved(ty);
+        let turns = ((to - from) / by + 1).clamp(1, MOST_TURNS) as u32;
+        self.pou.loops.push((variable, ty, from.min(to), from.max(to)));
+        let locked = self.pou.locked.len();
+        self.pou.locked.extend(bounds.locked);
+        let body = self.looped(depth, turns);
+        self.pou.locked.truncate(locked);
+        self.pou.loops.pop();
+        made.push(Statement {
+            kind: StatementKind::For {
+                variable,
+                from: bounds.from,
+                to: bounds.to,
+                by: bounds.by,
+                body,
+            },
+        });
+        made.push(self.reset(variable, ty));
+        self.pou.idle.push((variable, ty));
+    }
+
+    /// A few numbers of an integer type: near zero, or near its limits. One step further is still in the type.
+    fn range(&mut self, ty: ElementaryType) -> Range {
+        let (least, greatest) = limits(ty);
+        let turns = self.random.between(1, MOST_TURNS);
+        let step = 1 + self.random.weighted(&[6, 1, 1]) as i64;
+        let span = step * turns;
+        let lowest = match self.random.weighted(&[6, 2, 1, 1]) {
+            0 => self.random.between(0, 1),
+            1 if ty.is_signed() => -self.random.between(1, 3),
+            2 => least + span,
+            3 => greatest - span - step,
+            _ => 5,
+        };
+        let highest = lowest + span - step;
+        if ty.is_signed() && self.random.chance(1, 4) {
+            Range {
+                from: highest,
+                to: lowest,
+                by: -step,
+            }
+        } else {
+            Range {
+                from: lowest,
+                to: highest,
+                by: step,
+            }
+        }
+    }
+
+    /// The expressions of a range. Sometimes a variable decides where it begins or ends, which the body then leaves alone.
+    fn bounds(&mut self, ty: ElementaryType, from: i64, to: i64, by: i64) -> Bounds {
+        let mut bounds = Bounds {
+            from: self.bound(ty, from),
+            to: self.bound(ty, to),
+            by: (by != 1 || self.random.chance(1, 8)).then(|| integer(ty, by, LiteralForm::Untyped)),
+            locked: None,
+        };
+        let (low, high) = (from.min(to), from.max(to));
+        if self.random.chance(1, 4)
+            && let Some(limited) = self.limited(ty, low, high)
+        {
+            bounds.from = limited;
+        }
+        if self.random.chance(1, 4)
+            && let Some(variable) = self.lockable_variable(ty)
+        {
+            let limit = |number| integer(ty, number, LiteralForm::Typed);
+            let arguments = vec![limit(low), whole(variable, ty), limit(high)];
+            bounds.to = elementary(ty, ExpressionKind::Standard(StandardFunction::Limit, arguments));
+            bounds.locked = Some(variable);
+        }
+        bounds
+    }
+
+    /// A whole variable that is none of the generator's own.
+    fn lockable_variable(&mut self, ty: ElementaryType) -> Option<VariableId> {
+        let wanted = Type::Elementary(ty);
+        let chosen = self.choose(|seen| seen.path.is_empty() && seen.writable && seen.ty == wanted)?;
+        Some(chosen.variable)
+    }
+
+    fn bound(&mut self, ty: ElementaryType, number: i64) -> Expression {
+        let form = self.form(ty, Wanted::Assigned);
+        integer(ty, number, form)
+    }
+
+    /// WHILE, with a count of its turns.
+    pub fn while_loop(&mut self, depth: usize, made: &mut Vec<Statement>) {
+        let condition = self.condition();
+        let (counter, turns) = self.counter();
+        let ty = ElementaryType::Int;
+        let fewer = binary(
+            BinaryOperator::Less,
+            whole(counter, ty),
+            integer(ty, turns, LiteralForm::Untyped),
+            ElementaryType::Bool,
+        );
+        let condition = binary(BinaryOperator::And, condition, fewer, ElementaryType::Bool);
+        let mut body = vec![counted(counter)];
+        body.extend(self.looped(depth, turns as u32));
+        made.push(self.reset(counter, ty));
+        made.push(Statement {
+            kind: StatementKind::While(condition, body),
+        });
+        self.pou.idle.push((counter, ty));
+    }
+
+    /// REPEAT, with a count of its turns.
+    pub fn repeat_loop(&mut self, depth: usize, made: &mut Vec<Statement>) {
+        let (counter, turns) = self.counter();
+        let ty = ElementaryType::Int;
+        let mut body = vec![counted(counter)];
+        body.extend(self.looped(depth, turns as u32));
+        self.begin_statement();
+        let condition = self.condition();
+        let enough = binary(
+            BinaryOperator::GreaterOrEqual,
+            whole(counter, ty),
+            integer(ty, turns, LiteralForm::Untyped),
+            ElementaryType::Bool,
+        );
+        let condition = binary(BinaryOperator::Or, condition, enough, ElementaryType::Bool);
+        made.push(self.reset(counter, ty));
+        made.push(Statement {
+            kind: StatementKind::Repeat(body, condition),
+        });
+        self.pou.idle.push((counter, ty));
+    }
+
+    fn counter(&mut self) -> (VariableId, i64) {
+        let counter = self.reserved(ElementaryType::Int);
+        (counter, self.random.between(1, MOST_TURNS))
+    }
+
+    /// The statements of a loop that turns so often.
+    fn looped(&mut self, depth: usize, turns: u32) -> Vec<Statement> {
+        let before = self.pou.turns;
+        self.pou.turns = before * turns;
+        self.pou.loops_around += 1;
+        let body = self.nested(depth + 1);
+        self.pou.loops_around -= 1;
+        self.pou.turns = before;
+        body
+    }
+}
+
+/// The head of a FOR loop.
+struct Bounds {
+    from: Expression,
+    to: Expression,
+    by: Option<Expression>,
+    locked: Option<VariableId>,
+}
+
+/// `counter := counter + 1;`
+fn counted(counter: VariableId) -> Statement {
+    let ty = ElementaryType::Int;
+    let one = integer(ty, 1, LiteralForm::Untyped);
+    assign(
+        counter,
+        ty,
+        binary(BinaryOperator::Add, whole(counter, ty), one, ty),
+    )
+}
+
+fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
+    Statement {
+        kind: StatementKind::Assign(Target::Place(whole_place(variable, ty)), value),
+    }
+}
+
+/// The limits of an integer type, as far as 64 signed bits hold them.
+fn limits(ty: ElementaryType) -> (i64, i64) {
+    let (least, greatest) = ty.integer_range().unwrap_or_default();
+    (
+        i64::try_from(least).unwrap_or(i64::MIN),
+        i64::try_from(greatest).unwrap_or(i64::MAX),
+    )
+}

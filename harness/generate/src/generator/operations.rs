@@ -1,0 +1,366 @@
+//! Operators and standard functions.
+
+use super::expressions::{Wanted, elementary};
+use super::features::Feature;
+use super::literals;
+use super::maker::Maker;
+use super::places::integer;
+use super::scope::Seen;
+use crate::model::{
+    BinaryOperator as Operator, Expression, ExpressionKind, LiteralForm, StandardFunction as Function, Type,
+    UnaryOperator,
+};
+use stickler_types::{ElementaryType, Family, Value};
+
+impl Maker<'_, '_> {
+    /// `+`, `-` or `*`.
+    pub fn arithmetic(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
+        if ty.is_duration() {
+            return self.sum_of_durations(ty);
+        }
+        let operators = [Operator::Add, Operator::Subtract, Operator::Multiply];
+        let operator = operators[self.random.below(operators.len())];
+        let left = self.varying(ty, depth)?;
+        // Products of reals soon are no finite numbers any more, so mostly a variable meets a literal there.
+        let right = if ty.is_real() && operator == Operator::Multiply && !self.random.chance(1, 4) {
+            self.literal(ty, Wanted::Operand)
+        } else {
+            self.value(ty, Wanted::Operand, depth)
+        };
+        Some(self.in_some_order(operator, left, right, ty))
+    }
+
+    /// Durations grow by literals only, so that none of them leaves the range that every system has.
+    fn sum_of_durations(&mut self, ty: ElementaryType) -> Option<Expression> {
+        let operator = [Operator::Add, Operator::Subtract][self.random.below(2)];
+        let left = self.read(&Type::Elementary(ty), true)?;
+        let right = self.literal(ty, Wanted::Operand);
+        Some(binary(operator, left, right, ty))
+    }
+
+    /// The operands as they are, or the other way round where that makes no difference to the types.
+    fn in_some_order(
+        &mut self,
+        operator: Operator,
+        left: Expression,
+        right: Expression,
+        result: ElementaryType,
+    ) -> Expression {
+        if self.random.chance(1, 4) {
+            binary(operator, right, left, result)
+        } else {
+            binary(operator, left, right, result)
+        }
+    }
+
+    /// `/` or MOD, by something that is neither 0 nor -1.
+    pub fn division(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
+        let modulo = !ty.is_real() && self.random.chance(1, 2);
+        let operator = if modulo {
+            Operator::Modulo
+        } else {
+            Operator::Divide
+        };
+        let left = self.varying(ty, depth)?;
+        let right = self.divisor(ty);
+        Some(binary(operator, left, right, ty))
+    }
+
+    fn divisor(&mut self, ty: ElementaryType) -> Expression {
+        if self.random.chance(1, 3)
+            && let Some(operand) = self.read(&Type::Elementary(ty), true)
+        {
+            let one = elementary(ty, ExpressionKind::Literal(one(ty), LiteralForm::Typed));
+            return elementary(ty, ExpressionKind::Standard(Function::Max, vec![operand, one]));
+        }
+        let value = literals::value(ty, &mut self.random);
+        let value = if divides(&value) { value } else { one(ty) };
+        let form = self.form(ty, Wanted::Operand);
+        elementary(ty, ExpressionKind::Literal(value, form))
+    }
+
+    /// A minus before a variable or what contains one.
+    pub fn negation(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
+        let operand = self.varying(ty, depth)?;
+        Some(elementary(
+            ty,
+            ExpressionKind::Unary(UnaryOperator::Negate, Box::new(operand)),
+        ))
+    }
+
+    /// AND, OR or XOR.
+    pub fn logic(&mut self, ty: ElementaryType, depth: usize) -> Expression {
+        let operators = [Operator::And, Operator::Or, Operator::Xor];
+        let operator = operators[self.random.below(operators.len())];
+        let left = self.value(ty, Wanted::Exact, depth);
+        let right = self.value(ty, Wanted::Operand, depth);
+        self.in_some_order(operator, left, right, ty)
+    }
+
+    /// NOT.
+    pub fn complement(&mut self, ty: ElementaryType, depth: usize) -> Expression {
+        let operand = self.value(ty, Wanted::Exact, depth);
+        elementary(ty, ExpressionKind::Unary(UnaryOperator::Not, Box::new(operand)))
+    }
+
+    /// Two operands of any type that the program has, compared.
+    pub fn comparison(&mut self, depth: usize) -> Expression {
+        if self.has(Feature::Enumerations)
+            && self.random.chance(1, 6)
+            && let Some(compared) = self.compared_enumeration()
+        {
+            return compared;
+        }
+        let ty = self.any_type();
+        let operator = self.comparison_operator(ty);
+        let left = match self.varying(ty, depth) {
+            Some(left) => left,
+            None => self.value(ty, Wanted::Exact, depth),
+        };
+        let right = self.value(ty, Wanted::Operand, depth);
+        self.in_some_order(operator, left, right, ElementaryType::Bool)
+    }
+
+    /// Only equality where no document says what comes first.
+    fn comparison_operator(&mut self, ty: ElementaryType) -> Operator {
+        const ALL: [Operator; 6] = [
+            Operator::Equal,
+            Operator::NotEqual,
+            Operator::Less,
+            Operator::LessOrEqual,
+            Operator::Greater,
+            Operator::GreaterOrEqual,
+        ];
+        let count = match ty.family() {
+            Family::Boolean | Family::Text | Family::Character => 2,
+            _ => ALL.len(),
+        };
+        ALL[self.random.below(count)]
+    }
+
+    fn compared_enumeration(&mut self) -> Option<Expression> {
+        let types = &self.program;
+        let enumerations = |seen: &Seen| types.enumerated_values(&seen.ty).is_some();
+        let count = self.pou.places.iter().filter(|seen| enumerations(seen)).count();
+        let chosen = self.random.below(count);
+        let types = &self.program;
+        let enumerations = |seen: &&Seen| types.enumerated_values(&seen.ty).is_some();
+        let seen = self.pou.places.iter().filter(enumerations).nth(chosen)?.clone();
+        let operator = [Operator::Equal, Operator::NotEqual][self.random.below(2)];
+        let place = self.place(&seen, false);
+        let left = Expression {
+            ty: seen.ty.clone(),
+            kind: ExpressionKind::Read(place),
+        };
+        let right = self.enumerated(&seen.ty);
+        Some(binary(operator, left, right, ElementaryType::Bool))
+    }
+
+    /// A value of an enumeration: of a variable, or by its name.
+    pub fn enumerated(&mut self, ty: &Type) -> Expression {
+        if self.random.chance(1, 3)
+            && let Some(read) = self.read(ty, false)
+        {
+            return read;
+        }
+        let count = self.program.enumerated_values(ty).map_or(0, <[String]>::len);
+        Expression {
+            ty: ty.clone(),
+            kind: ExpressionKind::Enumerated(self.random.below(count)),
+        }
+    }
+
+    /// A bit of an integer or bit string that can be read.
+    pub fn bit(&mut self) -> Option<Expression> {
+        let seen = self.choose(has_bits)?;
+        let bit = self.bit_number(&seen.ty);
+        let place = self.place(&seen, false);
+        Some(elementary(ElementaryType::Bool, ExpressionKind::Bit(place, bit)))
+    }
+
+    /// Which bit: the first and the last ones more often than others.
+    pub fn bit_number(&mut self, ty: &Type) -> u32 {
+        let bits = match ty {
+            Type::Elementary(ty) => ty.bits(),
+            _ => 1,
+        };
+        match self.random.below(4) {
+            0 => 0,
+            1 => bits - 1,
+            _ => self.random.below(bits as usize) as u32,
+        }
+    }
+
+    /// SEL or MUX.
+    pub fn selection(&mut self, ty: ElementaryType, depth: usize) -> Expression {
+        if self.random.chance(1, 3) {
+            let count = 2 + self.random.below(2);
+            let mut arguments = vec![self.selector(count as i64 - 1)];
+            arguments.extend((0..count).map(|_| self.value(ty, Wanted::Exact, depth)));
+            return elementary(ty, ExpressionKind::Standard(Function::Mux, arguments));
+        }
+        let condition = self.value(ElementaryType::Bool, Wanted::Exact, depth);
+        let first = self.value(ty, Wanted::Exact, depth);
+        let second = self.value(ty, Wanted::Exact, depth);
+        elementary(
+            ty,
+            ExpressionKind::Standard(Function::Sel, vec![condition, first, second]),
+        )
+    }
+
+    /// An INT from 0 to a limit.
+    fn selector(&mut self, most: i64) -> Expression {
+        let limited = self.limited(ElementaryType::Int, 0, most);
+        limited.unwrap_or_else(|| {
+            integer(
+                ElementaryType::Int,
+                self.random.between(0, most),
+                LiteralForm::Typed,
+            )
+        })
+    }
+
+    /// MIN, MAX or LIMIT.
+    pub fn extremum(&mut self, ty: ElementaryType, depth: usize) -> Expression {
+        let (function, count) =
+            [(Function::Min, 2), (Function::Max, 2), (Function::Limit, 3)][self.random.below(3)];
+        if function == Function::Limit {
+            return self.limit(ty, depth);
+        }
+        let arguments = (0..count).map(|_| self.value(ty, Wanted::Exact, depth));
+        let arguments = arguments.collect();
+        elementary(ty, ExpressionKind::Standard(function, arguments))
+    }
+
+    /// LIMIT with a lower limit that is not above the upper one, for no document says what it gives otherwise.
+    fn limit(&mut self, ty: ElementaryType, depth: usize) -> Expression {
+        let mut limits = [
+            literals::value(ty, &mut self.random),
+            literals::value(ty, &mut self.random),
+        ];
+        if is_above(&limits[0], &limits[1]) {
+            limits.swap(0, 1);
+        }
+        let [low, high] =
+            limits.map(|limit| elementary(ty, ExpressionKind::Literal(limit, LiteralForm::Typed)));
+        let inner = self.value(ty, Wanted::Exact, depth);
+        elementary(
+            ty,
+            ExpressionKind::Standard(Function::Limit, vec![low, inner, high]),
+        )
+    }
+
+    /// ABS, of a signed integer only if it is not the least one, which has no counterpart.
+    pub fn absolute(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
+        let operand = self.varying(ty, depth)?;
+        let operand = match (ty.family(), ty.integer_range()) {
+            (Family::Signed, Some((least, greatest))) => {
+                let limit = |number: i128| {
+                    elementary(
+                        ty,
+                        ExpressionKind::Literal(Value::plain(ty, ty.wrap(number)), LiteralForm::Typed),
+                    )
+                };
+                let arguments = vec![limit(least + 1), operand, limit(greatest)];
+                elementary(ty, ExpressionKind::Standard(Function::Limit, arguments))
+            }
+            _ => operand,
+        };
+        Some(elementary(
+            ty,
+            ExpressionKind::Standard(Function::Abs, vec![operand]),
+        ))
+    }
+
+    /// SHL, SHR, ROL or ROR, by fewer bits than there are.
+    pub fn shift(&mut self, ty: ElementaryType, depth: usize) -> Expression {
+        let functions = [Function::Shl, Function::Shr, Function::Rol, Function::Ror];
+        let function = functions[self.random.below(functions.len())];
+        let operand = self.value(ty, Wanted::Exact, depth);
+        // Where what is open is wanted, a shift may be longer than its operand.
+        let most = i64::from(ty.bits()) - 1 + if self.open { 2 } else { 0 };
+        let count = self.selector(most);
+        elementary(ty, ExpressionKind::Standard(function, vec![operand, count]))
+    }
+
+    /// LEN.
+    pub fn length(&mut self, depth: usize) -> Expression {
+        let operand = self.value(ElementaryType::String, Wanted::Exact, depth.min(1));
+        elementary(
+            ElementaryType::Int,
+            ExpressionKind::Standard(Function::Len, vec![operand]),
+        )
+    }
+
+    /// CONCAT of a text and a literal.
+    pub fn concatenation(&mut self, ty: ElementaryType, depth: usize) -> Expression {
+        let text = self.value(ty, Wanted::Exact, depth.min(2));
+        let more = self.literal(ty, Wanted::Exact);
+        let arguments = if self.random.chance(1, 2) {
+            vec![more, text]
+        } else {
+            vec![text, more]
+        };
+        elementary(ty, ExpressionKind::Standard(Function::Concat, arguments))
+    }
+}
+
+/// Whether it is an integer or bit string, whose bits can be named.
+pub(super) fn has_bits(seen: &Seen) -> bool {
+    matches!(&seen.ty, Type::Elementary(ty) if ty.is_integer() || ty.is_bit_string())
+}
+
+/// An operator with its operands.
+pub(super) fn binary(
+    operator: Operator,
+    left: Expression,
+    right: Expression,
+    result: ElementaryType,
+) -> Expression {
+    elementary(
+        result,
+        ExpressionKind::Binary(operator, Box::new(left), Box::new(right)),
+    )
+}
+
+fn one(ty: ElementaryType) -> Value {
+    Value::plain(
+        ty,
+        match ty {
+            ElementaryType::Real => u64::from(1.0_f32.to_bits()),
+            ElementaryType::Lreal => 1.0_f64.to_bits(),
+            _ => 1,
+        },
+    )
+}
+
+/// Whether an integer or real is neither zero nor, of an integer, -1, by which the least number cannot be divided.
+fn divides(value: &Value) -> bool {
+    let &Value::Plain { ty, raw } = value else {
+        return false;
+    };
+    match real(ty, raw) {
+        Some(number) => number != 0.0,
+        None => !(-1..=0).contains(&ty.integer_value(raw)),
+    }
+}
+
+/// Whether one number is greater than another of its type.
+fn is_above(one: &Value, other: &Value) -> bool {
+    let (&Value::Plain { ty, raw }, &Value::Plain { raw: other, .. }) = (one, other) else {
+        return false;
+    };
+    match (real(ty, raw), real(ty, other)) {
+        (Some(one), Some(other)) => one > other,
+        _ => ty.integer_value(raw) > ty.integer_value(other),
+    }
+}
+
+/// The number of a REAL or LREAL.
+fn real(ty: ElementaryType, raw: u64) -> Option<f64> {
+    match ty {
+        ElementaryType::Real => Some(f32::from_bits(raw as u32).into()),
+        ElementaryType::Lreal => Some(f64::from_bits(raw)),
+        _ => None,
+    }
+}

@@ -1,0 +1,146 @@
+//! What is read and written: variables, and parts of them.
+
+use super::expressions::elementary;
+use super::maker::Maker;
+use super::scope::{Seen, Step, contains_text};
+use crate::model::{
+    Expression, ExpressionKind, LiteralForm, Place, Selector, StandardFunction, Type, VariableId,
+};
+use stickler_types::{ElementaryType, Value};
+
+impl Maker<'_, '_> {
+    /// The value of something that has exactly this type; nothing where there is none. `varying` asks for what no compiler
+    /// can know.
+    pub fn read(&mut self, ty: &Type, varying: bool) -> Option<Expression> {
+        let is_bound = contains_text(ty, &self.program);
+        let bound = self.text_bound;
+        let suits = |seen: &Seen| {
+            seen.ty == *ty && !(varying && seen.constant) && !(is_bound && seen.variable >= bound)
+        };
+        let chosen = self.choose(suits)?;
+        let place = self.place(&chosen, false);
+        Some(Expression {
+            ty: ty.clone(),
+            kind: ExpressionKind::Read(place),
+        })
+    }
+
+    /// One of the places that suit.
+    pub fn choose(&mut self, suits: impl Fn(&Seen) -> bool) -> Option<Seen> {
+        let count = self.pou.places.iter().filter(|seen| suits(seen)).count();
+        if count == 0 {
+            return None;
+        }
+        let chosen = self.random.below(count);
+        self.pou
+            .places
+            .iter()
+            .filter(|seen| suits(seen))
+            .nth(chosen)
+            .cloned()
+    }
+
+    /// A place with its subscripts; `fixed` ones depend on no variable.
+    pub fn place(&mut self, seen: &Seen, fixed: bool) -> Place {
+        let path = seen.path.iter().map(|step| match step {
+            Step::Field(field) => Selector::Field(*field),
+            Step::Output(output) => Selector::Output(*output),
+            Step::Index(limits) => {
+                let subscripts = limits.iter().map(|&(low, high)| self.subscript(low, high, fixed));
+                Selector::Index(subscripts.collect())
+            }
+        });
+        Place {
+            path: path.collect(),
+            variable: seen.variable,
+            ty: seen.ty.clone(),
+        }
+    }
+
+    /// A subscript between two limits, both included.
+    fn subscript(&mut self, low: i64, high: i64, fixed: bool) -> Expression {
+        let loops = self.pou.loops.iter();
+        let inside = loops.filter(|&&(_, _, least, greatest)| low <= least && greatest <= high);
+        let inside: Vec<(VariableId, ElementaryType)> =
+            inside.map(|&(variable, ty, ..)| (variable, ty)).collect();
+        if fixed {
+            return self.number(low, high);
+        }
+        if !inside.is_empty() && self.random.chance(3, 4) {
+            let (variable, ty) = inside[self.random.below(inside.len())];
+            return whole(variable, ty);
+        }
+        if self.random.chance(1, 3)
+            && let Some(limited) = self.limited(ElementaryType::Int, low, high)
+        {
+            return limited;
+        }
+        self.number(low, high)
+    }
+
+    fn number(&mut self, low: i64, high: i64) -> Expression {
+        integer(
+            ElementaryType::Int,
+            self.random.between(low, high),
+            LiteralForm::Untyped,
+        )
+    }
+
+    /// `LIMIT(low, variable, high)`, if there is a variable of this integer type.
+    pub fn limited(&mut self, ty: ElementaryType, low: i64, high: i64) -> Option<Expression> {
+        let variable = self.plain_variable(ty)?;
+        let typed = |number| integer(ty, number, LiteralForm::Typed);
+        let arguments = vec![typed(low), whole(variable, ty), typed(high)];
+        Some(elementary(
+            ty,
+            ExpressionKind::Standard(StandardFunction::Limit, arguments),
+        ))
+    }
+
+    /// A whole variable of this type, whose value no compiler knows.
+    pub fn plain_variable(&mut self, ty: ElementaryType) -> Option<VariableId> {
+        let wanted = Type::Elementary(ty);
+        let chosen = self.choose(|seen| seen.path.is_empty() && !seen.constant && seen.ty == wanted)?;
+        Some(chosen.variable)
+    }
+
+    /// Somewhere to write a value of exactly this type, of a variable that is none of these; its subscripts are fixed.
+    pub fn writable_part(&mut self, ty: &Type, besides: &[VariableId]) -> Option<Place> {
+        let pou = &self.pou;
+        let suits = |seen: &Seen| seen.ty == *ty && pou.may_write(seen) && !besides.contains(&seen.variable);
+        let count = pou.places.iter().filter(|seen| suits(seen)).count();
+        if count == 0 {
+            return None;
+        }
+        let chosen = self.random.below(count);
+        let pou = &self.pou;
+        let suits = |seen: &Seen| seen.ty == *ty && pou.may_write(seen) && !besides.contains(&seen.variable);
+        let seen = pou
+            .places
+            .iter()
+            .filter(|seen| suits(seen))
+            .nth(chosen)
+            .cloned()?;
+        Some(self.place(&seen, true))
+    }
+}
+
+/// The value of a whole variable of an elementary type.
+pub(super) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
+    elementary(ty, ExpressionKind::Read(whole_place(variable, ty)))
+}
+
+/// A whole variable of an elementary type.
+pub(super) fn whole_place(variable: VariableId, ty: ElementaryType) -> Place {
+    Place {
+        variable,
+        path: Vec::new(),
+        ty: Type::Elementary(ty),
+    }
+}
+
+/// A literal of an integer type or a bit string.
+pub(super) fn integer(ty: ElementaryType, number: i64, form: LiteralForm) -> Expression {
+    let value = Value::plain(ty, ty.wrap(i128::from(number)));
+    elementary(ty, ExpressionKind::Literal(value, form))
+}

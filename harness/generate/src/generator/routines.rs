@@ -1,0 +1,101 @@
+//! Functions and function blocks.
+
+use super::features::Feature;
+use super::maker::Maker;
+use super::scope::{Kind, contains_text};
+use crate::model::{Block, Function, Section, Statement, StatementKind, Target, Type};
+use stickler_types::ElementaryType;
+
+/// How many statements a function or function block has at most, besides those that end it.
+const MOST_STATEMENTS: usize = 7;
+
+impl Maker<'_, '_> {
+    /// The functions, each of which may call those before it.
+    pub fn functions(&mut self) {
+        if !self.has(Feature::Functions) {
+            return;
+        }
+        for number in 0..=self.random.below(3) {
+            // A text that a function gives could grow from call to call.
+            let result = match self.small_type() {
+                Type::Elementary(ty) if ty.is_text() => Type::Elementary(ElementaryType::Int),
+                ty => ty,
+            };
+            let most = 1 + self.random.below(MOST_STATEMENTS);
+            self.begin(Kind::Function(result.clone()), most);
+            for _ in 0..=self.random.below(3) {
+                let ty = self.small_type();
+                self.declare_variable("in", ty, Section::Input, None);
+            }
+            for _ in 0..self.random.below(3) {
+                let ty = self.variable_type();
+                self.declare_local(ty);
+            }
+            let mut body = self.body(most);
+            body.extend(self.result(&result));
+            self.function_costs.push(self.pou.cost);
+            self.program.functions.push(Function {
+                name: format!("Fun{number}"),
+                result,
+                variables: std::mem::take(&mut self.pou.variables),
+                body,
+            });
+        }
+    }
+
+    /// The last statement of a function: it gives its result.
+    fn result(&mut self, ty: &Type) -> Option<Statement> {
+        self.begin_statement();
+        let value = self.assigned(ty, self.pou.variables.len())?;
+        self.spend(1);
+        Some(Statement {
+            kind: StatementKind::Assign(Target::Result, value),
+        })
+    }
+
+    /// The function blocks, each of which may have instances of those before it.
+    pub fn blocks(&mut self) {
+        if !self.has(Feature::Blocks) {
+            return;
+        }
+        for number in 0..=self.random.below(2) {
+            let most = 2 + self.random.below(MOST_STATEMENTS);
+            self.begin(Kind::Block, most);
+            for _ in 0..self.random.below(3) {
+                let ty = self.small_type();
+                let initial = self.initial(&ty);
+                self.declare_variable("in", ty, Section::Input, initial);
+            }
+            if self.random.chance(1, 2) {
+                self.declare_in_out();
+            }
+            for _ in 0..=self.random.below(2) {
+                let ty = self.small_type();
+                let initial = self.initial(&ty);
+                self.declare_variable("out", ty, Section::Output, initial);
+            }
+            for _ in 0..=self.random.below(3) {
+                let ty = self.variable_type();
+                self.declare_local(ty);
+            }
+            if number > 0 && self.random.chance(1, 3) {
+                self.declare_instance(number - 1);
+            }
+            let body = self.body(most);
+            self.block_costs.push(self.pou.cost);
+            self.program.blocks.push(Block {
+                name: format!("Block{number}"),
+                variables: std::mem::take(&mut self.pou.variables),
+                body,
+            });
+        }
+    }
+
+    /// A variable of the caller's; no text, for the caller's could grow by it.
+    fn declare_in_out(&mut self) {
+        let ty = self.variable_type();
+        if !contains_text(&ty, &self.program) && !matches!(ty, Type::Array(_)) {
+            self.declare_variable("ref", ty, Section::InOut, None);
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! The POU in hand: its variables, everything that can be read or written in it, and how often what stands here is executed.
+
+use crate::model::{Declared, Program, Section, Type, Variable, VariableId};
+use stickler_types::ElementaryType;
+
+/// Which kind of POU it is.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Kind {
+    /// A function that gives this.
+    Function(Type),
+    /// A function block.
+    Block,
+    /// PROGRAM main.
+    Main,
+}
+
+/// The POU in hand.
+pub(super) struct Pou {
+    pub kind: Kind,
+    pub variables: Vec<Variable>,
+    /// Every variable, element and part that can be read.
+    pub places: Vec<Seen>,
+    /// The control variables of the FOR loops around, with the values that they take.
+    pub loops: Vec<(VariableId, ElementaryType, i64, i64)>,
+    /// The control variables that no loop uses at the moment.
+    pub idle: Vec<(VariableId, ElementaryType)>,
+    /// Variables that must keep their values here, because a loop ends by them.
+    pub locked: Vec<VariableId>,
+    /// How many loops of any kind are around.
+    pub loops_around: usize,
+    /// How often what stands here is executed in one call, at most.
+    pub turns: u32,
+    /// How many statements one call executes, at most; those of the functions that it calls are counted in.
+    pub cost: u32,
+}
+
+/// Something that can be read.
+#[derive(Clone, Debug)]
+pub(super) struct Seen {
+    pub variable: VariableId,
+    pub path: Vec<Step>,
+    /// Its type; what stands behind an alias.
+    pub ty: Type,
+    pub writable: bool,
+    /// Whether a compiler may know its value.
+    pub constant: bool,
+}
+
+/// One step into a variable, before its subscripts are chosen.
+#[derive(Clone, Debug)]
+pub(super) enum Step {
+    Index(Vec<(i64, i64)>),
+    Field(usize),
+    Output(VariableId),
+}
+
+impl Pou {
+    pub fn new(kind: Kind) -> Pou {
+        Pou {
+            kind,
+            variables: Vec::new(),
+            places: Vec::new(),
+            loops: Vec::new(),
+            idle: Vec::new(),
+            locked: Vec::new(),
+            loops_around: 0,
+            turns: 1,
+            cost: 0,
+        }
+    }
+
+    /// Declares a variable that statements may use; of an instance of a function block only the outputs are seen.
+    pub fn declare(&mut self, variable: Variable, program: &Program) -> VariableId {
+        let id = VariableId(self.variables.len());
+        let writable = matches!(
+            variable.section,
+            Section::Local | Section::Output | Section::InOut
+        );
+        let constant = variable.section == Section::Constant;
+        self.see(
+            Seen {
+                variable: id,
+                path: Vec::new(),
+                ty: variable.ty.clone(),
+                writable,
+                constant,
+            },
+            program,
+        );
+        self.variables.push(variable);
+        id
+    }
+
+    /// Declares a variable that statements may read but not write, because the generator needs it for itself.
+    pub fn declare_reserved(&mut self, name: String, ty: ElementaryType) -> VariableId {
+        let id = VariableId(self.variables.len());
+        self.places.push(Seen {
+            variable: id,
+            path: Vec::new(),
+            ty: Type::Elementary(ty),
+            writable: false,
+            constant: false,
+        });
+        self.variables.push(Variable {
+            name,
+            ty: Type::Elementary(ty),
+            section: Section::Local,
+            initial: None,
+        });
+        id
+    }
+
+    /// Remembers a place and all its parts.
+    fn see(&mut self, place: Seen, program: &Program) {
+        let ty = program.unaliased(&place.ty).clone();
+        let part = |step: Step, ty: &Type| {
+            let mut path = place.path.clone();
+            path.push(step);
+            Seen {
+                path,
+                ty: ty.clone(),
+                ..place.clone()
+            }
+        };
+        match &ty {
+            Type::Array(array) => self.see(
+                part(Step::Index(array.dimensions.clone()), &array.element),
+                program,
+            ),
+            Type::Declared(_) => {
+                for (field, (_, ty, _)) in program.fields(&ty).unwrap_or_default().iter().enumerate() {
+                    self.see(part(Step::Field(field), ty), program);
+                }
+            }
+            Type::Block(block) => {
+                let outputs = program
+                    .blocks
+                    .get(*block)
+                    .map_or(&[][..], |block| &block.variables);
+                for (number, output) in outputs.iter().enumerate() {
+                    if output.section == Section::Output {
+                        let seen = part(Step::Output(VariableId(number)), &output.ty);
+                        self.see(
+                            Seen {
+                                writable: false,
+                                ..seen
+                            },
+                            program,
+                        );
+                    }
+                }
+            }
+            Type::Elementary(_) => {}
+        }
+        // An array that has no name is of a type of its own, so nothing else can be assigned to it as a whole.
+        let named = !matches!(place.ty, Type::Array(_) | Type::Block(_));
+        if named {
+            self.places.push(Seen { ty, ..place });
+        }
+    }
+
+    /// Whether this may be written here.
+    pub fn may_write(&self, place: &Seen) -> bool {
+        place.writable && !self.locked.contains(&place.variable)
+    }
+
+    /// Whether something of this type can be read whose value no compiler knows.
+    pub fn varies(&self, ty: ElementaryType) -> bool {
+        let wanted = Type::Elementary(ty);
+        self.places
+            .iter()
+            .any(|place| !place.constant && place.ty == wanted)
+    }
+}
+
+/// Whether a text is or is part of what has this type.
+pub(super) fn contains_text(ty: &Type, program: &Program) -> bool {
+    match ty {
+        Type::Elementary(ty) => ty.is_text(),
+        Type::Array(array) => contains_text(&array.element, program),
+        Type::Block(_) => false,
+        Type::Declared(declared) => match program.types.get(*declared).map(|declaration| &declaration.kind) {
+            Some(Declared::Structure(fields)) => fields.iter().any(|(_, ty, _)| contains_text(ty, program)),
+            Some(Declared::Alias(ty)) => contains_text(ty, program),
+            _ => false,
+        },
+    }
+}
