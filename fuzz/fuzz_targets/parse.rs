@@ -1,2 +1,3 @@
-//! Fuzz target `parse`.
-fn main() {}
+//! Fuzz target `parse`: see `stickler_generate::oracles::Target::Parse`.
+#![cfg_attr(fuzzing, no_main)]
+stickler_fuzz::target!(Parse);

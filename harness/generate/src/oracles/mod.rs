@@ -2,7 +2,10 @@
 
 pub mod execute;
 mod failure;
+mod parse;
 mod target;
+mod tree;
+mod words;
 
 pub use failure::{Failure, Tried};
 pub use target::Target;

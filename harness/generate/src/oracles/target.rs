@@ -1,6 +1,6 @@
 //! The fuzz targets: their names, and the one door through which libFuzzer, replays, tests and campaigns judge an input.
 
-use super::{Failure, Tried};
+use super::{Failure, Tried, execute, parse};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -69,13 +69,13 @@ impl Target {
         catch_unwind(AssertUnwindSafe(|| self.ask(data))).unwrap_or_else(|panic| Err(panicked(&*panic)))
     }
 
-    fn ask(self, _data: &[u8]) -> Result<Tried, Failure> {
+    fn ask(self, data: &[u8]) -> Result<Tried, Failure> {
         match self {
-            Target::Parse
-            | Target::Literal
+            Target::Parse => parse::judge(data),
+            Target::Execute => execute::execute(data),
+            Target::Literal
             | Target::Convert
             | Target::Check
-            | Target::Execute
             | Target::CaseFile
             | Target::Protocol
             | Target::Differential => Ok(Tried::PassedOver("nothing is held against this input")),

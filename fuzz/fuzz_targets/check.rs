@@ -1,0 +1,3 @@
+//! Fuzz target `check`: see `stickler_generate::oracles::Target::Check`.
+#![cfg_attr(fuzzing, no_main)]
+stickler_fuzz::target!(Check);

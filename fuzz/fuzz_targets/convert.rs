@@ -1,0 +1,3 @@
+//! Fuzz target `convert`: see `stickler_generate::oracles::Target::Convert`.
+#![cfg_attr(fuzzing, no_main)]
+stickler_fuzz::target!(Convert);

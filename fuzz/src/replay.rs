@@ -1,0 +1,197 @@
+//! Replaying inputs without libFuzzer: the files and folders that a command line names, one line about each input.
+
+use std::ffi::OsString;
+use std::fs;
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use stickler_generate::oracles::{Target, Tried};
+
+/// The longest input that is read, in bytes; far more than libFuzzer makes, and than any text the reference reads.
+const LONGEST: u64 = 128 << 20;
+
+/// What came of a replay.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Summary {
+    /// Inputs that broke nothing.
+    pub held: usize,
+    /// Inputs that broke what the target holds them to.
+    pub failed: usize,
+    /// Files and folders that could not be read, and folders without any input.
+    pub unread: usize,
+}
+
+/// Replays what the process's command line names, and says so on its output.
+///
+/// The exit code is 0 where every input held, 1 where one failed, and 2 where one could not be read or none was named.
+#[must_use]
+pub fn replay(target: Target) -> ExitCode {
+    let named: Vec<OsString> = std::env::args_os().skip(1).collect();
+    if named.is_empty() || named.iter().any(|name| name == "--help" || name == "-h") {
+        eprintln!(
+            "usage: {} FILE|FOLDER…\nReplays inputs of the fuzz target `{0}`; any bytes are an input.",
+            target.name()
+        );
+        return ExitCode::from(2);
+    }
+    let summary = replay_all(target, &named, &mut io::stdout().lock(), &mut io::stderr().lock());
+    match summary {
+        Ok(Summary { unread: 1.., .. }) => ExitCode::from(2),
+        Ok(Summary { failed: 1.., .. }) => ExitCode::from(1),
+        Ok(_) => ExitCode::SUCCESS,
+        // Nobody reads the output any more.
+        Err(_) => ExitCode::from(2),
+    }
+}
+
+/// Replays files and the files in folders, in order, with one line about each on `output` and what could not be read on
+/// `complaints`; goes on whatever happens.
+///
+/// # Errors
+/// Those of writing to either.
+pub fn replay_all(
+    target: Target,
+    named: &[impl AsRef<Path>],
+    output: &mut dyn Write,
+    complaints: &mut dyn Write,
+) -> io::Result<Summary> {
+    let mut summary = Summary::default();
+    for name in named {
+        let files = match inputs(name.as_ref()) {
+            Ok(files) => files,
+            Err(error) => {
+                summary.unread += 1;
+                writeln!(complaints, "{}: {error}", name.as_ref().display())?;
+                continue;
+            }
+        };
+        if files.is_empty() {
+            summary.unread += 1;
+            let folder = name.as_ref().display();
+            writeln!(
+                complaints,
+                "{folder}: the folder holds no input; seed it from corpus/{}",
+                target.name()
+            )?;
+        }
+        for file in files {
+            replay_file(target, &file, &mut summary, output, complaints)?;
+        }
+    }
+    writeln!(output, "{} held, {} failed", summary.held, summary.failed)?;
+    Ok(summary)
+}
+
+/// The file itself, or the files of a folder in the order of their names; folders in it are gone through as well.
+fn inputs(path: &Path) -> io::Result<Vec<PathBuf>> {
+    if !path.is_dir() {
+        return Ok(vec![path.to_owned()]);
+    }
+    let mut entries: Vec<PathBuf> = fs::read_dir(path)?
+        .map(|entry| entry.map(|entry| entry.path()))
+        .collect::<io::Result<_>>()?;
+    entries.sort();
+    let mut files = Vec::with_capacity(entries.len());
+    for entry in entries {
+        // What a link leads to may be the folder itself.
+        if entry.is_symlink() || !entry.is_dir() {
+            files.push(entry);
+        } else {
+            files.extend(inputs(&entry)?);
+        }
+    }
+    Ok(files)
+}
+
+fn replay_file(
+    target: Target,
+    file: &Path,
+    summary: &mut Summary,
+    output: &mut dyn Write,
+    complaints: &mut dyn Write,
+) -> io::Result<()> {
+    let shown = file.display();
+    let data = match read(file) {
+        Ok(data) => data,
+        Err(error) => {
+            summary.unread += 1;
+            return writeln!(complaints, "{shown}: {error}");
+        }
+    };
+    match target.judge(&data) {
+        Ok(Tried::Done) => {
+            summary.held += 1;
+            writeln!(output, "{shown}: held")
+        }
+        Ok(Tried::PassedOver(why)) => {
+            summary.held += 1;
+            writeln!(output, "{shown}: passed over, {why}")
+        }
+        Err(failure) => {
+            summary.failed += 1;
+            writeln!(output, "{shown}: FAILED\n{failure}")
+        }
+    }
+}
+
+fn read(file: &Path) -> io::Result<Vec<u8>> {
+    let mut data = Vec::new();
+    fs::File::open(file)?.take(LONGEST + 1).read_to_end(&mut data)?;
+    if data.len() as u64 > LONGEST {
+        return Err(io::Error::other(format!(
+            "the input is longer than {} MiB",
+            LONGEST >> 20
+        )));
+    }
+    Ok(data)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a replay of these paths says on its output and of what it could not read.
+    fn said(paths: &[PathBuf]) -> (Summary, String, String) {
+        let (mut output, mut complaints) = (Vec::new(), Vec::new());
+        let summary =
+            replay_all(Target::Parse, paths, &mut output, &mut complaints).expect("vectors take everything");
+        let [output, complaints] =
+            [output, complaints].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+        (summary, output, complaints)
+    }
+
+    #[test]
+    fn a_missing_file_and_an_empty_folder_are_told_and_the_rest_is_replayed() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let empty = folder.path().join("empty");
+        fs::create_dir(&empty).expect("a folder");
+        let input = folder.path().join("input");
+        fs::write(&input, b"PROGRAM main END_PROGRAM").expect("a file");
+        let (summary, output, complaints) = said(&[folder.path().join("none"), empty, input]);
+        assert_eq!(
+            summary,
+            Summary {
+                held: 1,
+                failed: 0,
+                unread: 2
+            }
+        );
+        assert!(output.contains("input: held"), "{output}");
+        assert!(complaints.contains("none: No such file"), "{complaints}");
+        assert!(
+            complaints.contains("empty: the folder holds no input"),
+            "{complaints}"
+        );
+    }
+
+    #[test]
+    fn the_files_of_a_folder_come_in_order() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for name in ["b", "a", "c"] {
+            fs::write(folder.path().join(name), name).expect("a file");
+        }
+        let files = inputs(folder.path()).expect("a folder");
+        let names: Vec<_> = files.iter().filter_map(|file| file.file_name()).collect();
+        assert_eq!(names, ["a", "b", "c"]);
+    }
+}

@@ -1,0 +1,250 @@
+//! The words of a source text, found by a scanner that knows nothing but what comments, pragmas and character strings look like:
+//! what a rendering must not lose, add or change.
+//!
+//! Basis: iec-61131-3: Table 3 (comments), Table 4 (pragmas), Tables 5 and 6 (character strings); in the third edition comments
+//! nest, and there are `//` and `/* */`.
+
+/// The words and marks of `text` as one number that does not depend on their order.
+///
+/// Names, keywords and numbers count without regard to case, character strings as they stand. Left out is what a rendering may
+/// choose: blanks, comments (which may be `nested`), pragmas, semicolons; `&` counts as AND, `.%X3` as `.3`, and a bracket as a
+/// parenthesis, since the length of a text may be written between either.
+pub(super) fn census(text: &str, nested: bool) -> u64 {
+    Words::new(text, nested).fold(0, |sum: u64, word| sum.wrapping_add(word.hash()))
+}
+
+/// The words that stand more often in `first` than in `second`.
+pub(super) fn missing(first: &str, second: &str, nested: bool) -> Vec<String> {
+    let [mut here, mut there] = [first, second].map(|text| {
+        Words::new(text, nested)
+            .map(|word| word.spelling())
+            .collect::<Vec<_>>()
+    });
+    here.sort_unstable();
+    there.sort_unstable();
+    let mut there = there.into_iter().peekable();
+    here.retain(|word| {
+        while there.next_if(|other| other < word).is_some() {}
+        there.next_if(|other| other == word).is_none()
+    });
+    here
+}
+
+/// A word or mark.
+#[derive(Clone, Copy, Debug)]
+enum Word<'t> {
+    /// A name, a keyword or the digits of a number.
+    Letters(&'t [u8]),
+    /// The number of a bit, a byte …; whatever is larger than 64 bits is one number.
+    Index(u64),
+    /// A character string with its quotes.
+    Quoted(&'t [u8]),
+    /// Any other character.
+    Mark(u8),
+}
+
+impl Word<'_> {
+    fn hash(self) -> u64 {
+        match self {
+            // Clearing this bit makes letters capitals, and keeps digits and the underscore apart from them.
+            Word::Letters(bytes) => hash(1, bytes, 0xDF),
+            Word::Quoted(bytes) => hash(2, bytes, 0xFF),
+            Word::Index(index) => hash(3, &index.to_le_bytes(), 0xFF),
+            Word::Mark(mark) => hash(4, &[mark], 0xFF),
+        }
+    }
+
+    fn spelling(self) -> String {
+        match self {
+            Word::Letters(bytes) => String::from_utf8_lossy(bytes).to_ascii_uppercase(),
+            Word::Quoted(bytes) => String::from_utf8_lossy(bytes).into_owned(),
+            Word::Index(index) => index.to_string(),
+            Word::Mark(mark) => char::from(mark).to_string(),
+        }
+    }
+}
+
+fn hash(kind: u64, bytes: &[u8], mask: u8) -> u64 {
+    const FACTOR: u64 = 0x9E37_79B9_7F4A_7C15;
+    let mask = u64::from_le_bytes([mask; 8]);
+    let mut hash = (bytes.len() as u64) << 3 | kind;
+    for chunk in bytes.chunks(8) {
+        let mut eight = [0; 8];
+        eight[..chunk.len()].copy_from_slice(chunk);
+        hash = (hash ^ (u64::from_le_bytes(eight) & mask)).wrapping_mul(FACTOR);
+        hash ^= hash >> 29;
+    }
+    hash
+}
+
+/// The scanner.
+struct Words<'t> {
+    rest: &'t [u8],
+    nested: bool,
+    /// The word before was a point.
+    dotted: bool,
+}
+
+impl<'t> Words<'t> {
+    fn new(text: &'t str, nested: bool) -> Words<'t> {
+        Words {
+            rest: text.as_bytes(),
+            nested,
+            dotted: false,
+        }
+    }
+
+    /// Takes `length` bytes, or what is left.
+    fn take(&mut self, length: usize) -> &'t [u8] {
+        let (taken, rest) = self.rest.split_at(length.min(self.rest.len()));
+        self.rest = rest;
+        taken
+    }
+
+    /// Moves behind a comment or a pragma that begins here; false where none does.
+    fn skip_remark(&mut self) -> bool {
+        let length = match self.rest {
+            [b'(', b'*', ..] => self.block(b"(*", b"*)"),
+            [b'/', b'*', ..] => self.block(b"/*", b"*/"),
+            [b'/', b'/', ..] => position(self.rest, |byte| byte == b'\n'),
+            [b'{', ..] => position(self.rest, |byte| byte == b'}') + 1,
+            _ => return false,
+        };
+        self.take(length);
+        true
+    }
+
+    /// The length of a comment with these ends.
+    fn block(&self, opening: &[u8; 2], closing: &[u8; 2]) -> usize {
+        let (mut at, mut depth) = (2, 1);
+        while depth > 0 {
+            let Some(pair) = self.rest.get(at..at + 2) else {
+                return self.rest.len();
+            };
+            if pair == closing {
+                depth -= 1;
+            } else if pair == opening && self.nested {
+                depth += 1;
+            } else {
+                at += 1;
+                continue;
+            }
+            at += 2;
+        }
+        at
+    }
+
+    /// The length of a character string with this quote, up to the end of its line where it is not closed.
+    fn quoted(&self, quote: u8) -> usize {
+        let mut at = 1;
+        loop {
+            match self.rest.get(at) {
+                Some(b'$') => at += 2,
+                Some(byte) if *byte == quote => return at + 1,
+                Some(b'\n') | None => return at,
+                Some(_) => at += 1,
+            }
+        }
+    }
+
+    /// What stands behind a point: the number of a bit, with `%X` or without.
+    fn index(&mut self) -> Option<Word<'t>> {
+        let prefix = match self.rest {
+            [b'%', b'x' | b'X', ..] => 2,
+            [b'%', ..] => 1,
+            _ => 0,
+        };
+        let digits = self.rest.get(prefix..).unwrap_or_default();
+        let digits = &digits[..position(digits, |byte| !is_word(byte))];
+        if digits.is_empty() || !digits.iter().all(|byte| byte.is_ascii_digit() || *byte == b'_') {
+            return None;
+        }
+        self.take(prefix + digits.len());
+        let value = |index: u64, digit: &u8| index.saturating_mul(10).saturating_add(u64::from(digit - b'0'));
+        Some(Word::Index(
+            digits.iter().filter(|byte| **byte != b'_').fold(0, value),
+        ))
+    }
+}
+
+impl<'t> Iterator for Words<'t> {
+    type Item = Word<'t>;
+
+    fn next(&mut self) -> Option<Word<'t>> {
+        loop {
+            let blank = position(self.rest, |byte| !byte.is_ascii_whitespace() && byte != b';');
+            self.take(blank);
+            if !self.skip_remark() {
+                break;
+            }
+        }
+        let first = *self.rest.first()?;
+        if std::mem::take(&mut self.dotted)
+            && let Some(index) = self.index()
+        {
+            return Some(index);
+        }
+        self.dotted = first == b'.';
+        Some(match first {
+            b'&' => {
+                self.take(1);
+                Word::Letters(b"AND")
+            }
+            b'\'' | b'"' => Word::Quoted(self.take(self.quoted(first))),
+            b'[' | b']' => {
+                self.take(1);
+                Word::Mark(if first == b'[' { b'(' } else { b')' })
+            }
+            _ if is_word(first) => Word::Letters(self.take(position(self.rest, |byte| !is_word(byte)))),
+            _ => {
+                self.take(1);
+                Word::Mark(first)
+            }
+        })
+    }
+}
+
+/// Where the first byte stands for which `is` holds, or the end.
+fn position(bytes: &[u8], is: impl Fn(u8) -> bool) -> usize {
+    bytes.iter().position(|byte| is(*byte)).unwrap_or(bytes.len())
+}
+
+const fn is_word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_'
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_rendering_may_choose_does_not_count() {
+        let text = "x := a.%X03 & b; (* it's (* nested *) *) { p } s := 'a;''(*' // end";
+        let rendered = "X:=A.3 AND B S := 'a;''(*'";
+        assert_eq!(missing(text, rendered, true), [""; 0]);
+        assert_eq!(census(text, true), census(rendered, true));
+    }
+
+    #[test]
+    fn a_word_more_or_less_counts() {
+        for (first, second, missed) in [
+            ("a b a", "a b", "A"),
+            ("a + b", "a b", "+"),
+            ("'a'", "'A'", "'a'"),
+            ("x.3", "x.4", "3"),
+            ("16#F", "16#G", "F"),
+        ] {
+            assert_eq!(missing(first, second, false), [missed]);
+            assert_ne!(census(first, false), census(second, false));
+        }
+    }
+
+    #[test]
+    fn what_is_not_closed_goes_to_the_end() {
+        for text in ["a (* b", "a /* b", "a { b", "a // b", "a (* b (* c *)"] {
+            assert_eq!(census(text, true), census("a", true), "{text}");
+        }
+        assert_eq!(missing("'a\nb", "b", false), ["'a"]);
+        assert_eq!(missing("'$", "", false), ["'$"]);
+    }
+}
