@@ -1,11 +1,12 @@
 //! Holding what an engine answered against what a case expects. Basis: design, sections 3.1 and 6.
 
+mod bodies;
 mod diagnostics;
 mod rendered;
 mod sheet;
 mod values;
 
-pub use rendered::rendered_bodies;
+pub use bodies::rendered_bodies;
 
 use crate::{Answers, Grade, Observed, Verdict};
 use sheet::Sheet;

@@ -1,0 +1,229 @@
+//! What the reference does with a case, against what must happen; by code and line, as `stickler-run` judges it.
+//!
+//! Basis: stickler-design: §3.1, §4 and §6.
+
+#[path = "../../../run/src/judge/bodies.rs"]
+mod bodies;
+
+use crate::prepared::{Acceptance, Case, Expectation};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use stickler_reference::{
+    Limits, LocatedDiagnostic, Observation, Outcome, Request, RequestError, ValueSetting, render, run,
+};
+use stickler_types::{DialectName, Value};
+
+/// What is to be said of the reference's answer to a case; `None` where it is right. A panic is a wrong answer.
+#[must_use]
+pub fn complaint(case: &Case<'_>) -> Option<String> {
+    catch_unwind(AssertUnwindSafe(|| wrong(case))).unwrap_or_else(|_| Some("it panics".to_owned()))
+}
+
+fn wrong(case: &Case<'_>) -> Option<String> {
+    let answer = match answer(case, case.source) {
+        Ok(answer) => answer,
+        Err(error) => return Some(error),
+    };
+    let expectation = &case.expectation;
+    let told = match &answer {
+        Outcome::Rejected(diagnostics) => rejected(expectation, diagnostics),
+        Outcome::Faulted { fault, line, values } => {
+            faulted(expectation, (*line, fault.as_str())).or_else(|| values_differ(expectation, values))
+        }
+        Outcome::Executed { values } => executed(expectation).or_else(|| values_differ(expectation, values)),
+    };
+    told.or_else(|| {
+        let wanted = expectation.rendered.as_ref()?;
+        rendering(case, wanted, &answer)
+    })
+}
+
+/// The reference's answer to `source`, with all that the case asks and sets.
+fn answer(case: &Case<'_>, source: &str) -> Result<Outcome, String> {
+    let dialect = case.dialect.parse().map_err(|_| "it does not know the dialect")?;
+    let observe: Vec<_> = case
+        .observe
+        .iter()
+        .map(|&(name, after)| observation(name, after))
+        .collect();
+    let values = case.set.iter().map(|&(_, _, literal)| Value::parse(literal));
+    let values = values
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(|error| error.to_string())?;
+    let set = case.set.iter().zip(&values);
+    let set: Vec<_> = set
+        .map(|(&(before, name, _), value)| ValueSetting { before, name, value })
+        .collect();
+    let request = Request {
+        dialect,
+        source,
+        scans: case.scans,
+        observe: &observe,
+        clock: &[],
+        set: &set,
+        limits: Limits::default(),
+    };
+    run(&request).map_err(|error: RequestError| error.to_string())
+}
+
+fn observation(name: &str, after: u32) -> Observation<'_> {
+    Observation {
+        name,
+        after: (after > 0).then_some(after),
+    }
+}
+
+fn rejected(expectation: &Expectation<'_>, diagnostics: &[LocatedDiagnostic]) -> Option<String> {
+    let mut found: Vec<(u32, &str)> = diagnostics
+        .iter()
+        .map(|found| (found.line, found.code.as_str()))
+        .collect();
+    found.sort_unstable();
+    let on_clean_line = found
+        .iter()
+        .any(|(line, _)| expectation.clean_lines.contains(line));
+    let right = match expectation.acceptance {
+        Acceptance::Required => false,
+        Acceptance::Observed => true,
+        Acceptance::Rejected => {
+            let mut expected = expectation.diagnostics.clone();
+            expected.sort_unstable();
+            expected == found
+        }
+    };
+    (!right || on_clean_line).then(|| format!("rejected: {found:?}"))
+}
+
+fn faulted(expectation: &Expectation<'_>, found: (u32, &str)) -> Option<String> {
+    let right = match expectation.fault {
+        Some(expected) => expected == found,
+        // Where acceptance itself is open, how the program ends is open as well.
+        None => expectation.acceptance == Acceptance::Observed,
+    };
+    (!right).then(|| format!("faulted: {found:?}"))
+}
+
+fn executed(expectation: &Expectation<'_>) -> Option<String> {
+    let may_run = expectation.acceptance != Acceptance::Rejected && expectation.fault.is_none();
+    (!may_run).then(|| "accepted".to_owned())
+}
+
+fn values_differ(expectation: &Expectation<'_>, values: &[(String, Value)]) -> Option<String> {
+    expectation.values.iter().find_map(|(key, expected)| {
+        let Some((_, value)) = values.iter().find(|(name, _)| name == key) else {
+            return Some(format!("{key} is missing"));
+        };
+        let text = value.to_string();
+        let same = match value {
+            Value::Enumerated { .. } => text.eq_ignore_ascii_case(expected),
+            Value::Plain { .. } | Value::Text { .. } => text == *expected,
+        };
+        (!same).then(|| format!("{key} = {text}"))
+    })
+}
+
+/// The bodies must be the expected lines, rendering again must change nothing, and the rendered program must do what the
+/// program did.
+fn rendering(case: &Case<'_>, wanted: &[&str], answer: &Outcome) -> Option<String> {
+    let dialect: DialectName = case.dialect.parse().ok()?;
+    let Ok(text) = render(case.source, dialect) else {
+        return Some("not rendered".to_owned());
+    };
+    if bodies::rendered_bodies(&text) != wanted {
+        return Some(format!("rendered: {text}"));
+    }
+    if render(&text, dialect).as_ref() != Ok(&text) {
+        return Some("rendered again, it is another text".to_owned());
+    }
+    let same = self::answer(case, &text).is_ok_and(|again| means_the_same(answer, &again));
+    (!same).then(|| "the rendered program does something else".to_owned())
+}
+
+/// Whether two runs ended alike. Lines may differ, since comments are dropped.
+fn means_the_same(first: &Outcome, again: &Outcome) -> bool {
+    match (first, again) {
+        (
+            Outcome::Faulted { fault, values, .. },
+            Outcome::Faulted {
+                fault: fault_again,
+                values: values_again,
+                ..
+            },
+        ) => fault == fault_again && values == values_again,
+        (Outcome::Rejected(_), Outcome::Rejected(_)) => true,
+        _ => first == again,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SOURCE: &str = "PROGRAM main\nVAR a : INT := 1; d : INT; END_VAR\na := a / d;\nEND_PROGRAM\n";
+
+    fn case(source: &'static str, expectation: Expectation<'static>) -> Case<'static> {
+        Case {
+            key: "k",
+            dialect: "ironplc-ed3",
+            source,
+            scans: 1,
+            observe: vec![("a", 0)],
+            set: Vec::new(),
+            expectation,
+        }
+    }
+
+    fn told(source: &'static str, expectation: Expectation<'static>) -> String {
+        complaint(&case(source, expectation)).unwrap_or_default()
+    }
+
+    #[test]
+    fn a_value_must_be_the_expected_one_of_the_expected_type() {
+        const PLAIN: &str = "PROGRAM main VAR a : INT := 1; END_VAR END_PROGRAM";
+        let values = |value| Expectation {
+            values: vec![("a", value)],
+            ..Expectation::default()
+        };
+        assert_eq!(told(PLAIN, values("INT#1")), "");
+        assert_eq!(told(PLAIN, values("INT#2")), "a = INT#1");
+        assert_eq!(told(PLAIN, values("DINT#1")), "a = INT#1");
+    }
+
+    #[test]
+    fn a_fault_must_be_the_expected_one_on_its_line() {
+        let fault = |line, kind| Expectation {
+            fault: Some((line, kind)),
+            ..Expectation::default()
+        };
+        assert_eq!(told(SOURCE, fault(3, "division-by-zero")), "");
+        assert_ne!(told(SOURCE, fault(2, "division-by-zero")), "");
+        assert_ne!(told(SOURCE, fault(3, "subrange")), "");
+        assert_ne!(told(SOURCE, Expectation::default()), "");
+    }
+
+    #[test]
+    fn a_rejection_must_be_right_to_the_code_and_line_and_name_no_clean_line() {
+        const WRONG: &str = "PROGRAM main\nVAR a : INT; END_VAR\na := TRUE;\nb := 1;\nEND_PROGRAM";
+        let rejected = |diagnostics: &[(u32, &'static str)], clean_lines: &[u32]| Expectation {
+            acceptance: Acceptance::Rejected,
+            diagnostics: diagnostics.to_vec(),
+            clean_lines: clean_lines.to_vec(),
+            ..Expectation::default()
+        };
+        assert_eq!(told(WRONG, rejected(&[(4, "P4007"), (3, "P4035")], &[])), "");
+        assert_ne!(told(WRONG, rejected(&[(4, "P4007")], &[])), "");
+        assert_ne!(told(WRONG, rejected(&[(4, "P4007"), (3, "P4035")], &[3])), "");
+        assert_ne!(told(WRONG, Expectation::default()), "");
+        assert_ne!(told(SOURCE, rejected(&[], &[])), "");
+    }
+
+    #[test]
+    fn a_rendered_program_must_have_the_expected_lines() {
+        let rendered = |line| Expectation {
+            fault: Some((3, "division-by-zero")),
+            rendered: Some(vec![line]),
+            ..Expectation::default()
+        };
+        assert_eq!(told(SOURCE, rendered("a := a / d;")), "");
+        assert_ne!(told(SOURCE, rendered("a := a * d;")), "");
+    }
+}

@@ -1,0 +1,76 @@
+//! Runs the prepared cases on the reference that is built into this program, and stops at the first that fails.
+//!
+//! `STICKLER_PREPARED` names the file of [`stickler_mutants_judge::prepared`] cases. The cases that killed mutants before
+//! come first: their indices stand in the file beside it with the ending `.killers`, the latest last. They change the order, never
+//! the verdict.
+
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use stickler_mutants_judge::judge::complaint;
+use stickler_mutants_judge::lookout::Lookout;
+use stickler_mutants_judge::prepared::{self, Case};
+
+fn main() -> ExitCode {
+    match judge_all() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn judge_all() -> Result<(), String> {
+    let path = std::env::var_os("STICKLER_PREPARED").map(PathBuf::from);
+    let path = path.ok_or(
+        "this judge needs prepared cases: `cargo run -p stickler-mutants` prepares them and runs it",
+    )?;
+    let bytes = std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let cases = prepared::read(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+    if cases.is_empty() {
+        return Err(format!("{}: no cases", path.display()));
+    }
+    let killers = path.with_extension("killers");
+    // A mutant that panics is dead; what it says to that is of no interest.
+    std::panic::set_hook(Box::new(|_| {}));
+    let keys: Vec<String> = cases.iter().map(|case| case.key.to_owned()).collect();
+    let lookout = Lookout::begin({
+        let killers = killers.clone();
+        move |index, what| {
+            eprintln!(
+                "{}",
+                dead(&killers, index, keys.get(index).map_or("", String::as_str), what)
+            );
+            std::process::exit(1);
+        }
+    });
+    for index in order(&cases, &killers) {
+        lookout.at(index);
+        if let Some(what) = cases.get(index).and_then(complaint) {
+            return Err(dead(&killers, index, cases[index].key, &what));
+        }
+    }
+    println!("{} cases passed", cases.len());
+    Ok(())
+}
+
+/// The cases that killed last, then all others in the order of the file.
+fn order(cases: &[Case<'_>], killers: &Path) -> Vec<usize> {
+    let text = std::fs::read_to_string(killers).unwrap_or_default();
+    let killed = text.lines().rev().filter_map(|line| line.parse().ok());
+    let mut seen = HashSet::new();
+    killed
+        .chain(0..cases.len())
+        .filter(|&index| index < cases.len() && seen.insert(index))
+        .collect()
+}
+
+/// Takes down which case killed, and says so.
+fn dead(killers: &Path, index: usize, key: &str, what: &str) -> String {
+    let mut text = std::fs::read_to_string(killers).unwrap_or_default();
+    text.push_str(&format!("{index}\n"));
+    // Without the file the next judge only takes longer.
+    let _ = std::fs::write(killers, text);
+    format!("killed by {key}: {what}")
+}

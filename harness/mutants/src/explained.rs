@@ -1,0 +1,153 @@
+//! `survivors.toml`: the mutants that no case can kill, each with the reason.
+
+use crate::outcomes::{Fate, Outcome};
+use anyhow::Context as _;
+use serde::Deserialize;
+
+const TEXT: &str = include_str!("../survivors.toml");
+
+/// The mutants that survive for a reason.
+pub struct Explained(Vec<Entry>);
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    survivor: Vec<Entry>,
+}
+
+/// Mutants of one file that survive for one reason.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Entry {
+    /// The file, below `harness/`.
+    file: String,
+    /// The changes, as cargo-mutants words them behind the place: `replace X with Y in F`. Lines move, so none is named: a
+    /// change that survives at two places of a function stands here twice.
+    mutants: Vec<String>,
+    kind: Kind,
+    /// Why no case can kill them.
+    reason: String,
+}
+
+/// Why a mutant survives.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// No input tells it from the original.
+    Equivalent,
+    /// It differs only where no document says what must come.
+    Open,
+    /// It differs only in what a case cannot see: a message, a suggestion, a position within a line.
+    Unseen,
+}
+
+impl Explained {
+    /// Reads the list that is built into this program.
+    ///
+    /// # Errors
+    /// Where it is not in its form.
+    pub fn read() -> anyhow::Result<Explained> {
+        Explained::from_text(TEXT).context("harness/mutants/survivors.toml")
+    }
+
+    fn from_text(text: &str) -> anyhow::Result<Explained> {
+        let file: File = toml::from_str(text)?;
+        for entry in &file.survivor {
+            anyhow::ensure!(
+                !entry.reason.trim().is_empty(),
+                "an entry of {} has no reason",
+                entry.file
+            );
+        }
+        Ok(Explained(file.survivor))
+    }
+
+    /// For each outcome, why it survives; `None` where it does not, or for no reason that is listed. A change that is listed
+    /// once explains one survivor.
+    #[must_use]
+    pub fn kinds(&self, outcomes: &[Outcome]) -> Vec<Option<Kind>> {
+        let mut left: Vec<(&Entry, &str)> = self.changes().collect();
+        let mut kind = |outcome: &Outcome| {
+            let at = left
+                .iter()
+                .position(|(entry, change)| explains(entry, change, outcome))?;
+            Some(left.swap_remove(at).0.kind)
+        };
+        outcomes
+            .iter()
+            .map(|outcome| (outcome.fate == Fate::Survived).then(|| kind(outcome)).flatten())
+            .collect()
+    }
+
+    /// The changes of the list that were tried and killed.
+    pub fn stale<'a>(&'a self, outcomes: impl Iterator<Item = &'a Outcome> + Clone) -> Vec<String> {
+        let tried = |entry, change| outcomes.clone().any(|outcome| explains(entry, change, outcome));
+        let survives = |entry, change| {
+            let mut survivors = outcomes.clone().filter(|outcome| outcome.fate == Fate::Survived);
+            survivors.any(|outcome| explains(entry, change, outcome))
+        };
+        self.changes()
+            .filter(|&(entry, change)| tried(entry, change) && !survives(entry, change))
+            .map(|(entry, change)| format!("harness/{}: {change}", entry.file))
+            .collect()
+    }
+
+    fn changes(&self) -> impl Iterator<Item = (&Entry, &str)> {
+        self.0
+            .iter()
+            .flat_map(|entry| entry.mutants.iter().map(move |change| (entry, change.as_str())))
+    }
+}
+
+fn explains(entry: &Entry, change: &str, outcome: &Outcome) -> bool {
+    outcome.file.strip_prefix("harness/") == Some(&entry.file) && outcome.change() == change
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIST: &str = r#"
+        [[survivor]]
+        file = "reference/src/raw.rs"
+        mutants = ["replace < with <= in narrow"]
+        kind = "equivalent"
+        reason = "both are the same"
+    "#;
+
+    fn outcome(line: u32, fate: Fate) -> Outcome {
+        Outcome {
+            name: format!("harness/reference/src/raw.rs:{line}:5: replace < with <= in narrow"),
+            file: "harness/reference/src/raw.rs".to_owned(),
+            fate,
+        }
+    }
+
+    #[test]
+    fn what_is_listed_once_explains_one_survivor() {
+        let list = Explained::from_text(LIST).unwrap();
+        let outcomes = [
+            outcome(1, Fate::Killed),
+            outcome(2, Fate::Survived),
+            outcome(3, Fate::Survived),
+        ];
+        assert_eq!(list.kinds(&outcomes), [None, Some(Kind::Equivalent), None]);
+    }
+
+    #[test]
+    fn what_is_listed_and_killed_is_told() {
+        let list = Explained::from_text(LIST).unwrap();
+        assert_eq!(list.stale([outcome(1, Fate::Killed)].iter()).len(), 1);
+        assert_eq!(list.stale([outcome(1, Fate::Survived)].iter()), [""; 0]);
+        assert_eq!(list.stale([].iter()), [""; 0]);
+    }
+
+    #[test]
+    fn the_list_of_this_repository_can_be_read_and_names_files_that_exist() {
+        let list = Explained::read().unwrap();
+        for entry in &list.0 {
+            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../").to_owned() + &entry.file;
+            assert!(std::path::Path::new(&path).is_file(), "{path}");
+        }
+    }
+}

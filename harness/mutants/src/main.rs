@@ -1,0 +1,111 @@
+//! How strong is the suite? Runs cargo-mutants with the suite as the only judge, and prints how many mutants it kills.
+
+mod explained;
+mod outcomes;
+mod prepare;
+mod table;
+mod tool;
+
+use anyhow::Context as _;
+use clap::Parser;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Changes the reference in one small place after the other, and lets the conformance suite alone say whether anything is
+/// wrong with it. Prints the kill rate per module.
+///
+/// Exit codes: 0; 1 where a mutant of the conversion, widening or bit-access code survives that survivors.toml does not
+/// explain; 2 usage, or a broken case file; 3 cargo-mutants is missing or could not be run.
+#[derive(Parser)]
+#[command(name = "stickler-mutants", verbatim_doc_comment)]
+struct Arguments {
+    /// Run nothing; read these folders, each a `mutants.out` or one that has it. Of a mutant that several have, the last
+    /// counts.
+    #[arg(long, value_name = "DIR", num_args = 1..)]
+    read: Vec<PathBuf>,
+    /// A line for each file, not for each module.
+    #[arg(long)]
+    files: bool,
+    /// List the mutants that survive and are not explained.
+    #[arg(long)]
+    survivors: bool,
+    /// Where the results go.
+    #[arg(long, value_name = "DIR", default_value = "target/mutants")]
+    output: PathBuf,
+    /// The folder of the cases.
+    #[arg(long, value_name = "DIR", default_value = "conformance-cases")]
+    cases: PathBuf,
+    /// Options of cargo-mutants: `-- --file 'harness/reference/src/conversion/*'`, `-- --shard 0/20`, `-- --iterate`.
+    #[arg(last = true, value_name = "OPTION")]
+    cargo_mutants: Vec<String>,
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    match run(&arguments) {
+        Ok(code) => ExitCode::from(code),
+        Err(failure) => {
+            eprintln!("error: {:#}", failure.error);
+            ExitCode::from(failure.code)
+        }
+    }
+}
+
+/// What ends the program before its table.
+struct Failure {
+    code: u8,
+    error: anyhow::Error,
+}
+
+/// For [`Result::map_err`]: this failure ends with that exit code.
+fn ends_with(code: u8) -> impl Fn(anyhow::Error) -> Failure {
+    move |error| Failure { code, error }
+}
+
+fn run(arguments: &Arguments) -> Result<u8, Failure> {
+    let folders = if arguments.read.is_empty() {
+        tool::find().map_err(ends_with(3))?;
+        let prepared = prepared(arguments).map_err(ends_with(2))?;
+        tool::run(&prepared, &arguments.output, &arguments.cargo_mutants).map_err(ends_with(3))?;
+        vec![arguments.output.clone()]
+    } else {
+        arguments.read.clone()
+    };
+    let outcomes = outcomes::read_all(&folders).map_err(ends_with(2))?;
+    let explained = explained::Explained::read().map_err(ends_with(2))?;
+    let judged = table::judge(outcomes, &explained);
+    print!("{}", table::table(&judged, arguments.files));
+    for stale in explained.stale(judged.iter().map(|mutant| &mutant.outcome)) {
+        println!("note: survivors.toml explains a mutant that does not survive: {stale}");
+    }
+    let open: Vec<&table::Judged> = judged.iter().filter(|mutant| mutant.is_unexplained()).collect();
+    let focused = open.iter().filter(|mutant| mutant.topic.is_some()).count();
+    for mutant in open
+        .iter()
+        .filter(|mutant| arguments.survivors || mutant.topic.is_some())
+    {
+        println!("survives: {}", mutant.outcome.name);
+    }
+    Ok(u8::from(focused > 0))
+}
+
+/// Writes all cases down for the judge, and gives the file.
+fn prepared(arguments: &Arguments) -> anyhow::Result<PathBuf> {
+    let suite = stickler_suite::Suite::load(&arguments.cases);
+    if let Some(error) = suite.errors.first() {
+        anyhow::bail!("{error}; `cargo run -- lint` lists all that is wrong with the case files");
+    }
+    let output = absolute(&arguments.output)?;
+    std::fs::create_dir_all(&output).with_context(|| format!("cannot create {}", output.display()))?;
+    let path = output.join("prepared.cases");
+    let bytes = prepare::prepare(&suite.cases);
+    std::fs::write(&path, bytes).with_context(|| format!("cannot write {}", path.display()))?;
+    // The indices of another suite's killers mean nothing in this one.
+    let _ = std::fs::remove_file(path.with_extension("killers"));
+    println!("{} cases judge each mutant", suite.cases.len());
+    Ok(path)
+}
+
+fn absolute(path: &Path) -> anyhow::Result<PathBuf> {
+    std::path::absolute(path).with_context(|| format!("cannot find {}", path.display()))
+}

@@ -1,0 +1,157 @@
+//! The suite as the judge of mutants reads it: every case in texts, and those first that are most unlike each other.
+//!
+//! Most mutants break much, so a judge that sees one case of each probe before it sees the second of any has found them out
+//! after some hundred cases.
+
+use std::collections::HashMap;
+use stickler_mutants_judge::prepared::{self, Acceptance, Expectation};
+use stickler_suite::{Case, ExpectedValue, Observe};
+
+/// The file of all cases.
+#[must_use]
+pub fn prepare(cases: &[Case]) -> Vec<u8> {
+    let texts: Vec<Texts> = cases.iter().map(Texts::of).collect();
+    let ordered = order(cases);
+    let case = |&index: &usize| texts[index].case(&cases[index]);
+    prepared::write(ordered.iter().map(case))
+}
+
+/// What a case has only as numbers and values, written down.
+struct Texts {
+    key: String,
+    set: Vec<String>,
+    values: Vec<(String, String)>,
+}
+
+impl Texts {
+    fn of(case: &Case) -> Texts {
+        let value = |expected: &ExpectedValue| {
+            let after = expected.after.map(|after| format!("@{after}"));
+            let key = format!("{}{}", expected.name, after.unwrap_or_default());
+            (key, expected.value.to_string())
+        };
+        Texts {
+            key: case.key(),
+            set: case.set.iter().map(|setting| setting.value.to_string()).collect(),
+            values: case.expectation.values.iter().map(value).collect(),
+        }
+    }
+
+    fn case<'a>(&'a self, case: &'a Case) -> prepared::Case<'a> {
+        let observe = |observe: &'a Observe| (&*observe.name, observe.after.unwrap_or_default());
+        let set = case.set.iter().zip(&self.set);
+        prepared::Case {
+            key: &self.key,
+            dialect: case.dialect.as_str(),
+            source: &case.source,
+            scans: case.scans,
+            observe: case.observe.iter().map(observe).collect(),
+            set: set
+                .map(|(setting, value)| (setting.before, &*setting.name, value.as_str()))
+                .collect(),
+            expectation: self.expectation(&case.expectation),
+        }
+    }
+
+    fn expectation<'a>(&'a self, expectation: &'a stickler_suite::Expectation) -> Expectation<'a> {
+        let lines = |text: &'a stickler_suite::ExpectedText| {
+            let lines = text.lines.iter().map(|line| line.trim());
+            lines.filter(|line| !line.is_empty()).collect()
+        };
+        Expectation {
+            acceptance: match expectation.accepted {
+                stickler_suite::Acceptance::Required => Acceptance::Required,
+                stickler_suite::Acceptance::Rejected => Acceptance::Rejected,
+                stickler_suite::Acceptance::Observed => Acceptance::Observed,
+            },
+            diagnostics: expectation
+                .diagnostics
+                .iter()
+                .map(|one| (one.line, one.code.as_str()))
+                .collect(),
+            clean_lines: expectation.clean_lines.clone(),
+            values: self
+                .values
+                .iter()
+                .map(|(key, value)| (key.as_str(), value.as_str()))
+                .collect(),
+            fault: expectation
+                .fault
+                .map(|expected| (expected.line, expected.fault.as_str())),
+            rendered: expectation.rendered.as_ref().map(lines),
+        }
+    }
+}
+
+/// The indices of the cases in waves: each wave has one case of every probe and dialect, as far from those before it in the
+/// probe's table as can be.
+fn order(cases: &[Case]) -> Vec<usize> {
+    let mut probes: HashMap<(&str, &str), Vec<usize>> = HashMap::new();
+    for (index, case) in cases.iter().enumerate() {
+        let probe = case.id.split('(').next().unwrap_or_default();
+        probes
+            .entry((probe, case.dialect.as_str()))
+            .or_default()
+            .push(index);
+    }
+    let mut waves: Vec<(usize, usize)> = Vec::with_capacity(cases.len());
+    for indices in probes.into_values() {
+        let mut spread: Vec<(usize, usize)> = indices.into_iter().enumerate().collect();
+        spread.sort_by_key(|(place, _)| place.reverse_bits());
+        waves.extend(
+            spread
+                .into_iter()
+                .enumerate()
+                .map(|(wave, (_, index))| (wave, index)),
+        );
+    }
+    waves.sort_unstable();
+    waves.into_iter().map(|(_, index)| index).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+    use std::path::Path;
+    use std::sync::LazyLock;
+    use stickler_mutants_judge::judge::complaint;
+    use stickler_suite::Suite;
+
+    static SUITE: LazyLock<Suite> = LazyLock::new(|| {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+        Suite::load(&folder)
+    });
+
+    #[test]
+    fn every_case_is_prepared_once_and_each_probe_comes_early() {
+        let bytes = prepare(&SUITE.cases);
+        let prepared = prepared::read(&bytes).unwrap();
+        let keys: BTreeSet<&str> = prepared.iter().map(|case| case.key).collect();
+        assert_eq!(keys.len(), SUITE.cases.len());
+        let probes = prepared
+            .iter()
+            .map(|case| case.key.split(['(', '@']).next().unwrap());
+        let all: BTreeSet<&str> = probes.clone().collect();
+        let early: BTreeSet<&str> = probes.take(5 * all.len()).collect();
+        assert_eq!(early, all);
+    }
+
+    #[test]
+    fn the_judge_finds_the_reference_right_and_a_case_with_another_expectation_wrong() {
+        let bytes = prepare(&SUITE.cases);
+        let prepared = prepared::read(&bytes).unwrap();
+        for case in prepared.iter().take(3000) {
+            assert_eq!(complaint(case), None, "{}", case.key);
+            let mut other = case.clone();
+            let expectation = &mut other.expectation;
+            match (expectation.acceptance, &mut expectation.fault) {
+                (_, Some((line, _))) => *line += 1,
+                (Acceptance::Required, None) => expectation.acceptance = Acceptance::Rejected,
+                (Acceptance::Rejected, None) => expectation.diagnostics.push((1, "P0001")),
+                (Acceptance::Observed, None) => continue,
+            }
+            assert!(complaint(&other).is_some(), "{}", case.key);
+        }
+    }
+}

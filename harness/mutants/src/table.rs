@@ -1,0 +1,229 @@
+//! The kill rate, module by module.
+
+use crate::explained::{Explained, Kind};
+use crate::outcomes::{Fate, Outcome};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// What the suite exists for, and the code that does it: whatever survives there must be explained.
+const TOPICS: [(&str, &[&str]); 3] = [
+    (
+        "bit access",
+        &[
+            "reference/src/syntax/parser/partial_access.rs",
+            "reference/src/semantics/places.rs",
+        ],
+    ),
+    (
+        "widening",
+        &[
+            "reference/src/conversion/implicit.rs",
+            "reference/src/semantics/contexts.rs",
+        ],
+    ),
+    (
+        "conversion",
+        &[
+            "reference/src/conversion/",
+            "reference/src/semantics/conversions.rs",
+        ],
+    ),
+];
+
+/// A mutant with what is to be said of it.
+pub struct Judged {
+    /// What came of it.
+    pub outcome: Outcome,
+    /// Why it survives, where that is listed.
+    pub kind: Option<Kind>,
+    /// Which of the suite's topics its file is part of.
+    pub topic: Option<&'static str>,
+}
+
+impl Judged {
+    /// Whether it survives and nobody has said why.
+    #[must_use]
+    pub fn is_unexplained(&self) -> bool {
+        self.outcome.fate == Fate::Survived && self.kind.is_none()
+    }
+}
+
+/// Holds what survived against the list.
+#[must_use]
+pub fn judge(outcomes: Vec<Outcome>, explained: &Explained) -> Vec<Judged> {
+    let kinds = explained.kinds(&outcomes);
+    let judged = |(outcome, kind): (Outcome, _)| Judged {
+        topic: topic(&outcome.file),
+        outcome,
+        kind,
+    };
+    outcomes.into_iter().zip(kinds).map(judged).collect()
+}
+
+fn topic(file: &str) -> Option<&'static str> {
+    let file = file.strip_prefix("harness/").unwrap_or(file);
+    let (topic, _) = TOPICS
+        .iter()
+        .find(|(_, places)| places.iter().any(|place| file.starts_with(place)))?;
+    Some(topic)
+}
+
+/// The module of a file: its crate and the folders below `src`, or with `by_file` the file.
+fn module(file: &str, by_file: bool) -> String {
+    let file = file
+        .strip_prefix("harness/")
+        .unwrap_or(file)
+        .replace("/src/", "/");
+    let file = file.strip_suffix(".rs").unwrap_or(&file);
+    let place = if by_file {
+        Some(file)
+    } else {
+        file.rsplit_once('/').map(|(folder, _)| folder)
+    };
+    place.unwrap_or(file).to_owned()
+}
+
+/// A line of the table.
+#[derive(Default)]
+struct Counts {
+    killed: usize,
+    survived: usize,
+    equivalent: usize,
+    open: usize,
+    unseen: usize,
+}
+
+impl Counts {
+    fn add(&mut self, mutant: &Judged) {
+        match (mutant.outcome.fate, mutant.kind) {
+            (Fate::Unviable, _) => {}
+            (Fate::Killed, _) => self.killed += 1,
+            (Fate::Survived, None) => self.survived += 1,
+            (Fate::Survived, Some(Kind::Equivalent)) => self.equivalent += 1,
+            (Fate::Survived, Some(Kind::Open)) => self.open += 1,
+            (Fate::Survived, Some(Kind::Unseen)) => self.unseen += 1,
+        }
+    }
+
+    fn all(&self) -> usize {
+        self.killed + self.survived + self.equivalent + self.open + self.unseen
+    }
+
+    /// Of the mutants that compile, how many were killed.
+    fn rate(&self) -> String {
+        match self.all() {
+            0 => "-".to_owned(),
+            all => format!("{}.{} %", 100 * self.killed / all, 1000 * self.killed / all % 10),
+        }
+    }
+
+    fn line(&self, name: &str) -> String {
+        let Counts {
+            killed,
+            survived,
+            equivalent,
+            open,
+            unseen,
+        } = self;
+        let (all, rate) = (self.all(), self.rate());
+        format!("  {name:36}{all:>8}{killed:>8}{rate:>9}{equivalent:>12}{open:>6}{unseen:>8}{survived:>12}\n")
+    }
+}
+
+/// The table: modules, then topics, then all.
+#[must_use]
+pub fn table(mutants: &[Judged], by_file: bool) -> String {
+    let mut modules: BTreeMap<String, Counts> = BTreeMap::new();
+    let mut topics: BTreeMap<&str, Counts> = BTreeMap::new();
+    let mut all = Counts::default();
+    for mutant in mutants {
+        modules
+            .entry(module(&mutant.outcome.file, by_file))
+            .or_default()
+            .add(mutant);
+        if let Some(topic) = mutant.topic {
+            topics.entry(topic).or_default().add(mutant);
+        }
+        all.add(mutant);
+    }
+    let mut text = heading("Module");
+    text.extend(modules.iter().map(|(name, counts)| counts.line(name)));
+    text += "\n";
+    text += &heading("Topic");
+    text.extend(topics.iter().map(|(name, counts)| counts.line(name)));
+    text += &all.line("all");
+    let unviable = mutants
+        .iter()
+        .filter(|mutant| mutant.outcome.fate == Fate::Unviable)
+        .count();
+    // Writing into a String does not fail.
+    let _ = writeln!(text, "\n{unviable} more do not compile and are not counted.");
+    text
+}
+
+fn heading(first: &str) -> String {
+    format!(
+        "{first:38}{:>8}{:>8}{:>9}{:>12}{:>6}{:>8}{:>12}\n",
+        "mutants", "killed", "rate", "equivalent", "open", "unseen", "unexplained"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn judged(file: &str, fate: Fate, kind: Option<Kind>) -> Judged {
+        Judged {
+            outcome: Outcome {
+                name: format!("{file}:1:1: replace f with ()"),
+                file: file.to_owned(),
+                fate,
+            },
+            kind,
+            topic: topic(file),
+        }
+    }
+
+    #[test]
+    fn mutants_are_counted_by_module_and_by_topic() {
+        let implicit = "harness/reference/src/conversion/implicit.rs";
+        let mutants = [
+            judged(implicit, Fate::Killed, None),
+            judged(implicit, Fate::Survived, Some(Kind::Equivalent)),
+            judged("harness/reference/src/conversion/bcd.rs", Fate::Survived, None),
+            judged("harness/types/src/value.rs", Fate::Unviable, None),
+        ];
+        let text = table(&mutants, false);
+        let words: Vec<Vec<&str>> = text
+            .lines()
+            .map(|line| line.split_whitespace().collect())
+            .collect();
+        assert!(
+            words.contains(&vec![
+                "reference/conversion",
+                "3",
+                "1",
+                "33.3",
+                "%",
+                "1",
+                "0",
+                "0",
+                "1"
+            ]),
+            "{text}"
+        );
+        assert!(
+            words.contains(&vec!["widening", "2", "1", "50.0", "%", "1", "0", "0", "0"]),
+            "{text}"
+        );
+        assert!(
+            words.contains(&vec!["conversion", "1", "0", "0.0", "%", "0", "0", "0", "1"]),
+            "{text}"
+        );
+        assert!(
+            words.contains(&vec!["types", "0", "0", "-", "0", "0", "0", "0"]),
+            "{text}"
+        );
+        assert!(table(&mutants, true).contains("reference/conversion/implicit "));
+    }
+}

@@ -1,0 +1,97 @@
+//! What of a rendered text is held against a case. Basis: design, sections 3.1 and 4.
+//!
+//! The judge of mutated references has this file too (`harness/mutants/judge`), so it needs nothing but the standard library.
+
+/// The lines of the bodies of all POUs in a rendered text, trimmed, without empty ones.
+///
+/// A body is what stands between a POU's header or its last `END_VAR` and its `END_PROGRAM`, `END_FUNCTION`
+/// or `END_FUNCTION_BLOCK`. Headers, variable blocks, TYPE declarations and configurations are left out. Each
+/// of those words is looked for at the beginning of a line, where a renderer puts it. Basis: design, sections
+/// 3.1 and 4.
+#[must_use]
+pub fn rendered_bodies(text: &str) -> Vec<&str> {
+    let mut room = Room::Outside;
+    let mut bodies = Vec::new();
+    for line in text.lines().map(str::trim).filter(|line| !line.is_empty()) {
+        let (next, is_body) = room.enter(first_word(line));
+        room = next;
+        if is_body {
+            bodies.push(line);
+        }
+    }
+    bodies
+}
+
+/// Where in the text a line stands.
+#[derive(Clone, Copy, PartialEq)]
+enum Room {
+    /// Outside all POUs.
+    Outside,
+    /// In a configuration, whose PROGRAM lines are instances and no POUs.
+    Configuration,
+    /// In a variable block of a POU.
+    Variables,
+    /// In a POU, and in none of its variable blocks.
+    Body,
+}
+
+impl Room {
+    /// The room after a line that begins with this word, and whether that line is a body's.
+    fn enter(self, word: &str) -> (Room, bool) {
+        let is = |word_list: &[&str]| word_list.iter().any(|known| known.eq_ignore_ascii_case(word));
+        match self {
+            Room::Outside if is(&["PROGRAM", "FUNCTION", "FUNCTION_BLOCK"]) => (Room::Body, false),
+            Room::Outside if is(&["CONFIGURATION"]) => (Room::Configuration, false),
+            Room::Configuration if is(&["END_CONFIGURATION"]) => (Room::Outside, false),
+            Room::Variables if is(&["END_VAR"]) => (Room::Body, false),
+            Room::Outside | Room::Configuration | Room::Variables => (self, false),
+            Room::Body if is(VARIABLE_BLOCKS) => (Room::Variables, false),
+            Room::Body if is(&["END_PROGRAM", "END_FUNCTION", "END_FUNCTION_BLOCK"]) => {
+                (Room::Outside, false)
+            }
+            Room::Body => (Room::Body, true),
+        }
+    }
+}
+
+const VARIABLE_BLOCKS: &[&str] = &[
+    "VAR",
+    "VAR_INPUT",
+    "VAR_OUTPUT",
+    "VAR_IN_OUT",
+    "VAR_TEMP",
+    "VAR_EXTERNAL",
+    "VAR_GLOBAL",
+    "VAR_ACCESS",
+];
+
+fn first_word(line: &str) -> &str {
+    let end = line.find(|character: char| !(character.is_ascii_alphanumeric() || character == '_'));
+    &line[..end.unwrap_or(line.len())]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bodies_of_all_pous_are_found_and_nothing_else() {
+        let text = concat!(
+            "TYPE\n    t : INT;\nEND_TYPE\n\n",
+            "FUNCTION f : INT\n    VAR_INPUT\n        a : INT;\n    END_VAR\n",
+            "    VAR\n        v : INT;\n    END_VAR\n    f := a;\nEND_FUNCTION\n\n",
+            "PROGRAM main\n    IF f(1) = 1 THEN\n        ;\n    END_IF;\n    program_x := 2;\nEND_PROGRAM\n",
+            "CONFIGURATION c\n    RESOURCE r ON plc\n        PROGRAM inst WITH t : main;\n",
+            "    END_RESOURCE\nEND_CONFIGURATION\nvar_global\n    g : INT;\nend_var\n",
+        );
+        let bodies = ["f := a;", "IF f(1) = 1 THEN", ";", "END_IF;", "program_x := 2;"];
+        assert_eq!(rendered_bodies(text), bodies);
+    }
+
+    #[test]
+    fn a_body_may_be_empty_or_never_end() {
+        assert_eq!(rendered_bodies("PROGRAM main\nEND_PROGRAM\n"), [""; 0]);
+        assert_eq!(rendered_bodies("program main\n  x := 1;"), ["x := 1;"]);
+        assert_eq!(rendered_bodies(""), [""; 0]);
+    }
+}
