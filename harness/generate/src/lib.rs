@@ -3,6 +3,7 @@
 //! Architecture Invariant: this crate knows neither libFuzzer nor files nor threads. What is random comes from bytes.
 #![forbid(unsafe_code)]
 
+pub mod census;
 pub mod evaluate;
 pub mod generator;
 pub mod model;

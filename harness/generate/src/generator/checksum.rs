@@ -94,7 +94,7 @@ impl Maker<'_, '_> {
                 return statements;
             }
         }
-        let literal = literals::value(ty, &mut self.random);
+        let literal = self.telling_value(ty);
         let literal = elementary(
             ty,
             ExpressionKind::Literal(
@@ -122,6 +122,15 @@ impl Maker<'_, '_> {
             kind: StatementKind::If(vec![(condition, vec![mix(checksum, number(1))])], Some(otherwise)),
         });
         statements
+    }
+
+    /// A value to compare with that is not the least one of its type.
+    fn telling_value(&mut self, ty: ElementaryType) -> Value {
+        let first = literals::value(ty, &mut self.random);
+        match first {
+            Value::Plain { raw: 0, .. } => literals::boundaries(ty).last().cloned().unwrap_or(first),
+            _ => first,
+        }
     }
 
     /// A value as LINT, where documents settle what that gives.

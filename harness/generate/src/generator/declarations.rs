@@ -9,10 +9,10 @@ use crate::model::{
     ArrayType, Declared, Expression, ExpressionKind, Initial, LiteralForm, Section, Type, TypeDeclaration,
     Variable, VariableId, subscripts,
 };
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, Family};
 
 /// How many elements an array has at most.
-const MOST_ELEMENTS: usize = 12;
+const MOST_ELEMENTS: usize = 8;
 
 /// The same, where the elements are no elementary values.
 const MOST_STRUCTURES: usize = 3;
@@ -52,8 +52,15 @@ impl Maker<'_, '_> {
             2 => self.declared_type(),
             _ => Type::Elementary(self.any_type()),
         };
+        // A field has one initial value, so an array that needs several is no field.
+        let ty = match ty {
+            Type::Array(array) if is_of_dates(&array) => array.element,
+            ty => ty,
+        };
         let initial = match ty {
-            Type::Elementary(ty) if self.wants_initial() => Some(self.initial_literal(ty)),
+            Type::Elementary(ty) if needs_initial(ty) || self.wants_initial() => {
+                Some(self.initial_literal(ty))
+            }
             _ => None,
         };
         (format!("m{number}"), ty, initial)
@@ -110,7 +117,11 @@ impl Maker<'_, '_> {
 
     /// The variables of main: some of every shape that the program has, and an instance of every function block.
     pub fn main_variables(&mut self) {
-        for _ in 0..3 + self.random.below(6) {
+        // One of each type at least, so that values have somewhere to come from and to go.
+        for ty in self.palette.clone() {
+            self.declare_local(Type::Elementary(ty));
+        }
+        for _ in 0..1 + self.random.below(5) {
             let ty = self.variable_type();
             self.declare_local(ty);
         }
@@ -179,15 +190,21 @@ impl Maker<'_, '_> {
     }
 
     fn wants_initial(&mut self) -> bool {
-        self.has(Feature::Initials) && self.random.chance(2, 3)
+        self.has(Feature::Initials) && self.random.chance(3, 4)
     }
 
     /// An initial value, perhaps.
     pub fn initial(&mut self, ty: &Type) -> Option<Initial> {
-        if !self.wants_initial() {
+        let ty = self.program.unaliased(ty).clone();
+        let needed = match &ty {
+            Type::Elementary(ty) => needs_initial(*ty),
+            Type::Array(array) => is_of_dates(array),
+            _ => false,
+        };
+        if !needed && !self.wants_initial() {
             return None;
         }
-        match self.program.unaliased(ty).clone() {
+        match ty {
             Type::Elementary(ty) => Some(Initial::Expression(self.initial_value(ty))),
             Type::Array(array) => match array.element {
                 Type::Elementary(ty) => {
@@ -245,4 +262,13 @@ impl Maker<'_, '_> {
         self.pou = super::scope::Pou::new(kind);
         self.statements_left = statements;
     }
+}
+
+/// Whether a variable of this type needs an initial value, because on which day time begins no document says.
+fn needs_initial(ty: ElementaryType) -> bool {
+    matches!(ty.family(), Family::Date | Family::DateAndTime)
+}
+
+fn is_of_dates(array: &ArrayType) -> bool {
+    matches!(array.element, Type::Elementary(ty) if needs_initial(ty))
 }

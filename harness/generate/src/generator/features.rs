@@ -71,11 +71,29 @@ pub(super) enum Feature {
 pub(super) struct Features(u32);
 
 impl Features {
-    /// Draws them: each as likely as not, and all of them in one program of sixteen.
+    /// Draws them: each as likely as not, what the suite is about more often, and all of them in one program of sixteen.
     pub fn drawn(random: &mut Random<'_, '_>) -> Features {
+        use Feature as F;
         let all = random.chance(1, 16);
-        let drawn = random.bits() as u32;
-        Features(if all { u32::MAX } else { drawn })
+        let [drawn, often, mostly] = [random.bits(), random.bits(), random.bits()].map(|bits| bits as u32);
+        let bits = |features: &[Feature]| {
+            features
+                .iter()
+                .fold(0, |bits, feature| bits | 1 << *feature as u32)
+        };
+        let often = often
+            & bits(&[
+                F::Widening,
+                F::Conversions,
+                F::Arithmetic,
+                F::Bits,
+                F::If,
+                F::Initials,
+                F::Untyped,
+            ]);
+        // Without initial values nearly everything stays zero.
+        let mostly = mostly & bits(&[F::Initials, F::Arithmetic]);
+        Features(if all { u32::MAX } else { drawn | often | mostly })
     }
 
     /// Whether the program may use this.

@@ -108,6 +108,16 @@ impl<'r, 'u> Maker<'r, 'u> {
             .unwrap_or(ElementaryType::Int)
     }
 
+    /// One of the types of the variables at hand, if luck has it.
+    pub fn seen_type(&mut self) -> ElementaryType {
+        let first = self.any_type();
+        if self.pou.varies(first) {
+            first
+        } else {
+            self.any_type()
+        }
+    }
+
     /// Whether the POU in hand may execute so much more where it stands.
     pub const fn affords(&self, cost: u32) -> bool {
         self.pou.cost + self.pou.turns * cost <= MOST_EXECUTED
@@ -120,7 +130,7 @@ impl<'r, 'u> Maker<'r, 'u> {
 
     fn main(&mut self, most: usize) {
         // Programs of very different lengths: a short one shows a fault clearly, a long one meets more of them.
-        let most = most.min([4, 10, 20, 40, 80][self.random.below(5)]);
+        let most = most.min([3, 6, 12, 24, 60][self.random.below(5)]);
         self.begin(Kind::Main, most);
         self.main_variables();
         let mut body = self.body(most);

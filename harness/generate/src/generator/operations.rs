@@ -111,7 +111,7 @@ impl Maker<'_, '_> {
         {
             return compared;
         }
-        let ty = self.any_type();
+        let ty = self.seen_type();
         let operator = self.comparison_operator(ty);
         let left = match self.varying(ty, depth) {
             Some(left) => left,

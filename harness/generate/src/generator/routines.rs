@@ -16,9 +16,11 @@ impl Maker<'_, '_> {
             return;
         }
         for number in 0..=self.random.below(3) {
-            // A text that a function gives could grow from call to call.
+            // A text that a function gives could grow from call to call, and on which day time begins no document says.
             let result = match self.small_type() {
-                Type::Elementary(ty) if ty.is_text() => Type::Elementary(ElementaryType::Int),
+                Type::Elementary(ty) if ty.is_text() || ty.is_date_or_time() => {
+                    Type::Elementary(ElementaryType::Int)
+                }
                 ty => ty,
             };
             let most = 1 + self.random.below(MOST_STATEMENTS);

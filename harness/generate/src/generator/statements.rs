@@ -120,7 +120,11 @@ impl Maker<'_, '_> {
     fn assignment(&mut self) -> Option<StatementKind> {
         let place = self.target(|_| true)?;
         let ty = place.ty.clone();
-        let value = self.assigned(&ty, place.variable.0)?;
+        let mut value = self.assigned(&ty, place.variable.0)?;
+        // What is assigned to itself tells nothing.
+        if matches!(&value.kind, ExpressionKind::Read(read) if *read == place) {
+            value = self.assigned(&ty, place.variable.0)?;
+        }
         Some(StatementKind::Assign(Target::Place(place), value))
     }
 
@@ -241,11 +245,14 @@ impl Maker<'_, '_> {
             .filter(|ty| ty.is_integer() && self.pou.varies(*ty))
             .collect();
         let &ty = self.random.pick(&integers)?;
-        let selector = self.value(ty, Wanted::Exact, 2);
+        let selector = match self.varying(ty, 2) {
+            Some(varying) => varying,
+            None => self.value(ty, Wanted::Exact, 2),
+        };
         let (least, greatest) = ty.integer_range()?;
         // Labels go upwards, so that none meets another.
         let starts = [0, least, -3, greatest - 20];
-        let mut next = starts[self.random.below(starts.len())].max(least);
+        let mut next = starts[self.random.weighted(&[8, 1, 4, 1])].max(least);
         let mut branches: Vec<Vec<CaseLabel>> = Vec::new();
         for _ in 0..=self.random.below(4) {
             let mut labels = Vec::new();

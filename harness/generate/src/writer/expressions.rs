@@ -39,7 +39,8 @@ const fn operator_strength(operator: BinaryOperator) -> u8 {
     }
 }
 
-const fn operator_text(operator: BinaryOperator) -> &'static str {
+/// An infix operator as it is written, in upper case.
+pub(crate) const fn operator_text(operator: BinaryOperator) -> &'static str {
     use BinaryOperator as B;
     match operator {
         B::Add => "+",
@@ -59,7 +60,8 @@ const fn operator_text(operator: BinaryOperator) -> &'static str {
     }
 }
 
-pub(super) const fn function_name(function: StandardFunction) -> &'static str {
+/// The name of a standard function, in upper case.
+pub(crate) const fn function_name(function: StandardFunction) -> &'static str {
     use StandardFunction as S;
     match function {
         S::Abs => "ABS",

@@ -17,4 +17,5 @@ mod statements;
 mod style;
 
 pub use declarations::{Written, write};
+pub(crate) use expressions::{function_name, operator_text};
 pub use style::{Arguments, Bits, Keywords, LineEnds, Style, Widening};

@@ -1,0 +1,125 @@
+//! What the generator makes: `cargo run --release -p stickler-generate --example census -- 10000 [DIALECT]`.
+//!
+//! For each dialect it prints the share of programs that the reference accepts, the share of which documents settle every value,
+//! the questions that the others raise, their sizes, and how often each construct occurs.
+
+use arbitrary::Unstructured;
+use std::collections::BTreeMap;
+use stickler_generate::census::census;
+use stickler_generate::evaluate::evaluate;
+use stickler_generate::generator::{Settings, program};
+use stickler_generate::writer::{Style, write};
+use stickler_types::DialectName;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let seeds: u64 = arguments.next().unwrap_or("1000".to_owned()).parse()?;
+    let dialects = match arguments.next() {
+        Some(name) => vec![name.parse()?],
+        None => DialectName::ALL.to_vec(),
+    };
+    for dialect in dialects {
+        Measured::of(dialect, seeds).print(dialect);
+    }
+    Ok(())
+}
+
+#[derive(Default)]
+struct Measured {
+    programs: u64,
+    rejected: u64,
+    settled: u64,
+    lines: Vec<usize>,
+    steps: u64,
+    questions: BTreeMap<String, u64>,
+    refusals: BTreeMap<String, u64>,
+    constructs: BTreeMap<String, (u64, u64)>,
+}
+
+impl Measured {
+    fn of(dialect: DialectName, seeds: u64) -> Measured {
+        let settings = Settings {
+            dialect: Some(dialect),
+            ..Settings::default()
+        };
+        let mut measured = Measured::default();
+        for seed in 0..seeds {
+            let bytes = bytes(seed);
+            let program = program(&mut Unstructured::new(&bytes), &settings);
+            let text = write(&program, &Style::default()).text;
+            measured.programs += 1;
+            measured.lines.push(text.lines().count());
+            let diagnostics = stickler_reference::check(&text, dialect);
+            if let Some(first) = diagnostics.first() {
+                measured.rejected += 1;
+                println!("{dialect}, seed {seed}: {:?}: {}", first.code, first.message);
+            }
+            measured.evaluate(&program);
+            for (construct, times) in census(&program) {
+                let counted = measured.constructs.entry(construct).or_default();
+                counted.0 += times;
+                counted.1 += 1;
+            }
+        }
+        measured
+    }
+
+    fn evaluate(&mut self, program: &stickler_generate::model::Program) {
+        match evaluate(program, 1) {
+            Ok(evaluation) => {
+                self.steps += evaluation.steps;
+                self.settled += u64::from(evaluation.opened.is_empty());
+                for opened in evaluation.opened {
+                    *self
+                        .questions
+                        .entry(opened.question.as_str().to_owned())
+                        .or_default() += 1;
+                }
+            }
+            Err(refusal) => *self.refusals.entry(format!("{refusal:?}")).or_default() += 1,
+        }
+    }
+
+    fn print(mut self, dialect: DialectName) {
+        self.lines.sort_unstable();
+        let quantile = |of: usize| {
+            self.lines
+                .get(self.lines.len() * of / 100)
+                .copied()
+                .unwrap_or_default()
+        };
+        println!(
+            "# {dialect}: {} programs, {} rejected, {} settled",
+            self.programs, self.rejected, self.settled
+        );
+        println!(
+            "lines: {} {} {} {} (10 %, half, 90 %, 99 %)",
+            quantile(10),
+            quantile(50),
+            quantile(90),
+            quantile(99)
+        );
+        println!("steps: {} a program", self.steps / self.programs.max(1));
+        println!("questions: {:?}", self.questions);
+        println!("refusals: {:?}", self.refusals);
+        println!("times / programs");
+        for (construct, (times, programs)) in self.constructs {
+            println!("{times:>9} {programs:>9}  {construct}");
+        }
+    }
+}
+
+/// The bytes of a seed, by splitmix64; as many as the tests of this crate take.
+fn bytes(seed: u64) -> Vec<u8> {
+    let length = (seed * 7 % 3000) as usize;
+    let mut state = seed;
+    let mut bytes = Vec::with_capacity(length + 8);
+    while bytes.len() < length {
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        bytes.extend((mixed ^ (mixed >> 31)).to_le_bytes());
+    }
+    bytes.truncate(length);
+    bytes
+}

@@ -1,0 +1,186 @@
+//! What the writer promises: every style of a program is a text that its dialect accepts, and it remembers where rules break.
+
+use arbitrary::Unstructured;
+use stickler_generate::generator::{Settings, program};
+use stickler_generate::model::{Expression, ExpressionKind, Program, Statement, StatementKind, Target};
+use stickler_generate::writer::{Arguments, Bits, Keywords, LineEnds, Style, Widening, write};
+use stickler_types::DialectName;
+
+fn made(dialect: DialectName, seed: u8) -> Program {
+    let bytes: Vec<u8> = (0..1500_u32)
+        .map(|place| (place.wrapping_mul(2_654_435_761) >> 13) as u8 ^ seed)
+        .collect();
+    let settings = Settings {
+        dialect: Some(dialect),
+        ..Settings::default()
+    };
+    program(&mut Unstructured::new(&bytes), &settings)
+}
+
+/// Each thing that a style can change, alone.
+fn styles(dialect: DialectName) -> Vec<Style> {
+    let canonical = Style::default();
+    let mut styles = vec![
+        Style {
+            keywords: Keywords::Lower,
+            ..canonical
+        },
+        Style {
+            keywords: Keywords::Mixed,
+            seed: 7,
+            ..canonical
+        },
+        Style {
+            comments: true,
+            seed: 3,
+            ..canonical
+        },
+        Style {
+            comments: true,
+            line_ends: LineEnds::CrLf,
+            seed: 4,
+            ..canonical
+        },
+        Style {
+            widening: Widening::Explicit,
+            ..canonical
+        },
+        Style {
+            arguments: Arguments::Named,
+            ..canonical
+        },
+    ];
+    if matches!(dialect, DialectName::IronplcEd3 | DialectName::IronplcRusty) {
+        styles.push(Style {
+            bits: Bits::Percent,
+            ..canonical
+        });
+    }
+    styles
+}
+
+#[test]
+fn the_reference_accepts_every_style() {
+    for dialect in DialectName::ALL {
+        for seed in 0..12 {
+            let program = made(dialect, seed * 19);
+            for style in styles(dialect) {
+                let text = write(&program, &style).text;
+                let diagnostics = stickler_reference::check(&text, dialect);
+                assert!(
+                    diagnostics.is_empty(),
+                    "{dialect}, {style:?}: {:?}\n{text}",
+                    diagnostics[0]
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_style_changes_the_text() {
+    let program = made(DialectName::IronplcRusty, 5);
+    let canonical = write(&program, &Style::default()).text;
+    let lower = write(
+        &program,
+        &Style {
+            keywords: Keywords::Lower,
+            ..Style::default()
+        },
+    )
+    .text;
+    assert_ne!(canonical, lower);
+    assert!(canonical.eq_ignore_ascii_case(&lower));
+    let ends = write(
+        &program,
+        &Style {
+            line_ends: LineEnds::CrLf,
+            ..Style::default()
+        },
+    )
+    .text;
+    assert_eq!(ends.replace("\r\n", "\n"), canonical);
+    let comments = write(
+        &program,
+        &Style {
+            comments: true,
+            ..Style::default()
+        },
+    )
+    .text;
+    assert!(comments.contains("(*"));
+}
+
+#[test]
+fn the_lines_of_raw_text_are_remembered() {
+    let mut program = made(DialectName::IronplcEd3, 1);
+    let broken = Statement {
+        kind: StatementKind::Raw("rubbish\n    ;".to_owned()),
+    };
+    let target = program
+        .main
+        .body
+        .iter()
+        .find_map(|statement| match &statement.kind {
+            StatementKind::Assign(Target::Place(place), _) => Some(place.clone()),
+            _ => None,
+        });
+    let target = target.expect("every program assigns something");
+    let value = Expression {
+        ty: target.ty.clone(),
+        kind: ExpressionKind::Raw("nonsense".to_owned()),
+    };
+    let assigned = Statement {
+        kind: StatementKind::Assign(Target::Place(target), value),
+    };
+    program.main.body.extend([broken, assigned]);
+    for style in [
+        Style::default(),
+        Style {
+            comments: true,
+            line_ends: LineEnds::CrLf,
+            ..Style::default()
+        },
+    ] {
+        let written = write(&program, &style);
+        let line_of = |part: &str| {
+            written
+                .text
+                .lines()
+                .position(|line| line.contains(part))
+                .map(|line| line as u32 + 1)
+        };
+        let expected = [line_of("rubbish"), line_of("nonsense")].map(|line| line.expect("it is in the text"));
+        assert_eq!(written.raw_lines, expected);
+    }
+}
+
+#[test]
+fn every_observed_path_can_be_observed() {
+    for dialect in DialectName::ALL {
+        for seed in 0..12 {
+            let program = made(dialect, seed * 21);
+            let text = write(&program, &Style::default()).text;
+            let observed = program.observed();
+            let names: Vec<_> = observed
+                .iter()
+                .map(|(name, _)| stickler_reference::Observation { name, after: None })
+                .collect();
+            let outcome = stickler_reference::run(&stickler_reference::Request {
+                dialect,
+                source: &text,
+                scans: 1,
+                observe: &names,
+                clock: &[],
+                set: &[],
+                limits: stickler_reference::Limits::default(),
+            });
+            let Ok(stickler_reference::Outcome::Executed { values }) = outcome else {
+                panic!("{dialect}: {outcome:?}\n{text}");
+            };
+            for ((name, ty), (_, value)) in observed.iter().zip(&values) {
+                assert_eq!(value.type_name(), ty.name(), "{name}");
+            }
+        }
+    }
+}
