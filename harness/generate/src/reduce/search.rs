@@ -59,6 +59,16 @@ impl Sites {
         }
     }
 
+    /// Sites of which every one is chosen: for an edit that leans on another.
+    pub(super) fn all() -> Sites {
+        Sites::new(0..usize::MAX)
+    }
+
+    /// The same choice for a second walk over the same thing.
+    pub(super) fn again(&self) -> Sites {
+        Sites::new(self.chosen.clone())
+    }
+
     /// To be asked at each place that could be changed: whether this one is to be.
     pub fn here(&mut self) -> bool {
         let chosen = self.chosen.contains(&self.next);

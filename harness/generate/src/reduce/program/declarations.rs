@@ -34,3 +34,25 @@ pub(super) fn drop_unused(program: &mut Program, sites: &mut Sites) {
     }
     keep_only(program, &usage);
 }
+
+/// Makes an edit, and drops the variables that it leaves without a use.
+///
+/// A variable that nothing writes any more has the default value of its type, and what that is may be open, as of a date:
+/// so statements and the variable that they wrote can only go together.
+pub(super) fn with_variables(program: &mut Program, sites: &mut Sites, edit: fn(&mut Program, &mut Sites)) {
+    let before = Usage::of(program);
+    edit(program, sites);
+    let now = Usage::of(program);
+    let keep = |before: &[bool], now: &[bool]| -> Vec<bool> {
+        let both = before.iter().zip(now);
+        both.map(|(before, now)| *now || !*before).collect()
+    };
+    let mut kept = Usage::uniform(program, true);
+    kept.main = keep(&before.main, &now.main);
+    for (block, kept) in kept.of_blocks.iter_mut().enumerate() {
+        if let (Some(before), Some(now)) = (before.of_blocks.get(block), now.of_blocks.get(block)) {
+            *kept = keep(before, now);
+        }
+    }
+    keep_only(program, &kept);
+}

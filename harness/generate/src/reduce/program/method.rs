@@ -1,32 +1,56 @@
 //! The passes over a program in their order, and the one function that runs them.
 
-use super::{declarations, statements, weight};
+use super::{declarations, expressions, forget, promote, shapes, statements, unwrap, values, weight};
 use crate::model::Program;
-use crate::reduce::{Answer, Budget, Method, Minimised, Pass, minimise};
+use crate::reduce::{Answer, Budget, Method, Minimised, Pass, Sites, minimise};
 
 /// How programs are reduced: first what makes many lines go at once, last what makes one literal nicer.
 pub const METHOD: Method<Program> = Method {
     passes: &[
-        Pass {
-            name: "drop statements of main",
-            edit: statements::drop_of_main,
-        },
-        Pass {
-            name: "drop what is not used",
-            edit: declarations::drop_unused,
-        },
-        Pass {
-            name: "drop statements",
-            edit: statements::drop_anywhere,
-        },
-        Pass {
-            name: "replace statements by what they guard",
-            edit: statements::splice,
-        },
-        Pass {
-            name: "drop branches",
-            edit: statements::drop_branches,
-        },
+        pass("drop statements of main and what they used", |program, sites| {
+            declarations::with_variables(program, sites, statements::drop_of_main);
+        }),
+        pass("drop what is not used", declarations::drop_unused),
+        pass("drop statements and what they used", |program, sites| {
+            declarations::with_variables(program, sites, statements::drop_anywhere);
+        }),
+        pass("drop statements", statements::drop_anywhere),
+        pass("replace statements by what they guard", statements::splice),
+        pass("drop branches", statements::drop_branches),
+        pass("put a unit in the place of main", promote::promote),
+        pass("make numbers of enumerations", promote::enumerations_to_numbers),
+        pass("forget functions", forget::forget_functions),
+        pass("forget variables", |program, sites| {
+            declarations::with_variables(program, sites, forget::forget_variables);
+        }),
+        pass("drop what is not used any more", declarations::drop_unused),
+        pass("replace expressions by plain literals", expressions::to_plainest),
+        pass("replace expressions by their values", values::to_value),
+        pass(
+            "replace expressions by their first operands",
+            expressions::to_first_operand,
+        ),
+        pass(
+            "replace expressions by their second operands",
+            expressions::to_second_operand,
+        ),
+        pass(
+            "replace expressions by their third operands",
+            expressions::to_third_operand,
+        ),
+        pass("drop initial values", shapes::drop_initials),
+        pass("resolve aliases", shapes::resolve_aliases),
+        pass("unwrap variables", unwrap::unwrap_variables),
+        pass("drop fields", unwrap::drop_fields),
+        pass("halve arrays", shapes::halve_arrays),
+        pass("shorten arrays", shapes::shorten_arrays),
+        pass("make variables of constants", shapes::constants_to_variables),
+        pass("make literals zero", expressions::literals_to_zero),
+        pass("make literals one", expressions::literals_to_one),
+        pass("halve literals", expressions::halve_literals),
+        pass("trim literals", expressions::trim_literals),
+        pass("lessen literals", expressions::lessen_literals),
+        pass("drop prefixes of literals", expressions::drop_prefixes),
     ],
     weight: weight::of,
     key: weight::key,
@@ -43,4 +67,8 @@ pub fn program(
     budget: &Budget<'_>,
 ) -> Minimised<Program> {
     minimise(start.clone(), &METHOD, &mut interesting, budget)
+}
+
+const fn pass(name: &'static str, edit: fn(&mut Program, &mut Sites)) -> Pass<Program> {
+    Pass { name, edit }
 }

@@ -4,10 +4,19 @@
 //! the documents leave open, and whether it ends, the predicate has to ask of the evaluator before it starts an engine.
 
 mod declarations;
+mod expressions;
+mod forget;
 mod method;
+mod plain;
+mod promote;
 mod removal;
+mod shapes;
 mod statements;
+#[cfg(test)]
+mod tests;
+mod unwrap;
 mod usage;
+mod values;
 mod walk;
 mod weight;
 

@@ -29,8 +29,14 @@ pub(super) fn splice(program: &mut Program, sites: &mut Sites) {
         fn statements(&mut self, statements: &mut Vec<Statement>) {
             for statement in mem::take(statements) {
                 let chosen = bodies(&statement).position(|_| self.0.here());
-                match chosen.and_then(|chosen| bodies(&statement).nth(chosen)) {
-                    Some(body) => statements.extend(body.iter().cloned()),
+                let body = chosen.and_then(|chosen| bodies(&statement).nth(chosen).cloned());
+                match body {
+                    Some(mut body) => {
+                        if is_loop(&statement) {
+                            drop_exits(&mut body);
+                        }
+                        statements.append(&mut body);
+                    }
                     None => statements.push(statement),
                 }
             }
@@ -38,6 +44,33 @@ pub(super) fn splice(program: &mut Program, sites: &mut Sites) {
         }
     }
     walk_program(&mut Splice(sites), program);
+}
+
+fn is_loop(statement: &Statement) -> bool {
+    matches!(
+        statement.kind,
+        StatementKind::For { .. } | StatementKind::While(..) | StatementKind::Repeat(..)
+    )
+}
+
+/// Drops each EXIT that would have left the loop of which these statements were the body.
+pub(super) fn drop_exits(statements: &mut Vec<Statement>) {
+    statements.retain(|statement| !matches!(statement.kind, StatementKind::Exit));
+    for statement in statements {
+        match &mut statement.kind {
+            StatementKind::If(branches, otherwise) => {
+                branches.iter_mut().for_each(|(_, body)| drop_exits(body));
+                otherwise.iter_mut().for_each(drop_exits);
+            }
+            StatementKind::Case(_, branches, otherwise) => {
+                branches
+                    .iter_mut()
+                    .for_each(|branch| drop_exits(&mut branch.body));
+                otherwise.iter_mut().for_each(drop_exits);
+            }
+            _ => {}
+        }
+    }
 }
 
 /// Drops branches of IF and CASE, and ELSE; of an IF the first branch stays, unless another can take its place.

@@ -22,28 +22,29 @@ impl Usage {
     /// What a program uses.
     pub fn of(program: &Program) -> Usage {
         let mut gatherer = Gatherer {
-            usage: Usage {
-                functions: vec![false; program.functions.len()],
-                blocks: vec![false; program.blocks.len()],
-                types: vec![false; program.types.len()],
-                main: vec![false; program.main.variables.len()],
-                of_functions: program
-                    .functions
-                    .iter()
-                    .map(|one| vec![false; one.variables.len()])
-                    .collect(),
-                of_blocks: program
-                    .blocks
-                    .iter()
-                    .map(|one| vec![false; one.variables.len()])
-                    .collect(),
-            },
+            usage: Usage::uniform(program, false),
             program,
             unit: Unit::Main,
         };
         // The walk is written for passes, which change what they walk over.
         walk_program(&mut gatherer, &mut program.clone());
         gatherer.usage
+    }
+
+    /// The same said of every declaration of a program.
+    pub fn uniform(program: &Program, used: bool) -> Usage {
+        Usage {
+            functions: vec![used; program.functions.len()],
+            blocks: vec![used; program.blocks.len()],
+            types: vec![used; program.types.len()],
+            main: vec![used; program.main.variables.len()],
+            of_functions: (program
+                .functions
+                .iter()
+                .map(|one| vec![used; one.variables.len()]))
+            .collect(),
+            of_blocks: (program.blocks.iter().map(|one| vec![used; one.variables.len()])).collect(),
+        }
     }
 
     /// The variables of a unit.

@@ -9,7 +9,7 @@ use crate::model::{
 };
 
 /// Which program organization unit something stands in.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Unit {
     /// `PROGRAM main`.
     Main,

@@ -28,10 +28,12 @@ pub(super) fn of(program: &Program) -> (u64, u128) {
     (scales.parts, scales.size)
 }
 
-/// The same for programs that are the same.
+/// The same for programs that are written the same.
 pub(super) fn key(program: &Program) -> u64 {
     let mut hasher = DefaultHasher::new();
-    format!("{program:?}").hash(&mut hasher);
+    crate::writer::write(program, &crate::writer::Style::default())
+        .text
+        .hash(&mut hasher);
     hasher.finish()
 }
 

@@ -1,0 +1,196 @@
+//! Expressions replaced by plainer ones of the same type.
+
+use super::plain::{Step, plainest};
+use super::usage::instance_of;
+use super::walk::{Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_variable};
+use crate::model::{
+    Argument, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Statement,
+    StatementKind, Target, Type, Variable, VariableId,
+};
+use crate::reduce::Sites;
+use stickler_types::Value;
+
+/// Replaces expressions by the plainest literal of their type, outermost first.
+pub(super) fn to_plainest(program: &mut Program, sites: &mut Sites) {
+    replace(program, sites, |expression, program| {
+        if matches!(
+            expression.kind,
+            ExpressionKind::Literal(..) | ExpressionKind::Enumerated(_)
+        ) {
+            return None;
+        }
+        plainest(program, &expression.ty)
+    });
+}
+
+/// Replaces expressions by their first operand or argument of the same type.
+pub(super) fn to_first_operand(program: &mut Program, sites: &mut Sites) {
+    replace(program, sites, |expression, _| operand(expression, 0));
+}
+
+/// Replaces expressions by their second operand or argument of the same type.
+pub(super) fn to_second_operand(program: &mut Program, sites: &mut Sites) {
+    replace(program, sites, |expression, _| operand(expression, 1));
+}
+
+/// Replaces expressions by their third operand or argument of the same type.
+pub(super) fn to_third_operand(program: &mut Program, sites: &mut Sites) {
+    replace(program, sites, |expression, _| operand(expression, 2));
+}
+
+/// The operand of the same type as the whole, counted among those.
+fn operand(expression: &Expression, which: usize) -> Option<Expression> {
+    let operands: Vec<&Expression> = match &expression.kind {
+        ExpressionKind::Unary(_, operand)
+        | ExpressionKind::Widen(operand)
+        | ExpressionKind::Convert(_, operand) => {
+            vec![operand]
+        }
+        ExpressionKind::Binary(_, left, right) => vec![left, right],
+        ExpressionKind::Call(_, arguments) => arguments.iter().map(|argument| &argument.value).collect(),
+        ExpressionKind::Standard(_, arguments) => arguments.iter().collect(),
+        _ => Vec::new(),
+    };
+    operands
+        .into_iter()
+        .filter(|operand| operand.ty == expression.ty)
+        .nth(which)
+        .cloned()
+}
+
+/// Walks over the expressions that may be any of their type, and replaces those that are chosen of the ones that have a
+/// replacement.
+pub(super) fn replace(
+    program: &mut Program,
+    sites: &mut Sites,
+    with: impl FnMut(&Expression, &Program) -> Option<Expression>,
+) {
+    let before = program.clone();
+    walk_program(
+        &mut Replacer {
+            before: &before,
+            unit: Unit::Main,
+            sites,
+            with,
+        },
+        program,
+    );
+}
+
+struct Replacer<'p, 's, F> {
+    before: &'p Program,
+    unit: Unit,
+    sites: &'s mut Sites,
+    with: F,
+}
+
+impl<F: FnMut(&Expression, &Program) -> Option<Expression>> Visitor for Replacer<'_, '_, F> {
+    fn enter(&mut self, unit: Unit) {
+        self.unit = unit;
+    }
+
+    fn expression(&mut self, expression: &mut Expression) {
+        match (self.with)(expression, self.before) {
+            Some(plainer) if self.sites.here() => *expression = plainer,
+            _ => walk_expression(self, expression),
+        }
+    }
+
+    fn literal(&mut self, _: &mut Expression) {}
+
+    fn input(&mut self, instance: VariableId, argument: &mut Argument) {
+        if is_in_out(self.before, self.unit, instance, argument.parameter) {
+            keep_place(self, &mut argument.value);
+        } else {
+            self.expression(&mut argument.value);
+        }
+    }
+}
+
+/// What stands behind an in-out stays a variable; only its subscripts may change.
+pub(super) fn keep_place(visitor: &mut impl Visitor, value: &mut Expression) {
+    if let ExpressionKind::Read(place) = &mut value.kind {
+        walk_place(visitor, place);
+    }
+}
+
+/// Whether a parameter of an instance is an in-out.
+pub(super) fn is_in_out(program: &Program, unit: Unit, instance: VariableId, parameter: VariableId) -> bool {
+    instance_of(program, unit, instance)
+        .and_then(|block| program.blocks.get(block)?.variables.get(parameter.0))
+        .is_some_and(|variable| variable.section == Section::InOut)
+}
+
+/// Makes literals 0, FALSE or empty.
+pub(super) fn literals_to_zero(program: &mut Program, sites: &mut Sites) {
+    literals(program, sites, Step::Zero);
+}
+
+/// Makes literals 1 or one character long.
+pub(super) fn literals_to_one(program: &mut Program, sites: &mut Sites) {
+    literals(program, sites, Step::One);
+}
+
+/// Halves literals.
+pub(super) fn halve_literals(program: &mut Program, sites: &mut Sites) {
+    literals(program, sites, Step::Half);
+}
+
+/// Takes a tenth off literals, and makes texts of one character.
+pub(super) fn trim_literals(program: &mut Program, sites: &mut Sites) {
+    literals(program, sites, Step::Tenth);
+}
+
+/// Makes literals one less, or one character shorter.
+pub(super) fn lessen_literals(program: &mut Program, sites: &mut Sites) {
+    literals(program, sites, Step::Less);
+}
+
+fn literals(program: &mut Program, sites: &mut Sites, step: Step) {
+    replace(program, sites, |expression, _| {
+        let ExpressionKind::Literal(value, form) = &expression.kind else {
+            return None;
+        };
+        Some(Expression {
+            ty: expression.ty.clone(),
+            kind: ExpressionKind::Literal(step.of(value)?, *form),
+        })
+    });
+}
+
+/// Writes integers and reals without the prefix of their type where the whole of an assignment or an initial value gives it.
+///
+/// Only those: whether a bit string takes an untyped literal is a question of the dialect.
+pub(super) fn drop_prefixes(program: &mut Program, sites: &mut Sites) {
+    struct Prefixes<'s>(&'s mut Sites);
+    impl Prefixes<'_> {
+        fn whole(&mut self, expression: &mut Expression) {
+            if let ExpressionKind::Literal(Value::Plain { ty, .. }, form) = &mut expression.kind
+                && *form == LiteralForm::Typed
+                && expression.ty == Type::Elementary(*ty)
+                && (ty.is_integer() || ty.is_real())
+                && self.0.here()
+            {
+                *form = LiteralForm::Untyped;
+            }
+        }
+    }
+    impl Visitor for Prefixes<'_> {
+        fn statement(&mut self, statement: &mut Statement) {
+            if let StatementKind::Assign(Target::Place(Place { .. }) | Target::Result, value) =
+                &mut statement.kind
+            {
+                self.whole(value);
+            }
+            walk_statement(self, statement);
+        }
+
+        fn variable(&mut self, variable: &mut Variable) {
+            if let Some(Initial::Expression(value)) = &mut variable.initial {
+                self.whole(value);
+            }
+            walk_variable(self, variable);
+        }
+    }
+    walk_program(&mut Prefixes(sites), program);
+}

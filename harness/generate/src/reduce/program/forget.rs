@@ -1,0 +1,146 @@
+//! Variables and functions forgotten: whatever reads them reads a literal instead, and nothing writes them any more.
+
+use super::expressions::is_in_out;
+use super::plain::plainest;
+use super::statements::drop_exits;
+use super::usage::{Usage, instance_of};
+use super::walk::{
+    Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_statements,
+};
+use crate::model::{
+    Argument, Expression, ExpressionKind, Place, Program, Statement, StatementKind, Target, VariableId,
+};
+use crate::reduce::Sites;
+use std::mem;
+
+/// Forgets functions: a call is replaced by the plainest value of its result.
+pub(super) fn forget_functions(program: &mut Program, sites: &mut Sites) {
+    let forgotten: Vec<bool> = program.functions.iter().map(|_| sites.here()).collect();
+    let mut all = Sites::all();
+    super::expressions::replace(program, &mut all, |expression, program| match &expression.kind {
+        ExpressionKind::Call(function, _) if forgotten.get(*function) == Some(&true) => {
+            plainest(program, &expression.ty)
+        }
+        _ => None,
+    });
+}
+
+/// Forgets variables: statements that write one or hand it to a function block go, and its values are replaced by the
+/// plainest of their type. A statement that reads it as a whole goes as well, where it is no elementary value.
+pub(super) fn forget_variables(program: &mut Program, sites: &mut Sites) {
+    let mut forgotten = Usage::of(program);
+    let Usage {
+        main,
+        of_functions,
+        of_blocks,
+        ..
+    } = &mut forgotten;
+    let lists = [main].into_iter().chain(of_functions).chain(of_blocks);
+    for used in lists.flatten().filter(|used| **used) {
+        *used = sites.here();
+    }
+    let before = program.clone();
+    walk_program(
+        &mut Forget {
+            forgotten,
+            before: &before,
+            unit: Unit::Main,
+            impossible: false,
+        },
+        program,
+    );
+}
+
+struct Forget<'p> {
+    /// What is forgotten, where a usage says what is used.
+    forgotten: Usage,
+    before: &'p Program,
+    unit: Unit,
+    /// Something in the statement under way cannot be replaced.
+    impossible: bool,
+}
+
+impl Forget<'_> {
+    fn forgets(&mut self, variable: VariableId) -> bool {
+        let variables = self.forgotten.variables(self.unit);
+        variables.is_some_and(|variables| variables.get(variable.0) == Some(&true))
+    }
+
+    fn forgets_target(&mut self, target: &Target) -> bool {
+        match target {
+            Target::Place(place) | Target::Bit(place, _) => self.forgets(place.variable),
+            Target::Result => false,
+        }
+    }
+
+    /// Whether a statement goes for what it writes, before anything in it is looked at.
+    fn writes(&mut self, statement: &Statement) -> bool {
+        match &statement.kind {
+            StatementKind::Assign(target, _) => self.forgets_target(target),
+            StatementKind::Invoke { instance, inputs, .. } => {
+                let (before, unit) = (self.before, self.unit);
+                let handed = inputs
+                    .iter()
+                    .filter(|input| is_in_out(before, unit, *instance, input.parameter))
+                    .any(|input| matches!(&input.value.kind, ExpressionKind::Read(place) if self.forgets(place.variable)));
+                handed || self.forgets(*instance) || instance_of(before, unit, *instance).is_none()
+            }
+            _ => false,
+        }
+    }
+}
+
+impl Visitor for Forget<'_> {
+    fn enter(&mut self, unit: Unit) {
+        self.unit = unit;
+    }
+
+    fn statements(&mut self, statements: &mut Vec<Statement>) {
+        for mut statement in mem::take(statements) {
+            if self.writes(&statement) {
+                continue;
+            }
+            if let StatementKind::For { variable, body, .. } = &mut statement.kind
+                && self.forgets(*variable)
+            {
+                walk_statements(self, body);
+                drop_exits(body);
+                statements.append(body);
+                continue;
+            }
+            let outside = mem::take(&mut self.impossible);
+            self.statement(&mut statement);
+            if !mem::replace(&mut self.impossible, outside) {
+                statements.push(statement);
+            }
+        }
+    }
+
+    fn statement(&mut self, statement: &mut Statement) {
+        if let StatementKind::Invoke { outputs, .. } = &mut statement.kind {
+            outputs.retain(|(_, place)| !self.forgets(place.variable));
+        }
+        walk_statement(self, statement);
+    }
+
+    fn expression(&mut self, expression: &mut Expression) {
+        if let ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) = &expression.kind
+            && self.forgets(place.variable)
+        {
+            match plainest(self.before, &expression.ty) {
+                Some(plain) => *expression = plain,
+                None => self.impossible = true,
+            }
+            return;
+        }
+        walk_expression(self, expression);
+    }
+
+    fn input(&mut self, _: VariableId, argument: &mut Argument) {
+        self.expression(&mut argument.value);
+    }
+
+    fn place(&mut self, place: &mut Place) {
+        walk_place(self, place);
+    }
+}

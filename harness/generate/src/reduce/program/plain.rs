@@ -1,0 +1,181 @@
+//! The plainest value of a type, and values that are plainer than others.
+
+use crate::model::{Expression, ExpressionKind, LiteralForm, Program, Type};
+use stickler_types::{ElementaryType, Family, Value};
+
+/// The plainest expression of a type: 0, FALSE, the empty text, the first value of an enumeration; nothing for what no
+/// single word can write, such as an array.
+pub(super) fn plainest(program: &Program, ty: &Type) -> Option<Expression> {
+    let kind = match program.unaliased(ty) {
+        Type::Elementary(elementary) if elementary.is_text() => {
+            literal_kind(Value::text(*elementary, Vec::new()))
+        }
+        Type::Elementary(elementary) => literal_kind(Value::plain(*elementary, 0)),
+        other => {
+            program.enumerated_values(other)?;
+            ExpressionKind::Enumerated(0)
+        }
+    };
+    Some(Expression { ty: ty.clone(), kind })
+}
+
+/// A value as a literal that can stand wherever its type can: with a prefix, but for those whose form tells their type.
+pub(super) fn literal_kind(value: Value) -> ExpressionKind {
+    let tells_its_type = elementary(&value).is_some_and(|ty| {
+        matches!(
+            ty.family(),
+            Family::Boolean
+                | Family::Text
+                | Family::Duration
+                | Family::Date
+                | Family::TimeOfDay
+                | Family::DateAndTime
+        )
+    });
+    let form = if tells_its_type {
+        LiteralForm::Untyped
+    } else {
+        LiteralForm::Typed
+    };
+    ExpressionKind::Literal(value, form)
+}
+
+/// The type of a value that is no enumerated one.
+fn elementary(value: &Value) -> Option<ElementaryType> {
+    match value {
+        Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
+        Value::Enumerated { .. } => None,
+    }
+}
+
+/// How a value can be made plainer; from the boldest way to the most careful.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Step {
+    /// Nothing is left: 0, or the empty text.
+    Zero,
+    /// 1, or one character.
+    One,
+    /// Half the number, or half the text.
+    Half,
+    /// One nearer to nothing, or one character less.
+    Less,
+    /// Nine tenths of it, which gets past a limit that halves cannot reach.
+    Tenth,
+}
+
+impl Step {
+    /// The value after this step; nothing where there is none that differs.
+    pub fn of(self, value: &Value) -> Option<Value> {
+        let plainer = match value {
+            Value::Text { ty, units } => Value::text(*ty, self.of_text(units)),
+            Value::Plain { ty, raw } if *ty == ElementaryType::Real => {
+                let number = self.of_real(f64::from(f32::from_bits(*raw as u32)))?;
+                Value::plain(*ty, u64::from((number as f32).to_bits()))
+            }
+            Value::Plain { ty, raw } if *ty == ElementaryType::Lreal => {
+                Value::plain(*ty, self.of_real(f64::from_bits(*raw))?.to_bits())
+            }
+            Value::Plain { ty, raw } => {
+                let number = self.of_number(ty.integer_value(*raw), unit_of(*ty));
+                Value::plain(*ty, number_as_raw(*ty, number))
+            }
+            Value::Enumerated { .. } => return None,
+        };
+        (plainer != *value).then_some(plainer)
+    }
+
+    fn of_text(self, units: &[u16]) -> Vec<u16> {
+        let length = units.len();
+        let kept = match self {
+            Step::Zero => 0,
+            Step::One => 1,
+            Step::Half => length / 2,
+            Step::Less => length.saturating_sub(1),
+            Step::Tenth => return units.iter().map(|_| u16::from(b'a')).collect(),
+        };
+        units.iter().take(kept).copied().collect()
+    }
+
+    fn of_real(self, number: f64) -> Option<f64> {
+        if !number.is_finite() {
+            return None;
+        }
+        Some(match self {
+            Step::Zero => 0.0,
+            Step::One => 1.0,
+            Step::Half => number.trunc(),
+            Step::Less => number.abs(),
+            Step::Tenth => (number * 10.0).trunc() / 10.0,
+        })
+    }
+
+    /// Of an integer, or of a duration or moment that is counted in units of its own.
+    fn of_number(self, number: i128, unit: i128) -> i128 {
+        match self {
+            Step::Zero => 0,
+            Step::One => unit,
+            Step::Half => number / 2 / unit * unit,
+            Step::Less => number - unit * number.signum(),
+            Step::Tenth => (number - number / 10) / unit * unit,
+        }
+    }
+}
+
+/// The steps in which a type is counted by a person: milliseconds and days are kept in nanoseconds.
+const fn unit_of(ty: ElementaryType) -> i128 {
+    match ty.family() {
+        Family::Duration | Family::TimeOfDay => 1_000_000,
+        Family::Date => 86_400_000_000_000,
+        Family::DateAndTime => 1_000_000_000,
+        _ => 1,
+    }
+}
+
+fn number_as_raw(ty: ElementaryType, number: i128) -> u64 {
+    match ty.integer_range() {
+        Some(_) => ty.wrap(number),
+        // Nanoseconds, or a code unit: nearer to nothing than what was there, so that it fits.
+        None => number as u64,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Step;
+    use stickler_types::Value;
+
+    fn after(step: Step, literal: &str) -> Option<String> {
+        let value = Value::parse(literal).expect("a typed literal");
+        step.of(&value).map(|value| value.to_string())
+    }
+
+    #[test]
+    fn numbers_come_nearer_to_nothing() {
+        assert_eq!(after(Step::Zero, "INT#-300").as_deref(), Some("INT#0"));
+        assert_eq!(after(Step::Half, "INT#-300").as_deref(), Some("INT#-150"));
+        assert_eq!(
+            after(Step::Less, "ULINT#18446744073709551615").as_deref(),
+            Some("ULINT#18446744073709551614")
+        );
+        assert_eq!(after(Step::Less, "SINT#0"), None);
+        assert_eq!(after(Step::Half, "REAL#-2.75").as_deref(), Some("REAL#-2.0"));
+        assert_eq!(after(Step::Zero, "REAL#-0.0").as_deref(), Some("REAL#0.0"));
+        assert_eq!(after(Step::Zero, "REAL#NaN"), None);
+    }
+
+    #[test]
+    fn durations_stay_whole_milliseconds() {
+        assert_eq!(after(Step::Half, "TIME#1001ms").as_deref(), Some("TIME#500ms"));
+        assert_eq!(after(Step::One, "TIME#7h").as_deref(), Some("TIME#1ms"));
+    }
+
+    #[test]
+    fn texts_get_shorter_and_then_duller() {
+        assert_eq!(after(Step::Half, "STRING#'abcd'").as_deref(), Some("STRING#'ab'"));
+        assert_eq!(
+            after(Step::Tenth, "STRING#'xyz'").as_deref(),
+            Some("STRING#'aaa'")
+        );
+        assert_eq!(after(Step::Less, "STRING#''"), None);
+    }
+}

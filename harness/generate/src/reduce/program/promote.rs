@@ -1,0 +1,135 @@
+//! Functions and function blocks put in the place of `PROGRAM main`, and enumerations made numbers.
+
+use super::removal::keep_only;
+use super::usage::Usage;
+use super::walk::{Visitor, walk_expression, walk_program, walk_statement, walk_type};
+use crate::model::{
+    Declared, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement, StatementKind,
+    Target, Type, Variable, VariableId,
+};
+use crate::reduce::Sites;
+use stickler_types::{ElementaryType, Value};
+
+/// Puts the variables and the body of a function or a function block where those of `PROGRAM main` are.
+///
+/// Where a defect does not need the call, that saves its two lines and those around the unit.
+pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
+    let functions = program.functions.len();
+    for unit in 0..functions + program.blocks.len() {
+        if !sites.here() {
+            continue;
+        }
+        let (mut variables, body, result) = match unit.checked_sub(functions) {
+            None => {
+                let function = &program.functions[unit];
+                let result = free_name(&function.variables).map(|name| (name, function.result.clone()));
+                (function.variables.clone(), function.body.clone(), result)
+            }
+            Some(block) => {
+                let block = &program.blocks[block];
+                (block.variables.clone(), block.body.clone(), None)
+            }
+        };
+        for variable in &mut variables {
+            if variable.section != Section::Constant {
+                variable.section = Section::Local;
+            }
+        }
+        program.main.body = body;
+        if let Some((name, ty)) = result {
+            let place = Place {
+                variable: VariableId(variables.len()),
+                path: Vec::new(),
+                ty: ty.clone(),
+            };
+            variables.push(Variable {
+                name,
+                ty,
+                section: Section::Local,
+                initial: None,
+            });
+            let mut results = Results(place);
+            results.statements(&mut program.main.body);
+        }
+        program.main.variables = variables;
+        // What is called by another unit has to stay.
+        let now = Usage::of(program);
+        let mut keep = Usage::uniform(program, true);
+        let (kept, used) = match unit.checked_sub(functions) {
+            None => (keep.functions.get_mut(unit), now.functions.get(unit)),
+            Some(block) => (keep.blocks.get_mut(block), now.blocks.get(block)),
+        };
+        if let (Some(kept), Some(used)) = (kept, used) {
+            *kept = *used;
+        }
+        keep_only(program, &keep);
+        return;
+    }
+}
+
+/// A name that no variable has.
+fn free_name(variables: &[Variable]) -> Option<String> {
+    (0..=variables.len())
+        .map(|number| format!("result{number}"))
+        .find(|name| variables.iter().all(|variable| variable.name != *name))
+}
+
+/// Assigns what was the result of a function to a variable.
+struct Results(Place);
+
+impl Visitor for Results {
+    fn statement(&mut self, statement: &mut Statement) {
+        if let StatementKind::Assign(target, _) = &mut statement.kind
+            && *target == Target::Result
+        {
+            *target = Target::Place(self.0.clone());
+        }
+        walk_statement(self, statement);
+    }
+}
+
+/// Makes numbers of the values of enumerations.
+///
+/// No engine is asked for a value of an enumeration; a program that shows one by what it does with it has a line more for
+/// each. LINT is the type of the checksum, in which such a difference is found.
+pub(super) fn enumerations_to_numbers(program: &mut Program, sites: &mut Sites) {
+    let chosen: Vec<bool> = program
+        .types
+        .iter()
+        .map(|declaration| matches!(declaration.kind, Declared::Enumeration(_)) && sites.here())
+        .collect();
+    if chosen.contains(&true) {
+        walk_program(&mut Numbers(chosen), program);
+    }
+}
+
+struct Numbers(Vec<bool>);
+
+impl Numbers {
+    fn has(&self, ty: &Type) -> bool {
+        matches!(ty, Type::Declared(index) if self.0.get(*index) == Some(&true))
+    }
+}
+
+impl Visitor for Numbers {
+    fn expression(&mut self, expression: &mut Expression) {
+        if let ExpressionKind::Enumerated(which) = expression.kind
+            && self.has(&expression.ty)
+        {
+            let value = Value::plain(ElementaryType::Lint, which as u64);
+            expression.kind = ExpressionKind::Literal(value, LiteralForm::Typed);
+        }
+        walk_expression(self, expression);
+    }
+
+    fn literal(&mut self, expression: &mut Expression) {
+        self.expression(expression);
+    }
+
+    fn ty(&mut self, ty: &mut Type) {
+        if self.has(ty) {
+            *ty = Type::Elementary(ElementaryType::Lint);
+        }
+        walk_type(self, ty);
+    }
+}

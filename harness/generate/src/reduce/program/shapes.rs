@@ -1,0 +1,145 @@
+//! Declarations made plainer: initial values dropped, aliases resolved, arrays shortened.
+
+use super::removal::keep_only;
+use super::usage::Usage;
+use super::walk::{Visitor, walk_program, walk_type, walk_variable};
+use crate::model::{ArrayType, Declared, Initial, Program, Section, Type, Variable};
+use crate::reduce::Sites;
+
+/// Drops initial values of variables and fields, and makes variables of constants.
+pub(super) fn drop_initials(program: &mut Program, sites: &mut Sites) {
+    struct Initials<'s>(&'s mut Sites);
+    impl Visitor for Initials<'_> {
+        fn variable(&mut self, variable: &mut Variable) {
+            if (variable.initial.is_some() || variable.section == Section::Constant) && self.0.here() {
+                variable.initial = None;
+                if variable.section == Section::Constant {
+                    variable.section = Section::Local;
+                }
+            }
+        }
+    }
+    walk_program(&mut Initials(sites), program);
+    for declaration in &mut program.types {
+        if let Declared::Structure(fields) = &mut declaration.kind {
+            for (_, _, initial) in fields.iter_mut().filter(|(.., initial)| initial.is_some()) {
+                if sites.here() {
+                    *initial = None;
+                }
+            }
+        }
+    }
+}
+
+/// Makes variables of constants, which keep their value.
+pub(super) fn constants_to_variables(program: &mut Program, sites: &mut Sites) {
+    struct Constants<'s>(&'s mut Sites);
+    impl Visitor for Constants<'_> {
+        fn variable(&mut self, variable: &mut Variable) {
+            if variable.section == Section::Constant && self.0.here() {
+                variable.section = Section::Local;
+            }
+        }
+    }
+    walk_program(&mut Constants(sites), program);
+}
+
+/// Puts the type that an alias stands for wherever the alias stands.
+pub(super) fn resolve_aliases(program: &mut Program, sites: &mut Sites) {
+    struct Aliases(Vec<Option<Type>>);
+    impl Visitor for Aliases {
+        fn ty(&mut self, ty: &mut Type) {
+            if let Type::Declared(index) = ty
+                && let Some(Some(target)) = self.0.get(*index)
+            {
+                *ty = target.clone();
+            }
+            walk_type(self, ty);
+        }
+    }
+    let targets = program.types.iter().map(|declaration| match &declaration.kind {
+        Declared::Alias(target) if sites.here() => Some(target.clone()),
+        _ => None,
+    });
+    let mut aliases = Aliases(targets.collect());
+    walk_program(&mut aliases, program);
+    let mut keep = Usage::uniform(program, true);
+    for (kept, target) in keep.types.iter_mut().zip(&aliases.0) {
+        *kept = target.is_none();
+    }
+    keep_only(program, &keep);
+}
+
+/// Makes arrays of half the length, in one dimension; wherever a type is the same, it stays the same.
+pub(super) fn halve_arrays(program: &mut Program, sites: &mut Sites) {
+    shrink_arrays(program, sites, |low, high| low + (high - low) / 2);
+}
+
+/// Makes arrays one element shorter, in one dimension.
+pub(super) fn shorten_arrays(program: &mut Program, sites: &mut Sites) {
+    shrink_arrays(program, sites, |_, high| high - 1);
+}
+
+fn shrink_arrays(program: &mut Program, sites: &mut Sites, new_high: fn(i64, i64) -> i64) {
+    let mut found = Arrays(Vec::new());
+    walk_program(&mut found, &mut program.clone());
+    let mut changes = Vec::new();
+    for array in found.0 {
+        let mut shrunk = array.clone();
+        for (low, high) in &mut shrunk.dimensions {
+            if *low < *high && sites.here() {
+                *high = new_high(*low, *high);
+            }
+        }
+        if shrunk != array {
+            changes.push((array, shrunk));
+        }
+    }
+    if !changes.is_empty() {
+        walk_program(&mut Shrink(changes), program);
+    }
+}
+
+/// The different array types of a program, in the order of the walk.
+struct Arrays(Vec<ArrayType>);
+
+impl Visitor for Arrays {
+    fn ty(&mut self, ty: &mut Type) {
+        if let Type::Array(array) = ty
+            && !self.0.contains(array)
+        {
+            self.0.push((**array).clone());
+        }
+        walk_type(self, ty);
+    }
+}
+
+/// Puts the second of each pair where the first stands.
+struct Shrink(Vec<(ArrayType, ArrayType)>);
+
+impl Visitor for Shrink {
+    fn ty(&mut self, ty: &mut Type) {
+        walk_type(self, ty);
+        if let Type::Array(array) = ty
+            && let Some((_, shrunk)) = self.0.iter().find(|(before, _)| before == &**array)
+        {
+            **array = shrunk.clone();
+        }
+    }
+
+    fn variable(&mut self, variable: &mut Variable) {
+        walk_variable(self, variable);
+        if let (Type::Array(array), Some(Initial::Array(values))) = (&variable.ty, &mut variable.initial) {
+            values.truncate(elements(array));
+        }
+    }
+}
+
+/// How many elements an array has.
+fn elements(array: &ArrayType) -> usize {
+    let lengths = array
+        .dimensions
+        .iter()
+        .map(|(low, high)| high.abs_diff(*low).saturating_add(1));
+    usize::try_from(lengths.fold(1, u64::saturating_mul)).unwrap_or(usize::MAX)
+}

@@ -1,0 +1,385 @@
+//! Engines with one deliberate bug each, and what the reducer makes of the programs that show it.
+
+use super::walk::{Visitor, walk_expression, walk_program, walk_statement, walk_variable};
+use crate::evaluate::evaluate;
+use crate::generator::{Settings, program as generate};
+use crate::model::{
+    BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, LiteralForm, Program,
+    StandardFunction, Statement, StatementKind, Target, Type, Variable,
+};
+use crate::reduce::{Answer, Budget, Ended, Minimised, Symptom, program};
+use crate::writer::{Style, write};
+use arbitrary::Unstructured;
+use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};
+use stickler_types::{ElementaryType, Value};
+
+/// What is wrong with an engine.
+enum Bug {
+    /// It runs another program than it was given.
+    Runs(fn(&mut Program)),
+    /// It ends in another way where a program has this statement, or that.
+    Ends(fn(&Statement) -> bool, fn() -> Outcome),
+}
+
+/// What an engine with a bug does with a program: the reference, before whose eyes the program is changed.
+fn outcome(bug: &Bug, given: &Program) -> Outcome {
+    let mut run = given.clone();
+    match bug {
+        Bug::Runs(change) => change(&mut run),
+        Bug::Ends(shows, outcome) => {
+            if any_statement(&mut run, *shows) {
+                return outcome();
+            }
+        }
+    }
+    let source = write(&run, &Style::default()).text;
+    let observed = given.observed();
+    let observe: Vec<Observation<'_>> = observed
+        .iter()
+        .map(|(name, ty)| Observation {
+            name,
+            type_name: ty.name(),
+            after: None,
+        })
+        .collect();
+    let reference = Reference::new();
+    let mut session = reference.session().expect("the reference is always there");
+    session.run(&RunRequest {
+        dialect: given.dialect,
+        source: &source,
+        scans: 1,
+        observe: &observe,
+        clock: &[],
+        set: &[],
+    })
+}
+
+/// What must come of a program, where the documents settle it.
+fn expected(program: &Program) -> Option<Outcome> {
+    let evaluation = evaluate(program, 1)
+        .ok()
+        .filter(|evaluation| evaluation.opened.is_empty())?;
+    Some(Outcome::Executed {
+        values: evaluation.values,
+    })
+}
+
+fn any_statement(program: &mut Program, shows: fn(&Statement) -> bool) -> bool {
+    struct Any(fn(&Statement) -> bool, bool);
+    impl Visitor for Any {
+        fn statement(&mut self, statement: &mut Statement) {
+            self.1 |= (self.0)(statement);
+            walk_statement(self, statement);
+        }
+    }
+    let mut any = Any(shows, false);
+    walk_program(&mut any, program);
+    any.1
+}
+
+/// Changes every expression, from the inside to the outside.
+fn expressions(program: &mut Program, change: fn(&mut Expression)) {
+    struct Each(fn(&mut Expression));
+    impl Visitor for Each {
+        fn expression(&mut self, expression: &mut Expression) {
+            walk_expression(self, expression);
+            (self.0)(expression);
+        }
+    }
+    walk_program(&mut Each(change), program);
+}
+
+fn statements(program: &mut Program, change: fn(&mut Statement)) {
+    struct Each(fn(&mut Statement));
+    impl Visitor for Each {
+        fn statement(&mut self, statement: &mut Statement) {
+            walk_statement(self, statement);
+            (self.0)(statement);
+        }
+    }
+    walk_program(&mut Each(change), program);
+}
+
+fn variables(program: &mut Program, change: fn(&mut Variable)) {
+    struct Each(fn(&mut Variable));
+    impl Visitor for Each {
+        fn variable(&mut self, variable: &mut Variable) {
+            walk_variable(self, variable);
+            (self.0)(variable);
+        }
+    }
+    walk_program(&mut Each(change), program);
+}
+
+fn literal(ty: ElementaryType, number: i128) -> Expression {
+    Expression {
+        ty: Type::Elementary(ty),
+        kind: ExpressionKind::Literal(Value::plain(ty, ty.wrap(number)), LiteralForm::Typed),
+    }
+}
+
+fn has_if(statements: &[Statement]) -> bool {
+    statements
+        .iter()
+        .any(|statement| matches!(statement.kind, StatementKind::If(..)))
+}
+
+/// The bugs by their names.
+const BUGS: [(&str, Bug); 16] = [
+    (
+        "a conversion to INT stops at the limits",
+        Bug::Runs(|program| {
+            expressions(program, |expression| {
+                if let ExpressionKind::Convert(signature, operand) = &mut expression.kind
+                    && signature.result == ElementaryType::Int
+                    && signature.operands[0].is_signed()
+                    && signature.operands[0].bits() > 16
+                {
+                    let ty = signature.operands[0];
+                    let inside = (**operand).clone();
+                    operand.kind = ExpressionKind::Standard(
+                        StandardFunction::Limit,
+                        vec![literal(ty, -32768), inside, literal(ty, 32767)],
+                    );
+                }
+            });
+        }),
+    ),
+    (
+        "MOD takes the sign of the divisor away",
+        Bug::Runs(|program| {
+            expressions(program, |expression| {
+                let signed = matches!(expression.ty, Type::Elementary(ty) if ty.is_signed());
+                if signed && let ExpressionKind::Binary(BinaryOperator::Modulo, ..) = &expression.kind {
+                    expression.kind =
+                        ExpressionKind::Standard(StandardFunction::Abs, vec![expression.clone()]);
+                }
+            });
+        }),
+    ),
+    (
+        "the compiler dies of IF within IF",
+        Bug::Ends(
+            |statement| match &statement.kind {
+                StatementKind::If(branches, otherwise) => {
+                    branches.iter().any(|(_, body)| has_if(body)) || otherwise.as_deref().is_some_and(has_if)
+                }
+                _ => false,
+            },
+            || Outcome::Crashed {
+                reason: "it is gone".to_owned(),
+            },
+        ),
+    ),
+    (
+        "ranges in CASE are rejected",
+        Bug::Ends(
+            |statement| match &statement.kind {
+                StatementKind::Case(_, branches, _) => branches
+                    .iter()
+                    .flat_map(|branch| &branch.labels)
+                    .any(|label| matches!(label, CaseLabel::Range(..))),
+                _ => false,
+            },
+            || Outcome::Rejected {
+                diagnostics: Vec::new(),
+            },
+        ),
+    ),
+    (
+        "the last initial value of an array is lost",
+        Bug::Runs(|program| {
+            variables(program, |variable| {
+                if let Some(Initial::Array(values)) = &mut variable.initial {
+                    values.truncate(values.len().saturating_sub(1).max(1));
+                }
+            });
+        }),
+    ),
+    (
+        "REPEAT never ends",
+        Bug::Ends(
+            |statement| matches!(statement.kind, StatementKind::Repeat(..)),
+            || Outcome::TimedOut { after_ms: 1000 },
+        ),
+    ),
+    (
+        "FOR downwards never begins",
+        Bug::Runs(|program| {
+            statements(program, |statement| {
+                if let StatementKind::For {
+                    by: Some(by), body, ..
+                } = &mut statement.kind
+                    && let ExpressionKind::Literal(Value::Plain { ty, raw }, _) = &by.kind
+                    && ty.integer_value(*raw) < 0
+                {
+                    body.clear();
+                }
+            });
+        }),
+    ),
+    (
+        "initial values of inner variables are lost",
+        Bug::Runs(|program| {
+            for variable in program.blocks.iter_mut().flat_map(|block| &mut block.variables) {
+                variable.initial = None;
+            }
+        }),
+    ),
+    (
+        "initial values of fields are lost",
+        Bug::Runs(|program| {
+            for declaration in &mut program.types {
+                if let Declared::Structure(fields) = &mut declaration.kind {
+                    fields.iter_mut().for_each(|(_, _, initial)| *initial = None);
+                }
+            }
+        }),
+    ),
+    (
+        "the last two arguments of a function are swapped",
+        Bug::Runs(|program| {
+            expressions(program, |expression| {
+                if let ExpressionKind::Call(_, arguments) = &mut expression.kind
+                    && let [.., one, two] = arguments.as_mut_slice()
+                    && one.value.ty == two.value.ty
+                {
+                    std::mem::swap(&mut one.value, &mut two.value);
+                }
+            });
+        }),
+    ),
+    (
+        "a write to a bit goes to its neighbour",
+        Bug::Runs(|program| {
+            statements(program, |statement| {
+                if let StatementKind::Assign(Target::Bit(_, bit), _) = &mut statement.kind {
+                    *bit ^= 1;
+                }
+            });
+        }),
+    ),
+    (
+        "ELSIF is not looked at",
+        Bug::Runs(|program| {
+            statements(program, |statement| {
+                if let StatementKind::If(branches, _) = &mut statement.kind {
+                    branches.truncate(1);
+                }
+            });
+        }),
+    ),
+    (
+        "a real is never less than another",
+        Bug::Runs(|program| {
+            expressions(program, |expression| {
+                if let ExpressionKind::Binary(BinaryOperator::Less, left, _) = &expression.kind
+                    && matches!(left.ty, Type::Elementary(ty) if ty.is_real())
+                {
+                    expression.kind =
+                        ExpressionKind::Literal(Value::plain(ElementaryType::Bool, 0), LiteralForm::Untyped);
+                }
+            });
+        }),
+    ),
+    (
+        "ROL forgets what it pushes out",
+        Bug::Runs(|program| {
+            expressions(program, |expression| {
+                if let ExpressionKind::Standard(function @ StandardFunction::Rol, _) = &mut expression.kind {
+                    *function = StandardFunction::Shl;
+                }
+            });
+        }),
+    ),
+    (
+        "CONCAT forgets its second text",
+        Bug::Runs(|program| {
+            expressions(program, |expression| {
+                if let ExpressionKind::Standard(StandardFunction::Concat, texts) = &expression.kind {
+                    *expression = texts[0].clone();
+                }
+            });
+        }),
+    ),
+    (
+        "EXIT leaves nothing",
+        Bug::Runs(|program| {
+            statements(program, |statement| {
+                if let StatementKind::If(branches, _) = &mut statement.kind {
+                    for (_, body) in branches {
+                        body.retain(|statement| !matches!(statement.kind, StatementKind::Exit));
+                    }
+                }
+            });
+        }),
+    ),
+];
+
+/// So many bytes that look random, for the seed.
+fn bytes(seed: u64, length: usize) -> Vec<u8> {
+    let mut state = seed;
+    let mut bytes = Vec::with_capacity(length);
+    while bytes.len() < length {
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        bytes.extend((mixed ^ (mixed >> 31)).to_le_bytes());
+    }
+    bytes
+}
+
+/// The first program that shows a bug, of as many as a campaign makes in a few seconds, and how it shows.
+fn shown(bug: &Bug, seeds: std::ops::Range<u64>) -> Option<(Program, Symptom)> {
+    seeds.into_iter().find_map(|seed| {
+        let bytes = bytes(seed, 1500);
+        let program = generate(&mut Unstructured::new(&bytes), &Settings::default());
+        let symptom = Symptom::first(&expected(&program)?, &outcome(bug, &program))?;
+        Some((program, symptom))
+    })
+}
+
+fn reduced(bug: &Bug, start: &Program, symptom: &Symptom) -> Minimised<Program> {
+    let interesting = |candidate: &Program| match expected(candidate) {
+        Some(expected) => Answer::from(symptom.shows(&expected, &outcome(bug, candidate))),
+        None => Answer::Refused,
+    };
+    let reduced = program(start, interesting, &Budget::default());
+    let text = write(&reduced.value, &Style::default()).text;
+    let diagnostics = stickler_reference::check(&text, start.dialect);
+    assert!(diagnostics.is_empty(), "{diagnostics:?}\n{text}");
+    reduced
+}
+
+fn lines(program: &Program) -> usize {
+    write(program, &Style::default()).text.lines().count()
+}
+
+/// Holds the reduction of the first few programs that show each bug to fifteen lines.
+#[test]
+fn a_program_with_one_bug_is_reduced_to_fifteen_lines() {
+    let mut found = 0;
+    let mut long = Vec::new();
+    for (name, bug) in &BUGS {
+        let Some((start, symptom)) = shown(bug, 0..1000) else {
+            println!("{name:50} | not shown");
+            continue;
+        };
+        found += 1;
+        let reduced = reduced(bug, &start, &symptom);
+        println!(
+            "{name:50} | {symptom} | {:4} | {:3} | {:4} | {:4}\n{}",
+            lines(&start),
+            lines(&reduced.value),
+            reduced.tries,
+            reduced.refused,
+            write(&reduced.value, &Style::default()).text,
+        );
+        assert_eq!(reduced.ended, Ended::Smallest, "{name}");
+        if lines(&reduced.value) > 15 {
+            long.push(name);
+        }
+    }
+    assert!(long.is_empty(), "{long:?}");
+    assert!(found >= 10, "only {found} bugs are shown by any program");
+}

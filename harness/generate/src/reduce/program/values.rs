@@ -1,0 +1,147 @@
+//! Expressions replaced by the value that the evaluator finds they have.
+//!
+//! That cuts a program off from all that led to a value: of `y := f(a[i] + b)` remains `y := f(INT#70)`, and the statements that
+//! computed `a`, `i` and `b` can go.
+
+use super::expressions::{is_in_out, keep_place};
+use super::plain::literal_kind;
+use super::walk::{Unit, Visitor, walk_expression, walk_program};
+use crate::evaluate::evaluate;
+use crate::model::{
+    Argument, Expression, ExpressionKind, Place, Program, Section, Statement, StatementKind, Target, Type,
+    Variable, VariableId,
+};
+use crate::reduce::Sites;
+use std::mem;
+use stickler_types::{ElementaryType, Value};
+
+/// Replaces expressions in `PROGRAM main` by their values; in a loop by those of its last turn.
+pub(super) fn to_value(program: &mut Program, sites: &mut Sites) {
+    let mut again = sites.again();
+    let before = program.clone();
+    let mut probed = program.clone();
+    let mut probes = Vec::new();
+    Walk::over(&mut probed, &before, sites, Work::Probe(&mut probes));
+    if probes.is_empty() {
+        return;
+    }
+
+    probed.main.variables.extend(probes);
+    // The probes come behind all that the program itself has to observe.
+    let values = evaluate(&probed, 1)
+        .map(|evaluation| evaluation.values)
+        .unwrap_or_default();
+    let own = before.observed().len();
+
+    let mut values = values.into_iter().skip(own).map(|(_, value)| value);
+    Walk::over(program, &before, &mut again, Work::Put(&mut values));
+}
+
+/// What is done with the expressions that are chosen.
+enum Work<'w> {
+    /// A statement is put before the one in which it stands that keeps its value in a new variable: one of these.
+    Probe(&'w mut Vec<Variable>),
+    /// The next of these takes its place.
+    Put(&'w mut dyn Iterator<Item = Value>),
+}
+
+/// One of two walks that come by the same expressions.
+struct Walk<'w> {
+    before: &'w Program,
+    sites: &'w mut Sites,
+    work: Work<'w>,
+    /// Statements to put before the one under way.
+    pending: Vec<Statement>,
+    unit: Unit,
+}
+
+impl<'w> Walk<'w> {
+    fn over(program: &mut Program, before: &'w Program, sites: &'w mut Sites, work: Work<'w>) {
+        let mut walk = Walk {
+            before,
+            sites,
+            work,
+            pending: Vec::new(),
+            unit: Unit::Types,
+        };
+        walk_program(&mut walk, program);
+    }
+
+    fn chosen(&mut self, expression: &mut Expression, ty: ElementaryType) {
+        match &mut self.work {
+            Work::Probe(probes) => {
+                let place = Place {
+                    variable: VariableId(self.before.main.variables.len() + probes.len()),
+                    path: Vec::new(),
+                    ty: Type::Elementary(ty),
+                };
+                probes.push(Variable {
+                    name: format!("probe {}", probes.len()),
+                    ty: Type::Elementary(ty),
+                    section: Section::Local,
+                    initial: None,
+                });
+                self.pending.push(Statement {
+                    kind: StatementKind::Assign(Target::Place(place), expression.clone()),
+                });
+            }
+            Work::Put(values) => {
+                if let Some(value) = values.next().filter(can_be_written) {
+                    expression.kind = literal_kind(value);
+                }
+            }
+        }
+    }
+}
+
+impl Visitor for Walk<'_> {
+    fn enter(&mut self, unit: Unit) {
+        self.unit = unit;
+    }
+
+    fn statements(&mut self, statements: &mut Vec<Statement>) {
+        if self.unit != Unit::Main {
+            return;
+        }
+        for mut statement in mem::take(statements) {
+            let outside = mem::take(&mut self.pending);
+            self.statement(&mut statement);
+            statements.append(&mut self.pending);
+            statements.push(statement);
+            self.pending = outside;
+        }
+    }
+
+    fn expression(&mut self, expression: &mut Expression) {
+        match (&expression.ty, &expression.kind) {
+            _ if self.unit != Unit::Main => {}
+            (_, ExpressionKind::Literal(..)) => {}
+            (Type::Elementary(ty), _) if self.sites.here() => {
+                let ty = *ty;
+                self.chosen(expression, ty);
+            }
+            _ => walk_expression(self, expression),
+        }
+    }
+
+    fn literal(&mut self, _: &mut Expression) {}
+
+    fn input(&mut self, instance: VariableId, argument: &mut Argument) {
+        if is_in_out(self.before, self.unit, instance, argument.parameter) {
+            keep_place(self, &mut argument.value);
+        } else {
+            self.expression(&mut argument.value);
+        }
+    }
+
+    fn variable(&mut self, _: &mut Variable) {}
+}
+
+/// Whether a literal can say this value: there is none of infinities and of what is no number.
+fn can_be_written(value: &Value) -> bool {
+    match value {
+        Value::Plain { ty, raw } if *ty == ElementaryType::Real => f32::from_bits(*raw as u32).is_finite(),
+        Value::Plain { ty, raw } if *ty == ElementaryType::Lreal => f64::from_bits(*raw).is_finite(),
+        _ => true,
+    }
+}

@@ -1,0 +1,342 @@
+//! Declarations dropped and made plainer: program organization units, sections, variables, types, initial values.
+
+use super::draft::{Change, Draft, Edit, bytes};
+use super::expressions::list_items;
+use super::tree::{behind_blanks, parse, place, pous, statements, with_semicolon};
+use crate::reduce::Sites;
+use std::ops::Range;
+use stickler_reference::source::Span;
+use stickler_reference::syntax::tree::{
+    Declaration, ExpressionKind, Initializer, InitializerKind, Name, Pou, SourceUnit, TypeSpecification,
+    TypeSpecificationKind, VariableBlock, VariableGroup,
+};
+
+/// Drops program organization units, configurations and sections of global variables.
+pub(super) fn drop_units(draft: &mut Draft, sites: &mut Sites) {
+    draft.change("drop units", sites, |draft| {
+        let unit = parse(draft);
+        let places = unit
+            .declarations
+            .iter()
+            .filter_map(|declaration| match declaration {
+                Declaration::Pou(pou) => Some(pou.span),
+                Declaration::Globals(block) => Some(block.span),
+                Declaration::Configuration(configuration) => Some(configuration.span),
+                Declaration::Types(_) => None,
+            });
+        let changes = places.map(|place| Change::drop(bytes(place)));
+        draft.only_allowed(changes.collect())
+    });
+}
+
+/// Drops sections of variables.
+pub(super) fn drop_sections(draft: &mut Draft, sites: &mut Sites) {
+    draft.change("drop sections", sites, |draft| {
+        let unit = parse(draft);
+        let changes = blocks(&unit)
+            .into_iter()
+            .map(|block| Change::drop(bytes(block.span)));
+        draft.only_allowed(changes.collect())
+    });
+}
+
+/// Drops declarations that nothing refers to: of variables, fields and types.
+pub(super) fn drop_unused(draft: &mut Draft, sites: &mut Sites) {
+    draft.change("drop unused", sites, |draft| {
+        let unit = parse(draft);
+        let text = draft.text.as_str();
+        let mut changes = Vec::new();
+        for block in blocks(&unit) {
+            // A section that loses its only declaration goes with it.
+            if let [group] = block.groups.as_slice()
+                && group.names.len() == 1
+            {
+                changes.push(Change::drop(bytes(block.span)));
+            } else {
+                changes.extend(groups(text, &block.groups));
+            }
+        }
+        for declaration in &unit.declarations {
+            if let Declaration::Types(types) = declaration {
+                for declared in types {
+                    let end = end_of(text, &declared.specification, declared.initializer.as_ref());
+                    let alone = types.len() == 1;
+                    let from = declared.name.span.start as usize;
+                    changes.push(Change::drop(if alone {
+                        around_type(text, from, end)
+                    } else {
+                        from..end
+                    }));
+                    if let TypeSpecificationKind::Structure(fields) = &declared.specification.kind {
+                        changes.extend(groups(text, fields));
+                    }
+                    changes.extend(enumerators(&unit, text, &declared.specification));
+                }
+            }
+        }
+        draft.only_allowed(changes)
+    });
+}
+
+/// From TYPE to END_TYPE around the one declaration that stands between them.
+fn around_type(text: &str, from: usize, end: usize) -> Range<usize> {
+    let upper = text.to_ascii_uppercase();
+    let start = upper
+        .get(..from)
+        .and_then(|before| before.rfind("TYPE"))
+        .unwrap_or(from);
+    let last = behind_blanks(text, end);
+    let closing = upper.get(last..).is_some_and(|rest| rest.starts_with("END_TYPE"));
+    start..if closing { last + "END_TYPE".len() } else { end }
+}
+
+/// Drops a variable together with every statement of its unit that names it, outermost of those that are no longer right
+/// without it.
+pub(super) fn forget_variables(draft: &mut Draft, sites: &mut Sites) {
+    draft.change("forget variables", sites, |draft| {
+        let unit = parse(draft);
+        let statements: Vec<Range<usize>> =
+            statements(&unit).into_iter().map(|one| bytes(one.span)).collect();
+        let mut changes = Vec::new();
+        for pou in pous(&unit) {
+            for block in &pou.blocks {
+                for group in &block.groups {
+                    if let ([name], Some(place)) = (group.names.as_slice(), group_place(&draft.text, group)) {
+                        let mut edits = naming(&unit, pou, name, &statements);
+                        if !edits.is_empty() {
+                            edits.push(Edit::new(place, ""));
+                            changes.push(Change(edits));
+                        }
+                    }
+                }
+            }
+        }
+        draft.only_allowed(changes)
+    });
+}
+
+/// The innermost statements of a unit in which a variable is named, replaced by empty ones.
+fn naming(unit: &SourceUnit<'_>, pou: &Pou<'_>, name: &Name<'_>, statements: &[Range<usize>]) -> Vec<Edit> {
+    let inside = bytes(pou.span);
+    let uses = unit
+        .expressions
+        .iter()
+        .filter_map(|expression| match &expression.kind {
+            ExpressionKind::Name(used) if used.text.eq_ignore_ascii_case(name.text) => {
+                Some(bytes(expression.span))
+            }
+            _ => None,
+        });
+    let mut edits: Vec<Edit> = Vec::new();
+    for used in uses.filter(|used| inside.contains(&used.start)) {
+        let around = statements
+            .iter()
+            .filter(|statement| statement.contains(&used.start));
+        if let Some(innermost) = around.min_by_key(|statement| statement.len()) {
+            let edit = Edit::new(innermost.clone(), "");
+            if !edits.contains(&edit) {
+                edits.push(edit);
+            }
+        }
+    }
+    edits
+}
+
+/// Drops initial values, RETAIN and CONSTANT, the lengths of texts and the limits of subranges.
+pub(super) fn drop_initials(draft: &mut Draft, sites: &mut Sites) {
+    draft.change("drop initials", sites, |draft| {
+        let unit = parse(draft);
+        let mut changes = Vec::new();
+        for block in blocks(&unit) {
+            let open = block.span.start as usize;
+            let first = block.groups.first().and_then(|group| group.names.first());
+            let head = first.map_or(open, |name| name.span.start as usize);
+            for word in ["RETAIN", "NON_RETAIN", "CONSTANT"] {
+                let upper = draft
+                    .text
+                    .get(open..head)
+                    .unwrap_or_default()
+                    .to_ascii_uppercase();
+                if let Some(at) = upper.find(word) {
+                    changes.push(Change::drop(open + at..open + at + word.len()));
+                }
+            }
+        }
+        for (specification, initializer) in specifications(&unit) {
+            if let Some(initializer) = initializer {
+                changes.push(Change::drop(bytes(Span {
+                    start: specification.span.end,
+                    end: initializer.span.end,
+                })));
+                if let InitializerKind::Array(elements) = &initializer.kind {
+                    let ends = elements
+                        .iter()
+                        .filter_map(|element| Some(element.value.as_ref()?.span.end as usize));
+                    let ends: Vec<usize> = ends.collect();
+                    let place = bytes(initializer.span);
+                    changes.extend(list_items(
+                        &draft.text,
+                        place.start,
+                        &ends,
+                        place.end.saturating_sub(1),
+                    ));
+                }
+            }
+            if let TypeSpecificationKind::Text { name, .. }
+            | TypeSpecificationKind::Subrange { base: name, .. } = &specification.kind
+            {
+                changes.push(Change::drop(
+                    name.span.end as usize..specification.span.end as usize,
+                ));
+            }
+        }
+        draft.only_allowed(changes)
+    });
+}
+
+/// Makes variables of the elements' type of arrays of which every use has subscripts.
+pub(super) fn unwrap_arrays(draft: &mut Draft, sites: &mut Sites) {
+    draft.change("unwrap arrays", sites, |draft| {
+        let unit = parse(draft);
+        let mut changes = Vec::new();
+        for pou in pous(&unit) {
+            for group in pou.blocks.iter().flat_map(|block| &block.groups) {
+                let ([name], TypeSpecificationKind::Array { element, .. }) =
+                    (group.names.as_slice(), &group.specification.kind)
+                else {
+                    continue;
+                };
+                let end = group
+                    .initializer
+                    .as_ref()
+                    .map_or(group.specification.span.end, |one| one.span.end);
+                let declared = group.specification.span.start as usize..end as usize;
+                let mut edits = vec![Edit::new(declared, element.span.text(&draft.text))];
+                let inside = bytes(pou.span);
+                for expression in &unit.expressions {
+                    if let ExpressionKind::Index { base, .. } = &expression.kind
+                        && let base = place(&unit, *base)
+                        && inside.contains(&base.start)
+                        && draft.text[base.clone()].eq_ignore_ascii_case(name.text)
+                    {
+                        edits.push(Edit::new(base.end..expression.span.end as usize, ""));
+                    }
+                }
+                changes.push(Change(edits));
+            }
+        }
+        draft.only_allowed(changes)
+    });
+}
+
+/// Puts what a declared type stands for where a variable has it.
+pub(super) fn resolve_types(draft: &mut Draft, sites: &mut Sites) {
+    draft.change("resolve types", sites, |draft| {
+        let unit = parse(draft);
+        let declared = unit.declarations.iter().filter_map(|declaration| match declaration {
+            Declaration::Types(types) => Some(types),
+            _ => None,
+        });
+        let mut changes = Vec::new();
+        for declared in declared.flatten() {
+            let used = specifications(&unit).into_iter().filter(|(one, _)| {
+                matches!(&one.kind, TypeSpecificationKind::Named(name) if name.text.eq_ignore_ascii_case(declared.name.text))
+            });
+            let with = declared.specification.span.text(&draft.text);
+            let edits: Vec<Edit> = used.map(|(one, _)| Edit::new(bytes(one.span), with)).collect();
+            if !edits.is_empty() {
+                changes.push(Change(edits));
+            }
+        }
+        draft.only_allowed(changes)
+    });
+}
+
+/// All sections of variables, wherever they stand.
+fn blocks<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<&'t VariableBlock<'s>> {
+    let mut found = Vec::new();
+    for declaration in &unit.declarations {
+        match declaration {
+            Declaration::Pou(pou) => found.extend(&pou.blocks),
+            Declaration::Globals(block) => found.push(block),
+            Declaration::Configuration(configuration) => found.extend(&configuration.globals),
+            Declaration::Types(_) => {}
+        }
+    }
+    found
+}
+
+/// Every type that is written with a variable, a field or a type's name, and the initial value beside it.
+fn specifications<'t, 's>(
+    unit: &'t SourceUnit<'s>,
+) -> Vec<(&'t TypeSpecification<'s>, Option<&'t Initializer<'s>>)> {
+    let mut found = Vec::new();
+    let mut add =
+        |group: &'t VariableGroup<'s>| found.push((&group.specification, group.initializer.as_ref()));
+    for block in blocks(unit) {
+        block.groups.iter().for_each(&mut add);
+    }
+    for declaration in &unit.declarations {
+        if let Declaration::Types(types) = declaration {
+            for declared in types {
+                if let TypeSpecificationKind::Structure(fields) = &declared.specification.kind {
+                    fields.iter().for_each(&mut add);
+                }
+            }
+        }
+    }
+    for declaration in &unit.declarations {
+        if let Declaration::Types(types) = declaration {
+            found.extend(
+                types
+                    .iter()
+                    .map(|declared| (&declared.specification, declared.initializer.as_ref())),
+            );
+        }
+    }
+    found
+}
+
+/// Drops declarations of a list, and names of those that declare several.
+fn groups(text: &str, groups: &[VariableGroup<'_>]) -> Vec<Change> {
+    let mut changes = Vec::new();
+    for group in groups {
+        changes.extend(group_place(text, group).map(Change::drop));
+        for pair in group.names.windows(2) {
+            changes.push(Change::drop(
+                pair[0].span.start as usize..pair[1].span.start as usize,
+            ));
+            changes.push(Change::drop(pair[0].span.end as usize..pair[1].span.end as usize));
+        }
+    }
+    changes
+}
+
+/// From the first name to the semicolon.
+fn group_place(text: &str, group: &VariableGroup<'_>) -> Option<Range<usize>> {
+    let from = group.names.first()?.span.start as usize;
+    Some(from..end_of(text, &group.specification, group.initializer.as_ref()))
+}
+
+/// Behind the semicolon of a declaration.
+fn end_of(text: &str, specification: &TypeSpecification<'_>, initializer: Option<&Initializer<'_>>) -> usize {
+    let end = initializer.map_or(specification.span.end, |initializer| initializer.span.end);
+    with_semicolon(text, end as usize)
+}
+
+/// Drops values of an enumeration.
+fn enumerators(unit: &SourceUnit<'_>, text: &str, specification: &TypeSpecification<'_>) -> Vec<Change> {
+    let TypeSpecificationKind::Enumeration { values, .. } = &specification.kind else {
+        return Vec::new();
+    };
+    let ends: Vec<usize> = values
+        .iter()
+        .map(|(name, value)| value.map_or(name.span.end as usize, |value| place(unit, value).end))
+        .collect();
+    let from = values.first().map_or(0, |(name, _)| name.span.start as usize);
+    let open = text
+        .get(..from)
+        .and_then(|before| before.rfind('('))
+        .unwrap_or(from);
+    list_items(text, open, &ends, specification.span.end as usize)
+}

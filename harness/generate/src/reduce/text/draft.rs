@@ -1,0 +1,209 @@
+//! A source text on its way to becoming smaller: changes to it, its weight, and which changes are allowed.
+
+use super::tree::lists;
+use crate::reduce::Sites;
+use std::cell::RefCell;
+use std::collections::{BTreeSet, HashMap};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::ops::Range;
+use std::rc::Rc;
+use stickler_reference::source::Span;
+use stickler_reference::{Dialect, syntax};
+use stickler_types::{Code, DialectName};
+
+/// A text, and what must hold for every text made from it.
+#[derive(Clone, Debug)]
+pub(super) struct Draft {
+    pub text: String,
+    pub dialect: DialectName,
+    /// What the text may have of what nobody wants: as much as the one that the reduction began with.
+    allowed: Rc<Allowed>,
+    /// The changes that each pass has found for just this text; finding them takes longer than making them.
+    found: Rc<RefCell<Found>>,
+}
+
+/// What the first text had, and so every text made from it may have.
+#[derive(Debug)]
+struct Allowed {
+    /// What the reference finds wrong with it.
+    codes: BTreeSet<Code>,
+    /// It could not be read to its end.
+    unreadable: bool,
+    /// Lists of statements with no statement in them. The reference takes them; the standard demands a statement, and a
+    /// compiler that does so too would reject a candidate for a reason of its own.
+    empty_lists: usize,
+}
+
+/// Changes by the name of the pass that found them.
+type Found = HashMap<&'static str, Rc<Vec<Change>>>;
+
+/// One thing to do to a text: pieces of it that are replaced, all or none.
+#[derive(Clone, Debug)]
+pub(super) struct Change(pub Vec<Edit>);
+
+/// A piece of a text and what comes in its place.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Edit {
+    pub at: Range<usize>,
+    pub with: String,
+}
+
+impl Edit {
+    pub fn new(at: Range<usize>, with: impl Into<String>) -> Edit {
+        Edit {
+            at,
+            with: with.into(),
+        }
+    }
+}
+
+impl Change {
+    pub fn of(at: Range<usize>, with: impl Into<String>) -> Change {
+        Change(vec![Edit::new(at, with)])
+    }
+
+    pub fn drop(at: Range<usize>) -> Change {
+        Change::of(at, "")
+    }
+}
+
+/// The bytes of a span.
+pub(super) fn bytes(span: Span) -> Range<usize> {
+    span.start as usize..span.end as usize
+}
+
+impl Draft {
+    /// The draft that a reduction begins with.
+    pub fn new(text: &str, dialect: DialectName) -> Draft {
+        Draft {
+            text: text.to_owned(),
+            dialect,
+            allowed: Rc::new(Allowed::by(text, dialect)),
+            found: Rc::default(),
+        }
+    }
+
+    /// Whether the reference accepts the text, or finds nothing wrong that it did not find in the first one.
+    pub fn is_allowed(&self) -> bool {
+        let now = Allowed::by(&self.text, self.dialect);
+        now.codes.is_subset(&self.allowed.codes) && now.empty_lists <= self.allowed.empty_lists
+    }
+
+    /// Whether the first text was accepted.
+    pub fn began_accepted(&self) -> bool {
+        self.allowed.codes.is_empty()
+    }
+
+    /// Whether the first text could not be read.
+    pub fn began_unreadable(&self) -> bool {
+        self.allowed.unreadable
+    }
+
+    /// Makes those of a pass's changes that are chosen. `find` gives all of them, in the order in which they are to be tried;
+    /// it is asked once for each text.
+    pub fn change(
+        &mut self,
+        pass: &'static str,
+        sites: &mut Sites,
+        find: impl FnOnce(&Draft) -> Vec<Change>,
+    ) {
+        let known = self.found.borrow().get(pass).cloned();
+        let changes = known.unwrap_or_else(|| {
+            let changes = Rc::new(find(self));
+            self.found.borrow_mut().insert(pass, Rc::clone(&changes));
+            changes
+        });
+        let chosen: Vec<&Edit> = changes
+            .iter()
+            .filter(|_| sites.here())
+            .flat_map(|change| &change.0)
+            .collect();
+        if !chosen.is_empty() {
+            *self = self.after(chosen);
+        }
+    }
+
+    /// Those of some changes that leave an allowed text when made alone.
+    pub fn only_allowed(&self, mut changes: Vec<Change>) -> Vec<Change> {
+        changes.retain(|change| self.after(change.0.iter().collect()).is_allowed());
+        changes
+    }
+
+    /// The draft after some edits. Of those that overlap, the one that begins first is made, and of two that begin together
+    /// the longer one.
+    fn after(&self, mut edits: Vec<&Edit>) -> Draft {
+        edits.sort_by_key(|edit| (edit.at.start, usize::MAX - edit.at.end));
+        let mut text = String::with_capacity(self.text.len());
+        let mut copied = 0;
+        for edit in edits {
+            if edit.at.start < copied {
+                continue;
+            }
+            let Some(kept) = self.text.get(copied..edit.at.start) else {
+                continue;
+            };
+            text.push_str(kept);
+            text.push_str(&edit.with);
+            copied = edit.at.end;
+        }
+        text.push_str(self.text.get(copied..).unwrap_or_default());
+        Draft {
+            text: without_blank_lines(&text),
+            dialect: self.dialect,
+            allowed: Rc::clone(&self.allowed),
+            found: Rc::default(),
+        }
+    }
+}
+
+impl Allowed {
+    fn by(text: &str, dialect: DialectName) -> Allowed {
+        let found = stickler_reference::check(text, dialect);
+        let (unit, diagnostics) = syntax::parse(text, &Dialect::of(dialect));
+        Allowed {
+            codes: found.into_iter().map(|diagnostic| diagnostic.code).collect(),
+            unreadable: !diagnostics.is_empty(),
+            empty_lists: lists(&unit).into_iter().filter(|list| list.is_empty()).count(),
+        }
+    }
+}
+
+/// Edits leave lines on which nothing stands.
+fn without_blank_lines(text: &str) -> String {
+    let lines = text.split_inclusive('\n').filter(|line| !line.trim().is_empty());
+    lines.collect()
+}
+
+/// First how many words and signs there are, then how many characters stand in them; blanks weigh nothing, numbers little.
+pub(super) fn weight(draft: &Draft) -> (u64, u128) {
+    let mut words = 0_u64;
+    let mut size = 0_u128;
+    let mut inside = None;
+    for character in draft.text.chars() {
+        let kind = if character.is_whitespace() {
+            None
+        } else if character.is_alphanumeric() || "_#.".contains(character) {
+            Some(true)
+        } else {
+            Some(false)
+        };
+        if kind.is_some() && (kind != inside || kind == Some(false)) {
+            // A word that begins with a digit is a number, which is what everything is to become.
+            words += if character.is_ascii_digit() { 1 } else { 2 };
+        }
+        inside = kind;
+        size += match (kind, character.to_digit(10)) {
+            (None, _) => 0,
+            (_, Some(digit)) => 100 + u128::from(digit),
+            _ => 120,
+        };
+    }
+    (words, size)
+}
+
+/// The same for the same text.
+pub(super) fn key(draft: &Draft) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    draft.text.hash(&mut hasher);
+    hasher.finish()
+}

@@ -1,0 +1,94 @@
+//! The passes over a source text in their order, and the one function that runs them.
+
+use super::draft::{self, Draft};
+use super::{chunks, declarations, expressions, statements};
+use crate::reduce::{Answer, Budget, Ended, Method, Minimised, Pass, Sites, minimise};
+use stickler_types::DialectName;
+
+/// How texts are reduced: first what makes many lines go at once, last what makes one literal nicer.
+const METHOD: Method<Draft> = Method {
+    passes: &[
+        pass("drop comments", chunks::drop_comments),
+        pass("drop statements", statements::drop_statements),
+        pass("drop empty statements", statements::drop_empty_statements),
+        pass("drop program organization units", declarations::drop_units),
+        pass("drop what is not used", declarations::drop_unused),
+        pass("replace statements by what they guard", statements::splice),
+        pass("drop branches", statements::drop_branches),
+        pass("forget variables", declarations::forget_variables),
+        pass("drop sections", declarations::drop_sections),
+        pass("drop empty sections", chunks::drop_empty_sections),
+        pass("replace expressions by literals", expressions::to_literal),
+        pass(
+            "replace expressions by typed literals",
+            expressions::to_typed_literal,
+        ),
+        pass("drop what is not used any more", declarations::drop_unused),
+        pass(
+            "replace expressions by their first operands",
+            expressions::to_first_operand,
+        ),
+        pass(
+            "replace expressions by their second operands",
+            expressions::to_second_operand,
+        ),
+        pass(
+            "replace expressions by their third operands",
+            expressions::to_third_operand,
+        ),
+        pass("drop arguments", expressions::drop_arguments),
+        pass("drop initial values", declarations::drop_initials),
+        pass("resolve types", declarations::resolve_types),
+        pass("unwrap arrays", declarations::unwrap_arrays),
+        pass("drop lines", chunks::drop_lines),
+        pass("drop words", chunks::drop_words),
+        pass("drop characters", chunks::drop_characters),
+        pass("make literals zero", expressions::literals_to_zero),
+        pass("make literals one", expressions::literals_to_one),
+        pass("halve literals", expressions::halve_literals),
+        pass("lessen literals", expressions::lessen_literals),
+    ],
+    weight: draft::weight,
+    key: draft::key,
+};
+
+const fn pass(name: &'static str, edit: fn(&mut Draft, &mut Sites)) -> Pass<Draft> {
+    Pass { name, edit }
+}
+
+/// Makes a source text as small as it can be while it stays interesting.
+///
+/// `interesting` is asked about `start` first, and then about each candidate. A candidate of a text that the reference
+/// accepts is accepted by it too; of a text that it rejects, it is rejected for no other reason, or accepted. So no program
+/// becomes ill-formed on the way. The result is the same for the same answers; it is written as the renderer writes it
+/// where that is interesting too.
+pub fn text(
+    start: &str,
+    dialect: DialectName,
+    mut interesting: impl FnMut(&str) -> Answer,
+    budget: &Budget<'_>,
+) -> Minimised<String> {
+    let mut ask = |draft: &Draft| {
+        if draft.is_allowed() {
+            interesting(&draft.text)
+        } else {
+            Answer::Refused
+        }
+    };
+    let mut found = minimise(Draft::new(start, dialect), &METHOD, &mut ask, budget);
+    if found.ended == Ended::Smallest
+        && let Ok(rendered) = stickler_reference::render(&found.value.text, dialect)
+        && rendered != found.value.text
+    {
+        found.tries += 1;
+        if interesting(&rendered) == Answer::Interesting {
+            found.value.text = rendered;
+        }
+    }
+    Minimised {
+        value: found.value.text,
+        tries: found.tries,
+        refused: found.refused,
+        ended: found.ended,
+    }
+}

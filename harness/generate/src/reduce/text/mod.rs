@@ -1,0 +1,24 @@
+//! Source texts made smaller, by the reference's syntax tree and spans.
+//!
+//! A pass gives changes to the text, each of which the reference has been asked about where it matters; the search decides
+//! which of them to make. Whoever wrote the text, and for which compiler: what the tree knows no name for is still lines
+//! and words.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `draft` | a text with the changes that can be made to it |
+//! | `tree` | what the passes ask of the syntax tree |
+//! | `statements`, `expressions`, `declarations`, `chunks` | the passes |
+//! | `method` | their order |
+
+mod chunks;
+mod declarations;
+mod draft;
+mod expressions;
+mod method;
+mod statements;
+#[cfg(test)]
+mod tests;
+mod tree;
+
+pub use method::text;

@@ -1,0 +1,148 @@
+//! What comes out when texts are reduced: small, well-formed, and with the symptom that they had.
+
+use super::text;
+use crate::reduce::{Answer, Budget, Ended, Minimised};
+use stickler_types::DialectName;
+
+/// A text in which there is one of everything.
+const MACHINE: &str = "(* A machine, as somebody might have written it. *)
+TYPE
+    Color : (RED, GREEN, BLUE);
+    Point : STRUCT
+        x : INT := 3;
+        y : DINT;
+    END_STRUCT;
+END_TYPE
+
+FUNCTION Scale : DINT
+VAR_INPUT
+    value, factor : INT;
+    offset : DINT;
+END_VAR
+    (* a comment *)
+    Scale := INT_TO_DINT(value * factor) + offset;
+END_FUNCTION
+
+FUNCTION_BLOCK Counter
+VAR_INPUT
+    step : INT := 1;
+END_VAR
+VAR_OUTPUT
+    count : INT;
+END_VAR
+    count := count + step;
+    IF count > 100 THEN
+        count := 0;
+    END_IF;
+END_FUNCTION_BLOCK
+
+PROGRAM main
+VAR CONSTANT
+    limit : INT := 7;
+END_VAR
+VAR
+    a, b, c : INT := 5;
+    total : DINT;
+    list : ARRAY[1..10] OF INT := [3, 1, 4, 1, 5, 9, 2, 6, 5, 3];
+    corner : Point;
+    paint : Color := GREEN;
+    counter : Counter;
+    word : WORD := 16#00FF;
+    name : STRING := 'some name';
+END_VAR
+    FOR a := 1 TO limit DO
+        counter(step := list[a]);
+        IF counter.count > 10 THEN
+            total := total + Scale(value := a, factor := b, offset := 12);
+        ELSIF b = 3 THEN
+            b := 4;
+        ELSE
+            word := word XOR WORD#16#0F0F;
+        END_IF;
+    END_FOR;
+    CASE b OF
+        1, 2: c := c - 1;
+        3..9: c := c * (b + 2) MOD 17;
+    ELSE
+        paint := BLUE;
+    END_CASE;
+    WHILE c > 3 DO
+        c := c - 2;
+        corner.y := corner.y + 1;
+    END_WHILE;
+    REPEAT
+        b := b + 1;
+    UNTIL b > 20
+    END_REPEAT;
+    list[3] := c + b;
+END_PROGRAM
+";
+
+/// Reduces while the text has all of these words.
+fn reduce(start: &str, words: &[&str]) -> Minimised<String> {
+    let has = |text: &str| Answer::from(words.iter().all(|word| text.contains(word)));
+    text(start, DialectName::IronplcEd3, has, &Budget::default())
+}
+
+fn accepted(text: &str) {
+    let diagnostics = stickler_reference::check(text, DialectName::IronplcEd3);
+    assert!(diagnostics.is_empty(), "{diagnostics:?}\n{text}");
+}
+
+#[test]
+fn what_remains_of_a_program_is_what_the_symptom_needs() {
+    accepted(MACHINE);
+    for (words, most) in [
+        (&["MOD"][..], 6),
+        (&["REPEAT"], 8),
+        (&["CASE", ".."], 9),
+        (&["XOR"], 6),
+        (&["Counter", "count :="], 15),
+        (&["Scale("], 13),
+        (&["STRUCT", "corner.y :="], 12),
+        (&["FOR", "IF"], 14),
+        (&["list["], 6),
+    ] {
+        let found = reduce(MACHINE, words);
+        accepted(&found.value);
+        let lines = found.value.lines().count();
+        println!(
+            "{words:?}: {lines} lines, {} tries, {} refused\n{}",
+            found.tries, found.refused, found.value
+        );
+        assert_eq!(found.ended, Ended::Smallest);
+        assert!(lines <= most, "{words:?}: {lines} lines\n{}", found.value);
+    }
+}
+
+#[test]
+fn a_text_that_nobody_can_parse_is_cut_down_to_what_matters() {
+    let start =
+        "PROGRAM main\nVAR x : INT; END_VAR\n  x := 1 + ;\n  y := 'open string\n  @@ z(\nEND_PROGRAM\n";
+    let found = reduce(start, &["@@"]);
+    assert_eq!(found.value.trim(), "@@");
+}
+
+#[test]
+fn a_rejected_text_gets_no_new_faults() {
+    let start = MACHINE.replace("total : DINT;", "total : INT;");
+    let codes = |text: &str| {
+        let diagnostics = stickler_reference::check(text, DialectName::IronplcEd3);
+        let codes: Vec<String> = diagnostics
+            .iter()
+            .map(|one| one.code.as_str().to_owned())
+            .collect();
+        codes
+    };
+    let before = codes(&start);
+    assert!(!before.is_empty());
+    let mut all = Vec::new();
+    let same = |text: &str| {
+        let now = codes(text);
+        all.extend(now.clone());
+        Answer::from(now.contains(&before[0]))
+    };
+    let found = text(&start, DialectName::IronplcEd3, same, &Budget::default());
+    assert!(all.iter().all(|code| before.contains(code)), "{all:?}");
+    assert!(found.value.lines().count() <= 8, "{}", found.value);
+}
