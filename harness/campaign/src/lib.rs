@@ -6,19 +6,40 @@
 //! Architecture Invariant: this crate knows no terminal and no command line.
 #![forbid(unsafe_code)]
 
+mod basis;
 mod bench;
+mod commands;
+mod differential;
+mod expressions;
 pub mod finding;
 mod fingerprint;
+mod inputs;
+mod merge;
+mod oracles;
 mod part;
 mod plan;
+mod promote;
+pub mod record;
+mod replay;
+mod rule;
 mod run;
 #[cfg(test)]
 mod sample;
+mod shrink;
 mod store;
+mod texts;
 
 pub use bench::{Bench, Suspicion, Verdict, Worker};
+pub use commands::Commands;
+pub use differential::{Differential, Entrant};
 pub use finding::Finding;
+pub use inputs::Inputs;
+pub use merge::{Merged, merge};
+pub use oracles::Oracles;
 pub use part::Part;
 pub use plan::{Plan, Until};
+pub use promote::{FOUND, PromoteError, Promoted, promote};
+pub use record::{Record, Request};
+pub use replay::{Replayed, replay};
 pub use run::{Ended, Event, Progress, Summary, run};
 pub use store::{Saved, Store, StoreError, load};

@@ -33,6 +33,14 @@ pub enum StoreError {
         /// Why.
         error: io::Error,
     },
+    /// A file says nothing of a campaign.
+    #[error("{path} is of no campaign that this version of Stickler knows: {reason}")]
+    NotACampaign {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
     /// A folder holds no finding.
     #[error("{path} is no finding: {reason}")]
     NoFinding {

@@ -1,5 +1,9 @@
 //! The command line as clap reads it: commands, options and the help that teaches them by example.
 
+mod fuzz;
+
+pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
+
 use crate::exit::Listing;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
@@ -59,6 +63,15 @@ pub enum Command {
     /// Hold every input of a conversion function against exact arithmetic
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(SweepArguments),
+    /// Look for programs on which an engine, or the reference, does not do what documents say
+    #[command(after_help = fuzz::FUZZ_EXAMPLES)]
+    Fuzz(FuzzArguments),
+    /// Make a case of a finding
+    #[command(after_help = fuzz::PROMOTE_EXAMPLES)]
+    Promote(PromoteArguments),
+    /// Put the findings of the parts of a campaign together
+    #[command(after_help = fuzz::MERGE_EXAMPLES)]
+    Merge(MergeArguments),
 }
 
 /// Which cases a command works on.

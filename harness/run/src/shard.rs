@@ -41,6 +41,18 @@ impl Shard {
         Err(ShardError::NoSuchPart { index, count })
     }
 
+    /// Which part, from 1.
+    #[must_use]
+    pub const fn index(self) -> u32 {
+        self.index
+    }
+
+    /// Of how many.
+    #[must_use]
+    pub const fn count(self) -> u32 {
+        self.count
+    }
+
     /// Whether the case with this id and dialect belongs to this part.
     #[must_use]
     pub fn holds(self, id: &str, dialect: &str) -> bool {

@@ -5,9 +5,12 @@ mod conversions;
 mod engine;
 mod eval;
 mod explain;
+mod fuzz;
 mod lint;
 mod list;
 mod matrix;
+mod merge;
+mod promote;
 mod render;
 mod run;
 mod show;
@@ -38,5 +41,8 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Matrix(arguments) => matrix::execute(&arguments, out),
         Command::Conversions(arguments) => conversions::execute(&arguments, out),
         Command::Sweep(arguments) => sweep::execute(&arguments, out),
+        Command::Fuzz(arguments) => fuzz::execute(&arguments, out),
+        Command::Promote(arguments) => promote::execute(&arguments, out),
+        Command::Merge(arguments) => merge::execute(&arguments, out),
     }
 }

@@ -1,0 +1,98 @@
+//! Which document says what a reduced program must give, for the case that is made of it.
+
+use stickler_exact::{Signature, expected};
+use stickler_generate::model::{Expression, ExpressionKind, Program, Type};
+use stickler_types::{DialectName, ElementaryType, Value};
+
+use crate::expressions::each_expression;
+
+/// What stands behind the arithmetic rules of every dialect.
+const DESIGN: &str = "stickler-design: §8";
+
+/// The document and section, as a case writes them: of the conversion functions in the program, else of its implicit
+/// conversions, else of its bit access, else of what all dialects share. The first of a kind decides.
+///
+/// It is a proposal: a person who promotes a finding may know a better one.
+#[must_use]
+pub fn basis(program: &Program) -> String {
+    let mut proposals = Proposals::default();
+    each_expression(program, &mut |expression| {
+        proposals.look(expression, program.dialect)
+    });
+    let Proposals {
+        conversion,
+        widening,
+        bit,
+    } = proposals;
+    conversion
+        .or(widening)
+        .or(bit)
+        .unwrap_or_else(|| DESIGN.to_owned())
+}
+
+#[derive(Default)]
+struct Proposals {
+    conversion: Option<String>,
+    widening: Option<String>,
+    bit: Option<String>,
+}
+
+impl Proposals {
+    fn look(&mut self, expression: &Expression, dialect: DialectName) {
+        match &expression.kind {
+            ExpressionKind::Convert(signature, operand) if self.conversion.is_none() => {
+                self.conversion = of_conversion(signature, operand, dialect);
+            }
+            ExpressionKind::Widen(operand) if self.widening.is_none() => {
+                if let (Type::Elementary(from), Type::Elementary(to)) = (&operand.ty, &expression.ty) {
+                    self.widening = of_widening(*from, *to, dialect);
+                }
+            }
+            ExpressionKind::Bit(..) if self.bit.is_none() && is_ironplc(dialect) => {
+                self.bit = Some("ironplc-bit-access: Valid Base Types".to_owned());
+            }
+            _ => {}
+        }
+    }
+}
+
+fn of_conversion(signature: &Signature, operand: &Expression, dialect: DialectName) -> Option<String> {
+    let [from] = signature.operands[..] else {
+        return None;
+    };
+    let operand = match &operand.kind {
+        ExpressionKind::Literal(value, _) => value.clone(),
+        // What a document says of a conversion it says, with few exceptions, of every value that the target holds.
+        _ => Value::plain(from, from.wrap(1)),
+    };
+    expected(signature, &[operand], dialect).basis.map(str::to_owned)
+}
+
+/// Basis: design, section 8, and the headings of the documents.
+fn of_widening(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> Option<String> {
+    if dialect == DialectName::Plcnext {
+        return Some(format!("implicit-conversion-table: {from} to {to}"));
+    }
+    if !is_ironplc(dialect) {
+        return None;
+    }
+    let section = if from.is_bit_string() && to.is_bit_string() {
+        "Bit-string widening"
+    } else if from.is_bit_string() {
+        "Cross-family widening"
+    } else if from.is_integer() && to.is_integer() {
+        "Integer widening"
+    } else if from.is_integer() {
+        "Integer to real widening"
+    } else {
+        "Implicit Type Widening"
+    };
+    Some(format!("ironplc-type-conversions: {section}"))
+}
+
+const fn is_ironplc(dialect: DialectName) -> bool {
+    matches!(
+        dialect,
+        DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty
+    )
+}

@@ -1,0 +1,57 @@
+//! Commands that see a finding again, to be pasted into a shell.
+
+use crate::finding::Finding;
+use std::borrow::Cow;
+use std::path::PathBuf;
+use stickler_types::DialectName;
+
+/// How the commands of a campaign are written.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Commands {
+    /// What stands for `stickler` where the reader is.
+    pub program: String,
+    /// The folder in which findings are kept.
+    pub folder: PathBuf,
+    /// What stands behind each `--engine`.
+    pub engines: Vec<String>,
+    /// The dialects that were asked for; none: those that the engines speak.
+    pub dialects: Vec<DialectName>,
+    /// The targets that were asked for; the place of an input says which of them judges it.
+    pub targets: Vec<String>,
+}
+
+impl Commands {
+    /// Judges the saved finding again; finds the original again.
+    #[must_use]
+    pub fn of(&self, finding: &Finding) -> Vec<String> {
+        let mut again = format!("{} fuzz --replay ", self.program);
+        again.push_str(&quote(&self.folder.join(&finding.id).to_string_lossy()));
+        let mut find = format!(
+            "{} fuzz --seed {} --first {} --count 1",
+            self.program, finding.origin.seed, finding.origin.place
+        );
+        for engine in &self.engines {
+            for line in [&mut again, &mut find] {
+                line.push_str(" --engine ");
+                line.push_str(&quote(engine));
+            }
+        }
+        for dialect in &self.dialects {
+            find.push_str(" --dialect ");
+            find.push_str(dialect.as_str());
+        }
+        for target in &self.targets {
+            find.push_str(" --target ");
+            find.push_str(target);
+        }
+        if finding.origin.open {
+            find.push_str(" --open");
+        }
+        vec![again, find]
+    }
+}
+
+/// One word for a POSIX shell. No shell takes a zero byte; where there is one, it is left out.
+fn quote(word: &str) -> Cow<'_, str> {
+    shlex::try_quote(word).unwrap_or_else(|_| word.replace('\0', "").into())
+}

@@ -1,0 +1,139 @@
+//! What an engine did, held against what the evaluator gives.
+
+use stickler_engines::{Diagnostic, Outcome};
+use stickler_types::{DialectName, Value};
+
+/// What an engine is asked about a program.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Question<'a> {
+    /// The dialect of the program.
+    pub(crate) dialect: DialectName,
+    /// Its text.
+    pub(crate) text: &'a str,
+    /// What is observed of it at the end of one scan, and what must be seen.
+    pub(crate) values: &'a [(String, Value)],
+    /// Whether an engine must accept it, and give these values. Where something happens that no document settles, it need not.
+    pub(crate) binds: bool,
+}
+
+/// What came of the comparison.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum Agreement {
+    /// The engine did what it must.
+    Agrees,
+    /// The engine says that it cannot do this.
+    Unsupported,
+    /// It did something else.
+    Disagrees(Disagreement),
+}
+
+/// How an engine did something else.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Disagreement {
+    /// In a word that stays the same when the program is made smaller.
+    pub(crate) symptom: String,
+    /// For a person.
+    pub(crate) message: String,
+}
+
+impl Agreement {
+    fn disagrees(symptom: impl Into<String>, message: impl Into<String>) -> Agreement {
+        Agreement::Disagrees(Disagreement {
+            symptom: symptom.into(),
+            message: message.into(),
+        })
+    }
+
+    /// The symptom, where there is one.
+    pub(crate) fn symptom(&self) -> Option<&str> {
+        match self {
+            Agreement::Disagrees(disagreement) => Some(&disagreement.symptom),
+            Agreement::Agrees | Agreement::Unsupported => None,
+        }
+    }
+}
+
+/// Holds an outcome against what was asked. Where an engine is not bound, only what no program excuses counts: to die, to
+/// hang, to answer nonsense.
+pub(crate) fn compare(question: Question<'_>, outcome: &Outcome) -> Agreement {
+    let Question {
+        values: expected,
+        binds,
+        ..
+    } = question;
+    match outcome {
+        Outcome::Unsupported { .. } => Agreement::Unsupported,
+        Outcome::Accepted => Agreement::Agrees,
+        Outcome::Executed { values } if binds => values_agree(expected, values),
+        Outcome::Rejected { diagnostics } if binds => rejected(diagnostics),
+        Outcome::Faulted { fault, line, .. } if binds => {
+            let line = line.map(|line| format!(" on line {line}")).unwrap_or_default();
+            Agreement::disagrees(
+                format!("fault:{fault}"),
+                format!("expected to run to its end, got the fault {fault}{line}"),
+            )
+        }
+        Outcome::Executed { .. } | Outcome::Rejected { .. } | Outcome::Faulted { .. } => Agreement::Agrees,
+        Outcome::Rendered { .. } => Agreement::disagrees("error", "answered `rendered` where it was to run"),
+        Outcome::Crashed { reason } => Agreement::disagrees("crash", format!("died: {reason}")),
+        Outcome::TimedOut { after_ms } => {
+            Agreement::disagrees("timeout", format!("gave no answer within {after_ms} ms"))
+        }
+        Outcome::Error { message } => Agreement::disagrees("error", message.as_str()),
+    }
+}
+
+fn rejected(diagnostics: &[Diagnostic]) -> Agreement {
+    let first = diagnostics.first();
+    let code = first.and_then(|first| first.code.as_deref());
+    let symptom = code.map_or_else(|| "rejected".to_owned(), |code| format!("rejected:{code}"));
+    let message = match first {
+        Some(first) => format!("expected to be accepted, rejected: {}", diagnostic(first)),
+        None => "expected to be accepted, rejected without a reason".to_owned(),
+    };
+    Agreement::disagrees(symptom, message)
+}
+
+/// One diagnostic in one line.
+pub(crate) fn diagnostic(diagnostic: &Diagnostic) -> String {
+    let mut text = diagnostic.code.clone().unwrap_or_else(|| "error".to_owned());
+    if let Some(line) = diagnostic.line {
+        text.push_str(&format!(" on line {line}"));
+    }
+    text.push_str(": ");
+    text.push_str(&diagnostic.message);
+    text
+}
+
+fn values_agree(expected: &[(String, Value)], got: &[(String, Value)]) -> Agreement {
+    let differing = expected
+        .iter()
+        .filter(|(name, value)| find(got, name) != Some(value));
+    // A checksum differs because something else does, which tells more.
+    let Some((name, value)) = differing.min_by_key(|(name, _)| is_checksum(name)) else {
+        return Agreement::Agrees;
+    };
+    let ty = value.type_name();
+    match find(got, name) {
+        Some(other) => Agreement::disagrees(
+            format!("value:{ty}"),
+            format!("{name}: expected {value}, got {other}"),
+        ),
+        None => Agreement::disagrees(
+            format!("missing:{ty}"),
+            format!("{name}: expected {value}, got no value"),
+        ),
+    }
+}
+
+fn find<'v>(values: &'v [(String, Value)], name: &str) -> Option<&'v Value> {
+    values
+        .iter()
+        .find(|(other, _)| other == name)
+        .map(|(_, value)| value)
+}
+
+/// Whether the generator computes it from everything else.
+fn is_checksum(name: &str) -> bool {
+    name.starts_with("checksum")
+}

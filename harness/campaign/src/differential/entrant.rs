@@ -1,0 +1,77 @@
+//! An engine of a campaign.
+
+use super::comparison::Question;
+use crate::finding::Asked;
+use stickler_engines::{Engine, Identity, Observation, Outcome, RunRequest, Session};
+use stickler_types::DialectName;
+
+/// An engine, and how it was asked for.
+#[derive(Clone, Copy)]
+pub struct Entrant<'e> {
+    /// The engine.
+    pub engine: &'e dyn Engine,
+    /// What stands behind `--engine` to get it.
+    pub asked_for: &'e str,
+    /// Whether it is the reference, which also answers for what only the design settles.
+    pub is_reference: bool,
+}
+
+impl Entrant<'_> {
+    /// Who it is.
+    pub(crate) fn identity(&self) -> &Identity {
+        self.engine.identity()
+    }
+
+    /// Who it is, for a finding.
+    pub(crate) fn asked(&self) -> Asked {
+        let Identity { name, version, .. } = self.identity();
+        Asked {
+            name: name.clone(),
+            version: version.clone(),
+            asked_for: self.asked_for.to_owned(),
+        }
+    }
+}
+
+/// Runs a program for one scan and observes all of it.
+pub(crate) fn ask(session: &mut dyn Session, question: Question<'_>) -> Outcome {
+    let observe: Vec<Observation<'_>> = question
+        .values
+        .iter()
+        .map(|(name, value)| Observation {
+            name,
+            type_name: value.type_name(),
+            after: None,
+        })
+        .collect();
+    session.run(&RunRequest {
+        dialect: question.dialect,
+        source: question.text,
+        scans: 1,
+        observe: &observe,
+        clock: &[],
+        set: &[],
+    })
+}
+
+/// Whether an engine that has died over a program still answers at all.
+pub(super) fn lives(session: &mut dyn Session, dialect: DialectName) -> bool {
+    /// As small as a program can be that every dialect has.
+    const PROGRAM: &str = "PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := 1;\nEND_PROGRAM\n";
+    /// A machine that is short of memory may need a moment.
+    const ATTEMPTS: usize = 3;
+    let request = RunRequest {
+        dialect,
+        source: PROGRAM,
+        scans: 1,
+        observe: &[],
+        clock: &[],
+        set: &[],
+    };
+    (0..ATTEMPTS).any(|_| {
+        !matches!(
+            session.run(&request),
+            Outcome::Crashed { .. } | Outcome::TimedOut { .. }
+        )
+    })
+}

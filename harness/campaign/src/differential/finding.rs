@@ -1,0 +1,188 @@
+//! A suspicion made small, run once more, and written down.
+
+use super::comparison::{Agreement, Disagreement};
+use super::subject::Subject;
+use super::told::told;
+use super::worker::Asking;
+use crate::basis::basis;
+use crate::bench::Suspicion;
+use crate::finding::{Answer as Said, Expected, FORMAT, Finding, Observed, Origin, Standing};
+use crate::rule::rule;
+use stickler_generate::model::Program;
+use stickler_generate::oracles::Target;
+use stickler_generate::reduce::{self, Answer, Budget, Ended};
+
+/// How many smaller programs are tried where an engine answers from within this process.
+const MANY_TRIES: u64 = 5000;
+/// How many where each starts a compiler.
+const TRIES: u64 = 800;
+/// How many where each takes as long as an engine may take.
+const FEW_TRIES: u64 = 30;
+
+impl Asking<'_> {
+    /// Makes the program of a suspicion as small as it can be, and asks every engine about what is left.
+    pub(super) fn finding(&mut self, suspicion: &Suspicion, going: &dyn Fn() -> bool) -> Finding {
+        let bench = self.bench;
+        let start = bench.inputs.program(suspicion.place, &bench.dialects, bench.open);
+        let entrants = &bench.entrants;
+        // A suspicion names an engine of this campaign.
+        let index = entrants
+            .iter()
+            .position(|entrant| entrant.identity().name == suspicion.subject)
+            .unwrap_or(0);
+        let stop = || !going();
+        let budget = Budget {
+            tries: self.tries(index, suspicion),
+            stop: &stop,
+        };
+        let opened = Subject::new(start.clone()).is_ok_and(|subject| !subject.opened.is_empty());
+        let reduced = reduce::program(
+            &start,
+            |candidate| self.shows(index, suspicion, candidate, opened),
+            &budget,
+        );
+        let again = self.shows(index, suspicion, &reduced.value, opened);
+        let standing = match (reduced.ended, again) {
+            (Ended::NotInteresting, _) => Standing::Flaky,
+            (_, Answer::Interesting) => Standing::Confirmed,
+            _ => Standing::Flaky,
+        };
+        // What was seen once and not again is kept as it was found: a part of it may be nothing at all.
+        let program = if standing == Standing::Flaky {
+            start.clone()
+        } else {
+            reduced.value
+        };
+        let origin = Origin {
+            seed: bench.inputs.seed(),
+            place: suspicion.place,
+            open: bench.open,
+            smallest: reduced.ended == Ended::Smallest,
+            tries: reduced.tries,
+            size_found: 0,
+            size: 0,
+        };
+        self.written_down(index, suspicion, &start, program, standing, origin)
+    }
+
+    fn tries(&self, index: usize, suspicion: &Suspicion) -> u64 {
+        match (&*suspicion.symptom, self.bench.entrants[index].is_reference) {
+            ("timeout", _) => FEW_TRIES,
+            (_, true) => MANY_TRIES,
+            (_, false) => TRIES,
+        }
+    }
+
+    /// Whether the engine shows the symptom on this program.
+    fn shows(&mut self, index: usize, suspicion: &Suspicion, candidate: &Program, opened: bool) -> Answer {
+        let Ok(subject) = Subject::new(candidate.clone()) else {
+            return Answer::Refused;
+        };
+        // A program that the documents settle must not become one of which they say nothing.
+        if !opened && !subject.opened.is_empty() {
+            return Answer::Refused;
+        }
+        let (_, agreement) = self.hold(index, &subject);
+        Answer::from(agreement.symptom() == Some(&suspicion.symptom))
+    }
+
+    fn written_down(
+        &mut self,
+        index: usize,
+        suspicion: &Suspicion,
+        start: &Program,
+        program: Program,
+        standing: Standing,
+        origin: Origin,
+    ) -> Finding {
+        let original = Subject::new(start.clone())
+            .map(|subject| subject.text)
+            .unwrap_or_default();
+        let rule = rule(&program);
+        let basis = basis(&program);
+        let dialect = program.dialect;
+        let (text, expected, outcomes, message) = match Subject::new(program) {
+            Ok(subject) => {
+                let (outcomes, message) = self.outcomes(index, &subject);
+                (subject.text.clone(), expected(&subject, basis), outcomes, message)
+            }
+            // What was evaluated before can be evaluated again; if not, the original says all that is known.
+            Err(word) => (
+                original.clone(),
+                Expected::Property {
+                    claim: word.to_owned(),
+                },
+                Vec::new(),
+                None,
+            ),
+        };
+        let finding = Finding {
+            format: FORMAT,
+            id: String::new(),
+            stickler: env!("CARGO_PKG_VERSION").to_owned(),
+            target: Target::Differential.name().to_owned(),
+            engine: Some(self.bench.entrants[index].asked()),
+            symptom: suspicion.symptom.clone(),
+            rule,
+            dialect: Some(dialect.as_str().to_owned()),
+            standing,
+            origin: Origin {
+                size_found: lines(&original),
+                size: lines(&text),
+                ..origin
+            },
+            message: message
+                .unwrap_or_else(|| format!("{}, but not when it was run again", suspicion.symptom)),
+            expected,
+            outcomes,
+            reproduce: Vec::new(),
+            fingerprint: String::new(),
+            program: Some(text),
+            original: Some(original),
+            input: Vec::new(),
+        }
+        .named();
+        Finding {
+            reproduce: self.bench.commands.of(&finding),
+            ..finding
+        }
+    }
+
+    /// What every engine does with the program, and what is wrong with what the one in question does.
+    fn outcomes(&mut self, index: usize, subject: &Subject) -> (Vec<Said>, Option<String>) {
+        let mut said = Vec::new();
+        let mut message = None;
+        for other in 0..self.bench.entrants.len() {
+            let entrant = &self.bench.entrants[other];
+            if !entrant.identity().speaks(subject.program.dialect) {
+                continue;
+            }
+            let asked = entrant.asked();
+            let (outcome, agreement) = self.hold(other, subject);
+            said.push(told(asked, &outcome));
+            if let (true, Agreement::Disagrees(Disagreement { message: text, .. })) =
+                (other == index, agreement)
+            {
+                message = Some(text);
+            }
+        }
+        (said, message)
+    }
+}
+
+/// What must happen, from the evaluator.
+pub(crate) fn expected(subject: &Subject, basis: String) -> Expected {
+    let values = subject.values.iter().map(|(name, value)| Observed {
+        name: name.clone(),
+        value: value.to_string(),
+    });
+    Expected::Values {
+        values: values.collect(),
+        basis: subject.opened.is_empty().then_some(basis),
+        opened: subject.opened.iter().map(ToString::to_string).collect(),
+    }
+}
+
+fn lines(text: &str) -> u64 {
+    text.lines().count() as u64
+}

@@ -1,0 +1,59 @@
+//! A program with all that is needed to ask an engine about it.
+
+use super::comparison::Question;
+use stickler_generate::evaluate::{Evaluation, Opened, Refusal, evaluate};
+use stickler_generate::model::Program;
+use stickler_generate::writer::{Style, write};
+use stickler_types::Value;
+
+/// A program, its text, and what it must give.
+pub(crate) struct Subject {
+    /// The text.
+    pub(crate) text: String,
+    /// The program.
+    pub(crate) program: Program,
+    /// The values at the end of one scan.
+    pub(crate) values: Vec<(String, Value)>,
+    /// What happened that no document settles. Where there is any, an engine may give other values.
+    pub(crate) opened: Vec<Opened>,
+    /// Whether even what no document settles is settled for the reference.
+    pub(crate) binds_the_reference: bool,
+}
+
+impl Subject {
+    /// Evaluates and writes a program.
+    ///
+    /// # Errors
+    /// Why nothing can be asked about it, in a word that is the same for all of a kind.
+    pub(crate) fn new(program: Program) -> Result<Subject, &'static str> {
+        let evaluation = evaluate(&program, 1).map_err(word)?;
+        let binds_the_reference = evaluation.binds_the_reference();
+        let Evaluation { values, opened, .. } = evaluation;
+        let text = write(&program, &Style::default()).text;
+        Ok(Subject {
+            text,
+            program,
+            values,
+            opened,
+            binds_the_reference,
+        })
+    }
+
+    /// What an engine is asked about it.
+    pub(crate) fn question(&self, is_reference: bool) -> Question<'_> {
+        Question {
+            dialect: self.program.dialect,
+            text: &self.text,
+            values: &self.values,
+            binds: self.opened.is_empty() || (is_reference && self.binds_the_reference),
+        }
+    }
+}
+
+const fn word(refusal: Refusal) -> &'static str {
+    match refusal {
+        Refusal::Fault(_) => "stops with a fault",
+        Refusal::StepLimit => "takes too long",
+        Refusal::Raw | Refusal::IllFormed(_) => "the generator made no program",
+    }
+}

@@ -1,0 +1,41 @@
+//! What an engine did, in words that can be saved.
+
+use super::comparison::diagnostic;
+use crate::finding::{Answer as Said, Asked};
+use stickler_engines::Outcome;
+use stickler_types::Value;
+
+/// An outcome, one fact a line.
+pub(crate) fn told(engine: Asked, outcome: &Outcome) -> Said {
+    let values = |values: &[(String, Value)]| {
+        values
+            .iter()
+            .map(|(name, value)| format!("{name} = {value}"))
+            .collect::<Vec<String>>()
+    };
+    let (word, said) = match outcome {
+        Outcome::Accepted => ("accepted", Vec::new()),
+        Outcome::Executed { values: got } => ("executed", values(got)),
+        Outcome::Rejected { diagnostics } => ("rejected", diagnostics.iter().map(diagnostic).collect()),
+        Outcome::Faulted {
+            fault,
+            line,
+            values: got,
+        } => {
+            let line = line.map(|line| format!(" on line {line}")).unwrap_or_default();
+            let mut said = vec![format!("{fault}{line}")];
+            said.extend(values(got));
+            ("faulted", said)
+        }
+        Outcome::Rendered { .. } => ("rendered", Vec::new()),
+        Outcome::Unsupported { reason } => ("unsupported", vec![reason.clone()]),
+        Outcome::Crashed { reason } => ("crashed", vec![reason.clone()]),
+        Outcome::TimedOut { after_ms } => ("timed out", vec![format!("after {after_ms} ms")]),
+        Outcome::Error { message } => ("error", vec![message.clone()]),
+    };
+    Said {
+        engine,
+        outcome: word.to_owned(),
+        said,
+    }
+}

@@ -1,0 +1,107 @@
+//! The input at each place of a seed's row: the same on every machine, whoever asks and in whatever order.
+
+use arbitrary::Unstructured;
+use stickler_generate::generator::{self, Settings};
+use stickler_generate::model::Program;
+use stickler_sweep::Scattered;
+use stickler_types::DialectName;
+
+/// The inputs of a seed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Inputs {
+    seed: u64,
+    row: Scattered,
+}
+
+/// The lengths of inputs are powers of two from here …
+const LEAST_LENGTH: u32 = 5;
+/// … and so many.
+const LENGTHS: u64 = 7;
+
+impl Inputs {
+    /// The row of this seed.
+    #[must_use]
+    pub const fn new(seed: u64) -> Inputs {
+        Inputs {
+            seed,
+            row: Scattered::new(seed),
+        }
+    }
+
+    /// The seed.
+    #[must_use]
+    pub const fn seed(self) -> u64 {
+        self.seed
+    }
+
+    /// Numbers for the place, which nothing else draws.
+    #[must_use]
+    pub const fn draws(self, place: u64) -> Scattered {
+        self.row.row(place)
+    }
+
+    /// The bytes at this place: 32 to 2048, short ones as often as long ones, so that small programs come as often as large
+    /// ones.
+    #[must_use]
+    pub fn bytes(self, place: u64) -> Vec<u8> {
+        let draws = self.draws(place);
+        let length = draws.at(0) % LENGTHS;
+        // It is below LENGTHS.
+        let length = 1_usize << (LEAST_LENGTH + length as u32);
+        (1..)
+            .map(|number| draws.at(number))
+            .flat_map(u64::to_le_bytes)
+            .take(length)
+            .collect()
+    }
+
+    /// The program at this place, in one of these dialects (in any where none is named).
+    #[must_use]
+    pub fn program(self, place: u64, dialects: &[DialectName], open: bool) -> Program {
+        let count = dialects.len().max(1) as u64;
+        // From the far end of the row, where no byte comes from.
+        let drawn = self.draws(place).at(u64::MAX) % count;
+        let dialect = usize::try_from(drawn).ok().and_then(|index| dialects.get(index));
+        let settings = Settings {
+            dialect: dialect.copied(),
+            open,
+            ..Settings::default()
+        };
+        let bytes = self.bytes(place);
+        generator::program(&mut Unstructured::new(&bytes), &settings)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_input_depends_on_seed_and_place_alone() {
+        let inputs = Inputs::new(7);
+        assert_eq!(inputs.bytes(5), Inputs::new(7).bytes(5));
+        assert_ne!(inputs.bytes(5), inputs.bytes(6));
+        assert_ne!(inputs.bytes(5), Inputs::new(8).bytes(5));
+        let dialects = [DialectName::Matiec, DialectName::Plcnext];
+        assert_eq!(
+            inputs.program(3, &dialects, false),
+            inputs.program(3, &dialects, false)
+        );
+    }
+
+    #[test]
+    fn all_lengths_and_all_dialects_that_are_named_come() {
+        let inputs = Inputs::new(1);
+        let mut lengths: Vec<usize> = (0..200).map(|place| inputs.bytes(place).len()).collect();
+        lengths.sort_unstable();
+        lengths.dedup();
+        assert_eq!(lengths, [32, 64, 128, 256, 512, 1024, 2048]);
+        let named = [DialectName::Matiec, DialectName::Plcnext];
+        let mut dialects: Vec<DialectName> = (0..50)
+            .map(|place| inputs.program(place, &named, false).dialect)
+            .collect();
+        dialects.sort_unstable();
+        dialects.dedup();
+        assert_eq!(dialects, named);
+    }
+}

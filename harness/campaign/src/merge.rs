@@ -1,0 +1,236 @@
+//! The parts of a campaign put together: each finding once, and what is missing said.
+
+use crate::finding::Finding;
+use crate::record::{FORMAT, RECORD, Record, Request};
+use crate::store::Store;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// What several folders hold together.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Merged {
+    /// The best finding of each name.
+    pub findings: BTreeMap<String, Finding>,
+    /// The campaigns of which there are parts, each once, put together.
+    pub campaigns: Vec<Record>,
+    /// What is missing, cut short or cannot be read, a sentence each. Nobody may take the rest for the whole.
+    pub missing: Vec<String>,
+}
+
+/// Puts folders together. It never fails: what cannot be read is told in [`Merged::missing`].
+#[must_use]
+pub fn merge(folders: &[PathBuf]) -> Merged {
+    let mut merged = Merged::default();
+    let mut parts: BTreeMap<Key, Vec<(Record, &PathBuf)>> = BTreeMap::new();
+    for folder in folders {
+        match Record::read(folder) {
+            Ok(Some(record)) => {
+                let key = (record.asked.clone(), record.parts, record.stickler.clone());
+                parts.entry(key).or_default().push((record, folder));
+            }
+            Ok(None) => merged.missing.push(format!(
+                "{} has no {RECORD}, so nobody can tell whether its campaign came to its end",
+                folder.display()
+            )),
+            Err(error) => merged.missing.push(error.to_string()),
+        }
+        merged.take_findings(folder);
+    }
+    for ((asked, count, stickler), parts) in parts {
+        merged.take_campaign(asked, count, stickler, &parts);
+    }
+    let names: Vec<String> = merged.findings.keys().cloned().collect();
+    merged
+        .campaigns
+        .iter_mut()
+        .for_each(|campaign| campaign.findings.clone_from(&names));
+    merged
+}
+
+/// Parts of one campaign agree on what was asked, on the number of parts, and on the version of Stickler.
+type Key = (Request, u32, String);
+
+impl Merged {
+    fn take_findings(&mut self, folder: &Path) {
+        let (findings, errors) = match Store::findings(folder) {
+            Ok(found) => found,
+            Err(error) => return self.missing.push(error.to_string()),
+        };
+        self.missing.extend(errors.iter().map(ToString::to_string));
+        for finding in findings {
+            let best = match self.findings.remove(&finding.id) {
+                Some(known) => known.better(finding),
+                None => finding,
+            };
+            self.findings.insert(best.id.clone(), best);
+        }
+    }
+
+    fn take_campaign(&mut self, asked: Request, count: u32, stickler: String, parts: &[(Record, &PathBuf)]) {
+        let before = self.missing.len();
+        for (record, folder) in parts {
+            if !record.complete {
+                self.missing.push(format!(
+                    "part {} of {count} ({}) was cut short, or still goes on",
+                    record.part,
+                    folder.display()
+                ));
+            }
+        }
+        let mut shown = 0;
+        for part in 1..=count {
+            let there: Vec<String> = parts
+                .iter()
+                .filter(|(record, _)| record.part == part)
+                .map(|(_, folder)| folder.display().to_string())
+                .collect();
+            match &there[..] {
+                [_] => {}
+                // A hostile number of parts must not make as many sentences.
+                [] if shown >= MOST_SENTENCES => {}
+                [] => {
+                    shown += 1;
+                    self.missing.push(format!(
+                        "part {part} of {count} of seed {} is missing",
+                        asked.seed
+                    ));
+                }
+                several => {
+                    self.missing.push(format!(
+                        "part {part} of {count} is there more than once: {}",
+                        several.join(", ")
+                    ));
+                }
+            }
+            if shown >= MOST_SENTENCES {
+                self.missing.push(format!("and so may be parts behind {part}"));
+                break;
+            }
+        }
+        let sum = |of: fn(&Record) -> u64| {
+            parts
+                .iter()
+                .map(|(record, _)| of(record))
+                .fold(0, u64::saturating_add)
+        };
+        self.campaigns.push(Record {
+            format: FORMAT,
+            stickler,
+            asked,
+            part: 1,
+            parts: 1,
+            complete: self.missing.len() == before,
+            programs: sum(|record| record.programs),
+            disagreements: sum(|record| record.disagreements),
+            findings: Vec::new(),
+        });
+    }
+}
+
+/// How many missing parts are named one by one.
+const MOST_SENTENCES: u32 = 20;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+    use std::fs;
+
+    fn record(part: u32, complete: bool) -> Record {
+        Record {
+            format: FORMAT,
+            stickler: "0.1.0".to_owned(),
+            asked: Request {
+                seed: 7,
+                first: 0,
+                count: Some(100),
+                milliseconds: None,
+                targets: vec!["execute".to_owned()],
+                engines: Vec::new(),
+                dialects: Vec::new(),
+                open: false,
+            },
+            part,
+            parts: 3,
+            complete,
+            programs: 33,
+            disagreements: 2,
+            findings: Vec::new(),
+        }
+    }
+
+    fn folder(root: &Path, name: &str, record: Option<Record>, findings: &[Finding]) -> PathBuf {
+        let folder = root.join(name);
+        let store = Store::open(&folder).unwrap();
+        for finding in findings {
+            store.save(finding).unwrap();
+        }
+        record.iter().for_each(|record| record.write(&folder).unwrap());
+        folder
+    }
+
+    #[test]
+    fn each_finding_of_the_parts_comes_once_and_the_smallest_stays() {
+        let root = tempfile::tempdir().unwrap();
+        let large = sample::finding("a", "crash", &["FOR"], 30);
+        let small = sample::finding("a", "crash", &["FOR"], 5);
+        let other = sample::finding("a", "value:INT", &["MOD"], 9);
+        let folders = [
+            folder(root.path(), "1", Some(record(1, true)), &[large]),
+            folder(
+                root.path(),
+                "2",
+                Some(record(2, true)),
+                &[small.clone(), other.clone()],
+            ),
+            folder(root.path(), "3", Some(record(3, true)), &[]),
+        ];
+        let merged = merge(&folders);
+        assert_eq!(merged.missing, Vec::<String>::new());
+        assert_eq!(merged.findings.into_values().collect::<Vec<_>>(), [small, other]);
+        let [campaign] = &merged.campaigns[..] else {
+            panic!("one campaign")
+        };
+        assert_eq!(
+            (campaign.programs, campaign.disagreements, campaign.complete),
+            (99, 6, true)
+        );
+    }
+
+    #[test]
+    fn parts_that_are_missing_or_cut_short_or_there_twice_are_named() {
+        let root = tempfile::tempdir().unwrap();
+        let folders = [
+            folder(root.path(), "1", Some(record(1, false)), &[]),
+            folder(root.path(), "again", Some(record(1, true)), &[]),
+            folder(root.path(), "3", Some(record(3, true)), &[]),
+            folder(root.path(), "nothing", None, &[]),
+            root.path().join("nowhere"),
+        ];
+        let merged = merge(&folders);
+        let text = merged.missing.join("\n");
+        for sentence in [
+            "1) was cut short",
+            "part 1 of 3 is there more than once: ",
+            "part 2 of 3 of seed 7 is missing",
+            "nothing has no campaign.json",
+            "cannot read ",
+        ] {
+            assert!(text.contains(sentence), "{sentence} in\n{text}");
+        }
+        assert!(!merged.campaigns[0].complete);
+    }
+
+    #[test]
+    fn a_file_of_another_version_is_not_misread() {
+        let root = tempfile::tempdir().unwrap();
+        let folder = folder(root.path(), "1", None, &[]);
+        fs::write(folder.join(RECORD), r#"{"format": 2}"#).unwrap();
+        let merged = merge(&[folder]);
+        assert!(
+            merged.missing[0].contains("its form is 2"),
+            "{:?}",
+            merged.missing
+        );
+    }
+}

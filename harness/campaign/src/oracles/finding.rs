@@ -1,0 +1,99 @@
+//! A suspicion of an oracle made small, judged once more, and written down.
+
+use super::small::Small;
+use super::worker::Judging;
+use crate::bench::Suspicion;
+use crate::finding::{Expected, FORMAT, Finding, Origin, Standing};
+use stickler_generate::oracles::{Failure, Target};
+
+impl Judging<'_> {
+    /// Makes the input of a suspicion as small as it can be.
+    pub(super) fn finding(&self, suspicion: &Suspicion, going: &dyn Fn() -> bool) -> Finding {
+        let target = self.bench.target(suspicion.place);
+        let input = self.bench.input(suspicion.place);
+        let found = target.judge(&input).err();
+        let small = Small::of(target, &input, &suspicion.symptom, going);
+        let standing = match small.failure {
+            Some(_) => Standing::Confirmed,
+            None => Standing::Flaky,
+        };
+        let original = text(target, found.as_ref(), &input);
+        // What is not seen again is kept as it was found.
+        let failure = small.failure.as_ref().or(found.as_ref());
+        let program = text(target, failure, &small.input);
+        let origin = Origin {
+            seed: self.bench.inputs.seed(),
+            place: suspicion.place,
+            open: false,
+            smallest: small.smallest,
+            tries: small.tries,
+            size_found: size(original.as_deref(), &input),
+            size: size(program.as_deref(), &small.input),
+        };
+        let message = match failure {
+            Some(failure) => failure.message.clone(),
+            None => format!("{}, but not when it was judged again", suspicion.symptom),
+        };
+        let finding = Finding {
+            format: FORMAT,
+            id: String::new(),
+            stickler: env!("CARGO_PKG_VERSION").to_owned(),
+            target: target.name().to_owned(),
+            engine: None,
+            symptom: suspicion.symptom.clone(),
+            rule: small.rule,
+            dialect: small.dialect.map(|dialect| dialect.as_str().to_owned()),
+            standing,
+            origin,
+            message,
+            expected: small.expected.unwrap_or_else(|| Expected::Property {
+                claim: claim(target).to_owned(),
+            }),
+            outcomes: Vec::new(),
+            reproduce: Vec::new(),
+            fingerprint: String::new(),
+            program,
+            original,
+            input: small.input,
+        }
+        .named();
+        Finding {
+            reproduce: self.bench.commands.of(&finding),
+            ..finding
+        }
+    }
+}
+
+/// The program that an input stands for, or the text that it is.
+fn text(target: Target, failure: Option<&Failure>, input: &[u8]) -> Option<String> {
+    let reads_text = matches!(
+        target,
+        Target::Parse | Target::Literal | Target::CaseFile | Target::Protocol
+    );
+    let program = failure.and_then(|failure| failure.program.clone());
+    program.or_else(|| reads_text.then(|| String::from_utf8_lossy(input).into_owned()))
+}
+
+fn size(program: Option<&str>, input: &[u8]) -> u64 {
+    program.map_or(input.len(), |program| program.lines().count()) as u64
+}
+
+/// What holds for every input of a target.
+const fn claim(target: Target) -> &'static str {
+    match target {
+        Target::Parse => {
+            "any text is read without harm, and what can be read keeps its tree when it is rendered"
+        }
+        Target::Literal => {
+            "a literal's canonical spelling reads to the same value, which an independent reader finds too"
+        }
+        Target::Convert => "the reference converts as exact arithmetic does",
+        Target::Check => "a planted error is reported with its code on its line, and nothing else is",
+        Target::Execute => {
+            "a well-typed program is accepted and ends, and it and its variants give the evaluator's values"
+        }
+        Target::CaseFile => "any case file gives cases or located errors",
+        Target::Protocol => "every line is answered",
+        Target::Differential => "an engine gives the evaluator's values",
+    }
+}

@@ -1,0 +1,97 @@
+//! The smallest input with the same symptom: by its bytes first, and then, where it stands for a program, by its model.
+
+use crate::basis::basis;
+use crate::differential::{Subject, expected};
+use crate::finding::Expected;
+use crate::rule::rule;
+use crate::shrink;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use stickler_generate::model::Program;
+use stickler_generate::oracles::execute::{judge_program, program_of};
+use stickler_generate::oracles::{Failure, Target};
+use stickler_generate::reduce::{self, Answer, Budget, Ended};
+use stickler_types::DialectName;
+
+/// How many smaller inputs are tried, and as many smaller programs: an oracle takes some microseconds.
+const TRIES: u64 = 5000;
+
+/// What is left of an input.
+pub(super) struct Small {
+    /// The bytes.
+    pub(super) input: Vec<u8>,
+    /// How it fails; `None` where it does not any more.
+    pub(super) failure: Option<Failure>,
+    /// Whether nothing smaller was left to try.
+    pub(super) smallest: bool,
+    /// How many were tried.
+    pub(super) tries: u64,
+    /// What the program uses, where there is one.
+    pub(super) rule: Vec<String>,
+    /// The dialect of the program, where there is one.
+    pub(super) dialect: Option<DialectName>,
+    /// What must happen, where it can be said of the program as it stands.
+    pub(super) expected: Option<Expected>,
+}
+
+impl Small {
+    /// Makes an input small that fails so.
+    pub(super) fn of(target: Target, input: &[u8], symptom: &str, going: &dyn Fn() -> bool) -> Small {
+        let stop = || !going();
+        let budget = Budget {
+            tries: TRIES,
+            stop: &stop,
+        };
+        let failing = |bytes: &[u8]| {
+            target
+                .judge(bytes)
+                .err()
+                .filter(|failure| failure.symptom == symptom)
+        };
+        let reduced = shrink::bytes(input.to_vec(), |bytes| failing(bytes).is_some(), &budget);
+        let small = Small {
+            failure: failing(&reduced.value),
+            input: reduced.value,
+            smallest: reduced.ended == Ended::Smallest,
+            tries: reduced.tries,
+            rule: Vec::new(),
+            dialect: None,
+            expected: None,
+        };
+        match (target, &small.failure) {
+            (Target::Execute, Some(_)) => small.with_program(symptom, &budget),
+            _ => small,
+        }
+    }
+
+    fn with_program(self, symptom: &str, budget: &Budget<'_>) -> Small {
+        let input = &self.input;
+        let failing = |program: &Program| judged(program, input).filter(|failure| failure.symptom == symptom);
+        let start = program_of(input);
+        let reduced = reduce::program(&start, |program| Answer::from(failing(program).is_some()), budget);
+        let failure = failing(&reduced.value);
+        // A variant fails where the program itself does not.
+        let variant = symptom.starts_with("variant");
+        let subject = Subject::new(reduced.value.clone());
+        let expected = subject
+            .ok()
+            .filter(|_| !variant)
+            .map(|subject| expected(&subject, basis(&reduced.value)));
+        Small {
+            smallest: reduced.ended == Ended::Smallest,
+            tries: self.tries.saturating_add(reduced.tries),
+            rule: rule(&reduced.value),
+            dialect: Some(reduced.value.dialect),
+            expected,
+            failure: failure.or(self.failure),
+            input: self.input,
+        }
+    }
+}
+
+/// How a program fails; a panic is a failure, as it is for [`Target::judge`].
+fn judged(program: &Program, rest: &[u8]) -> Option<Failure> {
+    let judged = catch_unwind(AssertUnwindSafe(|| judge_program(program, rest)));
+    judged
+        .unwrap_or_else(|_| Err(Failure::new("panic", "a panic")))
+        .err()
+}

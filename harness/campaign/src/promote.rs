@@ -1,0 +1,355 @@
+//! A finding made a case: what must happen, by the evaluator or by the planted error, never by what an engine did.
+
+use crate::finding::{Expected, Finding, Observed, Standing};
+use std::fmt::Write;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// The folder of cases that campaigns found, below the folder of cases.
+pub const FOUND: &str = "found";
+
+/// Why a finding does not become a case.
+#[derive(Debug, thiserror::Error)]
+pub enum PromoteError {
+    /// The finding is none that a case can be made of.
+    #[error("{id} cannot become a case: {reason}")]
+    Refused {
+        /// The finding.
+        id: String,
+        /// Why, and what else can be done.
+        reason: String,
+    },
+    /// The name is none.
+    #[error("`{0}` is no name for a case: letters, digits, `-`, `_` and `.` alone, and no point in front")]
+    Name(String),
+    /// There is such a case already.
+    #[error(
+        "{0} is there already; the ids of cases never change their meaning, so choose another name with --name"
+    )]
+    Exists(PathBuf),
+    /// The case cannot be written.
+    #[error("cannot write {path}: {error}")]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        error: io::Error,
+    },
+    /// What was written is no sound case file. Nothing is left of it.
+    #[error("the case would not be sound, so it was not kept: {0}")]
+    Unsound(String),
+}
+
+/// A case that was made of a finding.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Promoted {
+    /// Its file.
+    pub path: PathBuf,
+    /// The basis in its header.
+    pub basis: String,
+    /// Whether the basis is only proposed: nobody has looked for the section that says it best.
+    pub proposed: bool,
+}
+
+/// Writes a finding as a case file into `cases`/found, and has the suite read it.
+///
+/// # Errors
+/// [`PromoteError`]; then no file is left.
+pub fn promote(
+    finding: &Finding,
+    cases: &Path,
+    name: Option<&str>,
+    basis: Option<&str>,
+) -> Result<Promoted, PromoteError> {
+    let name = name.unwrap_or(&finding.id);
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte);
+    if name.is_empty() || name.starts_with('.') || !name.bytes().all(plain) {
+        return Err(PromoteError::Name(name.to_owned()));
+    }
+    let (text, chosen) = case_file(finding, basis)?;
+    let folder = cases.join(FOUND);
+    let path = folder.join(format!("{name}.st"));
+    if path.exists() {
+        return Err(PromoteError::Exists(path));
+    }
+    let write = || -> io::Result<()> {
+        fs::create_dir_all(&folder)?;
+        fs::write(&path, &text)
+    };
+    if let Err(error) = write() {
+        let _ = fs::remove_file(&path);
+        return Err(PromoteError::Write { path, error });
+    }
+    if let Some(mistake) = mistake(cases, &path) {
+        // What cannot be removed now cannot be written a moment ago.
+        let _ = fs::remove_file(&path);
+        return Err(PromoteError::Unsound(mistake));
+    }
+    Ok(Promoted {
+        path,
+        basis: chosen,
+        proposed: basis.is_none(),
+    })
+}
+
+/// What the suite finds wrong with a file, lint's warnings included.
+fn mistake(cases: &Path, path: &Path) -> Option<String> {
+    let (_, errors) = stickler_suite::load_file(cases, path);
+    if let Some(error) = errors.first() {
+        return Some(error.to_string());
+    }
+    let name = path.file_name()?.to_string_lossy();
+    let own = format!("{FOUND}/{name}");
+    let findings = stickler_suite::lint(cases);
+    let found = findings
+        .iter()
+        .find(|found| found.what.to_string().contains(&own))?;
+    Some(found.what.to_string())
+}
+
+/// The text of the case file, and its basis.
+///
+/// # Errors
+/// [`PromoteError::Refused`].
+fn case_file(finding: &Finding, basis: Option<&str>) -> Result<(String, String), PromoteError> {
+    let refused = |reason: String| PromoteError::Refused {
+        id: finding.id.clone(),
+        reason,
+    };
+    if finding.standing == Standing::Flaky {
+        return Err(refused(
+            "it is flaky: when it was run again it did something else, so a case would say nothing"
+                .to_owned(),
+        ));
+    }
+    if !finding.is_as_found() {
+        return Err(refused(
+            "its program was edited since it was found, and what must happen was said of the program that was found".to_owned(),
+        ));
+    }
+    let (Some(program), Some(dialect)) = (&finding.program, finding.dialect()) else {
+        return Err(refused(no_program(finding)));
+    };
+    let (proposal, marked) = match &finding.expected {
+        Expected::Values { opened, .. } if !opened.is_empty() => {
+            return Err(refused(format!(
+                "no document settles what must happen: {}",
+                opened.join("; ")
+            )));
+        }
+        Expected::Values { values, basis, .. } => (basis, with_values(program, values)),
+        Expected::Rejected { code, line, basis } => (basis, with_error(program, code, *line)),
+        Expected::Property { .. } => return Err(refused(no_program(finding))),
+    };
+    let Some(basis) = basis.map(str::to_owned).or_else(|| proposal.clone()) else {
+        return Err(refused(
+            "nobody has said which document says so; name it with --basis".to_owned(),
+        ));
+    };
+    let mut text = header(finding, &basis, dialect.as_str());
+    text.push_str(&marked);
+    Ok((text, basis))
+}
+
+fn no_program(finding: &Finding) -> String {
+    format!(
+        "it says nothing about a program's values or diagnostics; keep its input where tests replay it: \
+         cp {}/input corpus/{}/{}",
+        finding.id, finding.target, finding.id
+    )
+}
+
+fn header(finding: &Finding, basis: &str, dialect: &str) -> String {
+    let uses = match &finding.rule[..] {
+        [] => "assignment".to_owned(),
+        rule => rule.join(", "),
+    };
+    let title = format!("Found by a campaign: {uses} ({})", finding.symptom);
+    let who = match &finding.engine {
+        Some(engine) => format!("{} {}", engine.name, engine.version),
+        None => format!("the reference of Stickler {}", finding.stickler),
+    };
+    let summary = format!("{who} disagreed when this was found: {}", finding.message);
+    format!(
+        "(*!\ntitle = {}\nbasis = {}\ndialects = [{}]\ntags = [\"found\"]\nsummary = {}\n*)\n",
+        toml_string(&title),
+        toml_string(basis),
+        toml_string(dialect),
+        toml_string(&summary)
+    )
+}
+
+/// A TOML string that can stand in a comment of ST, with no comment in it.
+fn toml_string(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    let mut before = ' ';
+    for character in text.chars() {
+        match character {
+            '"' | '\\' => {
+                quoted.push('\\');
+                quoted.push(character);
+            }
+            ')' if before == '*' => quoted.push_str("\\u0029"),
+            '*' if before == '(' => {
+                quoted.pop();
+                quoted.push_str("\\u0028*");
+            }
+            control if control.is_control() => {
+                // Writing to a String cannot fail.
+                let _ = write!(quoted, "\\u{:04X}", u32::from(control));
+            }
+            other => quoted.push(other),
+        }
+        before = character;
+    }
+    quoted.push('"');
+    quoted
+}
+
+fn with_values(program: &str, values: &[Observed]) -> String {
+    let mut text = program.to_owned();
+    if values.is_empty() {
+        return with_error_free_end(text);
+    }
+    end_line(&mut text);
+    text.push_str("(*! values\n");
+    for Observed { name, value } in values {
+        // Neither end nor beginning of a comment may stand in a mark.
+        let value = value.replace("*)", "*$29").replace("(*", "($2A");
+        text.push_str(&format!("{name} = {value}\n"));
+    }
+    text.push_str("*)\n");
+    text
+}
+
+/// A program without variables says that its last line is accepted.
+fn with_error_free_end(text: String) -> String {
+    let trimmed = text.trim_end();
+    format!("{trimmed} (*! ok *)\n")
+}
+
+fn with_error(program: &str, code: &str, line: u32) -> String {
+    let mut text = String::with_capacity(program.len() + 24);
+    for (number, own) in (1_u32..).zip(program.lines()) {
+        text.push_str(own);
+        if number == line {
+            text.push_str(&format!(" (*! error {code} *)"));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn end_line(text: &mut String) {
+    if !text.ends_with('\n') {
+        text.push('\n');
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    fn cases() -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        let real = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+        for file in ["suite.toml", "dialects.toml"] {
+            fs::copy(real.join(file), folder.path().join(file)).unwrap();
+        }
+        let found = folder.path().join(FOUND);
+        fs::create_dir(&found).unwrap();
+        fs::write(found.join("README.md"), "Found.").unwrap();
+        folder
+    }
+
+    fn reason(finding: &Finding) -> String {
+        promote(finding, cases().path(), None, None)
+            .unwrap_err()
+            .to_string()
+    }
+
+    #[test]
+    fn a_finding_becomes_a_case_that_expects_what_the_evaluator_says() {
+        let cases = cases();
+        let finding = sample::finding("a", "value:INT", &["MOD"], 6);
+        let promoted = promote(&finding, cases.path(), Some("mod-of-things"), None).unwrap();
+        assert!(promoted.proposed);
+        let (read, errors) = stickler_suite::load_file(cases.path(), &promoted.path);
+        assert_eq!(errors, []);
+        let [case] = &read[..] else { panic!("one case") };
+        assert_eq!(&*case.id, "found/mod-of-things");
+        assert_eq!(case.expectation.values[0].value.to_string(), "INT#5");
+        assert_eq!(&*case.basis.to_string(), "stickler-design: §8");
+        let again = promote(&finding, cases.path(), Some("mod-of-things"), None).unwrap_err();
+        assert!(matches!(again, PromoteError::Exists(_)), "{again}");
+    }
+
+    #[test]
+    fn a_planted_error_becomes_a_mark_on_its_line() {
+        let cases = cases();
+        let finding = Finding {
+            expected: Expected::Rejected {
+                code: "P4035".to_owned(),
+                line: 5,
+                basis: None,
+            },
+            ..sample::finding("a", "not-rejected:P4035", &[], 6)
+        };
+        let error = promote(&finding, cases.path(), None, None)
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains("name it with --basis"), "{error}");
+        let promoted = promote(&finding, cases.path(), None, Some("stickler-design: §7")).unwrap();
+        let text = fs::read_to_string(promoted.path).unwrap();
+        assert!(text.contains("    x := 5; (*! error P4035 *)\n"), "{text}");
+    }
+
+    #[test]
+    fn what_says_nothing_becomes_no_case() {
+        let finding = sample::finding("a", "value:INT", &["MOD"], 6);
+        let flaky = Finding {
+            standing: Standing::Flaky,
+            ..finding.clone()
+        };
+        assert!(reason(&flaky).contains("it is flaky"));
+        let edited = Finding {
+            program: Some("PROGRAM main END_PROGRAM".to_owned()),
+            ..finding.clone()
+        };
+        assert!(reason(&edited).contains("was edited"));
+        let open = Finding {
+            expected: Expected::Values {
+                values: Vec::new(),
+                basis: None,
+                opened: vec!["a real divided by zero".to_owned()],
+            },
+            ..finding.clone()
+        };
+        assert!(reason(&open).contains("no document settles"));
+        let property = Finding {
+            expected: Expected::Property {
+                claim: "it holds".to_owned(),
+            },
+            ..finding
+        };
+        assert!(reason(&property).contains("corpus/"));
+    }
+
+    #[test]
+    fn a_case_with_a_basis_that_is_none_is_not_kept() {
+        let cases = cases();
+        let finding = sample::finding("a", "value:INT", &["MOD"], 6);
+        let error = promote(&finding, cases.path(), Some("x"), Some("hearsay: §1")).unwrap_err();
+        assert!(matches!(error, PromoteError::Unsound(_)), "{error}");
+        assert!(!cases.path().join("found/x.st").exists());
+        let error = promote(&finding, cases.path(), Some("../x"), None).unwrap_err();
+        assert!(matches!(error, PromoteError::Name(_)), "{error}");
+    }
+
+    #[test]
+    fn a_comment_in_a_title_opens_and_ends_none() {
+        assert_eq!(toml_string(r#"a (* b *) "c""#), r#""a \u0028* b *\u0029 \"c\"""#);
+    }
+}

@@ -1,0 +1,108 @@
+//! What a campaign was, and whether it came to its end: a file beside its findings.
+
+use crate::store::StoreError;
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::path::Path;
+
+/// The name of the file.
+pub const RECORD: &str = "campaign.json";
+
+/// The version of the form of the file.
+pub const FORMAT: u32 = 1;
+
+/// A campaign, or one part of one.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Record {
+    /// [`FORMAT`].
+    pub format: u32,
+    /// The version of Stickler that ran it.
+    pub stickler: String,
+    /// What was asked of it.
+    pub asked: Request,
+    /// Which part, from 1.
+    pub part: u32,
+    /// Of how many.
+    pub parts: u32,
+    /// Whether it came to its end. A file that says `false` was left by a campaign that was cut short, or goes on.
+    pub complete: bool,
+    /// Inputs that were judged or passed over.
+    pub programs: u64,
+    /// How often somebody disagreed.
+    pub disagreements: u64,
+    /// The names of the findings.
+    pub findings: Vec<String>,
+}
+
+/// What was asked of a campaign; the same for all its parts.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
+pub struct Request {
+    /// The seed.
+    pub seed: u64,
+    /// The first place.
+    pub first: u64,
+    /// For how many places, where a number was given …
+    pub count: Option<u64>,
+    /// … and otherwise for how many milliseconds.
+    pub milliseconds: Option<u64>,
+    /// The targets.
+    pub targets: Vec<String>,
+    /// The engines, by name.
+    pub engines: Vec<String>,
+    /// The dialects that were asked for.
+    pub dialects: Vec<String>,
+    /// Whether programs could use what documents leave open.
+    pub open: bool,
+}
+
+impl Record {
+    /// Writes the file; what was there before is replaced as a whole.
+    ///
+    /// # Errors
+    /// [`StoreError::Write`].
+    pub fn write(&self, folder: &Path) -> Result<(), StoreError> {
+        let path = folder.join(RECORD);
+        let fresh = folder.join(format!(".{RECORD}-{}", std::process::id()));
+        let text = serde_json::to_string_pretty(self).map_err(|error| StoreError::Write {
+            path: path.clone(),
+            error: error.into(),
+        })?;
+        let written = fs::write(&fresh, text + "\n").and_then(|()| fs::rename(&fresh, &path));
+        written.map_err(|error| {
+            // What is left has a name that begins with a point, and no reader looks at it.
+            let _ = fs::remove_file(&fresh);
+            StoreError::Write { path, error }
+        })
+    }
+
+    /// Reads the file of a folder; `None` where there is none.
+    ///
+    /// # Errors
+    /// [`StoreError::Read`]; [`StoreError::NotACampaign`] where it is of another form.
+    pub fn read(folder: &Path) -> Result<Option<Record>, StoreError> {
+        let path = folder.join(RECORD);
+        let text = match fs::read_to_string(&path) {
+            Ok(text) => text,
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(error) => return Err(StoreError::Read { path, error }),
+        };
+        let wrong = |reason: String| StoreError::NotACampaign {
+            path: path.clone(),
+            reason,
+        };
+        let json: serde_json::Value =
+            serde_json::from_str(&text).map_err(|error| wrong(error.to_string()))?;
+        match json.get("format").and_then(serde_json::Value::as_u64) {
+            Some(format) if format == u64::from(FORMAT) => {}
+            Some(format) => {
+                return Err(wrong(format!(
+                    "its form is {format}; this version reads {FORMAT}"
+                )));
+            }
+            None => return Err(wrong("it does not say its `format`".to_owned())),
+        }
+        serde_json::from_value(json)
+            .map(Some)
+            .map_err(|error| wrong(error.to_string()))
+    }
+}

@@ -1,0 +1,99 @@
+//! A finding, or an input alone, judged once more.
+
+use crate::differential::{Agreement, Disagreement, Entrant, Question, ask, compare, told};
+use crate::finding::{Answer, Expected, Finding};
+use stickler_engines::{EngineError, Outcome};
+use stickler_generate::oracles::{Failure, Target, Tried};
+use stickler_types::{DialectName, Value};
+
+/// What came of a finding that was judged again.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Replayed {
+    /// What each engine did with the saved program, and how it differs from what must happen, where it does.
+    pub answers: Vec<(Answer, Option<String>)>,
+    /// What the target said of the saved input; `None` where the finding has none.
+    pub judged: Option<Result<Tried, Failure>>,
+}
+
+impl Replayed {
+    /// Whether anything is still wrong.
+    #[must_use]
+    pub fn shows(&self) -> bool {
+        self.answers.iter().any(|(_, wrong)| wrong.is_some()) || matches!(self.judged, Some(Err(_)))
+    }
+}
+
+/// Judges a finding again: its program by these engines, its input by its target.
+///
+/// # Errors
+/// [`EngineError`] where an engine cannot be started.
+pub fn replay(finding: &Finding, entrants: &[Entrant<'_>]) -> Result<Replayed, EngineError> {
+    let mut replayed = Replayed::default();
+    if let (Some(program), Some(dialect)) = (&finding.program, finding.dialect()) {
+        for entrant in entrants {
+            if let Some(answer) = again(&finding.expected, program, dialect, *entrant)? {
+                replayed.answers.push(answer);
+            }
+        }
+    }
+    replayed.judged = match finding.target() {
+        Some(Target::Differential) | None => None,
+        Some(target) => (!finding.input.is_empty()).then(|| target.judge(&finding.input)),
+    };
+    Ok(replayed)
+}
+
+/// Asks one engine; `None` where what must happen is nothing that a program can be asked.
+fn again(
+    expected: &Expected,
+    program: &str,
+    dialect: DialectName,
+    entrant: Entrant<'_>,
+) -> Result<Option<(Answer, Option<String>)>, EngineError> {
+    let mut session = entrant.engine.session()?;
+    let (outcome, wrong) = match expected {
+        Expected::Values { values, opened, .. } => {
+            let values: Vec<(String, Value)> = values
+                .iter()
+                .filter_map(|observed| Some((observed.name.clone(), Value::parse(&observed.value).ok()?)))
+                .collect();
+            let question = Question {
+                dialect,
+                text: program,
+                values: &values,
+                binds: opened.is_empty(),
+            };
+            let outcome = ask(&mut *session, question);
+            let wrong = match compare(question, &outcome) {
+                Agreement::Disagrees(Disagreement { message, .. }) => Some(message),
+                Agreement::Agrees | Agreement::Unsupported => None,
+            };
+            (outcome, wrong)
+        }
+        Expected::Rejected { code, line, .. } => {
+            let outcome = session.check(dialect, program);
+            let wrong = not_rejected_so(&outcome, code, *line);
+            (outcome, wrong)
+        }
+        Expected::Property { .. } => return Ok(None),
+    };
+    Ok(Some((told(entrant.asked(), &outcome), wrong)))
+}
+
+fn not_rejected_so(outcome: &Outcome, code: &str, line: u32) -> Option<String> {
+    let must = format!("expected {code} on line {line} and nothing else");
+    match outcome {
+        Outcome::Unsupported { .. } => None,
+        Outcome::Rejected { diagnostics } => match &diagnostics[..] {
+            // A foreign engine may have neither our codes nor lines; what it does not tell contradicts nothing.
+            [one]
+                if one.code.as_deref().is_none_or(|own| own == code)
+                    && one.line.is_none_or(|own| own == line) =>
+            {
+                None
+            }
+            several => Some(format!("{must}, got {} diagnostics", several.len())),
+        },
+        _ => Some(format!("{must}, and it was not rejected")),
+    }
+}

@@ -1,0 +1,97 @@
+//! Bytes made fewer and simpler, for targets whose input is no program of the model.
+//!
+//! What is made from bytes takes its first, simplest choice where a byte is 0 and where bytes have run out; so fewer bytes and
+//! more zeros make for less.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+use stickler_generate::reduce::{Answer, Budget, Method, Minimised, Pass, Sites, minimise};
+
+const METHOD: Method<Vec<u8>> = Method {
+    passes: &[
+        Pass {
+            name: "drop bytes",
+            edit: drop_bytes,
+        },
+        Pass {
+            name: "zero bytes",
+            edit: zero,
+        },
+        Pass {
+            name: "halve bytes",
+            edit: halve,
+        },
+        Pass {
+            name: "make bytes one less",
+            edit: decrease,
+        },
+    ],
+    weight: |bytes| {
+        (
+            bytes.len() as u64,
+            bytes.iter().map(|&byte| u128::from(byte)).sum(),
+        )
+    },
+    key: |bytes| {
+        let mut hasher = DefaultHasher::new();
+        bytes.hash(&mut hasher);
+        hasher.finish()
+    },
+};
+
+/// Makes bytes as few and as small as they can be while they stay interesting.
+pub(crate) fn bytes(
+    start: Vec<u8>,
+    mut interesting: impl FnMut(&[u8]) -> bool,
+    budget: &Budget<'_>,
+) -> Minimised<Vec<u8>> {
+    minimise(
+        start,
+        &METHOD,
+        &mut |bytes| Answer::from(interesting(bytes)),
+        budget,
+    )
+}
+
+fn drop_bytes(bytes: &mut Vec<u8>, sites: &mut Sites) {
+    bytes.retain(|_| !sites.here());
+}
+
+#[expect(clippy::ptr_arg, reason = "a pass is given the whole thing, which is a Vec")]
+fn zero(bytes: &mut Vec<u8>, sites: &mut Sites) {
+    change(bytes, sites, 1, |_| 0);
+}
+
+#[expect(clippy::ptr_arg, reason = "a pass is given the whole thing, which is a Vec")]
+fn halve(bytes: &mut Vec<u8>, sites: &mut Sites) {
+    change(bytes, sites, 2, |byte| byte / 2);
+}
+
+#[expect(clippy::ptr_arg, reason = "a pass is given the whole thing, which is a Vec")]
+fn decrease(bytes: &mut Vec<u8>, sites: &mut Sites) {
+    change(bytes, sites, 1, |byte| byte - 1);
+}
+
+/// Changes bytes that are at least so large.
+fn change(bytes: &mut [u8], sites: &mut Sites, least: u8, how: fn(u8) -> u8) {
+    for byte in bytes.iter_mut().filter(|byte| **byte >= least) {
+        if sites.here() {
+            *byte = how(*byte);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_matters_remains_and_all_else_goes() {
+        let start: Vec<u8> = (0..=255).collect();
+        let found = bytes(
+            start,
+            |bytes| bytes.contains(&200) && bytes.iter().any(|&byte| byte > 7),
+            &Budget::default(),
+        );
+        assert_eq!(found.value, [200]);
+    }
+}

@@ -1,0 +1,260 @@
+//! Inputs for targets that read text: what can almost be read says more than noise.
+//!
+//! Some inputs are as the generator or a list makes them; most have been changed here and there.
+
+use crate::inputs::Inputs;
+use stickler_generate::oracles::Target;
+use stickler_generate::writer::{Style, write};
+use stickler_sweep::Scattered;
+use stickler_types::{DialectName, ElementaryType, Value};
+
+/// The input of a target at a place: bytes of the row, or a text of the kind that the target reads.
+pub(crate) fn input(inputs: Inputs, place: u64, target: Target) -> Vec<u8> {
+    let mut draws = Draws::new(inputs.draws(place));
+    match target {
+        Target::Parse => mutated(program(inputs, place), &mut draws),
+        Target::CaseFile => mutated(case_file(inputs, place), &mut draws),
+        Target::Literal => mutated(literal(&mut draws), &mut draws),
+        Target::Protocol => mutated(conversation(inputs, place), &mut draws),
+        Target::Convert | Target::Check | Target::Execute | Target::Differential => inputs.bytes(place),
+    }
+}
+
+/// Numbers for one place, one after the other.
+struct Draws {
+    row: Scattered,
+    next: u64,
+}
+
+impl Draws {
+    /// From the far half of the row: the near one makes the bytes of the program.
+    fn new(row: Scattered) -> Draws {
+        Draws { row, next: 1 << 63 }
+    }
+
+    fn number(&mut self) -> u64 {
+        self.next = self.next.wrapping_add(1);
+        self.row.at(self.next)
+    }
+
+    /// A number below `count`; 0 where that is 0.
+    fn below(&mut self, count: usize) -> usize {
+        match count as u64 {
+            0 => 0,
+            // It is below `count`.
+            count => (self.number() % count) as usize,
+        }
+    }
+
+    fn pick<'t, T: ?Sized>(&mut self, from: &[&'t T]) -> Option<&'t T> {
+        from.get(self.below(from.len())).copied()
+    }
+}
+
+fn program(inputs: Inputs, place: u64) -> String {
+    write(&inputs.program(place, &DialectName::ALL, true), &Style::default()).text
+}
+
+fn case_file(inputs: Inputs, place: u64) -> String {
+    const HEADER: &str =
+        "(*!\ntitle = \"Something holds\"\nbasis = \"stickler-design: §8\"\ndialects = [\"all\"]\n*)\n";
+    const VALUES: &str = "(*! values\nchecksum = LINT#0\n*)\n";
+    format!("{HEADER}{}{VALUES}", program(inputs, place))
+}
+
+fn conversation(inputs: Inputs, place: u64) -> String {
+    const HELLO: &str = "{\"type\":\"hello\",\"protocol\":1}";
+    let source = serde_json::Value::String(program(inputs, place));
+    let run = format!(
+        "{{\"type\":\"run\",\"id\":1,\"dialect\":\"ironplc-ed3\",\"source\":{source},\"scans\":1,\
+         \"observe\":[{{\"name\":\"checksum\",\"type\":\"LINT\"}}]}}"
+    );
+    format!("{HELLO}\n{run}\n{{\"type\":\"bye\"}}\n")
+}
+
+/// A literal of any type, in the canonical spelling or without its prefix.
+fn literal(draws: &mut Draws) -> String {
+    let types: Vec<&ElementaryType> = ElementaryType::ALL.iter().collect();
+    let ty = draws.pick(&types).copied().unwrap_or(ElementaryType::Int);
+    let value = if ty.is_text() {
+        let length = draws.below(6);
+        let units = (0..length).map(|_| (draws.number() % 0x180) as u16);
+        // A STRING holds no unit above 16#FF.
+        let most = if ty == ElementaryType::String {
+            0xFF
+        } else {
+            u16::MAX
+        };
+        Value::text(ty, units.map(|unit| unit & most).collect())
+    } else {
+        let number = i128::from(draws.number().cast_signed() >> draws.below(64));
+        Value::plain(ty, ty.wrap(number))
+    };
+    let text = value.to_string();
+    match (draws.below(2), text.split_once('#')) {
+        (0, Some((_, rest))) => rest.to_owned(),
+        _ => text,
+    }
+}
+
+/// What stands in programs, literals, case files and requests, to be put in where it does not belong.
+const TOKENS: &[&str] = &[
+    "(*",
+    "*)",
+    "(*!",
+    "//",
+    "'",
+    "\"",
+    "$",
+    "$'",
+    "$27",
+    "#",
+    "16#",
+    "2#",
+    "_",
+    "..",
+    ".",
+    ".%X0",
+    ".7",
+    ":=",
+    "=>",
+    ";",
+    ",",
+    "(",
+    ")",
+    "[",
+    "]",
+    "{",
+    "}",
+    "<>",
+    "<=",
+    "**",
+    "-",
+    "+",
+    "E",
+    "e-5",
+    "T#",
+    "TIME#",
+    "1d2h",
+    "D#",
+    "REAL#NaN",
+    "INT#",
+    "DT#2024-02-30-24:00:00",
+    "END_IF",
+    "END_VAR",
+    "END_PROGRAM",
+    "FUNCTION",
+    "VAR CONSTANT",
+    "ARRAY[0..1] OF",
+    "STRUCT",
+    "IF",
+    "THEN",
+    "CASE",
+    "OF",
+    "FOR",
+    "TO",
+    "BY",
+    "DO",
+    "REPEAT",
+    "UNTIL",
+    "NOT",
+    "MOD",
+    "AND",
+    "XOR",
+    "TRUE",
+    "x",
+    "main",
+    "INT",
+    "LREAL",
+    "STRING[5]",
+    "\n",
+    "\r\n",
+    "\t",
+    "\u{0}",
+    "\u{feff}",
+    "é",
+    "𝄞",
+    "99999999999999999999",
+    "\\",
+    "\\u0000",
+    "null",
+    "values",
+    "error P4035",
+];
+
+/// The text with a few changes; in one of eight cases with none.
+fn mutated(text: String, draws: &mut Draws) -> Vec<u8> {
+    let mut bytes = text.into_bytes();
+    let changes = draws.below(8);
+    for _ in 0..changes {
+        change(&mut bytes, draws);
+    }
+    bytes
+}
+
+fn change(bytes: &mut Vec<u8>, draws: &mut Draws) {
+    let at = draws.below(bytes.len() + 1);
+    let length = draws.below(9).min(bytes.len() - at);
+    match draws.below(6) {
+        // A token more.
+        0 | 1 => {
+            let token = draws.pick(TOKENS).unwrap_or_default();
+            bytes.splice(at..at, token.bytes());
+        }
+        // Some bytes less.
+        2 => {
+            bytes.drain(at..at + length);
+        }
+        // Some bytes twice.
+        3 => {
+            let again = bytes[at..at + length].to_vec();
+            bytes.splice(at..at, again);
+        }
+        // Another byte.
+        4 => {
+            let byte = draws.number().to_le_bytes()[0];
+            if let Some(place) = bytes.get_mut(at) {
+                *place = byte;
+            }
+        }
+        // The end is missing, rarely.
+        _ => {
+            if draws.below(4) == 0 {
+                bytes.truncate(at);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXTS: [Target; 4] = [Target::Parse, Target::CaseFile, Target::Literal, Target::Protocol];
+
+    #[test]
+    fn an_input_depends_on_seed_place_and_target_alone() {
+        for target in TEXTS {
+            assert_eq!(input(Inputs::new(3), 5, target), input(Inputs::new(3), 5, target));
+        }
+    }
+
+    #[test]
+    fn some_inputs_are_whole_and_most_are_not() {
+        let inputs = Inputs::new(1);
+        let whole = (0..200)
+            .filter(|&place| input(inputs, place, Target::Parse) == program(inputs, place).into_bytes());
+        assert!((5..100).contains(&whole.count()));
+    }
+
+    #[test]
+    fn literals_of_every_type_come() {
+        let texts: Vec<String> = (0..2000)
+            .map(|place| literal(&mut Draws::new(Inputs::new(1).draws(place))))
+            .collect();
+        for ty in ElementaryType::ALL {
+            let prefix = format!("{ty}#");
+            assert!(texts.iter().any(|text| text.starts_with(&prefix)), "{ty}");
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! The command lines of campaigns: `fuzz`, `promote`, `merge`.
+
+use super::dialects;
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use std::path::PathBuf;
+use std::time::Duration;
+use stickler_generate::oracles::Target;
+use stickler_run::Shard;
+use stickler_types::DialectName;
+
+/// `stickler fuzz`.
+#[derive(Args, Debug)]
+pub struct FuzzArguments {
+    /// Hold inputs against this oracle of the reference; may be repeated, then in rotation [default: execute, check,
+    /// convert, literal, parse]
+    #[arg(long, value_name = "TARGET", value_parser = targets(), conflicts_with = "engine")]
+    pub target: Vec<Target>,
+    /// Hold this engine, and the reference, against what the documents say of random programs: `reference`, a compiler
+    /// with an adapter, or `cmd:COMMAND LINE`; may be repeated
+    #[arg(long, value_name = "ENGINE")]
+    pub engine: Vec<String>,
+    /// With --engine: only programs of this dialect; may be repeated [default: those that the engines speak]
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: Vec<DialectName>,
+    /// Where inputs come from: the same N gives the same inputs
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Begin with input N of the seed
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub first: u64,
+    /// Go on for so long: 90s, 10m, 2h [default: 60s]
+    #[arg(long, value_name = "TIME", value_parser = time, conflicts_with = "count")]
+    pub time: Option<Duration>,
+    /// Judge N inputs; what is found then depends on nothing but the seed
+    #[arg(long, value_name = "N")]
+    pub count: Option<u64>,
+    /// Judge N inputs at a time [default: one a processor]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+    /// Judge part I of N of the inputs; `stickler merge` puts the findings of all parts together
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
+    /// With --engine: let programs use what documents leave open; then values are not compared, and only crashes and
+    /// hangs count
+    #[arg(long, requires = "engine")]
+    pub open: bool,
+    /// Keep findings in DIR [default: reports/findings beside the folder of the cases]
+    #[arg(long, value_name = "DIR")]
+    pub findings: Option<PathBuf>,
+    /// Judge a finding again, or, with --target, the bytes of any file
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["seed", "first", "time", "count", "shard", "open", "dialect"])]
+    pub replay: Option<PathBuf>,
+}
+
+/// `stickler promote`.
+#[derive(Args, Debug)]
+pub struct PromoteArguments {
+    /// A finding: its folder, or its name in reports/findings
+    #[arg(value_name = "FINDING")]
+    pub finding: PathBuf,
+    /// The document and section that say what must happen, `source: section` [default: as the finding proposes]
+    #[arg(long, value_name = "BASIS")]
+    pub basis: Option<String>,
+    /// The name of the case, found/NAME [default: the finding's]
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+    /// The folder of the cases [default: conformance-cases here or in a folder above]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+}
+
+/// `stickler merge`.
+#[derive(Args, Debug)]
+pub struct MergeArguments {
+    /// The folders of findings of the parts of a campaign
+    #[arg(value_name = "DIR", required = true)]
+    pub folders: Vec<PathBuf>,
+    /// Where to put them together
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+fn targets() -> impl TypedValueParser<Value = Target> {
+    let names = Target::ALL
+        .into_iter()
+        .filter(|target| *target != Target::Differential);
+    PossibleValuesParser::new(names.map(Target::name))
+        .try_map(|name| Target::from_name(&name).ok_or_else(|| format!("there is no target `{name}`")))
+}
+
+/// Reads `90s`, `10m`, `2h`, `500ms`; a number alone is seconds.
+fn time(text: &str) -> Result<Duration, String> {
+    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+    let (number, unit) = text.split_at(digits);
+    let wrong = || format!("`{text}` is no time; write it as 90s, 10m or 2h");
+    let number: u64 = number.parse().map_err(|_| wrong())?;
+    let milliseconds = match unit {
+        "ms" => 1,
+        "s" | "" => 1000,
+        "m" => 60_000,
+        "h" => 3_600_000,
+        _ => return Err(wrong()),
+    };
+    let all = number
+        .checked_mul(milliseconds)
+        .ok_or_else(|| format!("`{text}` is too long a time"))?;
+    Ok(Duration::from_millis(all))
+}
+
+/// What the help of `fuzz` ends with.
+pub const FUZZ_EXAMPLES: &str = "\
+Examples:
+  stickler fuzz                                     the reference, for a minute
+  stickler fuzz --target execute --count 100000     found again by the same line
+  stickler fuzz --engine 'cmd:my-adapter' --time 10m
+  stickler fuzz --engine 'cmd:my-adapter' --seed 7 --count 40000 --shard 1/4
+  stickler fuzz --replay reports/findings/FINDING   is it still there?
+  stickler fuzz --replay crash-1f3a --target parse  one input of libFuzzer";
+
+/// What the help of `promote` ends with.
+pub const PROMOTE_EXAMPLES: &str = "\
+Examples:
+  stickler promote my-compiler-value-int-3f2a91c0
+  stickler promote reports/findings/my-compiler-value-int-3f2a91c0 \\
+      --name mod-of-a-negative-dividend --basis 'stickler-design: §8'";
+
+/// What the help of `merge` ends with.
+pub const MERGE_EXAMPLES: &str = "\
+Example:
+  stickler merge part-1 part-2 part-3 -o reports/findings";
+
+#[cfg(test)]
+mod tests {
+    use super::time;
+    use std::time::Duration;
+
+    #[test]
+    fn a_time_is_read_and_nothing_else() {
+        assert_eq!(time("90s"), Ok(Duration::from_secs(90)));
+        assert_eq!(time("90"), Ok(Duration::from_secs(90)));
+        assert_eq!(time("10m"), Ok(Duration::from_secs(600)));
+        assert_eq!(time("2h"), Ok(Duration::from_secs(7200)));
+        assert_eq!(time("500ms"), Ok(Duration::from_millis(500)));
+        for text in [
+            "",
+            "s",
+            "-1s",
+            "1.5h",
+            "1 d",
+            "10x",
+            "99999999999999999999s",
+            "9999999999999999h",
+        ] {
+            assert!(time(text).is_err(), "{text}");
+        }
+    }
+}

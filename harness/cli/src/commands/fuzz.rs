@@ -1,0 +1,226 @@
+//! `stickler fuzz`: a campaign, or one input judged again.
+
+mod bar;
+mod keeper;
+mod page;
+mod replay;
+
+use crate::arguments::FuzzArguments;
+use crate::case_folder::CaseFolder;
+use crate::engines::{self, Named};
+use crate::exit::Exit;
+use crate::{interrupt, shell};
+use anyhow::bail;
+use bar::Bar;
+use keeper::Keeper;
+use page::Page;
+use std::io::Write;
+use std::path::PathBuf;
+use std::time::Duration;
+use stickler_campaign::{
+    Bench, Commands, Differential, Ended, Entrant, Event, Inputs, Oracles, Part, Plan, Request, Store,
+    Summary, Until,
+};
+use stickler_generate::oracles::Target;
+use stickler_run::Shard;
+use stickler_types::DialectName;
+
+/// How long a campaign goes on for which nothing is said.
+const TIME: Duration = Duration::from_secs(60);
+
+/// Runs a campaign, keeps its findings, shows a summary.
+///
+/// # Errors
+/// A wrong command line, an engine that cannot be run, a folder that cannot be written; all before the first input.
+pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    if let Some(path) = &arguments.replay {
+        return replay::execute(path, arguments, out);
+    }
+    // An engine may take its time to start; the campaign itself ends in an orderly way.
+    interrupt::at_once()?;
+    let engines = engines_of(&arguments.engine)?;
+    let store = Store::open(&findings_folder(arguments.findings.as_ref()))?;
+    let inputs = Inputs::new(arguments.seed);
+    let commands = commands(arguments, &store);
+    if engines.is_empty() {
+        if !arguments.dialect.is_empty() {
+            bail!("--dialect needs an --engine; the oracles of the reference choose dialects by their input");
+        }
+        let targets = match &arguments.target[..] {
+            [] => Oracles::TARGETS.to_vec(),
+            named => named.to_vec(),
+        };
+        let request = request(arguments, &targets, Vec::new(), &[]);
+        let bench = Oracles {
+            targets,
+            inputs,
+            commands,
+        };
+        return campaign(&bench, 64, arguments, request, store, out);
+    }
+    let dialects = dialects_of(arguments, &engines)?;
+    let names = engines
+        .iter()
+        .map(|named| named.identity().name.clone())
+        .collect();
+    let request = request(arguments, &[Target::Differential], names, &dialects);
+    let bench = Differential {
+        entrants: engines.iter().map(entrant).collect(),
+        inputs,
+        dialects,
+        open: arguments.open,
+        commands,
+    };
+    campaign(&bench, 8, arguments, request, store, out)
+}
+
+/// Runs it on a bench.
+fn campaign(
+    bench: &dyn Bench,
+    batch: usize,
+    arguments: &FuzzArguments,
+    request: Request,
+    store: Store,
+    out: &mut dyn Write,
+) -> anyhow::Result<Exit> {
+    let part = part(arguments.shard);
+    let plan = Plan {
+        first: arguments.first,
+        until: match (arguments.count, arguments.time) {
+            (Some(count), _) => Until::Count(count),
+            (None, time) => Until::Time(time.unwrap_or(TIME)),
+        },
+        part,
+        jobs: arguments.jobs.map_or(0, usize::from),
+        batch,
+    };
+    let mut page = Page::new(out);
+    page.begin(&request, part)?;
+    let cancel = interrupt::flag()?;
+    let mut keeper = Keeper::begin(store, request, part)?;
+    let bar = Bar::new(&plan);
+    let mut tell = |event: Event<'_>| match event {
+        Event::Progress(progress) => bar.reach(progress),
+        Event::Found(finding) => keeper.keep(finding),
+    };
+    let summary = stickler_campaign::run(&plan, bench, &mut tell, cancel);
+    bar.finish();
+    let summary = summary?;
+    let unsaved = keeper.end(&summary);
+    page.end(&summary, &unsaved)?;
+    Ok(exit(&summary).worst(unsaved.exit()))
+}
+
+fn exit(summary: &Summary) -> Exit {
+    let found = match summary.findings.is_empty() {
+        true => Exit::AsExpected,
+        false => Exit::Failures,
+    };
+    match summary.ended {
+        Ended::Done => found,
+        Ended::Interrupted => Exit::Interrupted,
+        Ended::Lost(_) => Exit::EngineNotRun,
+    }
+}
+
+/// The reference and those that were named; none where none was.
+///
+/// # Errors
+/// Those of [`engines::by_names`].
+fn engines_of(names: &[String]) -> anyhow::Result<Vec<Named>> {
+    if names.is_empty() {
+        return Ok(Vec::new());
+    }
+    let reference = engines::REFERENCE.to_owned();
+    let all: Vec<String> = std::iter::once(reference).chain(names.iter().cloned()).collect();
+    engines::by_names(&all)
+}
+
+fn entrant(named: &Named) -> Entrant<'_> {
+    Entrant {
+        engine: named.engine.as_ref(),
+        asked_for: &named.asked_for,
+        is_reference: named.asked_for == engines::REFERENCE,
+    }
+}
+
+/// Those that were asked for and that an engine speaks beside the reference; all that they speak where none was.
+///
+/// # Errors
+/// Where one of the engines speaks none of them.
+fn dialects_of(arguments: &FuzzArguments, engines: &[Named]) -> anyhow::Result<Vec<DialectName>> {
+    let asked = match &arguments.dialect[..] {
+        [] => &DialectName::ALL[..],
+        named => named,
+    };
+    let foreign = engines
+        .iter()
+        .filter(|named| named.asked_for != engines::REFERENCE);
+    let mut spoken: Vec<DialectName> = Vec::new();
+    for named in foreign {
+        spoken.extend(engines::spoken(named.identity(), asked)?);
+    }
+    if spoken.is_empty() {
+        spoken.extend(asked);
+    }
+    spoken.sort_unstable();
+    spoken.dedup();
+    Ok(spoken)
+}
+
+fn part(shard: Option<Shard>) -> Part {
+    // A shard is a part of those that there are.
+    shard
+        .and_then(|shard| Part::new(shard.index(), shard.count()))
+        .unwrap_or(Part::WHOLE)
+}
+
+/// The folder that was named, or `reports/findings` beside the cases, or here where there are none.
+pub fn findings_folder(named: Option<&PathBuf>) -> PathBuf {
+    let default = || {
+        let root = CaseFolder::locate(None)
+            .map(|folder| folder.root)
+            .unwrap_or_default();
+        root.join("reports").join("findings")
+    };
+    named.cloned().unwrap_or_else(default)
+}
+
+fn commands(arguments: &FuzzArguments, store: &Store) -> Commands {
+    Commands {
+        program: shell::program().to_owned(),
+        folder: store.folder().to_owned(),
+        engines: arguments.engine.clone(),
+        dialects: arguments.dialect.clone(),
+        targets: arguments
+            .target
+            .iter()
+            .map(|target| target.name().to_owned())
+            .collect(),
+    }
+}
+
+fn request(
+    arguments: &FuzzArguments,
+    targets: &[Target],
+    engines: Vec<String>,
+    dialects: &[DialectName],
+) -> Request {
+    let time = arguments.time.unwrap_or(TIME).as_millis();
+    Request {
+        seed: arguments.seed,
+        first: arguments.first,
+        count: arguments.count,
+        milliseconds: arguments
+            .count
+            .is_none()
+            .then(|| u64::try_from(time).unwrap_or(u64::MAX)),
+        targets: targets.iter().map(|target| target.name().to_owned()).collect(),
+        engines,
+        dialects: dialects
+            .iter()
+            .map(|dialect| dialect.as_str().to_owned())
+            .collect(),
+        open: arguments.open,
+    }
+}

@@ -1,0 +1,77 @@
+//! How far a campaign is, on stderr and only where that is a terminal.
+
+use indicatif::{HumanCount, ProgressBar, ProgressStyle};
+use std::time::{Duration, Instant};
+use stickler_campaign::{Plan, Progress, Until};
+
+/// A bar of the programs, or of the time, whichever ends the campaign.
+pub struct Bar {
+    bar: ProgressBar,
+    begun: Instant,
+    /// Whether the bar counts programs; otherwise seconds.
+    counts: bool,
+}
+
+impl Bar {
+    /// A bar for a campaign.
+    pub fn new(plan: &Plan) -> Bar {
+        let (length, counts) = match plan.until {
+            Until::Count(count) => (plan.share().unwrap_or(count), true),
+            Until::Time(time) => (time.as_secs(), false),
+        };
+        let bar = ProgressBar::new(length);
+        let template = if counts {
+            "{wide_bar} {human_pos}/{human_len} {msg} {elapsed}"
+        } else {
+            "{wide_bar} {msg} {elapsed}"
+        };
+        // The template is a constant; if it were wrong, the bar would look plain.
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style);
+        }
+        bar.enable_steady_tick(Duration::from_millis(200));
+        Bar {
+            bar,
+            begun: Instant::now(),
+            counts,
+        }
+    }
+
+    /// Shows how far it is.
+    pub fn reach(&self, progress: Progress) {
+        let elapsed = self.begun.elapsed();
+        let position = if self.counts {
+            progress.programs
+        } else {
+            elapsed.as_secs()
+        };
+        self.bar.set_position(position);
+        let Progress {
+            programs,
+            disagreements,
+            findings,
+        } = progress;
+        let rate = rate(programs, elapsed);
+        let programs = HumanCount(programs);
+        let total = if self.counts {
+            String::new()
+        } else {
+            format!("{programs} programs, ")
+        };
+        self.bar.set_message(format!(
+            "{total}{}/s, {disagreements} disagreements, {findings} findings",
+            HumanCount(rate)
+        ));
+    }
+
+    /// Takes the bar away.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+/// So many in a second.
+pub fn rate(programs: u64, elapsed: Duration) -> u64 {
+    let milliseconds = u64::try_from(elapsed.as_millis()).unwrap_or(u64::MAX).max(1);
+    programs.saturating_mul(1000) / milliseconds
+}

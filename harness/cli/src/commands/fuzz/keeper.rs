@@ -1,0 +1,102 @@
+//! Who keeps findings: in the folder as soon as they are found, and in memory where the folder does not take them.
+
+use crate::exit::Exit;
+use crate::output;
+use std::collections::BTreeMap;
+use stickler_campaign::record::FORMAT;
+use stickler_campaign::{Ended, Finding, Part, Record, Request, Store, StoreError, Summary};
+
+/// Keeps the findings of one campaign.
+pub struct Keeper {
+    store: Store,
+    record: Record,
+    /// What the folder did not take; tried again at the end.
+    unsaved: BTreeMap<String, Finding>,
+}
+
+/// What the folder did not take, and why.
+pub struct Unsaved {
+    /// The folder, as it was named.
+    pub folder: String,
+    /// The findings.
+    pub findings: Vec<Finding>,
+    /// Why, in words; also where only the record of the campaign could not be written.
+    pub error: Option<StoreError>,
+}
+
+impl Keeper {
+    /// Writes down that a campaign has begun.
+    ///
+    /// # Errors
+    /// [`StoreError`] where the folder cannot be written.
+    pub fn begin(store: Store, asked: Request, part: Part) -> Result<Keeper, StoreError> {
+        let record = Record {
+            format: FORMAT,
+            stickler: env!("CARGO_PKG_VERSION").to_owned(),
+            asked,
+            part: part.index(),
+            parts: part.count(),
+            complete: false,
+            programs: 0,
+            disagreements: 0,
+            findings: Vec::new(),
+        };
+        record.write(store.folder())?;
+        Ok(Keeper {
+            store,
+            record,
+            unsaved: BTreeMap::new(),
+        })
+    }
+
+    /// Saves a finding; where that fails, it says so once and goes on.
+    pub fn keep(&mut self, finding: &Finding) {
+        match self.store.save(finding) {
+            Ok(_) => {
+                self.unsaved.remove(&finding.id);
+            }
+            Err(error) => {
+                if self.unsaved.is_empty() {
+                    output::note(format!(
+                        "{error}; the campaign goes on, and what cannot be saved is shown at its end"
+                    ));
+                }
+                self.unsaved.insert(finding.id.clone(), finding.clone());
+            }
+        }
+    }
+
+    /// Saves what could not be saved before, if it can be now, and writes down how the campaign ended.
+    pub fn end(mut self, summary: &Summary) -> Unsaved {
+        let mut error = None;
+        let mut findings = Vec::new();
+        for finding in std::mem::take(&mut self.unsaved).into_values() {
+            if let Err(reason) = self.store.save(&finding) {
+                error = Some(reason);
+                findings.push(finding);
+            }
+        }
+        self.record.complete = summary.ended == Ended::Done && findings.is_empty();
+        self.record.programs = summary.programs;
+        self.record.disagreements = summary.disagreements.values().sum();
+        self.record.findings = summary.findings.keys().cloned().collect();
+        if let Err(reason) = self.record.write(self.store.folder()) {
+            error = error.or(Some(reason));
+        }
+        Unsaved {
+            folder: self.store.folder().display().to_string(),
+            findings,
+            error,
+        }
+    }
+}
+
+impl Unsaved {
+    /// What it means for the exit code.
+    pub fn exit(&self) -> Exit {
+        match self.error {
+            Some(_) => Exit::Usage,
+            None => Exit::AsExpected,
+        }
+    }
+}

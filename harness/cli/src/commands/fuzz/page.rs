@@ -1,0 +1,204 @@
+//! What a campaign shows.
+
+use super::bar::rate;
+use super::keeper::Unsaved;
+use anstyle::{AnsiColor, Style};
+use indicatif::HumanCount;
+use std::io::{self, Write};
+use stickler_campaign::finding::Standing;
+use stickler_campaign::{Ended, Finding, Part, Request, Summary};
+
+const BOLD: Style = Style::new().bold();
+const DIM: Style = Style::new().dimmed();
+const RED: Style = AnsiColor::Red.on_default().bold();
+const GREEN: Style = AnsiColor::Green.on_default().bold();
+
+/// How many findings are shown with their programs; the folder has all.
+const SHOWN: usize = 10;
+/// How many lines a program may have to be shown.
+const LINES: usize = 25;
+
+/// Where it is shown.
+pub struct Page<'o> {
+    out: &'o mut dyn Write,
+}
+
+impl<'o> Page<'o> {
+    /// A page.
+    pub fn new(out: &'o mut dyn Write) -> Page<'o> {
+        Page { out }
+    }
+
+    /// What is asked of whom.
+    ///
+    /// # Errors
+    /// Where nothing can be written.
+    pub fn begin(&mut self, request: &Request, part: Part) -> io::Result<()> {
+        write!(self.out, "seed {}", request.seed)?;
+        if part != Part::WHOLE {
+            write!(self.out, ", part {part}")?;
+        }
+        if request.engines.is_empty() {
+            writeln!(self.out, ", reference: {}", request.targets.join(", "))?;
+        } else {
+            let open = if request.open {
+                ", with what documents leave open"
+            } else {
+                ""
+            };
+            let (engines, dialects) = (request.engines.join(", "), request.dialects.join(", "));
+            writeln!(self.out, ", {engines}: programs in {dialects}{open}")?;
+        }
+        self.out.flush()
+    }
+
+    /// What was found.
+    ///
+    /// # Errors
+    /// Where nothing can be written.
+    pub fn end(&mut self, summary: &Summary, unsaved: &Unsaved) -> io::Result<()> {
+        self.totals(summary)?;
+        for finding in shown(summary) {
+            self.finding(finding, summary.times.get(&finding.id).copied().unwrap_or(0))?;
+        }
+        let more = summary.findings.len().saturating_sub(SHOWN);
+        if more > 0 {
+            writeln!(self.out, "\n{more} more in {}", unsaved.folder)?;
+        }
+        self.unsaved(unsaved)?;
+        match &summary.ended {
+            Ended::Done => {}
+            Ended::Interrupted => writeln!(self.out, "\nstopped before its end")?,
+            Ended::Lost(reason) => writeln!(self.out, "\n{RED}stopped:{RED:#} {reason}")?,
+        }
+        match summary.findings.len() {
+            0 => writeln!(self.out, "\n{GREEN}nothing found{GREEN:#}"),
+            1 => writeln!(self.out, "\n{RED}1 finding{RED:#} in {}", unsaved.folder),
+            number => writeln!(self.out, "\n{RED}{number} findings{RED:#} in {}", unsaved.folder),
+        }
+    }
+
+    fn totals(&mut self, summary: &Summary) -> io::Result<()> {
+        writeln!(
+            self.out,
+            "{} programs in {:.1} s ({}/s)",
+            HumanCount(summary.programs),
+            summary.elapsed.as_secs_f64(),
+            HumanCount(rate(summary.programs, summary.elapsed))
+        )?;
+        for (word, number) in &summary.passed_over {
+            writeln!(
+                self.out,
+                "{DIM}{:>10} passed over: {word}{DIM:#}",
+                HumanCount(*number)
+            )?;
+        }
+        for ((subject, symptom), number) in &summary.disagreements {
+            writeln!(self.out, "{:>10} {subject}: {symptom}", HumanCount(*number))?;
+        }
+        if summary.left > 0 {
+            writeln!(
+                self.out,
+                "{DIM}{:>10} of them were not made small, for many like them were{DIM:#}",
+                HumanCount(summary.left)
+            )?;
+        }
+        if summary.deaths > 0 {
+            let deaths = HumanCount(summary.deaths);
+            writeln!(
+                self.out,
+                "{deaths:>10} times an engine died or hung, and was started again"
+            )?;
+        }
+        Ok(())
+    }
+
+    fn finding(&mut self, finding: &Finding, times: u64) -> io::Result<()> {
+        writeln!(self.out, "\n{BOLD}{}{BOLD:#}", finding.id)?;
+        let unit = if finding.program.is_some() {
+            "lines"
+        } else {
+            "bytes"
+        };
+        let flaky = match finding.standing {
+            Standing::Confirmed => "",
+            Standing::Flaky => ", flaky: not seen again",
+        };
+        let dialect = finding
+            .dialect
+            .as_deref()
+            .map(|name| format!("{name}, "))
+            .unwrap_or_default();
+        writeln!(
+            self.out,
+            "  {dialect}{} {unit} of {}, {times} times{flaky}",
+            finding.origin.size, finding.origin.size_found
+        )?;
+        if !finding.rule.is_empty() {
+            writeln!(self.out, "  {DIM}{}{DIM:#}", finding.rule.join(", "))?;
+        }
+        for line in finding.message.lines().take(LINES) {
+            writeln!(self.out, "  {line}")?;
+        }
+        self.program(finding, LINES)?;
+        if let Some(command) = finding.reproduce.first() {
+            writeln!(self.out, "  {DIM}{command}{DIM:#}")?;
+        }
+        Ok(())
+    }
+
+    fn program(&mut self, finding: &Finding, most: usize) -> io::Result<()> {
+        let Some(program) = &finding.program else {
+            return Ok(());
+        };
+        if program.lines().count() > most {
+            return Ok(());
+        }
+        for (number, line) in program.lines().enumerate() {
+            let gap = if line.is_empty() { "" } else { "  " };
+            writeln!(self.out, "  {DIM}{:>4}{DIM:#}{gap}{}", number + 1, harmless(line))?;
+        }
+        Ok(())
+    }
+
+    /// What the folder did not take is here, whole: nothing that was found is lost.
+    fn unsaved(&mut self, unsaved: &Unsaved) -> io::Result<()> {
+        let Some(error) = &unsaved.error else {
+            return Ok(());
+        };
+        writeln!(self.out, "\n{RED}not saved:{RED:#} {error}")?;
+        for finding in &unsaved.findings {
+            writeln!(self.out, "\n{BOLD}{}{BOLD:#}: {}", finding.id, finding.message)?;
+            self.program(finding, usize::MAX)?;
+            let input: String = finding.input.iter().map(|byte| format!("{byte:02x}")).collect();
+            if !input.is_empty() {
+                writeln!(self.out, "  input: {input}")?;
+            }
+            // The folder does not have it, so only the seed finds it again.
+            if let Some(command) = finding.reproduce.last() {
+                writeln!(self.out, "  {command}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The findings that are shown: seen again before flaky, small before large.
+fn shown(summary: &Summary) -> Vec<&Finding> {
+    let mut findings: Vec<&Finding> = summary.findings.values().collect();
+    findings.sort_by_key(|finding| (finding.standing, finding.origin.size, finding.id.as_str()));
+    findings.truncate(SHOWN);
+    findings
+}
+
+/// A line that does nothing to a terminal.
+fn harmless(line: &str) -> String {
+    let shown = |character: char| {
+        if character.is_control() {
+            '\u{fffd}'
+        } else {
+            character
+        }
+    };
+    line.chars().map(shown).collect()
+}

@@ -1,0 +1,119 @@
+//! One input, or one finding, judged again.
+
+use super::{engines_of, entrant};
+use crate::arguments::FuzzArguments;
+use crate::exit::Exit;
+use crate::{engines, output, source_file};
+use anyhow::bail;
+use std::io::{self, Write};
+use std::path::Path;
+use stickler_campaign::finding::Finding;
+use stickler_campaign::{Replayed, load, replay};
+use stickler_generate::oracles::{Failure, Target, Tried};
+
+/// Judges the finding in a folder, or, with targets, the bytes of a file.
+///
+/// # Errors
+/// What cannot be read; an engine that cannot be run.
+pub fn execute(path: &Path, arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    if path.is_dir() {
+        return finding(path, arguments, out);
+    }
+    if arguments.target.is_empty() {
+        bail!(
+            "{} is no folder of a finding; to judge the bytes of a file, say by which oracle: --target parse",
+            path.display()
+        );
+    }
+    let (bytes, name) = source_file::read(path)?;
+    let mut exit = Exit::AsExpected;
+    for target in &arguments.target {
+        let judged = target.judge(&bytes);
+        exit = exit.worst(exit_of(judged.is_err()));
+        write_judged(&name, *target, &judged, out)?;
+    }
+    Ok(exit)
+}
+
+fn finding(path: &Path, arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let finding = load(path)?;
+    if finding.stickler != env!("CARGO_PKG_VERSION") {
+        output::note(format!(
+            "this was found by Stickler {}; its programs and inputs are judged as they are",
+            finding.stickler
+        ));
+    }
+    if !finding.is_as_found() {
+        output::note(
+            "the program or the input was edited since it was found; what must happen was said of the original",
+        );
+    }
+    let engines = engines_of(&names(&finding, arguments))?;
+    let entrants: Vec<_> = engines.iter().map(entrant).collect();
+    let replayed = replay(&finding, &entrants)?;
+    write_replayed(&finding, &replayed, out)?;
+    Ok(exit_of(replayed.shows()))
+}
+
+/// The engines that are named, or else the one that disagreed.
+fn names(finding: &Finding, arguments: &FuzzArguments) -> Vec<String> {
+    match (&arguments.engine[..], &finding.engine) {
+        ([], Some(engine)) => vec![engine.asked_for.clone()],
+        ([], None) => vec![engines::REFERENCE.to_owned()],
+        (named, _) => named.to_vec(),
+    }
+}
+
+fn exit_of(wrong: bool) -> Exit {
+    if wrong { Exit::Failures } else { Exit::AsExpected }
+}
+
+fn write_replayed(finding: &Finding, replayed: &Replayed, out: &mut dyn Write) -> io::Result<()> {
+    for (answer, wrong) in &replayed.answers {
+        let version = &answer.engine.version;
+        match wrong {
+            Some(wrong) => writeln!(
+                out,
+                "{} {version}: {} {wrong}",
+                answer.engine.name, answer.outcome
+            )?,
+            None => writeln!(
+                out,
+                "{} {version}: {} as it must",
+                answer.engine.name, answer.outcome
+            )?,
+        }
+    }
+    if let (Some(judged), Some(target)) = (&replayed.judged, finding.target()) {
+        write_judged("its input", target, judged, out)?;
+    }
+    if replayed.answers.is_empty() && replayed.judged.is_none() {
+        writeln!(
+            out,
+            "{}: this version of Stickler knows nothing to ask",
+            finding.id
+        )?;
+    }
+    writeln!(
+        out,
+        "{}",
+        if replayed.shows() {
+            "it is still there"
+        } else {
+            "it is not there any more"
+        }
+    )
+}
+
+fn write_judged(
+    name: &str,
+    target: Target,
+    judged: &Result<Tried, Failure>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    match judged {
+        Ok(Tried::Done) => writeln!(out, "{name}: {} holds", target.name()),
+        Ok(Tried::PassedOver(word)) => writeln!(out, "{name}: {} passed it over: {word}", target.name()),
+        Err(failure) => writeln!(out, "{name}: {} fails: {failure}", target.name()),
+    }
+}

@@ -1,0 +1,51 @@
+//! `stickler promote`: a finding becomes a case.
+
+use super::fuzz::findings_folder;
+use crate::arguments::PromoteArguments;
+use crate::case_folder::CaseFolder;
+use crate::exit::Exit;
+use crate::{output, shell};
+use std::io::Write;
+use std::path::PathBuf;
+use stickler_campaign::{FOUND, load, promote};
+
+/// Writes the case, and says how to run it.
+///
+/// # Errors
+/// No finding, no folder of cases, or a finding that says nothing a case could say.
+pub fn execute(arguments: &PromoteArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let finding = load(&place(arguments))?;
+    let folder = CaseFolder::locate(arguments.cases.as_deref())?;
+    let promoted = promote(
+        &finding,
+        &folder.path,
+        arguments.name.as_deref(),
+        arguments.basis.as_deref(),
+    )?;
+    writeln!(out, "{}", promoted.path.display())?;
+    if promoted.proposed {
+        output::note(format!(
+            "its basis is proposed: `{}`; look whether that section says it, or name a better one with --basis",
+            promoted.basis
+        ));
+    }
+    if let Some(name) = promoted.path.file_stem() {
+        writeln!(
+            out,
+            "  {} run --filter {FOUND}/{}",
+            shell::program(),
+            name.to_string_lossy()
+        )?;
+    }
+    Ok(Exit::AsExpected)
+}
+
+/// The folder that was named, or the finding of this name.
+fn place(arguments: &PromoteArguments) -> PathBuf {
+    let named = &arguments.finding;
+    let known = findings_folder(None).join(named);
+    if !named.exists() && known.is_dir() {
+        return known;
+    }
+    named.clone()
+}
