@@ -4,6 +4,7 @@
 //! [`Outcome`]. This crate knows neither cases nor verdicts nor reports.
 #![forbid(unsafe_code)]
 
+mod adapters;
 mod engine;
 mod guard;
 mod outcome;
@@ -11,6 +12,7 @@ mod process;
 pub mod protocol;
 mod reference;
 
+pub use adapters::Compiler;
 pub use engine::{
     Ability, ClockStep, Engine, EngineError, Identity, Observation, RunRequest, Session, Setting,
 };

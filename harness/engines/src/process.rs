@@ -7,17 +7,30 @@
 mod child;
 mod command_line;
 mod connection;
+mod folder;
 mod greeting;
+mod group;
+mod memory;
 mod message;
 mod session;
+mod tool;
 
 use crate::{Engine, EngineError, Identity, Session};
-pub use child::kill_all_processes;
 use command_line::CommandLine;
 use connection::Connection;
+pub(crate) use folder::Folder;
 use session::ProcessSession;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
+pub(crate) use tool::{Ended, ToolLimits, run as run_tool};
+
+/// Kills every process that an engine of this program has started, with all that they started, and removes the folders
+/// in which they worked. For a program that is about to end without ending its sessions, as at Ctrl-C: the processes
+/// have groups of their own, and so nobody else ends them.
+pub fn kill_all_processes() {
+    group::kill_all();
+    folder::remove_all();
+}
 
 /// What an engine in a process of its own may take and give.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

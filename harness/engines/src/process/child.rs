@@ -1,20 +1,18 @@
-//! The process itself: its start, its end, and the last that it wrote to stderr.
+//! A process that is talked to: its start, its end, and the last that it wrote to stderr.
 
 use super::command_line::CommandLine;
-use process_wrap::std::{ChildWrapper, CommandWrap};
+use super::group::{Group, Pipes, lock};
 use std::collections::VecDeque;
-use std::io::{self, Read};
+use std::ffi::OsStr;
+use std::io::Read;
 use std::process::{ChildStderr, ChildStdin, ChildStdout, Stdio};
 use std::sync::mpsc::{self, Receiver};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
+use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
 /// How long a process that is done may take to end, and its stderr to be read to the end.
 const GRACE: Duration = Duration::from_secs(1);
-
-/// The longest pause between two looks at whether a process has ended.
-const LONGEST_PAUSE: Duration = Duration::from_millis(16);
 
 /// How much of stderr is kept, in bytes.
 const TAIL: usize = 4096;
@@ -22,72 +20,33 @@ const TAIL: usize = 4096;
 /// How many lines of stderr are told.
 const TOLD_LINES: usize = 8;
 
-/// A process with all that belongs to it. Whoever waits for its end keeps the lock only for a look.
-type Shared = Mutex<Box<dyn ChildWrapper>>;
-
-/// Every process that was started and has not been let go.
-static ALIVE: Mutex<Vec<Weak<Shared>>> = Mutex::new(Vec::new());
-
-/// Kills every process that an engine of this program has started, with all that they started. For a program that is
-/// about to end without ending its sessions, as at Ctrl-C: the processes have groups of their own, and so nobody else
-/// ends them.
-pub fn kill_all_processes() {
-    let alive = std::mem::take(&mut *lock(&ALIVE));
-    for process in alive.iter().filter_map(Weak::upgrade) {
-        // One that is gone already is what is wanted.
-        let _ = lock(&process).start_kill();
-    }
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
 /// A running process with everything that it starts. Dropping it kills them all.
 pub(super) struct Child {
-    wrapped: Arc<Shared>,
+    group: Group,
     stderr: Tail,
-    /// It was killed already; by now its number may be another's.
-    killed: bool,
 }
 
 impl Child {
-    /// Starts a process as the leader of a group (on Windows: in a job) of its own, with pipes to and from it.
+    /// Starts a process in a group of its own, with pipes to and from it.
     ///
     /// # Errors
     /// A fragment that says why there is no process.
     pub(super) fn start(command: &CommandLine) -> Result<(Child, ChildStdin, ChildStdout), String> {
-        let mut wrap = CommandWrap::with_new(&command.program, |start| {
+        let (group, pipes) = Group::start(OsStr::new(&command.program), |start| {
             start
                 .args(&command.arguments)
                 .stdin(Stdio::piped())
                 .stdout(Stdio::piped())
                 .stderr(Stdio::piped());
-        });
-        #[cfg(unix)]
-        wrap.wrap(process_wrap::std::ProcessGroup::leader());
-        #[cfg(windows)]
-        wrap.wrap(process_wrap::std::JobObject);
-        let mut wrapped = wrap.spawn().map_err(|error| match error.kind() {
-            io::ErrorKind::NotFound => format!("there is no program `{}`", command.program),
-            _ => error.to_string(),
         })?;
-        let pipes = (wrapped.stdin().take(), wrapped.stdout().take());
-        let stderr = wrapped.stderr().take();
-        let wrapped = Arc::new(Mutex::new(wrapped));
-        let mut alive = lock(&ALIVE);
-        alive.retain(|process| process.strong_count() > 0);
-        alive.push(Arc::downgrade(&wrapped));
-        drop(alive);
-        let child = |tail| Child {
-            wrapped,
-            stderr: tail,
-            killed: false,
-        };
-        match (pipes, stderr) {
-            ((Some(stdin), Some(stdout)), Some(stderr)) => {
-                let child = child(Tail::of(stderr));
-                Ok((child, stdin, stdout))
+        match pipes {
+            Pipes {
+                stdin: Some(stdin),
+                stdout: Some(stdout),
+                stderr: Some(stderr),
+            } => {
+                let stderr = Tail::of(stderr);
+                Ok((Child { group, stderr }, stdin, stdout))
             }
             _ => Err("it has no pipes".to_owned()),
         }
@@ -95,14 +54,14 @@ impl Child {
 
     /// Whether the process itself has ended; what it started may still hold its output open.
     pub(super) fn has_ended(&mut self) -> bool {
-        matches!(lock(&self.wrapped).try_wait(), Ok(Some(_)))
+        self.group.has_ended()
     }
 
     /// Waits a moment for the end of a process that has nothing more to say, kills what is left of it, and tells how it
     /// ended: a fragment such as `it ended (exit status: 101); its stderr ends: …`.
     pub(super) fn end(mut self) -> String {
-        let status = self.wait_until(Instant::now() + GRACE);
-        self.kill();
+        let status = self.group.wait_until(Instant::now() + GRACE);
+        self.group.kill();
         let how = match status {
             Some(status) => format!("it ended ({status})"),
             None => "it closed its output and went on".to_owned(),
@@ -115,45 +74,13 @@ impl Child {
 
     /// Kills the process and tells the end of what it wrote to stderr.
     pub(super) fn kill_and_tell(mut self) -> String {
-        self.kill();
+        self.group.kill();
         self.stderr.text()
     }
 
     /// Lets a process that was told to leave do so, for a moment.
     pub(super) fn leave(mut self) {
-        self.wait_until(Instant::now() + GRACE);
-    }
-
-    fn wait_until(&mut self, deadline: Instant) -> Option<std::process::ExitStatus> {
-        let mut pause = Duration::from_micros(100);
-        loop {
-            let look = lock(&self.wrapped).try_wait();
-            match look {
-                Ok(Some(status)) => return Some(status),
-                Ok(None) if Instant::now() < deadline => {}
-                Ok(None) | Err(_) => return None,
-            }
-            // The system tells nobody without blocking when a process ends.
-            thread::sleep(pause);
-            pause = LONGEST_PAUSE.min(pause * 2);
-        }
-    }
-
-    fn kill(&mut self) {
-        if std::mem::replace(&mut self.killed, true) {
-            return;
-        }
-        // The group may be gone already, and then there is nothing left to do. What the process started lives on after
-        // its own end, so a signal goes to the group in any case.
-        let mut wrapped = lock(&self.wrapped);
-        let _ = wrapped.start_kill();
-        let _ = wrapped.wait();
-    }
-}
-
-impl Drop for Child {
-    fn drop(&mut self) {
-        self.kill();
+        self.group.wait_until(Instant::now() + GRACE);
     }
 }
 
@@ -196,7 +123,7 @@ fn keep(kept: &mut VecDeque<u8>, piece: &[u8]) {
 }
 
 /// The last lines that are not blank, in one line, without what would steer a terminal.
-fn told(text: &str) -> String {
+pub(super) fn told(text: &str) -> String {
     let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
     let last = &lines[lines.len().saturating_sub(TOLD_LINES)..];
     let joined = last

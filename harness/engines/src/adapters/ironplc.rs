@@ -1,0 +1,320 @@
+//! IronPLC: `ironplcc` compiles a program to bytecode, and `ironplcvm` runs it and prints its variables.
+//!
+//! `ironplcc compile` analyses as `ironplcc check` does before it generates code, so its diagnostics are those of both.
+//!
+//! Basis: ironplc: `ironplcc --help`, `ironplcvm --help`; measured on version 0.239.
+
+mod diagnostics;
+mod dump;
+mod sight;
+
+use super::locate::{self, call};
+use super::source::main_program;
+use super::witness::with_witnesses;
+use crate::process::{Ended, Folder};
+use crate::{Ability, Diagnostic, Engine, EngineError, Identity, NamedValue, Outcome, RunRequest, Session};
+use dump::Dump;
+use sight::{Blind, Experienced, Sights};
+use std::path::{Path, PathBuf};
+use stickler_types::{DialectName, Fault};
+
+/// The compiler and its virtual machine.
+pub(super) struct Ironplc {
+    identity: Identity,
+    compiler: PathBuf,
+    machine: PathBuf,
+}
+
+impl Ironplc {
+    /// Finds both programs: `ironplcc` on PATH or by `STICKLER_IRONPLCC`, `ironplcvm` on PATH or by
+    /// `STICKLER_IRONPLCVM`.
+    ///
+    /// # Errors
+    /// A fragment that says which is missing, or what the compiler did when it was asked for its version.
+    pub(super) fn find(called: &str) -> Result<Ironplc, String> {
+        let compiler = locate::program("ironplcc", "STICKLER_IRONPLCC")?;
+        let machine = locate::program("ironplcvm", "STICKLER_IRONPLCVM")?;
+        let version = locate::version(&compiler, &["version"], &Folder::new()?)?;
+        let version = version.rsplit(' ').next().unwrap_or_default().to_owned();
+        let identity = Identity {
+            name: called.to_owned(),
+            version,
+            dialects: vec![
+                DialectName::IronplcEd2,
+                DialectName::IronplcEd3,
+                DialectName::IronplcRusty,
+            ],
+            abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
+        };
+        Ok(Ironplc {
+            identity,
+            compiler,
+            machine,
+        })
+    }
+}
+
+impl Engine for Ironplc {
+    fn identity(&self) -> &Identity {
+        &self.identity
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        let folder = Folder::new().map_err(|reason| EngineError::NotStarted {
+            engine: self.identity.name.clone(),
+            reason,
+        })?;
+        Ok(Box::new(IronplcSession { engine: self, folder }))
+    }
+}
+
+/// A folder in which one program at a time is compiled and run.
+struct IronplcSession<'e> {
+    engine: &'e Ironplc,
+    folder: Folder,
+}
+
+impl Session for IronplcSession<'_> {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        self.try_run(request).unwrap_or_else(|outcome| outcome)
+    }
+
+    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        match self.compile(dialect, source) {
+            Ok(_) => Outcome::Accepted,
+            Err(outcome) => outcome,
+        }
+    }
+
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        self.echo(dialect, source).unwrap_or_else(|outcome| outcome)
+    }
+}
+
+/// The compiler's name of a dialect.
+fn dialect_name(dialect: DialectName) -> Result<&'static str, Outcome> {
+    match dialect {
+        DialectName::IronplcEd2 => Ok("iec61131-3-ed2"),
+        DialectName::IronplcEd3 => Ok("iec61131-3-ed3"),
+        DialectName::IronplcRusty => Ok("rusty"),
+        DialectName::Matiec | DialectName::Plcnext => Err(Outcome::Unsupported {
+            reason: format!("it does not speak {dialect}"),
+        }),
+    }
+}
+
+fn failed(message: String) -> Outcome {
+    Outcome::Error { message }
+}
+
+impl IronplcSession<'_> {
+    /// Executes a program, with witnesses for what the dump does not show. Where the witnesses are not accepted, the
+    /// program alone decides whether it is.
+    fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
+        if !(request.clock.is_empty() && request.set.is_empty()) {
+            return Err(Outcome::Unsupported {
+                reason: "ironplcvm takes neither a clock nor values between scans".to_owned(),
+            });
+        }
+        let mut sights = Sights::of(request, None);
+        loop {
+            let container = if sights.witnesses().is_empty() {
+                self.compile(request.dialect, request.source)?
+            } else {
+                self.compile_with_witnesses(request, &sights)?
+            };
+            let scans = Scans {
+                session: self,
+                container: &container,
+            };
+            // A second turn is taken for texts that turn out to be long, and for names that several variables have.
+            match scans.outcome(request, &sights)? {
+                Look::Done(outcome) => return Ok(outcome),
+                Look::Again(experienced) => sights = Sights::of(request, Some(experienced)),
+            }
+        }
+    }
+
+    fn compile_with_witnesses(&self, request: &RunRequest<'_>, sights: &Sights) -> Result<PathBuf, Outcome> {
+        let Some(main) = main_program(request.source) else {
+            return self.compile(request.dialect, request.source);
+        };
+        let reason = if main.returns {
+            "a program that may return early shows only its simple variables".to_owned()
+        } else if request.scans == 0 {
+            "before the first scan only simple variables are shown".to_owned()
+        } else {
+            let text = with_witnesses(request.source, &main, sights.witnesses());
+            match self.compile(request.dialect, &text) {
+                Ok(container) => return Ok(container),
+                Err(outcome) => format!("the copies of its values are not accepted: {}", told(&outcome)),
+            }
+        };
+        self.compile(request.dialect, request.source)?;
+        Err(Outcome::Unsupported { reason })
+    }
+
+    /// Compiles a program and gives the path of its bytecode.
+    fn compile(&self, dialect: DialectName, source: &str) -> Result<PathBuf, Outcome> {
+        let container = self.folder.path().join("program.iplc");
+        let arguments = ["compile", "program.st", "-o", "program.iplc", "--dialect"];
+        // What an earlier program left behind must not be taken for this one.
+        let _ = std::fs::remove_file(&container);
+        let ended = self.on_program(&arguments, dialect, source)?;
+        match ended.code()? {
+            0 if container.is_file() => Ok(container),
+            0 => Err(failed("it accepted the program and wrote no bytecode".to_owned())),
+            _ => Err(rejected(&ended)),
+        }
+    }
+
+    /// Renders a program as `ironplcc echo` does.
+    fn echo(&self, dialect: DialectName, source: &str) -> Result<Outcome, Outcome> {
+        let ended = self.on_program(&["echo", "program.st", "--dialect"], dialect, source)?;
+        match ended.code()? {
+            0 => Ok(Outcome::Rendered { text: ended.stdout }),
+            _ => Ok(rejected(&ended)),
+        }
+    }
+
+    /// Runs the compiler on a program; the dialect's name is the last argument.
+    fn on_program(&self, arguments: &[&str], dialect: DialectName, source: &str) -> Result<Ended, Outcome> {
+        let dialect = dialect_name(dialect)?;
+        self.folder.write("program.st", source).map_err(failed)?;
+        let arguments: Vec<&str> = arguments.iter().copied().chain([dialect]).collect();
+        call(&self.engine.compiler, &arguments, &self.folder)
+    }
+}
+
+/// The outcome of a compiler that ended with an exit code other than 0.
+fn rejected(ended: &Ended) -> Outcome {
+    let diagnostics = diagnostics::read(&ended.stderr);
+    // 1 means diagnostics; 101 is a panic of a Rust program.
+    if ended.status.code() != Some(1) || diagnostics.is_empty() {
+        return ended.crashed();
+    }
+    diagnostics::outcome(diagnostics)
+}
+
+/// Why there is no bytecode; a fragment.
+fn told(outcome: &Outcome) -> String {
+    match outcome {
+        Outcome::Rejected { diagnostics } => {
+            let first = diagnostics
+                .first()
+                .map(|Diagnostic { message, .. }| message.as_str());
+            first.unwrap_or("it does not say why").to_owned()
+        }
+        Outcome::Unsupported { reason } => reason.clone(),
+        other => locate::reason(other),
+    }
+}
+
+/// What came of looking at a program that ran.
+enum Look {
+    Done(Outcome),
+    /// Something was not to be seen; these witnesses show it.
+    Again(Experienced),
+}
+
+/// How one execution ended.
+enum Execution {
+    /// All scans were made; this was printed.
+    ToTheEnd(String),
+    /// A fault came first.
+    Faulted(Fault, String),
+}
+
+/// A compiled program that is run for one number of scans after another.
+struct Scans<'s> {
+    session: &'s IronplcSession<'s>,
+    container: &'s Path,
+}
+
+impl Scans<'_> {
+    /// Runs the program once for each scan after which somebody wants to look.
+    fn outcome(&self, request: &RunRequest<'_>, sights: &Sights) -> Result<Look, Outcome> {
+        let last = self.execute(request.scans)?;
+        let mut values: Vec<NamedValue> = Vec::with_capacity(request.observe.len());
+        for asked in request.observe {
+            let earlier = match asked.after {
+                Some(scan) if scan != request.scans => Some(self.execute(scan)?),
+                _ => None,
+            };
+            match earlier.as_ref().unwrap_or(&last) {
+                Execution::ToTheEnd(text) => match sights.value(asked, &Dump::read(text)) {
+                    Ok(value) => values.push((asked.key(), value)),
+                    Err(Blind::Again(experienced)) => return Ok(Look::Again(experienced)),
+                    Err(Blind::Unsupported(reason)) => return Err(Outcome::Unsupported { reason }),
+                },
+                // The witnesses show what was before the fault; what they would show is left out.
+                Execution::Faulted(_, text) => {
+                    values.extend(
+                        sights
+                            .simple(asked, &Dump::read(text))
+                            .map(|value| (asked.key(), value)),
+                    );
+                }
+            }
+        }
+        Ok(Look::Done(match last {
+            Execution::ToTheEnd(_) => Outcome::Executed { values },
+            Execution::Faulted(fault, _) => Outcome::Faulted {
+                fault,
+                line: None,
+                values,
+            },
+        }))
+    }
+
+    fn execute(&self, scans: u32) -> Result<Execution, Outcome> {
+        let scans = scans.to_string();
+        let container = self.container.as_os_str();
+        let arguments = [
+            "run".as_ref(),
+            container,
+            "--scans".as_ref(),
+            scans.as_ref(),
+            "--dump-vars".as_ref(),
+        ];
+        let ended = call(&self.session.engine.machine, &arguments, &self.session.folder)?;
+        match ended.code()? {
+            0 => Ok(Execution::ToTheEnd(ended.stdout)),
+            1 => match fault(&ended.stderr) {
+                Some(fault) => Ok(Execution::Faulted(fault, ended.stdout)),
+                None => Err(failed(format!(
+                    "it stopped for a reason that no fault is named after: {}",
+                    ended.stderr.trim()
+                ))),
+            },
+            _ => Err(ended.crashed()),
+        }
+    }
+}
+
+/// The fault of a trap.
+///
+/// Basis: ironplc: problem codes of the virtual machine.
+fn fault(stderr: &str) -> Option<Fault> {
+    let code = stderr.find("V4").and_then(|at| stderr.get(at..at + 5))?;
+    match code {
+        "V4001" => Some(Fault::DivisionByZero),
+        "V4003" => Some(Fault::StepLimit),
+        "V4005" => Some(Fault::SubscriptRange),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fault;
+    use stickler_types::Fault;
+
+    #[test]
+    fn a_trap_is_a_fault_by_its_code() {
+        let stderr = "V4001 - runtime error: divide by zero (task 0, instance 0)\n";
+        assert_eq!(fault(stderr), Some(Fault::DivisionByZero));
+        assert_eq!(fault("V4002 - runtime error: negative exponent"), None);
+        assert_eq!(fault(""), None);
+    }
+}

@@ -1,0 +1,166 @@
+//! The diagnostics that `ironplcc` writes to stderr, coloured whoever reads them.
+//!
+//! Basis: ironplc: measured on version 0.239; each begins `error[P4035]: message`, and a later line `┌─ file:line:column`
+//! says where.
+
+use crate::{Diagnostic, Outcome};
+
+/// All diagnostics of a text, sorted by line, column and code, each once.
+pub(super) fn read(stderr: &str) -> Vec<Diagnostic> {
+    let plain = without_colours(stderr);
+    let mut diagnostics: Vec<Diagnostic> = Vec::new();
+    for line in plain.lines() {
+        if let Some(diagnostic) = heading(line) {
+            diagnostics.push(diagnostic);
+        } else if let (Some(place), Some(last)) = (place(line), diagnostics.last_mut())
+            && last.line.is_none()
+        {
+            (last.line, last.column) = (Some(place.0), Some(place.1));
+        }
+    }
+    diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
+    diagnostics.dedup();
+    diagnostics
+}
+
+/// The text without the sequences that steer a terminal.
+fn without_colours(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    let mut pieces = text.split("\u{1b}[");
+    plain.extend(pieces.next());
+    for piece in pieces {
+        // A sequence ends with its first letter.
+        let end = piece.find(|character: char| character.is_ascii_alphabetic());
+        plain.push_str(end.map_or("", |end| &piece[end + 1..]));
+    }
+    plain
+}
+
+/// `error[P4035]: message`.
+fn heading(line: &str) -> Option<Diagnostic> {
+    let (code, message) = line.strip_prefix("error[")?.split_once("]: ")?;
+    Some(Diagnostic {
+        code: Some(code.to_owned()),
+        message: message.trim_end().to_owned(),
+        ..Diagnostic::default()
+    })
+}
+
+/// `  ┌─ program.st:6:13`.
+fn place(line: &str) -> Option<(u32, u32)> {
+    let (_, place) = line.split_once("┌─ ")?;
+    let mut parts = place.trim_end().rsplitn(3, ':');
+    let column = parts.next()?.parse().ok()?;
+    let line = parts.next()?.parse().ok()?;
+    Some((line, column))
+}
+
+/// What the compiler says of itself rather than of the program.
+///
+/// Basis: ironplc: `problem-codes.csv`: P9001 and P9997 to P9999.
+enum About {
+    Program,
+    NotImplemented,
+    Itself,
+}
+
+fn about(diagnostic: &Diagnostic) -> About {
+    match diagnostic.code.as_deref() {
+        Some("P9001" | "P9003" | "P9997" | "P9999") => About::NotImplemented,
+        Some("P9998") => About::Itself,
+        _ => About::Program,
+    }
+}
+
+/// The outcome that these diagnostics are: a rejection where one is about the program; otherwise a compiler that says of
+/// itself that it went wrong has crashed, and one that says that it cannot do this is asked too much.
+pub(super) fn outcome(diagnostics: Vec<Diagnostic>) -> Outcome {
+    let first = |kind: fn(&About) -> bool| {
+        let found = diagnostics.iter().find(|diagnostic| kind(&about(diagnostic)));
+        found.map(described)
+    };
+    if first(|about| matches!(about, About::Program)).is_some() {
+        return Outcome::Rejected { diagnostics };
+    }
+    if let Some(reason) = first(|about| matches!(about, About::Itself)) {
+        return Outcome::Crashed { reason };
+    }
+    let reason = first(|_| true).unwrap_or_default();
+    Outcome::Unsupported { reason }
+}
+
+fn described(diagnostic: &Diagnostic) -> String {
+    let code = diagnostic.code.as_deref().unwrap_or_default();
+    format!("{code}: {}", diagnostic.message)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of `ironplcc compile` 0.239, on the program `a := b; c := a; q := 1;` of three types.
+    const RECORDED: &str = "\u{1b}[0m\u{1b}[1m\u{1b}[38;5;9merror[P4035]\u{1b}[0m\u{1b}[1m: Assignment value type does not match \
+        assignment target type (target=a, target_type=int, value_type=dint)\u{1b}[0m\n  \
+        \u{1b}[0m\u{1b}[36m┌─\u{1b}[0m /tmp/x/program.st:5:7\n  \u{1b}[0m\u{1b}[36m│\u{1b}[0m\n\
+        \u{1b}[0m\u{1b}[36m5\u{1b}[0m \u{1b}[0m\u{1b}[36m│\u{1b}[0m  a := \u{1b}[0m\u{1b}[31mb\u{1b}[0m; \n  \
+        \u{1b}[0m\u{1b}[36m=\u{1b}[0m Learn more: https://www.ironplc.com/reference/P4035.html\n\n\
+        \u{1b}[0m\u{1b}[1m\u{1b}[38;5;9merror[P4007]\u{1b}[0m\u{1b}[1m: Variable not defined before used (variable=q)\u{1b}[0m\n  \
+        \u{1b}[0m\u{1b}[36m┌─\u{1b}[0m C:\\x\\program.st:3:2\n\nError: \"Compile failed with 2 problem(s)\"\n";
+
+    #[test]
+    fn code_place_and_message_are_read_without_the_colours() {
+        let found = read(RECORDED);
+        let found: Vec<_> = found
+            .iter()
+            .map(|d| (d.code.as_deref().unwrap(), d.line, d.column, d.message.as_str()))
+            .collect();
+        assert_eq!(
+            found,
+            [
+                (
+                    "P4007",
+                    Some(3),
+                    Some(2),
+                    "Variable not defined before used (variable=q)"
+                ),
+                (
+                    "P4035",
+                    Some(5),
+                    Some(7),
+                    "Assignment value type does not match assignment target type (target=a, target_type=int, value_type=dint)"
+                )
+            ]
+        );
+    }
+
+    #[test]
+    fn what_is_no_diagnostic_is_none() {
+        for text in [
+            "",
+            "thread 'main' panicked at src/main.rs:1:1\n",
+            "┌─ a:1:1\n",
+            "error[P4035\n",
+            "\u{1b}[",
+        ] {
+            assert_eq!(read(text), [], "{text}");
+        }
+    }
+
+    #[test]
+    fn a_compiler_that_finds_fault_with_itself_has_not_rejected_the_program() {
+        let outcome_of = |codes: &[&str]| {
+            let all = codes
+                .iter()
+                .map(|code| format!("error[{code}]: words\n"))
+                .collect::<String>();
+            outcome(read(&all))
+        };
+        assert!(
+            matches!(outcome_of(&["P9999", "P4035"]), Outcome::Rejected { diagnostics } if diagnostics.len() == 2)
+        );
+        let reason = "P9998: words".to_owned();
+        assert_eq!(outcome_of(&["P9999", "P9998"]), Outcome::Crashed { reason });
+        let reason = "P9999: words".to_owned();
+        assert_eq!(outcome_of(&["P9999"]), Outcome::Unsupported { reason });
+    }
+}

@@ -1,0 +1,82 @@
+//! What `iec2c` writes to stderr about a program.
+//!
+//! Basis: matiec: measured. A syntax error: `file:LINE: error: message`; any other: `file:L-C..L-C: error: message`, from
+//! 1, the last column within what is meant; `warning:` in place of `error:` rejects nothing. There are no codes.
+
+use crate::process::Ended;
+use crate::{Diagnostic, Outcome};
+
+/// Whether the program is accepted.
+///
+/// # Errors
+/// [`Outcome::Rejected`]; [`Outcome::Crashed`] where the compiler says so of itself, or does not say what is wrong.
+pub(super) fn outcome(ended: &Ended) -> Result<(), Outcome> {
+    let code = ended.code()?;
+    if ended.stderr.contains("Internal compiler error") || ended.stdout.contains("Internal compiler error") {
+        return Err(ended.crashed());
+    }
+    if code == 0 {
+        return Ok(());
+    }
+    let mut diagnostics: Vec<Diagnostic> = ended.stderr.lines().filter_map(diagnostic).collect();
+    if diagnostics.is_empty() {
+        return Err(ended.crashed());
+    }
+    diagnostics.sort_by_key(|diagnostic| (diagnostic.line, diagnostic.column));
+    diagnostics.dedup();
+    Err(Outcome::Rejected { diagnostics })
+}
+
+fn diagnostic(line: &str) -> Option<Diagnostic> {
+    let (place, message) = line.split_once(": error: ")?;
+    let (_, place) = place.rsplit_once(':')?;
+    let message = message.trim().to_owned();
+    if let Some((from, to)) = place.split_once("..") {
+        let (line, column) = pair(from)?;
+        let (end_line, end_column) = pair(to)?;
+        return Some(Diagnostic {
+            line: Some(line),
+            column: Some(column),
+            end_line: Some(end_line),
+            end_column: Some(end_column + 1),
+            message,
+            ..Diagnostic::default()
+        });
+    }
+    Some(Diagnostic {
+        line: Some(place.parse().ok()?),
+        message,
+        ..Diagnostic::default()
+    })
+}
+
+fn pair(place: &str) -> Option<(u32, u32)> {
+    let (line, column) = place.split_once('-')?;
+    Some((line.parse().ok()?, column.parse().ok()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_forms_of_a_diagnostic_are_read_and_warnings_are_passed_over() {
+        let found =
+            diagnostic("program.st:3-4..3-9: error: Incompatible data types for ':=' operation.").unwrap();
+        assert_eq!(
+            (found.line, found.column, found.end_line, found.end_column),
+            (Some(3), Some(4), Some(3), Some(10))
+        );
+        assert_eq!(found.message, "Incompatible data types for ':=' operation.");
+        let found = diagnostic("program.st:3: error: invalid statement in ST statement.").unwrap();
+        assert_eq!((found.line, found.column), (Some(3), None));
+        for other in [
+            "program.st:3-4..3-9: warning: Lost precision",
+            "1 error(s) found. Bailing out!",
+            "",
+            "program.st:x: error: nonsense",
+        ] {
+            assert_eq!(diagnostic(other), None, "{other}");
+        }
+    }
+}

@@ -1,0 +1,341 @@
+//! The C program that runs a translated one and prints what is observed of it.
+//!
+//! Basis: matiec: the C that `iec2c` writes: `NAME_init__`, `NAME_body__`, a structure of the variables in upper case, each
+//! with its `value`; durations and dates are seconds and nanoseconds, a STRING its length and its bytes.
+
+use crate::adapters::source::enumeration;
+use crate::adapters::witness::Witness;
+use crate::{NamedValue, Observation, RunRequest, Setting};
+use std::fmt::Write;
+use stickler_types::{ElementaryType, Family, Value};
+
+/// Whether this is no variable of the main program but a part of one.
+pub(super) fn is_path(name: &str) -> bool {
+    name.contains(['.', '['])
+}
+
+/// The program, and how to read what it prints: a line for each observed value, in the order asked for.
+pub(super) struct Driver<'r> {
+    text: String,
+    kinds: Vec<Kind<'r>>,
+}
+
+/// What is printed of a value.
+enum Kind<'r> {
+    Elementary(ElementaryType),
+    /// The number of its place among these.
+    Enumerated(&'r str, Vec<String>),
+}
+
+impl<'r> Driver<'r> {
+    /// The driver of a request; `program` is the name of the main program.
+    ///
+    /// # Errors
+    /// A fragment that says what cannot be observed or set.
+    pub(super) fn of(request: &RunRequest<'r>, program: &str) -> Result<Driver<'r>, String> {
+        let kinds = request.observe.iter().map(|asked| kind(asked, request.source));
+        let kinds = kinds.collect::<Result<Vec<_>, _>>()?;
+        let program = program.to_ascii_uppercase();
+        let mut text = format!(
+            "#include \"stickler.h\"\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n#include \"POUS.c\"\n\
+             static {program} program;\n{PRINTERS}"
+        );
+        write_look(&mut text, request, &kinds);
+        // Writing into a String does not fail.
+        let _ = write!(
+            text,
+            "int main(void) {{\n    {program}_init__(&program, 0);\n    \
+             for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
+            request.scans
+        );
+        write_before(&mut text, request)?;
+        let _ = write!(
+            text,
+            "        {program}_body__(&program);\n        look(scan);\n    }}\n    look(0);\n    return 0;\n}}\n"
+        );
+        Ok(Driver { text, kinds })
+    }
+
+    /// The program.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The values that it printed.
+    ///
+    /// # Errors
+    /// A fragment that says what is wrong with what it printed.
+    pub(super) fn values(&self, printed: &str, request: &RunRequest<'_>) -> Result<Vec<NamedValue>, String> {
+        let mut values: Vec<Option<Value>> = self.kinds.iter().map(|_| None).collect();
+        for line in printed.lines() {
+            let nonsense = || format!("its driver printed `{line}`");
+            let (number, shown) = line.split_once(' ').ok_or_else(nonsense)?;
+            let number: usize = number.parse().map_err(|_| nonsense())?;
+            let kind = self.kinds.get(number).ok_or_else(nonsense)?;
+            values[number] = Some(value(kind, shown).ok_or_else(nonsense)?);
+        }
+        let named = |(asked, value): (&Observation<'_>, Option<Value>)| {
+            let missing = || format!("its driver did not print {}", asked.key());
+            Ok((asked.key(), value.ok_or_else(missing)?))
+        };
+        request.observe.iter().zip(values).map(named).collect()
+    }
+}
+
+fn kind<'r>(asked: &Observation<'r>, source: &str) -> Result<Kind<'r>, String> {
+    match ElementaryType::from_name(asked.type_name) {
+        Some(ty) if ty.is_third_edition() || ty == ElementaryType::Wstring => {
+            Err(format!("it has no values of {ty}"))
+        }
+        Some(ty) => Ok(Kind::Elementary(ty)),
+        None => match enumeration(source, asked.type_name) {
+            Some(values) => Ok(Kind::Enumerated(asked.type_name, values)),
+            None if asked.type_name.is_empty() => Err(format!("the type of {} was not told", asked.name)),
+            None => Err(format!("values of {} cannot be shown", asked.type_name)),
+        },
+    }
+}
+
+/// One function for each form in which a value is printed.
+const PRINTERS: &str = "\
+static void print_bits(int number, const void *value, size_t size) {
+    unsigned long long bits = 0;
+    memcpy(&bits, value, size);
+    printf(\"%d %llx\\n\", number, bits);
+}
+static void print_time(int number, TIME value) {
+    printf(\"%d %lld %lld\\n\", number, (long long)value.tv_sec, (long long)value.tv_nsec);
+}
+static void print_text(int number, STRING value) {
+    printf(\"%d '\", number);
+    for (int at = 0; at < value.len; at++)
+        printf(\"%02x\", value.body[at]);
+    printf(\"\\n\");
+}
+";
+
+/// The function that prints what is to be seen after a scan; 0 stands for the end.
+fn write_look(text: &mut String, request: &RunRequest<'_>, kinds: &[Kind<'_>]) {
+    text.push_str("static void look(unsigned long scan) {\n");
+    let mut paths: Vec<&str> = Vec::new();
+    for (number, (asked, kind)) in request.observe.iter().zip(kinds).enumerate() {
+        let name = if is_path(asked.name) {
+            let known = paths.iter().position(|path| *path == asked.name);
+            let place = known.unwrap_or_else(|| {
+                paths.push(asked.name);
+                paths.len() - 1
+            });
+            Witness::name(place)
+        } else {
+            asked.name.to_owned()
+        };
+        let variable = format!("program.{}.value", name.to_ascii_uppercase());
+        let call = match kind {
+            Kind::Elementary(ty) if is_time(*ty) => format!("print_time({number}, {variable})"),
+            Kind::Elementary(ty) if ty.is_text() => format!("print_text({number}, {variable})"),
+            _ => format!("print_bits({number}, &{variable}, sizeof {variable})"),
+        };
+        let _ = writeln!(text, "    if (scan == {}UL) {call};", asked.after.unwrap_or(0));
+    }
+    text.push_str("}\n");
+}
+
+/// What happens before scans: the clock goes on, and variables are written.
+fn write_before(text: &mut String, request: &RunRequest<'_>) -> Result<(), String> {
+    for step in request.clock {
+        let (seconds, rest) = split(step.nanoseconds);
+        let _ = writeln!(
+            text,
+            "        if (scan == {}UL) __CURRENT_TIME = (TIME){{{seconds}, {rest}}};",
+            step.before
+        );
+    }
+    for setting in request.set {
+        let _ = writeln!(
+            text,
+            "        if (scan == {}UL) {{ {} }}",
+            setting.before,
+            written(setting)?
+        );
+    }
+    Ok(())
+}
+
+/// The statement that writes a variable.
+fn written(setting: &Setting<'_>) -> Result<String, String> {
+    let cannot = || format!("its driver cannot write {}", setting.name);
+    let Value::Plain { ty, raw } = *setting.value else {
+        return Err(cannot());
+    };
+    if is_path(setting.name) {
+        return Err(cannot());
+    }
+    let variable = format!("program.{}.value", setting.name.to_ascii_uppercase());
+    Ok(if is_time(ty) {
+        let (seconds, rest) = split(raw.cast_signed());
+        format!("{variable} = (TIME){{{seconds}, {rest}}};")
+    } else {
+        format!("unsigned long long bits = {raw}ULL; memcpy(&{variable}, &bits, sizeof {variable});")
+    })
+}
+
+/// Seconds and nanoseconds of the same sign.
+fn split(nanoseconds: i64) -> (i64, i64) {
+    (nanoseconds / 1_000_000_000, nanoseconds % 1_000_000_000)
+}
+
+fn is_time(ty: ElementaryType) -> bool {
+    ty.is_duration() || ty.is_date_or_time()
+}
+
+/// A value as it was printed; `None` where that is nonsense.
+fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
+    let bits = || u64::from_str_radix(shown, 16).ok();
+    match kind {
+        Kind::Enumerated(type_name, values) => {
+            let place = usize::try_from(bits()?).ok()?;
+            Some(Value::enumerated(*type_name, values.get(place)?))
+        }
+        Kind::Elementary(ty) if is_time(*ty) => {
+            let (seconds, rest) = shown.split_once(' ')?;
+            let (seconds, rest) = (seconds.parse::<i64>().ok()?, rest.parse::<i64>().ok()?);
+            let nanoseconds = seconds.checked_mul(1_000_000_000)?.checked_add(rest)?;
+            Some(Value::plain(*ty, nanoseconds.cast_unsigned()))
+        }
+        Kind::Elementary(ty) if ty.is_text() => {
+            text(shown.strip_prefix('\'')?).map(|units| Value::text(*ty, units))
+        }
+        Kind::Elementary(ty) => Some(Value::plain(*ty, raw(*ty, bits()?))),
+    }
+}
+
+/// The raw form of the bits of a variable. A BOOL that holds more than one bit is TRUE, as it is to every C condition.
+fn raw(ty: ElementaryType, bits: u64) -> u64 {
+    match ty.family() {
+        Family::Boolean => u64::from(bits != 0),
+        Family::Real => bits,
+        _ => ty.wrap(i128::from(bits)),
+    }
+}
+
+/// The bytes of a text in hexadecimal digits.
+fn text(digits: &str) -> Option<Vec<u16>> {
+    let pairs = digits.as_bytes().chunks(2);
+    pairs
+        .map(|pair| u16::from_str_radix(std::str::from_utf8(pair).ok()?, 16).ok())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ClockStep;
+    use stickler_types::DialectName;
+
+    fn observation<'a>(name: &'a str, type_name: &'a str) -> Observation<'a> {
+        Observation {
+            name,
+            type_name,
+            after: None,
+        }
+    }
+
+    fn request<'a>(observe: &'a [Observation<'a>]) -> RunRequest<'a> {
+        RunRequest {
+            dialect: DialectName::Matiec,
+            source: "TYPE COLOR : (RED, GREEN); END_TYPE",
+            scans: 3,
+            observe,
+            clock: &[],
+            set: &[],
+        }
+    }
+
+    #[test]
+    fn values_are_read_as_the_driver_prints_them() {
+        let observe = [
+            observation("i", "INT"),
+            observation("r", "REAL"),
+            observation("t", "TIME"),
+            observation("s", "STRING"),
+            observation("c", "COLOR"),
+            observation("b", "BOOL"),
+        ];
+        let request = request(&observe);
+        let driver = Driver::of(&request, "main").unwrap();
+        let printed = "1 3fc00000\n0 ffff\n2 1 500000000\n3 '6127\n4 1\n5 1\n";
+        let values = driver.values(printed, &request).unwrap();
+        let values: Vec<String> = values
+            .iter()
+            .map(|(name, value)| format!("{name}={value}"))
+            .collect();
+        assert_eq!(
+            values,
+            [
+                "i=INT#-1",
+                "r=REAL#1.5",
+                "t=TIME#1500ms",
+                "s=STRING#'a$''",
+                "c=COLOR#GREEN",
+                "b=BOOL#TRUE"
+            ]
+        );
+        for nonsense in ["0 ffff\n", "7 0\n", "0\n", "x 0\n", "0 gg\n", "4 9\n", "3 61\n"] {
+            assert!(driver.values(nonsense, &request).is_err(), "{nonsense}");
+        }
+    }
+
+    #[test]
+    fn each_value_is_printed_behind_its_scan_and_paths_from_their_copies() {
+        let early = Observation {
+            after: Some(2),
+            ..observation("a[1]", "INT")
+        };
+        let observe = [
+            observation("x", "TIME"),
+            early,
+            observation("a[1]", "INT"),
+            observation("r.f", "BYTE"),
+        ];
+        let value = Value::parse("INT#-2").unwrap();
+        let request = RunRequest {
+            clock: &[ClockStep {
+                before: 2,
+                nanoseconds: 1_500_000_000,
+            }],
+            set: &[Setting {
+                before: 3,
+                name: "in",
+                value: &value,
+            }],
+            ..request(&observe)
+        };
+        let driver = Driver::of(&request, "main").unwrap();
+        for line in [
+            "static MAIN program;",
+            "if (scan == 0UL) print_time(0, program.X.value);",
+            "if (scan == 2UL) print_bits(1, &program.STICKLER_WITNESS_0.value, sizeof program.STICKLER_WITNESS_0.value);",
+            "if (scan == 0UL) print_bits(2, &program.STICKLER_WITNESS_0.value, sizeof program.STICKLER_WITNESS_0.value);",
+            "if (scan == 0UL) print_bits(3, &program.STICKLER_WITNESS_1.value, sizeof program.STICKLER_WITNESS_1.value);",
+            "if (scan == 2UL) __CURRENT_TIME = (TIME){1, 500000000};",
+            "if (scan == 3UL) { unsigned long long bits = 18446744073709551614ULL;",
+            "scan <= 3UL;",
+        ] {
+            assert!(driver.text().contains(line), "{line}\n{}", driver.text());
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_shown_or_set_is_told() {
+        for (type_name, part) in [
+            ("LTIME", "LTIME"),
+            ("WSTRING", "WSTRING"),
+            ("", "not told"),
+            ("SHAPE", "SHAPE"),
+        ] {
+            let observe = [observation("x", type_name)];
+            let reason = Driver::of(&request(&observe), "main").err().unwrap();
+            assert!(reason.contains(part), "{reason}");
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! Just enough of a program's text to know where its main program begins and ends.
+//!
+//! It reads no grammar, so that a program which only one compiler accepts is found as well as any other.
+
+use std::ops::Range;
+
+/// A word of a program: a keyword or a name; no word of a comment, a text or a number.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Word<'s> {
+    /// As it is written.
+    pub(super) text: &'s str,
+    /// Where it begins, in bytes.
+    pub(super) at: usize,
+}
+
+impl Word<'_> {
+    /// Whether it is this keyword or name, in any case.
+    pub(super) fn is(&self, name: &str) -> bool {
+        self.text.eq_ignore_ascii_case(name)
+    }
+
+    /// Where it ends, in bytes.
+    fn end(&self) -> usize {
+        self.at + self.text.len()
+    }
+}
+
+/// The words of a program, in order.
+pub(super) struct Words<'s> {
+    source: &'s str,
+    at: usize,
+}
+
+/// The words of a program, in order.
+pub(super) fn words(source: &str) -> Words<'_> {
+    Words { source, at: 0 }
+}
+
+impl<'s> Iterator for Words<'s> {
+    type Item = Word<'s>;
+
+    fn next(&mut self) -> Option<Word<'s>> {
+        let bytes = self.source.as_bytes();
+        while let Some(&byte) = bytes.get(self.at) {
+            let rest = &bytes[self.at..];
+            let at = self.at;
+            self.at += match byte {
+                b'(' if rest.starts_with(b"(*") => enclosed(rest, 2, b"*)"),
+                b'/' if rest.starts_with(b"/*") => enclosed(rest, 2, b"*/"),
+                b'/' if rest.starts_with(b"//") => enclosed(rest, 2, b"\n"),
+                b'{' => enclosed(rest, 1, b"}"),
+                b'\'' | b'"' => quoted(rest, byte),
+                b'0'..=b'9' => length(rest, |byte| is_of_a_word(byte) || byte == b'#'),
+                byte if is_of_a_word(byte) => {
+                    self.at += length(rest, is_of_a_word);
+                    let text = &self.source[at..self.at];
+                    return Some(Word { text, at });
+                }
+                _ => 1,
+            };
+        }
+        None
+    }
+}
+
+fn is_of_a_word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_'
+}
+
+fn length(rest: &[u8], belongs: impl Fn(u8) -> bool) -> usize {
+    rest.iter().take_while(|&&byte| belongs(byte)).count()
+}
+
+/// How far something reaches that ends with `close`; to the end of the text where that is missing.
+fn enclosed(rest: &[u8], open: usize, close: &[u8]) -> usize {
+    let inside = &rest[open.min(rest.len())..];
+    let found = inside.windows(close.len()).position(|window| window == close);
+    found.map_or(rest.len(), |found| open + found + close.len())
+}
+
+/// How far a text in quotes reaches, in which `$` takes the next character for itself.
+fn quoted(rest: &[u8], quote: u8) -> usize {
+    let mut at = 1;
+    while let Some(&byte) = rest.get(at) {
+        at += match byte {
+            b'$' => 2,
+            byte if byte == quote => return at + 1,
+            _ => 1,
+        };
+    }
+    rest.len()
+}
+
+/// Where the main program stands in a source text: the one that is called `main`, otherwise the first.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct MainProgram {
+    /// Its name, as it is declared.
+    pub(super) name: String,
+    /// From behind its name, where sections of variables may stand, to before its `END_PROGRAM`.
+    pub(super) inside: Range<usize>,
+    /// Whether it may end before its last statement.
+    pub(super) returns: bool,
+}
+
+/// Finds the main program; `None` where there is none.
+pub(super) fn main_program(source: &str) -> Option<MainProgram> {
+    let mut words = words(source);
+    let mut first = None;
+    while let Some(word) = words.next() {
+        if !word.is("PROGRAM") {
+            continue;
+        }
+        let Some(program) = program(&mut words) else {
+            continue;
+        };
+        if program.name.eq_ignore_ascii_case("main") {
+            return Some(program);
+        }
+        first = first.or(Some(program));
+    }
+    first
+}
+
+/// The rest of a program whose first word was read.
+fn program(words: &mut Words<'_>) -> Option<MainProgram> {
+    let name = words.next()?;
+    let mut returns = false;
+    let end = words.find(|word| {
+        returns |= word.is("RETURN");
+        word.is("END_PROGRAM")
+    })?;
+    Some(MainProgram {
+        name: name.text.to_owned(),
+        inside: name.end()..end.at,
+        returns,
+    })
+}
+
+/// The names of the values of an enumeration that is declared as `NAME : (A, B, C)`, in order; `None` where it is not
+/// declared so.
+pub(super) fn enumeration(source: &str, name: &str) -> Option<Vec<String>> {
+    words(source)
+        .filter(|word| word.is(name))
+        .find_map(|word| values(&source[word.end()..]))
+}
+
+fn values(behind_the_name: &str) -> Option<Vec<String>> {
+    let list = behind_the_name
+        .trim_start()
+        .strip_prefix(':')?
+        .trim_start()
+        .strip_prefix('(')?;
+    let (list, _) = list.split_once(')')?;
+    // Numbers that somebody gave to the values are beyond this.
+    let plain = !list.contains(['=', '*', '#']);
+    plain.then(|| words(list).map(|word| word.text.to_owned()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_those_of_the_program_and_of_nothing_else() {
+        let source = "a (* b *) 'c $' d' \"e\" // f\n/* g */ {h} 16#FF h2 ä T#1s (* i";
+        let found: Vec<&str> = words(source).map(|word| word.text).collect();
+        assert_eq!(found, ["a", "h2", "T"]);
+        for unfinished in ["'open", "(*", "{", "//", "'$", "/*", "\"$"] {
+            assert_eq!(words(unfinished).count(), 0, "{unfinished}");
+        }
+    }
+
+    #[test]
+    fn the_main_program_is_found_wherever_it_stands() {
+        let source = "PROGRAM other END_PROGRAM (* PROGRAM main *)\nprogram Main VAR x : INT; END_VAR x := 1;\nend_program";
+        let main = main_program(source).unwrap();
+        assert_eq!(main.name, "Main");
+        assert_eq!(&source[main.inside], " VAR x : INT; END_VAR x := 1;\n");
+        assert!(!main.returns);
+        let other = main_program("PROGRAM p IF a THEN RETURN; END_IF; END_PROGRAM").unwrap();
+        assert_eq!((other.name.as_str(), other.returns), ("p", true));
+        for none in [
+            "",
+            "FUNCTION f : INT END_FUNCTION",
+            "PROGRAM",
+            "PROGRAM main",
+            "'PROGRAM p END_PROGRAM'",
+        ] {
+            assert_eq!(main_program(none), None, "{none}");
+        }
+    }
+
+    #[test]
+    fn the_values_of_an_enumeration_are_told_in_order() {
+        let source = "VAR c : COLOR; END_VAR TYPE Color : (RED, Green,\nblue) := Green; END_TYPE";
+        assert_eq!(
+            enumeration(source, "COLOR"),
+            Some(vec!["RED".to_owned(), "Green".to_owned(), "blue".to_owned()])
+        );
+        assert_eq!(enumeration("TYPE C : (A := 1, B); END_TYPE", "C"), None);
+        assert_eq!(enumeration("TYPE C : INT; END_TYPE", "C"), None);
+    }
+}

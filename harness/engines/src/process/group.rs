@@ -1,0 +1,128 @@
+//! A process with everything that it starts: its start, its end, and the end of all of them at once.
+
+use process_wrap::std::{ChildWrapper, CommandWrap};
+use std::ffi::OsStr;
+use std::io;
+use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// The longest pause between two looks at whether a process has ended.
+const LONGEST_PAUSE: Duration = Duration::from_millis(16);
+
+/// A process with all that belongs to it. Whoever waits for its end keeps the lock only for a look.
+type Shared = Mutex<Box<dyn ChildWrapper>>;
+
+/// Every process that was started and has not been let go.
+static ALIVE: Mutex<Vec<Weak<Shared>>> = Mutex::new(Vec::new());
+
+/// Kills every process that an engine of this program has started, with all that they started. For a program that is
+/// about to end without ending its sessions, as at Ctrl-C: the processes have groups of their own, and so nobody else
+/// ends them.
+pub(super) fn kill_all() {
+    let alive = std::mem::take(&mut *lock(&ALIVE));
+    for process in alive.iter().filter_map(Weak::upgrade) {
+        // One that is gone already is what is wanted.
+        let _ = lock(&process).start_kill();
+    }
+}
+
+/// What a mutex holds, also where somebody panicked who held it: nothing here is left half done.
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A running process with everything that it starts. Dropping it kills them all.
+pub(super) struct Group {
+    wrapped: Arc<Shared>,
+    /// It was killed already; by now its number may be another's.
+    killed: bool,
+}
+
+/// The ends of a process's pipes; `None` where none was asked for.
+pub(super) struct Pipes {
+    pub(super) stdin: Option<ChildStdin>,
+    pub(super) stdout: Option<ChildStdout>,
+    pub(super) stderr: Option<ChildStderr>,
+}
+
+impl Group {
+    /// Starts a process as the leader of a group (on Windows: in a job) of its own.
+    ///
+    /// # Errors
+    /// A fragment that says why there is no process.
+    pub(super) fn start(
+        program: &OsStr,
+        prepare: impl FnOnce(&mut Command),
+    ) -> Result<(Group, Pipes), String> {
+        let mut wrap = CommandWrap::with_new(program, prepare);
+        #[cfg(unix)]
+        wrap.wrap(process_wrap::std::ProcessGroup::leader());
+        #[cfg(windows)]
+        wrap.wrap(process_wrap::std::JobObject);
+        let mut wrapped = wrap.spawn().map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound => format!("there is no program `{}`", program.display()),
+            _ => error.to_string(),
+        })?;
+        let pipes = Pipes {
+            stdin: wrapped.stdin().take(),
+            stdout: wrapped.stdout().take(),
+            stderr: wrapped.stderr().take(),
+        };
+        let wrapped = Arc::new(Mutex::new(wrapped));
+        let mut alive = lock(&ALIVE);
+        alive.retain(|process| process.strong_count() > 0);
+        alive.push(Arc::downgrade(&wrapped));
+        drop(alive);
+        let group = Group {
+            wrapped,
+            killed: false,
+        };
+        Ok((group, pipes))
+    }
+
+    /// The number of the process, which is that of its group as well.
+    pub(super) fn number(&self) -> u32 {
+        lock(&self.wrapped).id()
+    }
+
+    /// Whether the process itself has ended; what it started may still hold its output open.
+    pub(super) fn has_ended(&mut self) -> bool {
+        matches!(lock(&self.wrapped).try_wait(), Ok(Some(_)))
+    }
+
+    /// Waits until the process itself has ended; `None` where it lives on at the deadline.
+    pub(super) fn wait_until(&mut self, deadline: Instant) -> Option<ExitStatus> {
+        let mut pause = Duration::from_micros(100);
+        loop {
+            let look = lock(&self.wrapped).try_wait();
+            match look {
+                Ok(Some(status)) => return Some(status),
+                Ok(None) if Instant::now() < deadline => {}
+                Ok(None) | Err(_) => return None,
+            }
+            // The system tells nobody without blocking when a process ends.
+            thread::sleep(pause);
+            pause = LONGEST_PAUSE.min(pause * 2);
+        }
+    }
+
+    /// Kills what is left of the group.
+    pub(super) fn kill(&mut self) {
+        if std::mem::replace(&mut self.killed, true) {
+            return;
+        }
+        // The group may be gone already, and then there is nothing left to do. What the process started lives on after
+        // its own end, so a signal goes to the group in any case.
+        let mut wrapped = lock(&self.wrapped);
+        let _ = wrapped.start_kill();
+        let _ = wrapped.wait();
+    }
+}
+
+impl Drop for Group {
+    fn drop(&mut self) {
+        self.kill();
+    }
+}

@@ -1,0 +1,274 @@
+//! A program that is run once, such as a compiler: what it wrote, how it ended, and what it may take.
+
+use super::child::told;
+use super::group::{Group, Pipes};
+use super::memory;
+use crate::Outcome;
+use std::ffi::OsStr;
+use std::io::Read;
+use std::path::Path;
+use std::process::{ExitStatus, Stdio};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How often somebody who waits looks after the process and its memory.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// What one run of a program may take.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct ToolLimits {
+    /// How long it may run.
+    pub(crate) time: Duration,
+    /// How much it may write to stdout, and to stderr, in bytes.
+    pub(crate) output: u64,
+    /// How much memory it and all that it starts may hold, in bytes; only looked after on Linux.
+    pub(crate) memory: u64,
+}
+
+impl Default for ToolLimits {
+    /// 30 seconds, 16 MiB of output and 2 GiB of memory: many times what compilers of small programs take.
+    fn default() -> ToolLimits {
+        ToolLimits {
+            time: Duration::from_secs(30),
+            output: 16 << 20,
+            memory: 2 << 30,
+        }
+    }
+}
+
+/// What a program left behind that ended of its own accord, or by a signal that is none of ours.
+#[derive(Debug)]
+pub(crate) struct Ended {
+    /// How it ended.
+    pub(crate) status: ExitStatus,
+    /// All that it wrote to stdout, with what is no UTF-8 replaced.
+    pub(crate) stdout: String,
+    /// The same of stderr.
+    pub(crate) stderr: String,
+}
+
+impl Ended {
+    /// Its exit code.
+    ///
+    /// # Errors
+    /// [`Outcome::Crashed`] where a signal ended it.
+    pub(crate) fn code(&self) -> Result<i32, Outcome> {
+        self.status.code().ok_or_else(|| self.crashed())
+    }
+
+    /// The outcome that says how it ended and what it said last.
+    pub(crate) fn crashed(&self) -> Outcome {
+        let words = match told(&self.stderr) {
+            words if words.is_empty() => told(&self.stdout),
+            words => words,
+        };
+        let reason = match words.as_str() {
+            "" => format!("it ended ({})", self.status),
+            words => format!("it ended ({}); its last words: {words}", self.status),
+        };
+        Outcome::Crashed { reason }
+    }
+}
+
+/// Which stream, and all that came from it; `None` where that was more than allowed.
+type StreamEnd = (Stream, Option<Vec<u8>>);
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Stream {
+    Stdout,
+    Stderr,
+}
+
+/// Runs a program in a folder, without input, to its end.
+///
+/// # Errors
+/// [`Outcome::TimedOut`] or [`Outcome::Crashed`] where it took more than allowed, after which it is killed with all that
+/// it started; [`Outcome::Error`] where it cannot be started.
+pub(crate) fn run<A: AsRef<OsStr>>(
+    program: &Path,
+    arguments: &[A],
+    folder: &Path,
+    limits: &ToolLimits,
+) -> Result<Ended, Outcome> {
+    let deadline = Instant::now() + limits.time;
+    let (mut group, pipes) = Group::start(program.as_os_str(), |start| {
+        start
+            .args(arguments)
+            .current_dir(folder)
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+    })
+    .map_err(|reason| Outcome::Error {
+        message: format!("`{}` could not be started: {reason}", program.display()),
+    })?;
+    let streams = collect(pipes, limits.output);
+    let (stdout, stderr) = gather(&mut group, &streams, deadline, limits)?;
+    let status = group.wait_until(deadline).ok_or_else(|| timed_out(limits))?;
+    Ok(Ended {
+        status,
+        stdout,
+        stderr,
+    })
+}
+
+/// Reads both streams in the background.
+fn collect(pipes: Pipes, most: u64) -> Receiver<StreamEnd> {
+    let (sender, streams) = mpsc::channel();
+    read(Stream::Stdout, pipes.stdout, most, sender.clone());
+    read(Stream::Stderr, pipes.stderr, most, sender);
+    streams
+}
+
+/// The thread ends with the stream; a process that outlives its group may keep it, which costs nothing else.
+fn read(which: Stream, stream: Option<impl Read + Send + 'static>, most: u64, sender: Sender<StreamEnd>) {
+    thread::spawn(move || {
+        let mut bytes = Vec::new();
+        if let Some(stream) = stream {
+            // What was read before an error is what there is.
+            let _ = stream.take(most.saturating_add(1)).read_to_end(&mut bytes);
+        }
+        let within = u64::try_from(bytes.len()).is_ok_and(|length| length <= most);
+        // Nobody may be waiting any more.
+        let _ = sender.send((which, within.then_some(bytes)));
+    });
+}
+
+/// Waits for the end of both streams, and looks after the process meanwhile.
+fn gather(
+    group: &mut Group,
+    streams: &Receiver<StreamEnd>,
+    deadline: Instant,
+    limits: &ToolLimits,
+) -> Result<(String, String), Outcome> {
+    let (mut stdout, mut stderr) = (None, None);
+    let mut orphaned = false;
+    while stdout.is_none() || stderr.is_none() {
+        let left = deadline.saturating_duration_since(Instant::now());
+        match streams.recv_timeout(left.min(LOOK)) {
+            Ok((_, None)) => return Err(flooded(limits)),
+            Ok((Stream::Stdout, Some(bytes))) => stdout = Some(text(bytes)),
+            Ok((Stream::Stderr, Some(bytes))) => stderr = Some(text(bytes)),
+            // What the process started holds its output open: with them gone the streams end.
+            Err(RecvTimeoutError::Timeout) if group.has_ended() && !orphaned => {
+                orphaned = true;
+                group.kill();
+            }
+            Err(RecvTimeoutError::Timeout) if left > LOOK => within_memory(group, limits)?,
+            Err(_) => return Err(timed_out(limits)),
+        }
+    }
+    Ok((stdout.unwrap_or_default(), stderr.unwrap_or_default()))
+}
+
+fn text(bytes: Vec<u8>) -> String {
+    String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
+}
+
+fn timed_out(limits: &ToolLimits) -> Outcome {
+    Outcome::TimedOut {
+        after_ms: u64::try_from(limits.time.as_millis()).unwrap_or(u64::MAX),
+    }
+}
+
+fn flooded(limits: &ToolLimits) -> Outcome {
+    Outcome::Crashed {
+        reason: format!("it wrote more than {} bytes", limits.output),
+    }
+}
+
+fn within_memory(group: &Group, limits: &ToolLimits) -> Result<(), Outcome> {
+    match memory::resident(group.number()) {
+        Some(held) if held > limits.memory => Err(Outcome::Crashed {
+            reason: format!("it held more than {} MiB of memory", limits.memory >> 20),
+        }),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    const LIMITS: ToolLimits = ToolLimits {
+        time: Duration::from_secs(60),
+        output: 1 << 16,
+        memory: 1 << 30,
+    };
+
+    fn shell(script: &str, limits: ToolLimits) -> Result<Ended, Outcome> {
+        run(Path::new("sh"), &["-c", script], Path::new("/"), &limits)
+    }
+
+    #[test]
+    fn both_streams_and_the_exit_code_are_told() {
+        let ended = shell("echo out; echo err >&2; exit 3", LIMITS).unwrap();
+        assert_eq!((ended.stdout.as_str(), ended.stderr.as_str()), ("out\n", "err\n"));
+        assert_eq!(ended.code(), Ok(3));
+    }
+
+    #[test]
+    fn a_signal_is_a_crash_with_the_last_words() {
+        let outcome = shell("echo bad luck >&2; kill -ABRT $$", LIMITS)
+            .unwrap()
+            .code()
+            .unwrap_err();
+        let Outcome::Crashed { reason } = outcome else {
+            panic!("no crash")
+        };
+        assert!(
+            reason.contains("signal: 6") && reason.ends_with("bad luck"),
+            "{reason}"
+        );
+    }
+
+    #[test]
+    fn what_takes_too_long_is_killed() {
+        let time = Duration::from_millis(300);
+        let hang = shell("tail -f /dev/null", ToolLimits { time, ..LIMITS });
+        assert_eq!(hang.unwrap_err(), Outcome::TimedOut { after_ms: 300 });
+        let silent = shell(
+            "exec >/dev/null 2>&1; tail -f /dev/null",
+            ToolLimits { time, ..LIMITS },
+        );
+        assert_eq!(silent.unwrap_err(), Outcome::TimedOut { after_ms: 300 });
+    }
+
+    #[test]
+    fn what_writes_without_end_is_killed() {
+        for flood in ["yes", "yes >&2"] {
+            let outcome = shell(flood, LIMITS).unwrap_err();
+            let reason = "it wrote more than 65536 bytes".to_owned();
+            assert_eq!(outcome, Outcome::Crashed { reason });
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_takes_too_much_memory_is_killed() {
+        let limits = ToolLimits {
+            memory: 1 << 10,
+            ..LIMITS
+        };
+        let outcome = shell("tail -f /dev/null", limits).unwrap_err();
+        assert!(matches!(outcome, Outcome::Crashed { .. }), "{outcome:?}");
+    }
+
+    #[test]
+    fn the_end_is_seen_although_a_child_holds_the_output() {
+        let ended = shell("tail -f /dev/null & echo done; exit 0", LIMITS).unwrap();
+        assert_eq!(ended.stdout, "done\n");
+        assert_eq!(ended.code(), Ok(0));
+    }
+
+    #[test]
+    fn what_cannot_be_started_is_an_error() {
+        let nothing: [&str; 0] = [];
+        let outcome = run(Path::new("/no/such/program"), &nothing, Path::new("/"), &LIMITS).unwrap_err();
+        let Outcome::Error { message } = outcome else {
+            panic!("no error")
+        };
+        assert!(message.contains("/no/such/program"), "{message}");
+    }
+}

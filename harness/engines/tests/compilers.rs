@@ -1,0 +1,135 @@
+//! Real compilers behind their adapters. Where one is not on this machine, its test says so and has nothing to do.
+
+use std::io::Write;
+use stickler_engines::{Compiler, Engine, Observation, Outcome, RunRequest};
+use stickler_types::{DialectName, Fault};
+
+/// The compiler, or nothing and a word about it.
+fn here(compiler: Compiler) -> Option<Box<dyn Engine>> {
+    match compiler.engine(compiler.name()) {
+        Ok(engine) => Some(engine),
+        Err(error) => {
+            // Not `eprintln`, which nobody sees when the test passes.
+            let _ = writeln!(std::io::stderr(), "skipped: {error}");
+            None
+        }
+    }
+}
+
+fn ask(engine: &dyn Engine, source: &str, observe: &[(&str, &str, Option<u32>)], scans: u32) -> Outcome {
+    let observe: Vec<Observation<'_>> = observe
+        .iter()
+        .map(|&(name, type_name, after)| Observation {
+            name,
+            type_name,
+            after,
+        })
+        .collect();
+    engine.session().unwrap().run(&RunRequest {
+        dialect: engine.identity().dialects[0],
+        source,
+        scans,
+        observe: &observe,
+        clock: &[],
+        set: &[],
+    })
+}
+
+fn values(outcome: Outcome) -> Vec<String> {
+    let Outcome::Executed { values } = outcome else {
+        panic!("not executed: {outcome:?}")
+    };
+    values
+        .iter()
+        .map(|(name, value)| format!("{name} = {value}"))
+        .collect()
+}
+
+/// What every compiler of Structured Text does alike.
+fn behaves(engine: &dyn Engine) {
+    let source = "TYPE PAIR : STRUCT a : INT; b : DINT; END_STRUCT; END_TYPE\n\
+                  FUNCTION ADDED : INT\nVAR_INPUT x : INT; END_VAR\n    ADDED := x + 1;\nEND_FUNCTION\n\
+                  PROGRAM main\nVAR\n    n : INT;\n    x : BOOL;\n    list : ARRAY[1..2] OF INT;\n    both : PAIR;\n    \
+                  letters : STRING := 'a~b';\n    ratio : REAL := 0.1;\nEND_VAR\n    n := ADDED(n);\n    x := n > 1;\n    \
+                  list[2] := n;\n    both.b := 7;\nEND_PROGRAM\n";
+    let observe = [
+        ("n", "INT", None),
+        ("n", "INT", Some(1)),
+        ("x", "BOOL", None),
+        ("list[2]", "INT", None),
+        ("both.b", "DINT", None),
+        ("letters", "STRING", None),
+        ("ratio", "REAL", None),
+    ];
+    assert_eq!(
+        values(ask(engine, source, &observe, 3)),
+        [
+            "n = INT#3",
+            "n@1 = INT#1",
+            "x = BOOL#TRUE",
+            "list[2] = INT#3",
+            "both.b = DINT#7",
+            "letters = STRING#'a~b'",
+            "ratio = REAL#0.1"
+        ]
+    );
+    let source = "PROGRAM main\nVAR\n    n : INT;\nEND_VAR\n    n := unknown;\nEND_PROGRAM\n";
+    let Outcome::Rejected { diagnostics } = ask(engine, source, &[], 1) else {
+        panic!("not rejected")
+    };
+    assert_eq!(diagnostics[0].line, Some(5));
+    let dialect = engine.identity().dialects[0];
+    let mut session = engine.session().unwrap();
+    assert!(matches!(session.check(dialect, source), Outcome::Rejected { .. }));
+    let accepted = session.check(
+        dialect,
+        "PROGRAM main\nVAR\n    n : INT;\nEND_VAR\n    n := 1;\nEND_PROGRAM\n",
+    );
+    assert_eq!(accepted, Outcome::Accepted);
+}
+
+fn divides_by_zero(engine: &dyn Engine) {
+    let source = "PROGRAM main\nVAR\n    n : INT;\n    q : INT;\nEND_VAR\n    q := 5 / n;\nEND_PROGRAM\n";
+    let outcome = ask(engine, source, &[], 1);
+    assert!(
+        matches!(
+            outcome,
+            Outcome::Faulted {
+                fault: Fault::DivisionByZero,
+                ..
+            }
+        ),
+        "{outcome:?}"
+    );
+}
+
+#[test]
+fn ironplc_behaves() {
+    let Some(engine) = here(Compiler::Ironplc) else {
+        return;
+    };
+    behaves(engine.as_ref());
+    divides_by_zero(engine.as_ref());
+    let rendered = engine.session().unwrap().render(
+        DialectName::IronplcEd2,
+        "PROGRAM main VAR x : INT; END_VAR x := 1; END_PROGRAM",
+    );
+    assert!(matches!(rendered, Outcome::Rendered { .. }), "{rendered:?}");
+}
+
+#[test]
+fn matiec_behaves() {
+    let Some(engine) = here(Compiler::Matiec) else {
+        return;
+    };
+    behaves(engine.as_ref());
+    divides_by_zero(engine.as_ref());
+}
+
+#[test]
+fn a_compiler_is_known_by_its_name() {
+    for compiler in Compiler::ALL {
+        assert_eq!(Compiler::from_name(compiler.name()), Some(compiler));
+    }
+    assert_eq!(Compiler::from_name("cc"), None);
+}
