@@ -1,20 +1,21 @@
 //! Engines by the names that people give them on the command line.
 
 use crate::exit::{NoSuchEngine, SpeaksNone};
-use stickler_engines::{Engine, Identity, ProcessEngine, ProcessLimits, Reference};
+use stickler_engines::{Compiler, Engine, Identity, ProcessEngine, ProcessLimits, Reference};
 use stickler_types::DialectName;
 
 /// The name of the engine that is always there.
 pub const REFERENCE: &str = "reference";
 
 /// What stands in front of the command line of an engine that is a process.
-const COMMAND: &str = "cmd:";
+pub const COMMAND: &str = "cmd:";
 
-/// The engine of this name: `reference`, or `cmd:COMMAND LINE` for a program that speaks the wire protocol.
+/// The engine of this name: `reference`, a compiler for which there is an adapter, or `cmd:COMMAND LINE` for a program
+/// that speaks the wire protocol.
 ///
 /// # Errors
-/// [`NoSuchEngine`] where nothing is called so; an [`EngineError`](stickler_engines::EngineError) where the program
-/// cannot be started or says no `hello`.
+/// [`NoSuchEngine`] where nothing is called so; an [`EngineError`](stickler_engines::EngineError) where the compiler is
+/// not on this machine, or the program cannot be started or says no `hello`.
 pub fn by_name(name: &str) -> anyhow::Result<Box<dyn Engine>> {
     distinct(name, &[])
 }
@@ -89,6 +90,9 @@ pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<
 fn distinct(name: &str, taken: &[&str]) -> anyhow::Result<Box<dyn Engine>> {
     if name == REFERENCE {
         return Ok(Box::new(Reference::default()));
+    }
+    if let Some(compiler) = Compiler::from_name(name) {
+        return Ok(compiler.engine(&free(compiler.name(), taken))?);
     }
     let Some(line) = name.strip_prefix(COMMAND) else {
         return Err(NoSuchEngine(name.to_owned()).into());

@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::process::ExitCode;
-use stickler_engines::EngineError;
+use stickler_engines::{Compiler, EngineError};
 use stickler_run::RunError;
 
 /// How a command ended, as its caller sees it.
@@ -103,10 +103,17 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
 /// An engine that this version cannot run.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
-    "there is no engine `{0}`; there is `reference`, and `cmd:COMMAND LINE` for any program that speaks the wire \
-     protocol, such as `cmd:stickler engine`"
+    "there is no engine `{0}`; there is `reference`, there are the compilers {compilers}, and there is `cmd:COMMAND \
+     LINE` for any program that speaks the wire protocol, such as `cmd:stickler engine`",
+    compilers = compilers()
 )]
 pub struct NoSuchEngine(pub String);
+
+/// The compilers for which there are adapters, in a list.
+fn compilers() -> String {
+    let names = Compiler::ALL.map(|compiler| format!("`{}`", compiler.name()));
+    names.join(", ")
+}
 
 /// An engine that speaks none of the dialects at hand.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
