@@ -8,8 +8,9 @@ use std::collections::BTreeMap;
 use stickler_generate::census::census;
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::generator::{Settings, program};
+use stickler_generate::model::{Program, Statement, StatementKind, Target};
 use stickler_generate::writer::{Style, write};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, Value};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -31,6 +32,9 @@ struct Measured {
     settled: u64,
     lines: Vec<usize>,
     steps: u64,
+    /// Statements of main that were left out to see whether any value changes, and those where one did.
+    left_out: u64,
+    missed: u64,
     questions: BTreeMap<String, u64>,
     refusals: BTreeMap<String, u64>,
     constructs: BTreeMap<String, (u64, u64)>,
@@ -64,11 +68,12 @@ impl Measured {
         measured
     }
 
-    fn evaluate(&mut self, program: &stickler_generate::model::Program) {
+    fn evaluate(&mut self, program: &Program) {
         match evaluate(program, 1) {
             Ok(evaluation) => {
                 self.steps += evaluation.steps;
                 self.settled += u64::from(evaluation.opened.is_empty());
+                self.leave_out(program, &evaluation.values);
                 for opened in evaluation.opened {
                     *self
                         .questions
@@ -77,6 +82,29 @@ impl Measured {
                 }
             }
             Err(refusal) => *self.refusals.entry(format!("{refusal:?}")).or_default() += 1,
+        }
+    }
+
+    /// Leaves out one statement of main, and looks whether any value changes.
+    fn leave_out(&mut self, program: &Program, values: &[(String, Value)]) {
+        let own = |statement: &Statement| {
+            !matches!(&statement.kind, StatementKind::Assign(Target::Place(place), _)
+            if program.main.variables[place.variable.0].name.starts_with("checksum"))
+        };
+        let count = program
+            .main
+            .body
+            .iter()
+            .take_while(|statement| own(statement))
+            .count();
+        if count == 0 {
+            return;
+        }
+        let mut shorter = program.clone();
+        shorter.main.body.remove(self.programs as usize % count);
+        self.left_out += 1;
+        if let Ok(evaluation) = evaluate(&shorter, 1) {
+            self.missed += u64::from(evaluation.values != values);
         }
     }
 
@@ -100,6 +128,10 @@ impl Measured {
             quantile(99)
         );
         println!("steps: {} a program", self.steps / self.programs.max(1));
+        println!(
+            "of {} statements of main that were left out one by one, {} were missed by some value",
+            self.left_out, self.missed
+        );
         println!("questions: {:?}", self.questions);
         println!("refusals: {:?}", self.refusals);
         println!("times / programs");

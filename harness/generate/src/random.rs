@@ -41,6 +41,13 @@ impl<'r, 'u> Random<'r, 'u> {
         from.get(self.below(from.len()))
     }
 
+    /// One of those that suit, all of them equally likely; nothing if there is none.
+    pub fn pick_where<'t, T>(&mut self, from: &'t [T], suits: impl Fn(&T) -> bool) -> Option<&'t T> {
+        let count = from.iter().filter(|one| suits(one)).count();
+        let chosen = self.below(count);
+        from.iter().filter(|one| suits(one)).nth(chosen)
+    }
+
     /// A number between two, both included; the lower one when the bytes have run out.
     pub fn between(&mut self, low: i64, high: i64) -> i64 {
         if low >= high {

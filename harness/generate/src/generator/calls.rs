@@ -26,24 +26,14 @@ impl Maker<'_, '_> {
 
     /// A conversion function that gives this type; rather one of a type that variables have.
     fn offer(&mut self, ty: ElementaryType, wanted: Wanted) -> Option<&'static Offer> {
-        let language = self.language;
         let seen_only = self.random.chance(3, 4);
-        let open = self.open;
-        let pou = &self.pou;
-        let suits = |offer: &&Offer| {
+        let (open, pou) = (self.open, &self.pou);
+        let suits = |offer: &Offer| {
             (open || offer.settled != Settled::Never)
                 && (!offer.ambiguous || wanted == Wanted::Assigned)
                 && (!seen_only || pou.varies(offer.from))
         };
-        let count = language.offers(ty).iter().filter(suits).count();
-        let chosen = self.random.below(count);
-        let pou = &self.pou;
-        let suits = |offer: &&Offer| {
-            (open || offer.settled != Settled::Never)
-                && (!offer.ambiguous || wanted == Wanted::Assigned)
-                && (!seen_only || pou.varies(offer.from))
-        };
-        language.offers(ty).iter().filter(suits).nth(chosen)
+        self.random.pick_where(self.language.offers(ty), suits)
     }
 
     /// The argument of a conversion function; sometimes one that has to widen first, if the function's name says into what.
@@ -58,16 +48,10 @@ impl Maker<'_, '_> {
 
     /// A variable, converted to this type by a function that is settled for all its values.
     pub fn converted_variable(&mut self, ty: ElementaryType) -> Option<Expression> {
-        let language = self.language;
         let pou = &self.pou;
         let suits =
-            |offer: &&Offer| offer.settled == Settled::Always && !offer.ambiguous && pou.varies(offer.from);
-        let count = language.offers(ty).iter().filter(suits).count();
-        let chosen = self.random.below(count);
-        let pou = &self.pou;
-        let suits =
-            |offer: &&Offer| offer.settled == Settled::Always && !offer.ambiguous && pou.varies(offer.from);
-        let offer = language.offers(ty).iter().filter(suits).nth(chosen)?;
+            |offer: &Offer| offer.settled == Settled::Always && !offer.ambiguous && pou.varies(offer.from);
+        let offer = self.random.pick_where(self.language.offers(ty), suits)?;
         let operand = self.read(&Type::Elementary(offer.from), true)?;
         Some(convert(&offer.signature, operand))
     }

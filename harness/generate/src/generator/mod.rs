@@ -9,7 +9,7 @@
 //! | `maker` | what is being made: the program so far, and what is left of the budget |
 //! | `scope` | the POU in hand: what can be read and written in it |
 //! | `declarations`, `routines` | types and variables; functions and function blocks |
-//! | `expressions`, `places`, `operations`, `calls` | expressions of a wanted type |
+//! | `expressions`, `places`, `operations`, `standard`, `calls` | expressions of a wanted type |
 //! | `statements`, `loops` | statements |
 //! | `checksum` | the end of main, where everything flows together |
 
@@ -27,6 +27,7 @@ mod places;
 mod routines;
 mod scope;
 mod settings;
+mod standard;
 mod statements;
 
 pub use maker::program;

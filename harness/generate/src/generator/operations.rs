@@ -1,10 +1,9 @@
-//! Operators and standard functions.
+//! Operators, and bits.
 
 use super::expressions::{Wanted, elementary};
 use super::features::Feature;
 use super::literals;
 use super::maker::Maker;
-use super::places::integer;
 use super::scope::Seen;
 use crate::model::{
     BinaryOperator as Operator, Expression, ExpressionKind, LiteralForm, StandardFunction as Function, Type,
@@ -139,13 +138,9 @@ impl Maker<'_, '_> {
     }
 
     fn compared_enumeration(&mut self) -> Option<Expression> {
-        let types = &self.program;
-        let enumerations = |seen: &Seen| types.enumerated_values(&seen.ty).is_some();
-        let count = self.pou.places.iter().filter(|seen| enumerations(seen)).count();
-        let chosen = self.random.below(count);
-        let types = &self.program;
-        let enumerations = |seen: &&Seen| types.enumerated_values(&seen.ty).is_some();
-        let seen = self.pou.places.iter().filter(enumerations).nth(chosen)?.clone();
+        let program = &self.program;
+        let is_enumeration = |seen: &Seen| program.enumerated_values(&seen.ty).is_some();
+        let seen = self.random.pick_where(&self.pou.places, is_enumeration)?.clone();
         let operator = [Operator::Equal, Operator::NotEqual][self.random.below(2)];
         let place = self.place(&seen, false);
         let left = Expression {
@@ -190,119 +185,6 @@ impl Maker<'_, '_> {
             _ => self.random.below(bits as usize) as u32,
         }
     }
-
-    /// SEL or MUX.
-    pub fn selection(&mut self, ty: ElementaryType, depth: usize) -> Expression {
-        if self.random.chance(1, 3) {
-            let count = 2 + self.random.below(2);
-            let mut arguments = vec![self.selector(count as i64 - 1)];
-            arguments.extend((0..count).map(|_| self.value(ty, Wanted::Exact, depth)));
-            return elementary(ty, ExpressionKind::Standard(Function::Mux, arguments));
-        }
-        let condition = self.value(ElementaryType::Bool, Wanted::Exact, depth);
-        let first = self.value(ty, Wanted::Exact, depth);
-        let second = self.value(ty, Wanted::Exact, depth);
-        elementary(
-            ty,
-            ExpressionKind::Standard(Function::Sel, vec![condition, first, second]),
-        )
-    }
-
-    /// An INT from 0 to a limit.
-    fn selector(&mut self, most: i64) -> Expression {
-        let limited = self.limited(ElementaryType::Int, 0, most);
-        limited.unwrap_or_else(|| {
-            integer(
-                ElementaryType::Int,
-                self.random.between(0, most),
-                LiteralForm::Typed,
-            )
-        })
-    }
-
-    /// MIN, MAX or LIMIT.
-    pub fn extremum(&mut self, ty: ElementaryType, depth: usize) -> Expression {
-        let (function, count) =
-            [(Function::Min, 2), (Function::Max, 2), (Function::Limit, 3)][self.random.below(3)];
-        if function == Function::Limit {
-            return self.limit(ty, depth);
-        }
-        let arguments = (0..count).map(|_| self.value(ty, Wanted::Exact, depth));
-        let arguments = arguments.collect();
-        elementary(ty, ExpressionKind::Standard(function, arguments))
-    }
-
-    /// LIMIT with a lower limit that is not above the upper one, for no document says what it gives otherwise.
-    fn limit(&mut self, ty: ElementaryType, depth: usize) -> Expression {
-        let mut limits = [
-            literals::value(ty, &mut self.random),
-            literals::value(ty, &mut self.random),
-        ];
-        if is_above(&limits[0], &limits[1]) {
-            limits.swap(0, 1);
-        }
-        let [low, high] =
-            limits.map(|limit| elementary(ty, ExpressionKind::Literal(limit, LiteralForm::Typed)));
-        let inner = self.value(ty, Wanted::Exact, depth);
-        elementary(
-            ty,
-            ExpressionKind::Standard(Function::Limit, vec![low, inner, high]),
-        )
-    }
-
-    /// ABS, of a signed integer only if it is not the least one, which has no counterpart.
-    pub fn absolute(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
-        let operand = self.varying(ty, depth)?;
-        let operand = match (ty.family(), ty.integer_range()) {
-            (Family::Signed, Some((least, greatest))) => {
-                let limit = |number: i128| {
-                    elementary(
-                        ty,
-                        ExpressionKind::Literal(Value::plain(ty, ty.wrap(number)), LiteralForm::Typed),
-                    )
-                };
-                let arguments = vec![limit(least + 1), operand, limit(greatest)];
-                elementary(ty, ExpressionKind::Standard(Function::Limit, arguments))
-            }
-            _ => operand,
-        };
-        Some(elementary(
-            ty,
-            ExpressionKind::Standard(Function::Abs, vec![operand]),
-        ))
-    }
-
-    /// SHL, SHR, ROL or ROR, by fewer bits than there are.
-    pub fn shift(&mut self, ty: ElementaryType, depth: usize) -> Expression {
-        let functions = [Function::Shl, Function::Shr, Function::Rol, Function::Ror];
-        let function = functions[self.random.below(functions.len())];
-        let operand = self.value(ty, Wanted::Exact, depth);
-        // Where what is open is wanted, a shift may be longer than its operand.
-        let most = i64::from(ty.bits()) - 1 + if self.open { 2 } else { 0 };
-        let count = self.selector(most);
-        elementary(ty, ExpressionKind::Standard(function, vec![operand, count]))
-    }
-
-    /// LEN.
-    pub fn length(&mut self, depth: usize) -> Expression {
-        let operand = self.value(ElementaryType::String, Wanted::Exact, depth.min(1));
-        elementary(
-            ElementaryType::Int,
-            ExpressionKind::Standard(Function::Len, vec![operand]),
-        )
-    }
-
-    /// CONCAT of a text and a literal.
-    pub fn concatenation(&mut self, ty: ElementaryType, depth: usize) -> Expression {
-        let text = self.value(ty, Wanted::Exact, depth.min(2));
-        let more = self.literal(ty, Wanted::Exact);
-        let arguments = if self.random.chance(1, 2) {
-            vec![more, text]
-        } else {
-            vec![text, more]
-        };
-        elementary(ty, ExpressionKind::Standard(Function::Concat, arguments))
-    }
 }
 
 /// Whether it is an integer or bit string, whose bits can be named.
@@ -345,19 +227,8 @@ fn divides(value: &Value) -> bool {
     }
 }
 
-/// Whether one number is greater than another of its type.
-fn is_above(one: &Value, other: &Value) -> bool {
-    let (&Value::Plain { ty, raw }, &Value::Plain { raw: other, .. }) = (one, other) else {
-        return false;
-    };
-    match (real(ty, raw), real(ty, other)) {
-        (Some(one), Some(other)) => one > other,
-        _ => ty.integer_value(raw) > ty.integer_value(other),
-    }
-}
-
 /// The number of a REAL or LREAL.
-fn real(ty: ElementaryType, raw: u64) -> Option<f64> {
+pub(super) fn real(ty: ElementaryType, raw: u64) -> Option<f64> {
     match ty {
         ElementaryType::Real => Some(f32::from_bits(raw as u32).into()),
         ElementaryType::Lreal => Some(f64::from_bits(raw)),

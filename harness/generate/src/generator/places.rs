@@ -27,17 +27,7 @@ impl Maker<'_, '_> {
 
     /// One of the places that suit.
     pub fn choose(&mut self, suits: impl Fn(&Seen) -> bool) -> Option<Seen> {
-        let count = self.pou.places.iter().filter(|seen| suits(seen)).count();
-        if count == 0 {
-            return None;
-        }
-        let chosen = self.random.below(count);
-        self.pou
-            .places
-            .iter()
-            .filter(|seen| suits(seen))
-            .nth(chosen)
-            .cloned()
+        self.random.pick_where(&self.pou.places, suits).cloned()
     }
 
     /// A place with its subscripts; `fixed` ones depend on no variable.
@@ -108,20 +98,16 @@ impl Maker<'_, '_> {
     pub fn writable_part(&mut self, ty: &Type, besides: &[VariableId]) -> Option<Place> {
         let pou = &self.pou;
         let suits = |seen: &Seen| seen.ty == *ty && pou.may_write(seen) && !besides.contains(&seen.variable);
-        let count = pou.places.iter().filter(|seen| suits(seen)).count();
-        if count == 0 {
-            return None;
-        }
-        let chosen = self.random.below(count);
-        let pou = &self.pou;
-        let suits = |seen: &Seen| seen.ty == *ty && pou.may_write(seen) && !besides.contains(&seen.variable);
-        let seen = pou
-            .places
-            .iter()
-            .filter(|seen| suits(seen))
-            .nth(chosen)
-            .cloned()?;
+        let seen = self.random.pick_where(&pou.places, suits)?.clone();
         Some(self.place(&seen, true))
+    }
+
+    /// A place to write to that suits.
+    pub fn target(&mut self, suits: impl Fn(&Seen) -> bool) -> Option<Place> {
+        let pou = &self.pou;
+        let suits = |seen: &Seen| pou.may_write(seen) && suits(seen);
+        let seen = self.random.pick_where(&pou.places, suits)?.clone();
+        Some(self.place(&seen, false))
     }
 }
 

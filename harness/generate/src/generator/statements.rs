@@ -7,7 +7,7 @@ use super::operations::has_bits;
 use super::places::integer;
 use super::scope::{Kind, contains_text};
 use crate::model::{
-    Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Place, Section, Statement,
+    Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Section, Statement,
     StatementKind, Target, Type, VariableId,
 };
 use stickler_types::ElementaryType;
@@ -126,25 +126,6 @@ impl Maker<'_, '_> {
             value = self.assigned(&ty, place.variable.0)?;
         }
         Some(StatementKind::Assign(Target::Place(place), value))
-    }
-
-    /// A place to write to.
-    fn target(&mut self, suits: impl Fn(&super::scope::Seen) -> bool) -> Option<Place> {
-        let pou = &self.pou;
-        let count = pou
-            .places
-            .iter()
-            .filter(|seen| pou.may_write(seen) && suits(seen))
-            .count();
-        let chosen = self.random.below(count);
-        let pou = &self.pou;
-        let seen = pou
-            .places
-            .iter()
-            .filter(|seen| pou.may_write(seen) && suits(seen))
-            .nth(chosen)?
-            .clone();
-        Some(self.place(&seen, false))
     }
 
     /// A value for a place of this type, which is of that variable; nothing where there is none.
