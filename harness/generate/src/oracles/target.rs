@@ -1,6 +1,6 @@
 //! The fuzz targets: their names, and the one door through which libFuzzer, replays, tests and campaigns judge an input.
 
-use super::{Failure, Tried, execute, parse};
+use super::{Failure, Tried, differential, execute, parse};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -73,12 +73,10 @@ impl Target {
         match self {
             Target::Parse => parse::judge(data),
             Target::Execute => execute::execute(data),
-            Target::Literal
-            | Target::Convert
-            | Target::Check
-            | Target::CaseFile
-            | Target::Protocol
-            | Target::Differential => Ok(Tried::PassedOver("nothing is held against this input")),
+            Target::Differential => differential::differential(data),
+            Target::Literal | Target::Convert | Target::Check | Target::CaseFile | Target::Protocol => {
+                Ok(Tried::PassedOver("nothing is held against this input"))
+            }
         }
     }
 }

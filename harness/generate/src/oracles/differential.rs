@@ -1,0 +1,238 @@
+//! Well-typed programs on an engine that the environment names: it gives the values that the model's evaluator gives.
+//!
+//! What documents leave open poisons the comparison instead of failing it: such a program is passed over.
+
+use super::{Failure, Tried};
+use crate::evaluate::evaluate;
+use crate::generator::{Settings, program};
+use crate::model::Program;
+use crate::reduce::Symptom;
+use crate::writer::{Style, write};
+use arbitrary::Unstructured;
+use std::cell::RefCell;
+use stickler_engines::{
+    Compiler, Engine, Observation, Outcome, ProcessEngine, ProcessLimits, Reference, RunRequest, Session,
+};
+use stickler_types::DialectName;
+
+/// The environment variable that names the engine: `reference`, a compiler's name, or `cmd:` and the command line of an adapter.
+pub const ENGINE: &str = "STICKLER_ENGINE";
+
+/// The engine that is always there.
+const REFERENCE: &str = "reference";
+
+/// What stands in front of a command line.
+const COMMAND: &str = "cmd:";
+
+/// Judges the engine of the environment by the program that these bytes stand for; without an engine, nothing is judged.
+///
+/// The engine is started once a thread and lives as long as the process; one that dies is started anew by its session.
+///
+/// # Errors
+/// See [`judge_on`]; `engine` where it cannot be started.
+pub fn differential(data: &[u8]) -> Result<Tried, Failure> {
+    thread_local! {
+        static OPEN: RefCell<Option<Result<Open, String>>> = const { RefCell::new(None) };
+    }
+    let Ok(name) = std::env::var(ENGINE) else {
+        return Ok(Tried::PassedOver("no engine is named in STICKLER_ENGINE"));
+    };
+    OPEN.with_borrow_mut(|open| match open.get_or_insert_with(|| Open::new(&name)) {
+        Ok(open) => judge_on(open.session.as_mut(), &program_for(&open.dialects, data)),
+        Err(reason) => Err(Failure::new("engine", reason.clone())),
+    })
+}
+
+/// An engine that is ready.
+struct Open {
+    dialects: Vec<DialectName>,
+    session: Box<dyn Session>,
+}
+
+impl Open {
+    fn new(name: &str) -> Result<Open, String> {
+        // A session borrows its engine. The engine is needed to the end of the process, so it is never given back.
+        let engine: &'static dyn Engine = Box::leak(by_name(name)?);
+        Ok(Open {
+            dialects: engine.identity().dialects.clone(),
+            session: engine.session().map_err(|error| error.to_string())?,
+        })
+    }
+}
+
+/// The engine of this name.
+fn by_name(name: &str) -> Result<Box<dyn Engine>, String> {
+    let started = if name == REFERENCE {
+        return Ok(Box::new(Reference::default()));
+    } else if let Some(line) = name.strip_prefix(COMMAND) {
+        ProcessEngine::start(line, ProcessLimits::default()).map(|engine| Box::new(engine) as Box<dyn Engine>)
+    } else if let Some(compiler) = Compiler::from_name(name) {
+        compiler.engine(name)
+    } else {
+        let compilers = Compiler::ALL
+            .map(|compiler| format!("`{}`", compiler.name()))
+            .join(", ");
+        return Err(format!(
+            "{ENGINE} is `{name}`; it must be `{REFERENCE}`, {compilers}, or `{COMMAND}` and the command line of an adapter"
+        ));
+    };
+    started.map_err(|error| error.to_string())
+}
+
+/// The program that bytes stand for in one of these dialects, which the first byte chooses.
+#[must_use]
+pub fn program_for(dialects: &[DialectName], data: &[u8]) -> Program {
+    let (first, rest) = data
+        .split_first()
+        .map_or((0, data), |(first, rest)| (usize::from(*first), rest));
+    let settings = Settings {
+        dialect: dialects.get(first % dialects.len().max(1)).copied(),
+        ..Settings::default()
+    };
+    program(&mut Unstructured::new(rest), &settings)
+}
+
+/// Judges an engine by a program.
+///
+/// # Errors
+/// How the engine's outcome differs from what the evaluator gives; the symptom is that of [`Symptom`].
+pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<Tried, Failure> {
+    let Ok(evaluation) = evaluate(program, 1) else {
+        return Ok(Tried::PassedOver("the program has no values"));
+    };
+    if !evaluation.opened.is_empty() {
+        return Ok(Tried::PassedOver("poisoned by what documents leave open"));
+    }
+    let text = write(program, &Style::default()).text;
+    let observed = program.observed();
+    let observe: Vec<Observation<'_>> = observed
+        .iter()
+        .map(|(name, ty)| Observation {
+            name,
+            type_name: ty.name(),
+            after: None,
+        })
+        .collect();
+    let given = session.run(&RunRequest {
+        dialect: program.dialect,
+        source: &text,
+        scans: 1,
+        observe: &observe,
+        clock: &[],
+        set: &[],
+    });
+    if let Outcome::Unsupported { .. } = given {
+        return Ok(Tried::PassedOver("the engine does not support the program"));
+    }
+    let expected = Outcome::Executed {
+        values: evaluation.values,
+    };
+    match Symptom::first(&expected, &given) {
+        None => Ok(Tried::Done),
+        Some(symptom) => {
+            let message = format!(
+                "by the documents {}, but the engine {}",
+                told(&expected, &given),
+                told(&given, &expected)
+            );
+            Err(Failure::new(symptom.to_string(), message).of_program(text))
+        }
+    }
+}
+
+/// An outcome in words; of values only those that differ from another outcome's.
+fn told(outcome: &Outcome, other: &Outcome) -> String {
+    match (outcome, other) {
+        (Outcome::Executed { values }, Outcome::Executed { values: others }) => {
+            let differing = values.iter().filter(|value| !others.contains(value));
+            let named: Vec<String> = differing
+                .map(|(name, value)| format!("{name} = {value}"))
+                .collect();
+            format!("gives {}", named.join(", "))
+        }
+        (Outcome::Executed { .. }, _) => "it runs to its end".to_owned(),
+        (Outcome::Rejected { diagnostics }, _) => {
+            let messages: Vec<&str> = diagnostics
+                .iter()
+                .map(|diagnostic| &diagnostic.message[..])
+                .collect();
+            format!("rejects it: {}", messages.join("; "))
+        }
+        (outcome, _) => format!("answers {outcome:?}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::variants::tests::everything;
+    use stickler_types::Value;
+
+    /// An engine that gives the same answer to everything.
+    struct Stubborn(Outcome);
+
+    impl Session for Stubborn {
+        fn run(&mut self, _: &RunRequest<'_>) -> Outcome {
+            self.0.clone()
+        }
+        fn check(&mut self, _: DialectName, _: &str) -> Outcome {
+            self.0.clone()
+        }
+        fn render(&mut self, _: DialectName, _: &str) -> Outcome {
+            self.0.clone()
+        }
+    }
+
+    fn judged(outcome: Outcome) -> Result<Tried, String> {
+        let judged = judge_on(&mut Stubborn(outcome), &everything());
+        judged.map_err(|failure| failure.symptom)
+    }
+
+    #[test]
+    fn an_engine_that_gives_the_documented_values_is_right() {
+        let values = evaluate(&everything(), 1).unwrap().values;
+        assert_eq!(judged(Outcome::Executed { values }), Ok(Tried::Done));
+        let reference = Reference::default();
+        let mut session = reference.session().unwrap();
+        assert_eq!(judge_on(session.as_mut(), &everything()), Ok(Tried::Done));
+    }
+
+    #[test]
+    fn whatever_else_it_does_is_told_by_its_kind() {
+        let mut values = evaluate(&everything(), 1).unwrap().values;
+        values[1].1 = Value::parse("INT#-1").unwrap();
+        assert_eq!(judged(Outcome::Executed { values }), Err("value:INT".to_owned()));
+        let reason = "segmentation fault".to_owned();
+        assert_eq!(judged(Outcome::Crashed { reason }), Err("crash".to_owned()));
+        assert_eq!(judged(Outcome::TimedOut { after_ms: 9 }), Err("hang".to_owned()));
+        let reason = "no arrays".to_owned();
+        let unsupported = judged(Outcome::Unsupported { reason });
+        assert_eq!(
+            unsupported,
+            Ok(Tried::PassedOver("the engine does not support the program"))
+        );
+    }
+
+    #[test]
+    fn what_documents_leave_open_poisons_the_comparison() {
+        let mut program = everything();
+        // Without its assignment behind the loop, the loop's variable is open.
+        program.main.body.truncate(1);
+        let judged = judge_on(&mut Stubborn(Outcome::Accepted), &program);
+        assert_eq!(
+            judged,
+            Ok(Tried::PassedOver("poisoned by what documents leave open"))
+        );
+    }
+
+    #[test]
+    fn a_name_that_no_engine_has_is_told_with_what_it_may_be() {
+        let reason = by_name("nobody").err().unwrap();
+        assert!(
+            reason.contains("`nobody`") && reason.contains("`matiec`"),
+            "{reason}"
+        );
+        assert!(by_name("reference").is_ok());
+        assert!(by_name("cmd:no-such-program-anywhere").is_err());
+    }
+}
