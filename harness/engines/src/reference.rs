@@ -8,6 +8,7 @@ use stickler_types::DialectName;
 #[derive(Clone, Debug)]
 pub struct Reference {
     identity: Identity,
+    limits: reference::Limits,
 }
 
 impl Reference {
@@ -20,7 +21,19 @@ impl Reference {
             dialects: DialectName::ALL.to_vec(),
             abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
         };
-        Reference { identity }
+        Reference {
+            identity,
+            limits: reference::Limits::default(),
+        }
+    }
+
+    /// The reference with a step limit of the caller's own; a run that needs more faults with `step-limit`.
+    #[must_use]
+    pub fn with_step_limit(steps: u64) -> Reference {
+        Reference {
+            limits: reference::Limits { steps },
+            ..Reference::new()
+        }
     }
 }
 
@@ -36,12 +49,14 @@ impl Engine for Reference {
     }
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        Ok(Box::new(ReferenceSession))
+        Ok(Box::new(ReferenceSession { limits: self.limits }))
     }
 }
 
 /// The reference keeps nothing between requests.
-struct ReferenceSession;
+struct ReferenceSession {
+    limits: reference::Limits,
+}
 
 impl Session for ReferenceSession {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
@@ -77,7 +92,7 @@ impl Session for ReferenceSession {
             observe: &observe,
             clock: &clock,
             set: &set,
-            limits: reference::Limits::default(),
+            limits: self.limits,
         });
         match answer {
             Ok(reference::Outcome::Executed { values }) => Outcome::Executed { values },

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use stickler_types::DialectName;
 use toml::Spanned;
 
-use crate::error::Mistake;
+use crate::error::{CaseFileError, Mistake};
 use crate::place::Lines;
 use crate::toml_text;
 
@@ -71,6 +71,14 @@ impl Dialects {
             .read(file),
             Err(mistake) => (Dialects::default(), vec![mistake]),
         }
+    }
+
+    /// Reads the text of a `dialects.toml` that stands at `shown`: what of it can be used, and what is wrong with it.
+    #[must_use]
+    pub fn of_file(shown: &str, text: &str) -> (Dialects, Vec<CaseFileError>) {
+        let (dialects, mistakes) = Dialects::read(text);
+        let errors = mistakes.into_iter().map(|mistake| mistake.in_file(shown));
+        (dialects, errors.collect())
     }
 
     /// What the file says of the dialects that it has an entry for.

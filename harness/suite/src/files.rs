@@ -19,6 +19,9 @@ pub(crate) struct Root {
     name: String,
 }
 
+/// What is said of any other file that is named as one.
+pub(crate) const NO_CASE_FILE: &str = "a case file ends in .st or .toml";
+
 /// A case file.
 #[derive(Debug)]
 pub(crate) struct CaseFile {
@@ -88,7 +91,7 @@ impl Root {
                 shown,
                 kind,
             }),
-            None => Err(Mistake::new(1, "a case file ends in .st or .toml").in_file(&shown)),
+            None => Err(Mistake::new(1, NO_CASE_FILE).in_file(&shown)),
         }
     }
 
@@ -109,7 +112,7 @@ fn slashes(path: &Path) -> String {
 }
 
 /// What the file is, by its name; nothing for the suite's own files and for all others.
-fn kind(below_root: &str) -> Option<Kind> {
+pub(crate) fn kind(below_root: &str) -> Option<Kind> {
     match below_root {
         "suite.toml" | "dialects.toml" => None,
         _ if below_root.ends_with(".st") => Some(Kind::Program),

@@ -40,4 +40,4 @@ pub use model::{
     Acceptance, Case, ClockSetting, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText,
     ExpectedValue, MatrixCell, Observe, VariableSetting, WithdrawnCase, Word,
 };
-pub use suite::{Suite, load_file};
+pub use suite::{Suite, load_file, read_case_file};

@@ -113,12 +113,26 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
         }
     };
     let harvest = read_file(&file, &dialects, &TypeNames::default());
-    errors.extend(
-        harvest
-            .mistakes
-            .into_iter()
-            .map(|mistake| mistake.in_file(&file.shown)),
-    );
+    let (cases, mistakes) = alone(harvest, &file.shown);
+    errors.extend(mistakes);
+    (cases, errors)
+}
+
+/// Reads a case file that is no file: `text` under the path `name` below a suite's root, by whose ending it is a program (`.st`)
+/// or a table (`.toml`). Gives the cases to run, and the mistakes.
+#[must_use]
+pub fn read_case_file(name: &str, text: &str, dialects: &Dialects) -> (Vec<Case>, Vec<CaseFileError>) {
+    let harvest = match files::kind(name) {
+        Some(kind) => read_text(name, name, kind, text, dialects, &TypeNames::default()),
+        None => wrong(Mistake::new(1, files::NO_CASE_FILE)),
+    };
+    alone(harvest, name)
+}
+
+/// The cases and mistakes of a file that is read by itself.
+fn alone(harvest: Harvest, shown: &str) -> (Vec<Case>, Vec<CaseFileError>) {
+    let mistakes = harvest.mistakes.into_iter();
+    let mut errors: Vec<_> = mistakes.map(|mistake| mistake.in_file(shown)).collect();
     let mut cases = harvest.cases;
     errors.extend(drop_duplicates(&mut cases, &harvest.withdrawn));
     (cases, errors)
@@ -127,45 +141,57 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
 fn dialects(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
     let shown = root.shown("dialects.toml");
     match files::read(&root.path().join("dialects.toml")) {
-        Ok(text) => {
-            let (dialects, mistakes) = Dialects::read(&text);
-            (
-                dialects,
-                mistakes
-                    .into_iter()
-                    .map(|mistake| mistake.in_file(&shown))
-                    .collect(),
-            )
-        }
+        Ok(text) => Dialects::of_file(&shown, &text),
         Err(mistake) => (Dialects::default(), vec![mistake.in_file(&shown)]),
     }
 }
 
 fn read_file(file: &files::CaseFile, dialects: &Dialects, type_names: &TypeNames) -> Harvest {
-    let wrong = |mistake| Harvest {
+    match files::read(&file.path) {
+        Ok(text) => read_text(
+            &file.below_root,
+            &file.shown,
+            file.kind,
+            &text,
+            dialects,
+            type_names,
+        ),
+        Err(mistake) => wrong(mistake),
+    }
+}
+
+/// What is left of a file that could not be read.
+fn wrong(mistake: Mistake) -> Harvest {
+    Harvest {
         mistakes: vec![mistake],
         ..Harvest::default()
-    };
-    let id = match ident::of_file(&file.below_root) {
+    }
+}
+
+fn read_text(
+    below_root: &str,
+    shown: &str,
+    kind: files::Kind,
+    text: &str,
+    dialects: &Dialects,
+    type_names: &TypeNames,
+) -> Harvest {
+    let id = match ident::of_file(below_root) {
         Ok(id) => id,
         Err(message) => return wrong(Mistake::new(1, message).hint("rename the file or its folder")),
     };
-    let text = match files::read(&file.path) {
-        Ok(text) => text,
-        Err(mistake) => return wrong(mistake),
-    };
     let area = id.split('/').next().unwrap_or_default();
     let context = FileContext {
-        file: file.shown.as_str().into(),
+        file: shown.into(),
         area: area.into(),
         id: id.clone(),
-        text: &text,
-        lines: Lines::new(&text),
+        text,
+        lines: Lines::new(text),
         dialects,
         type_names,
         budget: table::Budget::default(),
     };
-    match file.kind {
+    match kind {
         files::Kind::Program => single::read(&context),
         files::Kind::Table => table::read(&context),
     }

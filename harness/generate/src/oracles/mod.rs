@@ -1,9 +1,15 @@
 //! What a fuzz target holds against the bytes that it is given: one file an oracle, and [`Target`], which names them all.
 
+mod case_file;
+mod convert;
 pub mod differential;
 pub mod execute;
 mod failure;
+mod literal;
+mod numerals;
+mod operands;
 mod parse;
+mod protocol;
 mod target;
 mod tree;
 mod words;

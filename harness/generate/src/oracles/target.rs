@@ -1,6 +1,6 @@
 //! The fuzz targets: their names, and the one door through which libFuzzer, replays, tests and campaigns judge an input.
 
-use super::{Failure, Tried, differential, execute, parse};
+use super::{Failure, Tried, case_file, convert, differential, execute, literal, parse, protocol};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -72,11 +72,13 @@ impl Target {
     fn ask(self, data: &[u8]) -> Result<Tried, Failure> {
         match self {
             Target::Parse => parse::judge(data),
+            Target::Literal => literal::judge(data),
+            Target::Convert => convert::judge(data),
+            Target::Check => Ok(Tried::PassedOver("nothing is held against this input")),
             Target::Execute => execute::execute(data),
+            Target::CaseFile => case_file::judge(data),
+            Target::Protocol => protocol::judge(data),
             Target::Differential => differential::differential(data),
-            Target::Literal | Target::Convert | Target::Check | Target::CaseFile | Target::Protocol => {
-                Ok(Tried::PassedOver("nothing is held against this input"))
-            }
         }
     }
 }

@@ -1,0 +1,133 @@
+//! Oracle `case_file`: bytes are a case file, and its reader gives cases or located errors.
+
+use super::{Failure, Tried};
+use std::collections::HashSet;
+use std::sync::LazyLock;
+use stickler_suite::{Case, CaseFileError, Dialects, read_case_file};
+
+/// The names of dialects and groups that a case file may use, as the suite's own `dialects.toml` has them.
+static DIALECTS: LazyLock<Dialects> = LazyLock::new(|| {
+    let groups = "[groups]
+        ironplc = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\"]
+        all = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\", \"matiec\", \"plcnext\"]";
+    Dialects::of_file("dialects.toml", groups).0
+});
+
+/// The most cases that one file may expand into for each of its bytes, and those that any file may: the suite's own budget.
+const MOST_CASES: usize = 200_000;
+
+/// Holds a case file against what its reader promises: a text that begins with `(*!` is a program, any other a table.
+///
+/// 1. The reader gives cases or errors, and never neither, but for a withdrawn file.
+/// 2. Each error has a line of the file and a message.
+/// 3. Each case has an id of its own in its dialect, a line of the file, a program, and a basis.
+/// 4. Reading the file again gives the same.
+///
+/// Basis: stickler-design: §3 (the case format; ids are ASCII and never change their meaning).
+///
+/// # Errors
+/// Symptoms: `nothing`, `error:place`, `error:message`, `case:id`, `case:place`, `case:source`, `case:basis`, `size`, `changes`.
+pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
+    let Ok(text) = std::str::from_utf8(data) else {
+        // The files' reader refuses them before this one sees them.
+        return Ok(Tried::PassedOver("no text"));
+    };
+    let name = if text
+        .trim_start_matches('\u{FEFF}')
+        .trim_start()
+        .starts_with("(*!")
+    {
+        "language/fuzzed.st"
+    } else {
+        "language/fuzzed.toml"
+    };
+    let (cases, errors) = read_case_file(name, text, &DIALECTS);
+    let lines = text.lines().count().max(1) + 1;
+    errors.iter().try_for_each(|error| hold_error(error, lines))?;
+    hold_cases(&cases, lines)?;
+    if cases.is_empty() && errors.is_empty() && !text.contains("withdrawn") {
+        return Err(Failure::new(
+            "nothing",
+            "the file has neither a case nor an error",
+        ));
+    }
+    // What changes from reading to reading would come from the order of a hash table; a small file shows it as well.
+    if text.len() < 1024 && read_case_file(name, text, &DIALECTS) != (cases, errors) {
+        return Err(Failure::new(
+            "changes",
+            "reading the file again gives something else",
+        ));
+    }
+    Ok(Tried::Done)
+}
+
+fn hold_error(error: &CaseFileError, lines: usize) -> Result<(), Failure> {
+    if error.line == 0 || error.line as usize > lines {
+        let message = format!("the error does not lie in the file's {lines} lines: {error}");
+        return Err(Failure::new("error:place", message));
+    }
+    if error.message.is_empty() {
+        return Err(Failure::new(
+            "error:message",
+            format!("the error says nothing: {error:?}"),
+        ));
+    }
+    Ok(())
+}
+
+fn hold_cases(cases: &[Case], lines: usize) -> Result<(), Failure> {
+    if cases.len() > MOST_CASES {
+        return Err(Failure::new(
+            "size",
+            format!("the file expands into {} cases", cases.len()),
+        ));
+    }
+    let mut ids = HashSet::with_capacity(cases.len());
+    for case in cases {
+        let wrong = |symptom: &str, what: &str| Err(Failure::new(symptom, format!("{what}: {case:?}")));
+        if case.id.is_empty() || !case.id.is_ascii() || !ids.insert((&case.id, case.dialect)) {
+            return wrong("case:id", "the id is empty, not ASCII, or another case's");
+        }
+        if case.line == 0 || case.line as usize > lines {
+            return wrong("case:place", "the case does not lie in the file");
+        }
+        if case.source.trim().is_empty() {
+            return wrong("case:source", "the case has no program");
+        }
+        if case.basis.trim().is_empty() {
+            return wrong("case:basis", "the case has no basis");
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PROGRAM: &str = "(*!\ntitle = \"Bits\"\nbasis = \"stickler-design: §4\"\ndialects = [\"all\"]\n*)\n\
+        PROGRAM main\nVAR\n    r : INT;\nEND_VAR\n    r := 1;\nEND_PROGRAM\n(*! values\nr = INT#1\n*)\n";
+
+    #[test]
+    fn a_program_gives_a_case_for_each_dialect() {
+        assert_eq!(judge(PROGRAM.as_bytes()), Ok(Tried::Done));
+        let (cases, errors) = read_case_file("language/fuzzed.st", PROGRAM, &DIALECTS);
+        assert_eq!((cases.len(), errors), (5, vec![]));
+    }
+
+    #[test]
+    fn what_is_no_case_file_gives_errors() {
+        for text in [
+            "",
+            "x",
+            "(*!",
+            "(*! *)",
+            "title = 1",
+            "\u{FEFF}(*!\n*)",
+            "[[probe]]\n",
+        ] {
+            assert_eq!(judge(text.as_bytes()), Ok(Tried::Done), "{text}");
+        }
+        assert_eq!(judge(b"\xFF"), Ok(Tried::PassedOver("no text")));
+    }
+}

@@ -1,0 +1,167 @@
+//! Oracle `convert`: a conversion function, its operands and a dialect, held against exact arithmetic.
+
+use super::operands::operand;
+use super::{Failure, Tried};
+use arbitrary::Unstructured;
+use std::sync::LazyLock;
+use stickler_exact::{Signature, expected, functions, signatures};
+use stickler_reference::{Limits, Observation, Outcome, Request, RequestError, ValueSetting, run};
+use stickler_types::{DialectName, ElementaryType, Value};
+
+/// Every conversion of each dialect, in the order of [`DialectName::ALL`].
+static CONVERSIONS: LazyLock<[Vec<Signature>; DialectName::ALL.len()]> = LazyLock::new(|| {
+    DialectName::ALL.map(|dialect| {
+        let names = functions(dialect).into_iter();
+        names.flat_map(|name| signatures(&name, dialect)).collect()
+    })
+});
+
+/// Holds one call against exact arithmetic: of the bytes, the first is the dialect, the next two the function, the rest its
+/// operands. The reference runs a program that calls the function with variables, which are set from outside.
+///
+/// Where no document says what the call gives, the reference is held to what the design says of open conversions.
+///
+/// Basis: stickler-design: §8, and what `stickler-exact` names for each call.
+///
+/// # Errors
+/// Symptoms: `value:FUNCTION`, `rejected:CODE`, `fault:FAULT`, `internal-error`, `request`.
+pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
+    let mut input = Unstructured::new(data);
+    let Ok((dialect, signature, operands)) = call(&mut input) else {
+        return Ok(Tried::PassedOver("too short"));
+    };
+    let program = program(signature);
+    hold(dialect, signature, &operands, &program).map_err(|failure| failure.of_program(program))?;
+    Ok(Tried::Done)
+}
+
+fn call(input: &mut Unstructured<'_>) -> arbitrary::Result<(DialectName, &'static Signature, Vec<Value>)> {
+    let dialect = *input.choose(&DialectName::ALL)?;
+    let signature = input.choose(&CONVERSIONS[dialect as usize])?;
+    let operands = signature.operands.iter().map(|ty| operand(*ty, input));
+    Ok((dialect, signature, operands.collect::<arbitrary::Result<_>>()?))
+}
+
+/// A program that calls the function with `a` and `b` and keeps what it gives in `r`.
+fn program(signature: &Signature) -> String {
+    let names = ["a", "b"].into_iter().zip(&signature.operands);
+    let declarations: String = names
+        .clone()
+        .map(|(name, ty)| format!("    {name} : {};\n", declared(*ty)))
+        .collect();
+    let arguments: Vec<&str> = names.map(|(name, _)| name).collect();
+    format!(
+        "PROGRAM main\nVAR\n{declarations}    r : {};\nEND_VAR\n    r := {}({});\nEND_PROGRAM\n",
+        declared(signature.result),
+        signature.function,
+        arguments.join(", ")
+    )
+}
+
+/// A type, with room enough where it is a text.
+fn declared(ty: ElementaryType) -> String {
+    if ty.is_text() {
+        format!("{ty}[250]")
+    } else {
+        ty.to_string()
+    }
+}
+
+fn hold(
+    dialect: DialectName,
+    signature: &Signature,
+    operands: &[Value],
+    source: &str,
+) -> Result<(), Failure> {
+    let set: Vec<ValueSetting> = ["a", "b"]
+        .into_iter()
+        .zip(operands)
+        .map(|(name, value)| ValueSetting {
+            before: 1,
+            name,
+            value,
+        })
+        .collect();
+    let answer = run(&Request {
+        dialect,
+        source,
+        scans: 1,
+        observe: &[Observation {
+            name: "r",
+            after: None,
+        }],
+        clock: &[],
+        set: &set,
+        limits: Limits::default(),
+    });
+    let call = || {
+        let operands: Vec<String> = operands.iter().map(Value::to_string).collect();
+        format!("{}({}) in {dialect}", signature.function, operands.join(", "))
+    };
+    let got = match answer {
+        Ok(Outcome::Executed { values }) => values.into_iter().map(|(_, value)| value).next(),
+        Ok(Outcome::Rejected(said)) => {
+            let first = said
+                .first()
+                .map_or_else(String::new, |first| first.code.as_str().to_owned());
+            let message = format!("{} is rejected: {said:?}", call());
+            return Err(Failure::new(format!("rejected:{first}"), message));
+        }
+        Ok(Outcome::Faulted { fault, .. }) => {
+            let message = format!("{} faults: {fault}", call());
+            return Err(Failure::new(format!("fault:{fault}"), message));
+        }
+        Err(RequestError::Internal(reason)) => {
+            return Err(Failure::new("internal-error", format!("{}: {reason}", call())));
+        }
+        Err(error) => return Err(Failure::new("request", format!("{}: {error}", call()))),
+    };
+    let exact = expected(signature, operands, dialect);
+    if got.as_ref() == Some(&exact.value) {
+        return Ok(());
+    }
+    let got = got.map_or_else(|| "nothing".to_owned(), |value| value.to_string());
+    let basis = exact.basis.unwrap_or("open, by the design");
+    Err(Failure::new(
+        format!("value:{}", signature.function),
+        format!(
+            "{} is {} ({basis}), and the reference gives {got}",
+            call(),
+            exact.value
+        ),
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_conversion_of_every_dialect_can_be_called() {
+        for dialect in DialectName::ALL {
+            for signature in &CONVERSIONS[dialect as usize] {
+                let zeros = signature
+                    .operands
+                    .iter()
+                    .map(|ty| operand(*ty, &mut Unstructured::new(&[])));
+                let zeros: Vec<Value> = zeros
+                    .collect::<arbitrary::Result<_>>()
+                    .expect("a simplest operand");
+                assert_eq!(hold(dialect, signature, &zeros, &program(signature)), Ok(()));
+            }
+        }
+    }
+
+    #[test]
+    fn another_value_is_a_failure() {
+        let signature = &signatures("INT_TO_SINT", DialectName::Matiec)[0];
+        let wrong = program(signature).replace("INT_TO_SINT(a)", "INT_TO_SINT(a + 1)");
+        let failure = hold(
+            DialectName::Matiec,
+            signature,
+            &[Value::plain(ElementaryType::Int, 5)],
+            &wrong,
+        );
+        assert_eq!(failure.expect_err("5 is not 6").symptom, "value:INT_TO_SINT");
+    }
+}

@@ -1,0 +1,255 @@
+//! Oracle `literal`: bytes are a literal, and what reads has one canonical spelling that reads to the same value.
+
+use super::numerals::{self, Decimal};
+use super::{Failure, Tried};
+use num_bigint::BigInt;
+use stickler_types::{ElementaryType, Family, LiteralError, Value, literal};
+
+/// Holds a literal against a reader of this crate's own, and its canonical spelling against the readers.
+///
+/// Where the first byte names a type by its place in [`ElementaryType::ALL`] (a control character, with which no literal begins),
+/// the bytes behind it are a value, which is written and read back; otherwise the bytes are a text.
+///
+/// Basis: stickler-design: §4 (the canonical spelling); iec-61131-3: Tables 5 to 9.
+///
+/// # Errors
+/// Symptoms, each with the type behind it: `value`, `accepted`, `rejected`, `canonical`; `place` for an error's offset.
+pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
+    if let Some((first, rest)) = data.split_first()
+        && let Some(ty) = ElementaryType::ALL.get(usize::from(*first))
+    {
+        hold_written(&value_of(*ty, rest))?;
+        return Ok(Tried::Done);
+    }
+    let Ok(text) = std::str::from_utf8(data) else {
+        return Ok(Tried::PassedOver("no text"));
+    };
+    hold_typed(text)?;
+    hold_untyped(text)?;
+    Ok(Tried::Done)
+}
+
+/// A value of the type in its canonical raw form, from any bytes.
+fn value_of(ty: ElementaryType, bytes: &[u8]) -> Value {
+    const DAY: i64 = 86_400_000_000_000;
+    if ty.is_text() {
+        let wide = ty == ElementaryType::Wstring;
+        let units = bytes.chunks(1 + usize::from(wide));
+        return Value::text(
+            ty,
+            units
+                .map(|unit| unit.iter().fold(0, |all, byte| all << 8 | u16::from(*byte)))
+                .collect(),
+        );
+    }
+    let mut eight = [0; 8];
+    eight.iter_mut().zip(bytes).for_each(|(to, from)| *to = *from);
+    let raw = i64::from_le_bytes(eight);
+    let raw = match ty.family() {
+        Family::Date => raw / DAY * DAY,
+        Family::TimeOfDay => raw.rem_euclid(DAY),
+        _ => raw,
+    };
+    Value::plain(ty, ty.wrap(raw.into()))
+}
+
+/// The canonical spelling of a value reads to that value.
+fn hold_written(value: &Value) -> Result<(), Failure> {
+    let written = value.to_string();
+    let wrong = |what: &str| {
+        Err(Failure::new(
+            format!("canonical:{}", value.type_name().to_ascii_uppercase()),
+            format!("the canonical spelling {written} {what}"),
+        ))
+    };
+    match Value::parse(&written) {
+        Err(error) => wrong(&format!("of {value:?} is not read: {error}")),
+        Ok(again) if again != *value => wrong(&format!("of {value:?} reads to {again:?}")),
+        Ok(again) if again.to_string() != written => wrong(&format!("is spelled {again} when read")),
+        Ok(_) if expected_spelling(value).is_some_and(|spelling| spelling != written) => {
+            wrong(&format!("of {value:?} is not the one of the design"))
+        }
+        Ok(_) => Ok(()),
+    }
+}
+
+/// The canonical spelling of an integer or bit string.
+///
+/// Basis: stickler-design: §4 (`INT#-5`; upper-case digits, full width).
+fn expected_spelling(value: &Value) -> Option<String> {
+    let &Value::Plain { ty, raw } = value else {
+        return None;
+    };
+    match ty.family() {
+        Family::Signed => Some(format!("{ty}#{}", raw.cast_signed())),
+        Family::Unsigned => Some(format!("{ty}#{raw}")),
+        Family::BitString => Some(format!("{ty}#16#{raw:0width$X}", width = ty.bits() as usize / 4)),
+        Family::Boolean => Some(format!("{ty}#{}", if raw == 1 { "TRUE" } else { "FALSE" })),
+        _ => None,
+    }
+}
+
+/// The text as a typed literal.
+fn hold_typed(text: &str) -> Result<(), Failure> {
+    let got = Value::parse(text);
+    match &got {
+        Ok(value) => hold_written(value)?,
+        Err(error) => hold_offset(text, error)?,
+    }
+    let Some((prefix, rest)) = text.split_once('#') else {
+        return Ok(());
+    };
+    let Some(ty) = NUMBERS
+        .into_iter()
+        .find(|ty| ty.name().eq_ignore_ascii_case(prefix))
+    else {
+        return Ok(());
+    };
+    let got = got.map(|value| match value {
+        Value::Plain { ty: of, raw } if of == ty => Some(raw),
+        _ => None,
+    });
+    if ty.is_real() {
+        let is_word = ["NaN", "Infinity", "-Infinity"]
+            .iter()
+            .any(|word| word.eq_ignore_ascii_case(rest));
+        return if is_word {
+            Ok(())
+        } else {
+            hold_real(text, numerals::real(rest), ty, got)
+        };
+    }
+    let said = match ty.family() {
+        Family::BitString => numerals::unsigned(rest),
+        _ => numerals::integer(rest),
+    };
+    let (least, greatest) = ty.integer_range().unwrap_or_default();
+    let raw = |number: BigInt| {
+        (number >= least.into() && number <= greatest.into()).then(|| ty.wrap(low_bits(&number)))
+    };
+    hold_number(text, ty.name(), said.map(raw), got)
+}
+
+/// The types whose literals the second reader knows.
+const NUMBERS: [ElementaryType; 14] = {
+    use ElementaryType::*;
+    [
+        Sint, Int, Dint, Lint, Usint, Uint, Udint, Ulint, Byte, Word, Dword, Lword, Real, Lreal,
+    ]
+};
+
+/// A number that fits 128 bits.
+fn low_bits(number: &BigInt) -> i128 {
+    i128::try_from(number).unwrap_or_default()
+}
+
+/// The text as it would stand without a type in front.
+fn hold_untyped(text: &str) -> Result<(), Failure> {
+    let fits = |number: BigInt| i128::try_from(number).ok();
+    let got = literal::integer(text).map(Some);
+    hold_number(text, "integer", numerals::integer(text).map(fits), got)?;
+    let fits = |number: BigInt| u128::try_from(number).ok();
+    let got = literal::unsigned_integer(text).map(Some);
+    hold_number(text, "unsigned", numerals::unsigned(text).map(fits), got)?;
+    let said = numerals::real(text);
+    for ty in [ElementaryType::Real, ElementaryType::Lreal] {
+        hold_real(text, said.clone(), ty, literal::real(text, ty).map(Some))?;
+    }
+    Ok(())
+}
+
+/// What the second reader says (`None`: no number; `Some(None)`: one that does not fit) beside what the first does.
+fn hold_number<T: PartialEq + std::fmt::Debug>(
+    text: &str,
+    ty: &str,
+    said: Option<Option<T>>,
+    got: Result<Option<T>, LiteralError>,
+) -> Result<(), Failure> {
+    let symptom = match (&said, &got) {
+        (None, Err(LiteralError::Malformed { .. })) | (Some(None), Err(LiteralError::Overflow { .. })) => {
+            return Ok(());
+        }
+        (Some(Some(said)), Ok(Some(got))) if said == got => return Ok(()),
+        (Some(Some(_)), Ok(_)) => "value",
+        (_, Ok(_)) => "accepted",
+        (_, Err(_)) => "rejected",
+    };
+    let message = format!("`{text}` as {ty} is {said:?} by exact arithmetic, and {got:?}");
+    Err(Failure::new(format!("{symptom}:{ty}"), message))
+}
+
+fn hold_real(
+    text: &str,
+    said: Option<Decimal>,
+    ty: ElementaryType,
+    got: Result<Option<u64>, LiteralError>,
+) -> Result<(), Failure> {
+    // Whether a raw form is right can be told; which one is, need not be.
+    let said = said.map(|decimal| match got {
+        _ if decimal.overflows(ty) => None,
+        Ok(Some(raw)) if decimal.rounds_to(raw, ty) => Some(raw),
+        _ => Some(u64::MAX),
+    });
+    hold_number(text, ty.name(), said, got)
+}
+
+/// An error points into the text.
+fn hold_offset(text: &str, error: &LiteralError) -> Result<(), Failure> {
+    if text.is_char_boundary(error.offset()) {
+        return Ok(());
+    }
+    let message = format!("the error `{error}` of `{text}` does not lie between its characters");
+    Err(Failure::new("place", message))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn literals_of_every_kind_hold() {
+        for text in [
+            "INT#-5",
+            "int#16#7FFF",
+            "SINT#128",
+            "WORD#2#1_0",
+            "BYTE#-1",
+            "BOOL#1",
+            "REAL#1.0e39",
+            "REAL#-0.0",
+            "lreal#NaN",
+            "T#-1d2h3.5m",
+            "DT#2024-02-29-12:34:56.789",
+            "STRING#'a$$'",
+            "WSTRING#\"$0041\"",
+            "Color#RED",
+            "99999999999999999999999999999999999999999",
+            "1.5E_1",
+            "",
+            "é#1",
+        ] {
+            assert_eq!(judge(text.as_bytes()), Ok(Tried::Done), "{text}");
+        }
+    }
+
+    #[test]
+    fn every_value_is_written_and_read_back() {
+        for (place, _) in ElementaryType::ALL.iter().enumerate() {
+            for raw in [0, 1, 1 << 31, i64::MIN, i64::MAX, -1, -86_400_000_000_001] {
+                let mut data = vec![place as u8];
+                data.extend(raw.to_le_bytes());
+                assert_eq!(judge(&data), Ok(Tried::Done), "{data:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn another_number_is_a_failure() {
+        let failure = hold_number("5", "INT", Some(Some(5)), Ok(Some(6))).expect_err("another number");
+        assert_eq!(failure.symptom, "value:INT");
+        let failure = hold_number("5", "INT", None, Ok(Some(5))).expect_err("no number at all");
+        assert_eq!(failure.symptom, "accepted:INT");
+        let one = numerals::real("1.0");
+        assert!(hold_real("1.0", one, ElementaryType::Real, Ok(Some(0))).is_err());
+    }
+}

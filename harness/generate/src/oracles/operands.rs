@@ -1,0 +1,149 @@
+//! Operands for conversions: any value of a type, and more often those at which something changes.
+
+use arbitrary::{Result, Unstructured};
+use stickler_types::{ElementaryType, Family, Value};
+
+/// One day in nanoseconds.
+const DAY: i64 = 86_400_000_000_000;
+
+/// A value of the type, chosen by the bytes; 0 or the empty text where there are none left.
+pub(super) fn operand(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<Value> {
+    if ty.is_text() {
+        return Ok(Value::text(ty, text(ty, input)?));
+    }
+    let raw = match ty.family() {
+        Family::Real => real(ty, input)?,
+        _ => ty.wrap(whole(ty, input)?.into()),
+    };
+    Ok(Value::plain(ty, raw))
+}
+
+/// A number for a type that holds whole numbers or nanoseconds.
+fn whole(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<i64> {
+    let number = match input.arbitrary::<u8>()? % 4 {
+        0 => i64::from(input.arbitrary::<i8>()?),
+        1 => near_power(input)?,
+        2 => input.arbitrary::<i64>()?,
+        // Whole milliseconds, seconds, days.
+        _ => {
+            let unit = *input.choose(&[1_000_000, 1_000_000_000, DAY])?;
+            i64::from(input.arbitrary::<i32>()?).saturating_mul(unit)
+        }
+    };
+    Ok(match ty.family() {
+        // A date is a whole day, and a time of day lies within one.
+        Family::Date => number / DAY * DAY,
+        Family::TimeOfDay => number.rem_euclid(DAY),
+        _ => number,
+    })
+}
+
+/// A power of two or its negative, give or take a little.
+fn near_power(input: &mut Unstructured<'_>) -> Result<i64> {
+    let power = 1_i64.wrapping_shl(u32::from(input.arbitrary::<u8>()?) % 64);
+    let beside = i64::from(input.arbitrary::<u8>()? % 5) - 2;
+    let sign = if input.arbitrary::<bool>()? { -1 } else { 1 };
+    Ok(power.wrapping_add(beside).wrapping_mul(sign))
+}
+
+/// The raw form of a REAL or LREAL: any bits, a whole number with a fraction where one fits, or what is beside it.
+fn real(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<u64> {
+    let kind = input.arbitrary::<u8>()? % 4;
+    if kind == 3 {
+        return Ok(ty.wrap(input.arbitrary::<i64>()?.into()));
+    }
+    let number = match kind {
+        0 => f64::from(input.arbitrary::<i8>()?),
+        1 => near_power(input)? as f64,
+        _ => input.arbitrary::<i64>()? as f64,
+    };
+    let fraction = f64::from(input.arbitrary::<u8>()? % 8) / 8.0;
+    let number = number + fraction;
+    let raw = match ty {
+        ElementaryType::Real => u64::from((number as f32).to_bits()),
+        _ => number.to_bits(),
+    };
+    let step = i64::from(input.arbitrary::<u8>()? % 3) - 1;
+    // The step from 0 down would turn the sign.
+    Ok(if raw == 0 {
+        0
+    } else {
+        raw.wrapping_add_signed(step)
+    })
+}
+
+/// The longest text; what a conversion makes of it still fits where the program keeps it.
+const LONGEST: usize = 60;
+
+/// Pieces of which texts that stand for values are made.
+const PIECES: [&str; 24] = [
+    "0",
+    "1",
+    "9",
+    "12",
+    "128",
+    "65536",
+    "-",
+    "+",
+    ".",
+    "E",
+    "e-5",
+    " ",
+    "16#",
+    "2#",
+    "8#",
+    "FF",
+    "TRUE",
+    "FALSE",
+    "T#",
+    "1d",
+    "2h",
+    "2024-02-29",
+    "12:34:56",
+    "_",
+];
+
+fn text(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<Vec<u16>> {
+    let mut units: Vec<u16> = Vec::new();
+    while !input.is_empty() && units.len() < LONGEST {
+        match input.arbitrary::<u8>()? {
+            0 => break,
+            any @ 1..=0x1F => {
+                let wide = u16::from(any) << 8 | u16::from(input.arbitrary::<u8>()?);
+                units.push(if ty == ElementaryType::Wstring {
+                    wide
+                } else {
+                    wide & 0xFF
+                });
+            }
+            letter @ 0x20..=0x7F => units.push(letter.into()),
+            piece => units.extend(PIECES[usize::from(piece) % PIECES.len()].bytes().map(u16::from)),
+        }
+    }
+    units.truncate(LONGEST);
+    Ok(units)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_bytes_give_the_simplest_operand() {
+        for ty in ElementaryType::ALL {
+            let operand = operand(ty, &mut Unstructured::new(&[])).expect("the simplest");
+            match operand {
+                Value::Plain { raw, .. } => assert_eq!(raw, 0, "{ty}"),
+                Value::Text { units, .. } => assert_eq!(units, [0_u16; 0]),
+                Value::Enumerated { .. } => unreachable!("no elementary type is an enumeration"),
+            }
+        }
+    }
+
+    #[test]
+    fn texts_of_single_bytes_have_no_wider_unit() {
+        let data: Vec<u8> = (1..=255).collect();
+        let units = text(ElementaryType::String, &mut Unstructured::new(&data)).expect("a text");
+        assert!(units.len() <= LONGEST && units.iter().all(|unit| *unit <= 0xFF));
+    }
+}

@@ -1,0 +1,220 @@
+//! Oracle `protocol`: bytes are what comes over the wire, and every line of them is answered.
+
+use super::{Failure, Tried};
+use serde_json::Value as Json;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+use stickler_engines::Reference;
+use stickler_engines::protocol::{Reply, serve};
+use stickler_types::Value;
+
+/// The reference, with few steps for each run: what matters here is that there is an answer.
+static ENGINE: LazyLock<Reference> = LazyLock::new(|| Reference::with_step_limit(20_000));
+
+/// Serves the reference over these bytes, and holds the answers against the lines.
+///
+/// 1. Each line that is not blank gets one reply, in order, until `bye` or the end.
+/// 2. A reply is one line of JSON of the protocol's form, and repeats the id of a request that has one.
+/// 3. A request is answered by a reply that fits it; each value that was asked for is there, in its canonical spelling.
+/// 4. Nothing makes the engine crash, or contradict itself.
+///
+/// Basis: stickler-design: §4 (wire protocol).
+///
+/// # Errors
+/// Symptoms: `io`, `replies`, `reply`, `id`, `kind`, `values`, `crash`, `internal-error`.
+pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
+    let mut output = Vec::new();
+    serve(&*ENGINE, data, &mut output).map_err(|error| Failure::new("io", error.to_string()))?;
+    let lines = asked(data);
+    let replies: Vec<&[u8]> = output.split_inclusive(|byte| *byte == b'\n').collect();
+    hold_count(&lines, replies.len())?;
+    for (line, reply) in lines.iter().zip(replies) {
+        hold_reply(line, reply).map_err(|failure| {
+            let [line, reply] = [line, reply].map(String::from_utf8_lossy);
+            let message = format!("{}\n→ {line}\n← {reply}", failure.message);
+            Failure { message, ..failure }
+        })?;
+    }
+    Ok(Tried::Done)
+}
+
+/// The lines that ask something.
+fn asked(data: &[u8]) -> Vec<&[u8]> {
+    data.split(|byte| *byte == b'\n')
+        .map(|line| line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line).trim_ascii())
+        .filter(|line| !line.is_empty())
+        .collect()
+}
+
+/// Every line is answered up to the first that may say `bye`.
+fn hold_count(lines: &[&[u8]], replies: usize) -> Result<(), Failure> {
+    let says_bye = |line: &&[u8]| {
+        // An escape may spell it in other bytes.
+        line.windows(3).any(|word| word == b"bye") || line.contains(&b'\\')
+    };
+    let least = lines.iter().position(says_bye).unwrap_or(lines.len());
+    if (least..=lines.len()).contains(&replies) {
+        return Ok(());
+    }
+    let message = format!("{} lines ask something, and {replies} replies came", lines.len());
+    Err(Failure::new("replies", message))
+}
+
+fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), Failure> {
+    let read: Reply =
+        serde_json::from_slice(reply).map_err(|error| Failure::new("reply", error.to_string()))?;
+    if !reply.ends_with(b"\n") {
+        return Err(Failure::new("reply", "the reply does not end its line"));
+    }
+    if let Reply::Error(error) = &read {
+        hold_error(&error.message)?;
+    }
+    let Ok(Json::Object(request)) = serde_json::from_slice::<Json>(line) else {
+        return match read {
+            // A number beyond what the reader of any JSON takes may still stand where nobody looks.
+            Reply::Error(_) => Ok(()),
+            _ => Err(Failure::new("kind", "no JSON object is answered by an error")),
+        };
+    };
+    let id = request.get("id").and_then(Json::as_u64);
+    let answers = |kinds: &[&str]| {
+        if kinds.contains(&kind(&read)) {
+            Ok(())
+        } else {
+            Err(Failure::new(
+                "kind",
+                format!("a request is answered by `{}`", kind(&read)),
+            ))
+        }
+    };
+    match request.get("type").and_then(Json::as_str) {
+        Some("hello") => answers(&["hello", "error"])?,
+        Some("check") => answers(&["accepted", "rejected", "error"])?,
+        Some("render") => answers(&["rendered", "rejected", "error"])?,
+        Some("run") => answers(&["executed", "rejected", "faulted", "error"])?,
+        _ => answers(&["error"])?,
+    }
+    if id_of(&read) != id && !matches!(read, Reply::Hello(_)) && id_of(&read).is_some() {
+        return Err(Failure::new("id", format!("the request's id is {id:?}")));
+    }
+    match &read {
+        Reply::Executed(executed) => hold_values(&request, &executed.values, true),
+        Reply::Faulted(faulted) => hold_values(&request, &faulted.values, false),
+        _ => Ok(()),
+    }
+}
+
+/// Errors are about requests, never about the engine itself.
+fn hold_error(message: &str) -> Result<(), Failure> {
+    if message.contains("the engine crashed") {
+        return Err(Failure::new("crash", message));
+    }
+    if message.contains("defect of the reference") {
+        return Err(Failure::new("internal-error", message));
+    }
+    Ok(())
+}
+
+const fn kind(reply: &Reply) -> &'static str {
+    match reply {
+        Reply::Hello(_) => "hello",
+        Reply::Accepted(_) => "accepted",
+        Reply::Executed(_) => "executed",
+        Reply::Rejected(_) => "rejected",
+        Reply::Faulted(_) => "faulted",
+        Reply::Rendered(_) => "rendered",
+        Reply::Unsupported(_) => "unsupported",
+        Reply::Error(_) => "error",
+    }
+}
+
+const fn id_of(reply: &Reply) -> Option<u64> {
+    match reply {
+        Reply::Hello(_) => None,
+        Reply::Accepted(reply) => Some(reply.id),
+        Reply::Executed(reply) => Some(reply.id),
+        Reply::Rejected(reply) => Some(reply.id),
+        Reply::Faulted(reply) => Some(reply.id),
+        Reply::Rendered(reply) => Some(reply.id),
+        Reply::Unsupported(reply) => Some(reply.id),
+        Reply::Error(reply) => reply.id,
+    }
+}
+
+/// Every value that was asked for is there under its name, and spelled canonically; no other is.
+fn hold_values(
+    request: &serde_json::Map<String, Json>,
+    values: &BTreeMap<String, String>,
+    all: bool,
+) -> Result<(), Failure> {
+    for (name, value) in values {
+        let canonical = Value::parse(value).is_ok_and(|read| read.to_string() == *value);
+        if !canonical {
+            return Err(Failure::new(
+                "values",
+                format!("the value of {name} is {value}, which is not canonical"),
+            ));
+        }
+    }
+    let asked = request
+        .get("observe")
+        .and_then(Json::as_array)
+        .map_or(&[][..], Vec::as_slice);
+    let names: Vec<String> = asked
+        .iter()
+        .filter_map(|asked| {
+            let name = asked.get("name")?.as_str()?;
+            Some(match asked.get("after").and_then(Json::as_u64) {
+                Some(scan) => format!("{name}@{scan}"),
+                None => name.to_owned(),
+            })
+        })
+        .collect();
+    let missing = names.iter().find(|name| all && !values.contains_key(*name));
+    let surplus = values.keys().find(|name| !names.contains(name));
+    match (missing, surplus) {
+        (None, None) => Ok(()),
+        (Some(name), _) => Err(Failure::new("values", format!("the value of {name} is missing"))),
+        (_, Some(name)) => Err(Failure::new("values", format!("nobody asked for {name}"))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_conversation_holds() {
+        let lines = [
+            r#"{"type":"hello","protocol":1}"#,
+            "",
+            r#"{"type":"run","id":1,"dialect":"matiec","source":"PROGRAM m VAR x : INT; END_VAR x := 1; END_PROGRAM","scans":2,"observe":[{"name":"x","after":1},{"name":"x"}]}"#,
+            r#"{"type":"run","id":2,"dialect":"matiec","source":"PROGRAM m WHILE TRUE DO ; END_WHILE; END_PROGRAM"}"#,
+            r#"{"type":"check","id":3,"dialect":"nonsense","source":""}"#,
+            r#"{"type":"render","id":4,"dialect":"plcnext","source":"PROGRAM m END_PROGRAM"}"#,
+            "[1, 2",
+            r#"{"type":"bye"}"#,
+            "not read any more",
+        ];
+        assert_eq!(judge(lines.join("\n").as_bytes()), Ok(Tried::Done));
+        assert_eq!(judge(b"\xFF\n\xEF\xBB\xBF\n{}\r\n"), Ok(Tried::Done));
+    }
+
+    #[test]
+    fn a_reply_that_does_not_fit_is_a_failure() {
+        let request = br#"{"type":"check","id":1}"#;
+        for (reply, symptom) in [
+            ("{\"type\":\"accepted\",\"id\":2}\n", "id"),
+            ("{\"type\":\"rendered\",\"id\":1,\"text\":\"\"}\n", "kind"),
+            ("{\"type\":\"accepted\",\"id\":1}", "reply"),
+            (
+                "{\"type\":\"error\",\"message\":\"the engine crashed: panicked\"}\n",
+                "crash",
+            ),
+        ] {
+            let failure = hold_reply(request, reply.as_bytes()).expect_err(reply);
+            assert_eq!(failure.symptom, symptom, "{reply}");
+        }
+        assert!(hold_count(&[b"a", b"b"], 1).is_err());
+    }
+}
