@@ -9,6 +9,7 @@ mod look;
 mod program;
 mod statement;
 mod types;
+pub mod walk;
 
 pub use expression::{
     Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Selector, StandardFunction,

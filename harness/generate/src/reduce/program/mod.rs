@@ -17,7 +17,8 @@ mod tests;
 mod unwrap;
 mod usage;
 mod values;
-mod walk;
 mod weight;
+
+use crate::model::walk;
 
 pub use method::{METHOD, program};

@@ -1,16 +1,16 @@
-//! A walk over everything in a program that a pass may want to change.
+//! A walk over everything in a program that somebody may want to change; on a clone, over what somebody wants to look at.
 //!
 //! A [`Visitor`] overrides what it is interested in and calls the function of the same name here to go deeper. `PROGRAM
 //! main` comes first, for it is what a reduction works on longest.
 
-use crate::model::{
+use super::{
     Argument, CaseBranch, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program, Selector,
     Statement, StatementKind, Target, Type, Variable, VariableId,
 };
 
 /// Which program organization unit something stands in.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub(super) enum Unit {
+pub enum Unit {
     /// `PROGRAM main`.
     Main,
     /// A function, by its place.
@@ -22,7 +22,7 @@ pub(super) enum Unit {
 }
 
 /// What is called at each part of a program; by default it goes deeper and changes nothing.
-pub(super) trait Visitor {
+pub trait Visitor {
     /// What follows stands in this unit.
     fn enter(&mut self, _unit: Unit) {}
 
@@ -68,7 +68,7 @@ pub(super) trait Visitor {
 }
 
 /// All of a program.
-pub(super) fn walk_program(visitor: &mut (impl Visitor + ?Sized), program: &mut Program) {
+pub fn walk_program(visitor: &mut (impl Visitor + ?Sized), program: &mut Program) {
     visitor.enter(Unit::Main);
     walk_unit(visitor, &mut program.main.variables, &mut program.main.body);
     for (index, function) in program.functions.iter_mut().enumerate() {
@@ -103,7 +103,7 @@ fn walk_unit(visitor: &mut (impl Visitor + ?Sized), variables: &mut [Variable], 
 }
 
 /// A variable's type and initial value.
-pub(super) fn walk_variable(visitor: &mut (impl Visitor + ?Sized), variable: &mut Variable) {
+pub fn walk_variable(visitor: &mut (impl Visitor + ?Sized), variable: &mut Variable) {
     visitor.ty(&mut variable.ty);
     match &mut variable.initial {
         None => {}
@@ -116,14 +116,14 @@ pub(super) fn walk_variable(visitor: &mut (impl Visitor + ?Sized), variable: &mu
 }
 
 /// The statements of a list.
-pub(super) fn walk_statements(visitor: &mut (impl Visitor + ?Sized), statements: &mut [Statement]) {
+pub fn walk_statements(visitor: &mut (impl Visitor + ?Sized), statements: &mut [Statement]) {
     statements
         .iter_mut()
         .for_each(|statement| visitor.statement(statement));
 }
 
 /// The parts of a statement.
-pub(super) fn walk_statement(visitor: &mut (impl Visitor + ?Sized), statement: &mut Statement) {
+pub fn walk_statement(visitor: &mut (impl Visitor + ?Sized), statement: &mut Statement) {
     match &mut statement.kind {
         StatementKind::Assign(target, value) => {
             match target {
@@ -186,7 +186,7 @@ fn walk_branch(visitor: &mut (impl Visitor + ?Sized), branch: &mut CaseBranch) {
 }
 
 /// The parts of an expression.
-pub(super) fn walk_expression(visitor: &mut (impl Visitor + ?Sized), expression: &mut Expression) {
+pub fn walk_expression(visitor: &mut (impl Visitor + ?Sized), expression: &mut Expression) {
     visitor.ty(&mut expression.ty);
     match &mut expression.kind {
         ExpressionKind::Literal(..) | ExpressionKind::Enumerated(_) | ExpressionKind::Raw(_) => {}
@@ -214,7 +214,7 @@ pub(super) fn walk_expression(visitor: &mut (impl Visitor + ?Sized), expression:
 }
 
 /// The subscripts in a place.
-pub(super) fn walk_place(visitor: &mut (impl Visitor + ?Sized), place: &mut Place) {
+pub fn walk_place(visitor: &mut (impl Visitor + ?Sized), place: &mut Place) {
     visitor.ty(&mut place.ty);
     for selector in &mut place.path {
         match selector {
@@ -227,7 +227,7 @@ pub(super) fn walk_place(visitor: &mut (impl Visitor + ?Sized), place: &mut Plac
 }
 
 /// The type of an array's elements.
-pub(super) fn walk_type(visitor: &mut (impl Visitor + ?Sized), ty: &mut Type) {
+pub fn walk_type(visitor: &mut (impl Visitor + ?Sized), ty: &mut Type) {
     if let Type::Array(array) = ty {
         visitor.ty(&mut array.element);
     }
