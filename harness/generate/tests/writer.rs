@@ -3,8 +3,8 @@
 use arbitrary::Unstructured;
 use stickler_generate::generator::{Settings, program};
 use stickler_generate::model::{Expression, ExpressionKind, Program, Statement, StatementKind, Target};
-use stickler_generate::writer::{Arguments, Bits, Keywords, LineEnds, Style, Widening, write};
-use stickler_types::DialectName;
+use stickler_generate::writer::{Arguments, Bits, Keywords, LineEnds, Notation, Style, Widening, write};
+use stickler_types::{DialectName, Value};
 
 fn made(dialect: DialectName, seed: u8) -> Program {
     let bytes: Vec<u8> = (0..1500_u32)
@@ -42,6 +42,15 @@ fn styles(dialect: DialectName) -> Vec<Style> {
             ..canonical
         },
         Style {
+            notation: Notation::Varied,
+            ..canonical
+        },
+        Style {
+            notation: Notation::Varied,
+            seed: 1,
+            ..canonical
+        },
+        Style {
             widening: Widening::Explicit,
             ..canonical
         },
@@ -59,19 +68,38 @@ fn styles(dialect: DialectName) -> Vec<Style> {
     styles
 }
 
+/// What the reference gives for a text of this program.
+fn run(program: &Program, text: &str) -> Result<Vec<(String, Value)>, String> {
+    let observed = program.observed();
+    let names: Vec<_> = observed
+        .iter()
+        .map(|(name, _)| stickler_reference::Observation { name, after: None })
+        .collect();
+    let outcome = stickler_reference::run(&stickler_reference::Request {
+        dialect: program.dialect,
+        source: text,
+        scans: 1,
+        observe: &names,
+        clock: &[],
+        set: &[],
+        limits: stickler_reference::Limits::default(),
+    });
+    match outcome {
+        Ok(stickler_reference::Outcome::Executed { values }) => Ok(values),
+        other => Err(format!("{other:?}\n{text}")),
+    }
+}
+
 #[test]
-fn the_reference_accepts_every_style() {
+fn every_style_is_accepted_and_means_the_same() {
     for dialect in DialectName::ALL {
         for seed in 0..12 {
             let program = made(dialect, seed * 19);
+            let canonical = run(&program, &write(&program, &Style::default()).text);
+            assert!(canonical.is_ok(), "{dialect}: {canonical:?}");
             for style in styles(dialect) {
                 let text = write(&program, &style).text;
-                let diagnostics = stickler_reference::check(&text, dialect);
-                assert!(
-                    diagnostics.is_empty(),
-                    "{dialect}, {style:?}: {:?}\n{text}",
-                    diagnostics[0]
-                );
+                assert_eq!(run(&program, &text), canonical, "{dialect}, {style:?}:\n{text}");
             }
         }
     }
@@ -161,23 +189,9 @@ fn every_observed_path_can_be_observed() {
         for seed in 0..12 {
             let program = made(dialect, seed * 21);
             let text = write(&program, &Style::default()).text;
+            let values = run(&program, &text).expect("it runs");
             let observed = program.observed();
-            let names: Vec<_> = observed
-                .iter()
-                .map(|(name, _)| stickler_reference::Observation { name, after: None })
-                .collect();
-            let outcome = stickler_reference::run(&stickler_reference::Request {
-                dialect,
-                source: &text,
-                scans: 1,
-                observe: &names,
-                clock: &[],
-                set: &[],
-                limits: stickler_reference::Limits::default(),
-            });
-            let Ok(stickler_reference::Outcome::Executed { values }) = outcome else {
-                panic!("{dialect}: {outcome:?}\n{text}");
-            };
+            assert_eq!(observed.len(), values.len());
             for ((name, ty), (_, value)) in observed.iter().zip(&values) {
                 assert_eq!(value.type_name(), ty.name(), "{name}");
             }

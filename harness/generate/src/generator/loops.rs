@@ -4,6 +4,7 @@ use super::expressions::{Wanted, elementary};
 use super::maker::Maker;
 use super::operations::binary;
 use super::places::{integer, whole, whole_place};
+use super::scope::{Seen, Step};
 use crate::model::{
     BinaryOperator, Expression, ExpressionKind, LiteralForm, StandardFunction, Statement, StatementKind,
     Target, Type, VariableId,
@@ -52,7 +53,7 @@ impl Maker<'_, '_> {
         let Range { from, to, by } = self.range(ty);
         let bounds = self.bounds(ty, from, to, by);
         let variable = self.reserved(ty);
-        let turns = ((to - from) / by + 1).clamp(1, MOST_TURNS) as u32;
+        let turns = ((to - from) / by + 1).max(1) as u32;
         self.pou.loops.push((variable, ty, from.min(to), from.max(to)));
         let locked = self.pou.locked.len();
         self.pou.locked.extend(bounds.locked);
@@ -72,9 +73,26 @@ impl Maker<'_, '_> {
         self.pou.idle.push((variable, ty));
     }
 
-    /// A few numbers of an integer type: near zero, or near its limits. One step further is still in the type.
+    /// A few numbers of an integer type: those of an array's subscripts, some near zero, or near the type's limits. One step further is still in the type.
     fn range(&mut self, ty: ElementaryType) -> Range {
         let (least, greatest) = limits(ty);
+        if self.random.chance(1, 2)
+            && let Some((low, high)) = self.dimension(least.saturating_add(1), greatest.saturating_sub(1))
+        {
+            return if ty.is_signed() && self.random.chance(1, 4) {
+                Range {
+                    from: high,
+                    to: low,
+                    by: -1,
+                }
+            } else {
+                Range {
+                    from: low,
+                    to: high,
+                    by: 1,
+                }
+            };
+        }
         let turns = self.random.between(1, MOST_TURNS);
         let step = 1 + self.random.weighted(&[6, 1, 1]) as i64;
         let span = step * turns;
@@ -99,6 +117,16 @@ impl Maker<'_, '_> {
                 by: step,
             }
         }
+    }
+
+    /// The limits of a dimension of some array, if they lie between these.
+    fn dimension(&mut self, least: i64, greatest: i64) -> Option<(i64, i64)> {
+        let limits = |seen: &Seen| match seen.path.last() {
+            Some(Step::Index(limits)) => limits.last().copied(),
+            _ => None,
+        };
+        let suits = |seen: &Seen| limits(seen).is_some_and(|(low, high)| least <= low && high <= greatest);
+        self.random.pick_where(&self.pou.places, suits).and_then(limits)
     }
 
     /// The expressions of a range. Sometimes a variable decides where it begins or ends, which the body then leaves alone.

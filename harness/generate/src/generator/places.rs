@@ -60,12 +60,23 @@ impl Maker<'_, '_> {
             let (variable, ty) = inside[self.random.below(inside.len())];
             return whole(variable, ty);
         }
-        if self.random.chance(1, 3)
-            && let Some(limited) = self.limited(ElementaryType::Int, low, high)
-        {
-            return limited;
+        if self.random.chance(1, 3) {
+            let ty = self.integer_type(low, high);
+            if let Some(limited) = self.limited(ty, low, high) {
+                return limited;
+            }
         }
         self.number(low, high)
+    }
+
+    /// An integer type of the program that holds these numbers; INT where it has none.
+    fn integer_type(&mut self, low: i64, high: i64) -> ElementaryType {
+        let holds = |ty: &ElementaryType| {
+            let range = ty.integer_range().filter(|_| ty.is_integer());
+            range.is_some_and(|(least, greatest)| least <= i128::from(low) && i128::from(high) <= greatest)
+        };
+        let found = self.random.pick_where(&self.palette, holds);
+        found.copied().unwrap_or(ElementaryType::Int)
     }
 
     fn number(&mut self, low: i64, high: i64) -> Expression {

@@ -1,12 +1,14 @@
 //! Literals.
 
+use super::notation::long_prefix;
 use super::sheet::Sheet;
+use super::style::Notation;
 use crate::model::LiteralForm;
 use std::fmt::Write as _;
 use stickler_types::{ElementaryType, Family, Value};
 
 impl Sheet<'_> {
-    /// A literal in its canonical spelling, with the prefix of its type or without it.
+    /// A literal in its canonical spelling, or what the style has instead, with the prefix of its type or without it.
     ///
     /// Without it, bit strings are written in base 16, and durations and dates keep the short prefix that the standard
     /// demands: `T#5ms`, `D#2024-02-29`.
@@ -20,11 +22,15 @@ impl Sheet<'_> {
         let Some(sign) = self.text[start..].find('#').map(|offset| start + offset) else {
             return;
         };
-        let spelled = self.text.split_off(sign);
+        let mut spelled = self.text.split_off(sign);
         self.text.truncate(start);
+        let varied = self.style.notation == Notation::Varied;
+        if varied && let Some(other) = self.other_notation(value, form) {
+            spelled = format!("#{other}");
+        }
         match form {
             LiteralForm::Typed => {
-                self.word(ty.name());
+                self.word(if varied { long_prefix(ty) } else { ty.name() });
                 self.put(&spelled);
             }
             LiteralForm::Untyped => self.without_prefix(ty, &spelled),

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `style` | nothing; it says what may vary |
 //! | `sheet` | keywords, lines, indents and comments |
-//! | `literals` | literals |
+//! | `literals`, `notation` | literals |
 //! | `expressions` | expressions and places |
 //! | `statements` | statements |
 //! | `declarations` | types, variables, POUs |
@@ -12,10 +12,11 @@
 mod declarations;
 mod expressions;
 mod literals;
+mod notation;
 mod sheet;
 mod statements;
 mod style;
 
 pub use declarations::{Written, write};
 pub(crate) use expressions::{function_name, operator_text};
-pub use style::{Arguments, Bits, Keywords, LineEnds, Style, Widening};
+pub use style::{Arguments, Bits, Keywords, LineEnds, Notation, Style, Widening};

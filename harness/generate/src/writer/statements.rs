@@ -152,7 +152,9 @@ impl Sheet<'_> {
         self.closing("END_CASE");
     }
 
+    /// A label, whose numbers the second edition writes in decimal digits only.
     fn label(&mut self, label: &CaseLabel, pou: Pou<'_>) {
+        let notation = std::mem::take(&mut self.style.notation);
         match label {
             CaseLabel::One(value) => self.expression(value, pou.variables),
             CaseLabel::Range(low, high) => {
@@ -161,6 +163,7 @@ impl Sheet<'_> {
                 self.expression(high, pou.variables);
             }
         }
+        self.style.notation = notation;
     }
 
     fn for_head(

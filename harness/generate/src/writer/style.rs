@@ -19,7 +19,10 @@ pub struct Style {
     pub widening: Widening,
     /// How the functions of the program are called. Function blocks are always called with names.
     pub arguments: Arguments,
-    /// Decides where comments stand, and the case of each letter of [`Keywords::Mixed`].
+    /// How literals are written.
+    pub notation: Notation,
+    /// Decides where comments stand, the case of each letter of [`Keywords::Mixed`], and which of the notations of
+    /// [`Notation::Varied`] a literal gets.
     pub seed: u64,
 }
 
@@ -73,4 +76,14 @@ pub enum Arguments {
     Positional,
     /// `f(a := 1, b := 2)`
     Named,
+}
+
+/// The notation of literals.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Notation {
+    /// `255`, `16#00FF`, `100.0`, `T#90000ms`, `'it$'s'`
+    #[default]
+    Canonical,
+    /// `16#FF`, `2#1111_1111`, `1.0E2`, `T#1m30s`, `'$69t$27s'`; labels of CASE stay as they are.
+    Varied,
 }

@@ -1,0 +1,142 @@
+//! Other notations of the same literals: bases, underscores, exponents, composed durations, long prefixes, character codes.
+
+use super::sheet::Sheet;
+use crate::model::LiteralForm;
+use stickler_types::{DialectName, ElementaryType, Family, Value};
+
+impl Sheet<'_> {
+    /// A literal behind its prefix in another notation; nothing where there is none but the canonical one.
+    ///
+    /// Basis: iec-61131-3: Tables 5 to 9.
+    pub fn other_notation(&mut self, value: &Value, form: LiteralForm) -> Option<String> {
+        let choice = self.next_random() as usize;
+        match value {
+            Value::Plain { ty, raw } => match ty.family() {
+                Family::Signed | Family::Unsigned | Family::BitString => {
+                    Some(other_integer(ty.integer_value(*raw), choice))
+                }
+                Family::Real => self.other_real(*ty, *raw, form, choice),
+                Family::Duration => other_duration(raw.cast_signed()),
+                _ => None,
+            },
+            Value::Text { units, ty } => other_text(units, *ty, choice),
+            Value::Enumerated { .. } => None,
+        }
+    }
+
+    /// With an exponent; or without a point, where the dialect takes a bare integer literal for a real.
+    fn other_real(&self, ty: ElementaryType, raw: u64, form: LiteralForm, choice: usize) -> Option<String> {
+        let single = f32::from_bits(raw as u32);
+        let number = if ty == ElementaryType::Real {
+            f64::from(single)
+        } else {
+            f64::from_bits(raw)
+        };
+        // Integers up to here are numbers of either type, and no document says what becomes of longer ones.
+        let is_whole = number.fract() == 0.0 && number.abs() < 16_777_216.0 && number.is_sign_positive();
+        if choice.is_multiple_of(2) && is_whole && form == LiteralForm::Untyped && self.takes_whole_reals() {
+            return Some(format!("{number}"));
+        }
+        let mut text = if ty == ElementaryType::Real {
+            format!("{single:E}")
+        } else {
+            format!("{number:E}")
+        };
+        if !text.contains('.') {
+            text.insert_str(text.find('E')?, ".0");
+        }
+        Some(text)
+    }
+
+    /// Basis: ironplc-type-conversions: Integer and Real Types ("bare integer literals"); no in matiec, open in PLCnext.
+    const fn takes_whole_reals(&self) -> bool {
+        matches!(
+            self.program.dialect,
+            DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty
+        )
+    }
+}
+
+/// The long prefix of a date, a time of day, or both.
+pub(super) const fn long_prefix(ty: ElementaryType) -> &'static str {
+    match ty {
+        ElementaryType::Tod => "TIME_OF_DAY",
+        ElementaryType::Dt => "DATE_AND_TIME",
+        ElementaryType::Ltod => "LTIME_OF_DAY",
+        ElementaryType::Ldt => "LDATE_AND_TIME",
+        ty => ty.name(),
+    }
+}
+
+/// In another base, of which negative numbers have none, or with underscores.
+fn other_integer(number: i128, choice: usize) -> String {
+    match (number >= 0, choice % 4) {
+        (true, 0) => format!("2#{}", grouped(&format!("{number:b}"), 4)),
+        (true, 1) => format!("8#{number:o}"),
+        (true, 2) => format!("16#{}", grouped(&format!("{number:X}"), 2)),
+        _ if number < 0 => format!("-{}", grouped(&number.unsigned_abs().to_string(), 3)),
+        _ => grouped(&number.to_string(), 3),
+    }
+}
+
+/// Digits with an underscore between groups, counted from the last digit.
+fn grouped(digits: &str, size: usize) -> String {
+    let mut grouped = String::with_capacity(digits.len() + digits.len() / size);
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(size) {
+            grouped.push('_');
+        }
+        grouped.push(digit);
+    }
+    grouped
+}
+
+/// `1d2h3m4s5ms` for whole milliseconds.
+fn other_duration(nanoseconds: i64) -> Option<String> {
+    const MILLISECOND: u64 = 1_000_000;
+    let length = nanoseconds.unsigned_abs();
+    if !length.is_multiple_of(MILLISECOND) {
+        return None;
+    }
+    let mut left = length / MILLISECOND;
+    let mut text = if nanoseconds < 0 {
+        "-".to_owned()
+    } else {
+        String::new()
+    };
+    for (unit, milliseconds) in [
+        ("d", 86_400_000),
+        ("h", 3_600_000),
+        ("m", 60_000),
+        ("s", 1000),
+        ("ms", 1),
+    ] {
+        let count = left / milliseconds;
+        left %= milliseconds;
+        if count > 0 || (unit == "ms" && length == 0) {
+            text += &format!("{count}{unit}");
+        }
+    }
+    Some(text)
+}
+
+/// Every other character by its code.
+fn other_text(units: &[u16], ty: ElementaryType, choice: usize) -> Option<String> {
+    let is_wide = ty == ElementaryType::Wstring;
+    let quote = if is_wide { '"' } else { '\'' };
+    let mut text = String::from(quote);
+    for (place, &unit) in units.iter().enumerate() {
+        let is_special = unit == u16::from(b'$') || unit == quote as u16;
+        if is_special || (place + choice).is_multiple_of(2) {
+            text += &if is_wide {
+                format!("${unit:04X}")
+            } else {
+                format!("${unit:02X}")
+            };
+        } else {
+            text.push(char::from_u32(u32::from(unit)).filter(char::is_ascii)?);
+        }
+    }
+    text.push(quote);
+    Some(text)
+}
