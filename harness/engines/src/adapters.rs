@@ -8,12 +8,15 @@
 mod ironplc;
 mod locate;
 mod matiec;
+mod printed;
 mod source;
+mod strucpp;
 mod witness;
 
 use crate::{Engine, EngineError};
 use ironplc::Ironplc;
 use matiec::Matiec;
+use strucpp::Strucpp;
 
 /// A compiler for which there is an adapter.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -22,11 +25,13 @@ pub enum Compiler {
     Ironplc,
     /// matiec: `iec2c` and a C compiler.
     Matiec,
+    /// STruC++: `strucpp`, Node and a C++ compiler.
+    Strucpp,
 }
 
 impl Compiler {
     /// Every compiler, by name.
-    pub const ALL: [Compiler; 2] = [Compiler::Ironplc, Compiler::Matiec];
+    pub const ALL: [Compiler; 3] = [Compiler::Ironplc, Compiler::Matiec, Compiler::Strucpp];
 
     /// The name of the engine.
     #[must_use]
@@ -34,6 +39,7 @@ impl Compiler {
         match self {
             Compiler::Ironplc => "ironplc",
             Compiler::Matiec => "matiec",
+            Compiler::Strucpp => "strucpp",
         }
     }
 
@@ -52,6 +58,7 @@ impl Compiler {
         let engine = match self {
             Compiler::Ironplc => Ironplc::find(called).map(boxed),
             Compiler::Matiec => Matiec::find(called).map(boxed),
+            Compiler::Strucpp => Strucpp::find(called).map(boxed),
         };
         engine.map_err(|reason| EngineError::NotStarted {
             engine: format!("`{}`", self.name()),

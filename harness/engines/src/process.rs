@@ -16,8 +16,8 @@ mod session;
 mod tool;
 
 use crate::{Engine, EngineError, Identity, Session};
-use command_line::CommandLine;
-use connection::Connection;
+pub(crate) use command_line::CommandLine;
+pub(crate) use connection::{Connection, Failure};
 pub(crate) use folder::Folder;
 use session::ProcessSession;
 use std::sync::{Mutex, PoisonError};

@@ -127,6 +127,15 @@ fn matiec_behaves() {
 }
 
 #[test]
+fn strucpp_behaves() {
+    let Some(engine) = here(Compiler::Strucpp) else {
+        return;
+    };
+    behaves(engine.as_ref());
+    divides_by_zero(engine.as_ref());
+}
+
+#[test]
 fn a_compiler_is_known_by_its_name() {
     for compiler in Compiler::ALL {
         assert_eq!(Compiler::from_name(compiler.name()), Some(compiler));

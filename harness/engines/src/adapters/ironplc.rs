@@ -8,11 +8,11 @@ mod diagnostics;
 mod dump;
 mod sight;
 
-use super::locate::{self, call};
+use super::locate::{self, call, told};
 use super::source::main_program;
 use super::witness::with_witnesses;
 use crate::process::{Ended, Folder};
-use crate::{Ability, Diagnostic, Engine, EngineError, Identity, NamedValue, Outcome, RunRequest, Session};
+use crate::{Ability, Engine, EngineError, Identity, NamedValue, Outcome, RunRequest, Session};
 use dump::Dump;
 use sight::{Blind, Experienced, Sights};
 use std::path::{Path, PathBuf};
@@ -194,20 +194,6 @@ fn rejected(ended: &Ended) -> Outcome {
         return ended.crashed();
     }
     diagnostics::outcome(diagnostics)
-}
-
-/// Why there is no bytecode; a fragment.
-fn told(outcome: &Outcome) -> String {
-    match outcome {
-        Outcome::Rejected { diagnostics } => {
-            let first = diagnostics
-                .first()
-                .map(|Diagnostic { message, .. }| message.as_str());
-            first.unwrap_or("it does not say why").to_owned()
-        }
-        Outcome::Unsupported { reason } => reason.clone(),
-        other => locate::reason(other),
-    }
 }
 
 /// What came of looking at a program that ran.

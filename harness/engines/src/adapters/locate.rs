@@ -80,6 +80,27 @@ pub(super) fn reason(outcome: &Outcome) -> String {
     }
 }
 
+/// Why a compiler did not accept a program; a fragment.
+pub(super) fn told(outcome: &Outcome) -> String {
+    match outcome {
+        Outcome::Rejected { diagnostics } => {
+            let first = diagnostics.first().map(|first| first.message.as_str());
+            first.unwrap_or("it does not say why").to_owned()
+        }
+        Outcome::Unsupported { reason } => reason.clone(),
+        other => reason(other),
+    }
+}
+
+/// The first line of what a C or C++ compiler wrote that tells an error.
+pub(super) fn first_error(ended: &Ended) -> String {
+    let told = ended.stderr.lines().find(|line| line.contains("error"));
+    let line = told
+        .or(ended.stderr.lines().next())
+        .unwrap_or("it does not say why");
+    line.chars().filter(|character| !character.is_control()).collect()
+}
+
 /// Runs a program in a folder of a session, under the limits that every compiler gets.
 ///
 /// # Errors

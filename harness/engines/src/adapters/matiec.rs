@@ -9,15 +9,15 @@
 mod diagnostics;
 mod driver;
 
-use super::locate::{self, call};
+use super::locate::{self, call, first_error, told};
 use super::source::{MainProgram, main_program, words};
-use super::witness::{Witness, with_witnesses};
-use crate::process::{Ended, Folder};
+use super::witness::{Copies, Witness, with_witnesses};
+use crate::process::Folder;
 use crate::{Ability, Engine, EngineError, Identity, Outcome, RunRequest, Session};
 use driver::Driver;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use stickler_types::{DialectName, ElementaryType, Fault};
+use stickler_types::{DialectName, Fault};
 
 /// The configuration without which no C is written. It stands behind the program and moves no line of it.
 fn configuration(program: &str) -> String {
@@ -114,15 +114,6 @@ fn libraries(compiler: &Path) -> [PathBuf; 3] {
     ]
 }
 
-/// The first line of what a C compiler wrote that tells an error.
-fn first_error(ended: &Ended) -> String {
-    let told = ended.stderr.lines().find(|line| line.contains("error"));
-    let line = told
-        .or(ended.stderr.lines().next())
-        .unwrap_or("it does not say why");
-    line.chars().filter(|character| !character.is_control()).collect()
-}
-
 impl Engine for Matiec {
     fn identity(&self) -> &Identity {
         &self.identity
@@ -182,9 +173,10 @@ impl MatiecSession<'_> {
             self.translate(request.source)?;
             return Ok(Outcome::Accepted);
         };
-        let witnesses = witnesses(request);
-        let driver = Driver::of(request, &main.name).map_err(|reason| Outcome::Unsupported { reason })?;
-        self.translate_with(request.source, &main, &witnesses)?;
+        let copies = Copies::of(request);
+        let driver =
+            Driver::of(request, &copies, &main.name).map_err(|reason| Outcome::Unsupported { reason })?;
+        self.translate_with(request.source, &main, copies.witnesses())?;
         self.build(&driver)?;
         self.execute(&driver, request)
     }
@@ -256,7 +248,7 @@ impl MatiecSession<'_> {
     fn execute(&self, driver: &Driver<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let nothing: [&str; 0] = [];
         let ended = call(&self.folder.path().join("driver"), &nothing, &self.folder)?;
-        if stopped_by_arithmetic(&ended) {
+        if ended.stopped_by_arithmetic() {
             return Ok(Outcome::Faulted {
                 fault: Fault::DivisionByZero,
                 line: None,
@@ -270,48 +262,5 @@ impl MatiecSession<'_> {
             },
             _ => Err(ended.crashed()),
         }
-    }
-}
-
-/// Whether the processor refused an integer division: by zero, or of the smallest integer by -1.
-#[cfg(unix)]
-fn stopped_by_arithmetic(ended: &Ended) -> bool {
-    use std::os::unix::process::ExitStatusExt;
-    /// SIGFPE. Basis: posix: `signal.h` names it; Linux, macOS and the BSDs number it 8.
-    const ARITHMETIC: i32 = 8;
-    ended.status.signal() == Some(ARITHMETIC)
-}
-
-/// Elsewhere such an end looks like any other.
-#[cfg(not(unix))]
-fn stopped_by_arithmetic(_: &Ended) -> bool {
-    false
-}
-
-/// Copies of what is not a variable of its own, in the order in which it is observed; each path once.
-fn witnesses(request: &RunRequest<'_>) -> Vec<Witness> {
-    let mut witnesses: Vec<Witness> = Vec::new();
-    for asked in request.observe {
-        let known = witnesses.iter().any(|witness| witness.expression == asked.name);
-        if driver::is_path(asked.name) && !known {
-            let type_name =
-                ElementaryType::from_name(asked.type_name).map_or(asked.type_name, |ty| ty.name());
-            witnesses.push(Witness {
-                name: Witness::name(witnesses.len()),
-                type_name: type_name.to_owned(),
-                expression: asked.name.to_owned(),
-            });
-        }
-    }
-    witnesses
-}
-
-/// Why a program was not translated; a fragment.
-fn told(outcome: &Outcome) -> String {
-    match outcome {
-        Outcome::Rejected { diagnostics } => diagnostics
-            .first()
-            .map_or_else(String::new, |first| first.message.clone()),
-        other => locate::reason(other),
     }
 }

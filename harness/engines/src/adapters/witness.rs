@@ -1,7 +1,9 @@
 //! Variables that an adapter adds to a program, so that a compiler shows what it would not show otherwise.
 
 use super::source::MainProgram;
+use crate::{Observation, RunRequest};
 use std::fmt::Write;
+use stickler_types::ElementaryType;
 
 /// A variable that takes the value of an expression at the end of the main program.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -37,6 +39,51 @@ pub(super) fn with_witnesses(source: &str, main: &MainProgram, witnesses: &[Witn
     }
     text.push_str(&source[main.inside.end..]);
     text
+}
+
+/// Copies of what is observed and is no variable of its own: elements, fields, what a block puts out.
+pub(super) struct Copies {
+    witnesses: Vec<Witness>,
+}
+
+impl Copies {
+    /// A copy of each path of a request, in the order in which they are observed.
+    pub(super) fn of(request: &RunRequest<'_>) -> Copies {
+        let mut copies = Copies {
+            witnesses: Vec::new(),
+        };
+        for asked in request.observe {
+            if is_path(asked.name) && copies.copy(asked.name).is_none() {
+                let ty = ElementaryType::from_name(asked.type_name);
+                copies.witnesses.push(Witness {
+                    name: Witness::name(copies.witnesses.len()),
+                    type_name: ty.map_or(asked.type_name, |ty| ty.name()).to_owned(),
+                    expression: asked.name.to_owned(),
+                });
+            }
+        }
+        copies
+    }
+
+    /// The variables to be added to the program.
+    pub(super) fn witnesses(&self) -> &[Witness] {
+        &self.witnesses
+    }
+
+    /// The name of the variable in which a value is to be seen.
+    pub(super) fn variable<'v>(&'v self, asked: &Observation<'v>) -> &'v str {
+        self.copy(asked.name).unwrap_or(asked.name)
+    }
+
+    fn copy(&self, path: &str) -> Option<&str> {
+        let found = self.witnesses.iter().find(|witness| witness.expression == path);
+        found.map(|witness| witness.name.as_str())
+    }
+}
+
+/// Whether this is no variable of the main program but a part of one.
+fn is_path(name: &str) -> bool {
+    name.contains(['.', '['])
 }
 
 #[cfg(test)]

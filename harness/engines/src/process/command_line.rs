@@ -4,7 +4,7 @@ use crate::EngineError;
 
 /// A program and its arguments, and how they were written.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct CommandLine {
+pub(crate) struct CommandLine {
     /// As a person wrote it, for messages.
     pub(super) written: String,
     /// The program to start: a path, or a name that is looked up in PATH.
@@ -37,6 +37,15 @@ impl CommandLine {
             program,
             arguments: words.collect(),
         })
+    }
+
+    /// A program and its arguments that nobody wrote in a line.
+    pub(crate) fn of(program: String, arguments: Vec<String>) -> CommandLine {
+        CommandLine {
+            written: program.clone(),
+            program,
+            arguments,
+        }
     }
 
     /// The error that this command could not be started.

@@ -19,7 +19,7 @@ const LOOK: Duration = Duration::from_millis(100);
 /// Reading and writing are done by threads of their own, since neither has a time limit otherwise: an engine that never
 /// reads fills the pipe, and one that never answers leaves it empty. A thread whose pipe is held open by a process that
 /// left its group stays until that one ends.
-pub(super) struct Connection {
+pub(crate) struct Connection {
     child: Child,
     requests: Sender<Vec<u8>>,
     replies: Receiver<Incoming>,
@@ -34,7 +34,7 @@ enum Incoming {
 
 /// Why there is no reply.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Failure {
+pub(crate) enum Failure {
     /// The output ended.
     Ended,
     /// There was none within the time limit.
@@ -48,7 +48,7 @@ impl Connection {
     ///
     /// # Errors
     /// A fragment that says why there is no process.
-    pub(super) fn open(command: &CommandLine, longest: usize) -> Result<Connection, String> {
+    pub(crate) fn open(command: &CommandLine, longest: usize) -> Result<Connection, String> {
         let (child, stdin, stdout) = Child::start(command)?;
         let (requests, lines) = mpsc::channel();
         let (sender, replies) = mpsc::sync_channel(AHEAD);
@@ -65,7 +65,7 @@ impl Connection {
     ///
     /// # Errors
     /// Afterwards the conversation is out of step, and the connection of no use but to ask how its process ended.
-    pub(super) fn exchange(&mut self, line: Vec<u8>, limit: Duration) -> Result<Vec<u8>, Failure> {
+    pub(crate) fn exchange(&mut self, line: Vec<u8>, limit: Duration) -> Result<Vec<u8>, Failure> {
         // A writer that is gone has found the pipe closed; the reader will tell.
         let _ = self.requests.send(line);
         let deadline = Instant::now() + limit;
@@ -92,7 +92,7 @@ impl Connection {
     }
 
     /// How the process ended, once its output has; a fragment.
-    pub(super) fn end(self) -> String {
+    pub(crate) fn end(self) -> String {
         self.child.end()
     }
 

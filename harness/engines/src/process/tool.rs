@@ -57,6 +57,21 @@ impl Ended {
         self.status.code().ok_or_else(|| self.crashed())
     }
 
+    /// Whether the processor ended it at an integer division: by zero, or of the smallest integer by -1.
+    #[cfg(unix)]
+    pub(crate) fn stopped_by_arithmetic(&self) -> bool {
+        use std::os::unix::process::ExitStatusExt;
+        /// SIGFPE. Basis: posix: `signal.h` names it; Linux, macOS and the BSDs number it 8.
+        const ARITHMETIC: i32 = 8;
+        self.status.signal() == Some(ARITHMETIC)
+    }
+
+    /// Elsewhere such an end looks like any other.
+    #[cfg(not(unix))]
+    pub(crate) fn stopped_by_arithmetic(&self) -> bool {
+        false
+    }
+
     /// The outcome that says how it ended and what it said last.
     pub(crate) fn crashed(&self) -> Outcome {
         let words = match told(&self.stderr) {

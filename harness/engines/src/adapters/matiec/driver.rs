@@ -3,28 +3,16 @@
 //! Basis: matiec: the C that `iec2c` writes: `NAME_init__`, `NAME_body__`, a structure of the variables in upper case, each
 //! with its `value`; durations and dates are seconds and nanoseconds, a STRING its length and its bytes.
 
-use crate::adapters::source::enumeration;
-use crate::adapters::witness::Witness;
-use crate::{NamedValue, Observation, RunRequest, Setting};
+use crate::adapters::printed::{self, Kind};
+use crate::adapters::witness::Copies;
+use crate::{NamedValue, RunRequest, Setting};
 use std::fmt::Write;
-use stickler_types::{ElementaryType, Family, Value};
+use stickler_types::{ElementaryType, Value};
 
-/// Whether this is no variable of the main program but a part of one.
-pub(super) fn is_path(name: &str) -> bool {
-    name.contains(['.', '['])
-}
-
-/// The program, and how to read what it prints: a line for each observed value, in the order asked for.
+/// The program, and how to read what it prints.
 pub(super) struct Driver<'r> {
     text: String,
     kinds: Vec<Kind<'r>>,
-}
-
-/// What is printed of a value.
-enum Kind<'r> {
-    Elementary(ElementaryType),
-    /// The number of its place among these.
-    Enumerated(&'r str, Vec<String>),
 }
 
 impl<'r> Driver<'r> {
@@ -32,15 +20,14 @@ impl<'r> Driver<'r> {
     ///
     /// # Errors
     /// A fragment that says what cannot be observed or set.
-    pub(super) fn of(request: &RunRequest<'r>, program: &str) -> Result<Driver<'r>, String> {
-        let kinds = request.observe.iter().map(|asked| kind(asked, request.source));
-        let kinds = kinds.collect::<Result<Vec<_>, _>>()?;
+    pub(super) fn of(request: &RunRequest<'r>, copies: &Copies, program: &str) -> Result<Driver<'r>, String> {
+        let kinds = printed::kinds(request, has)?;
         let program = program.to_ascii_uppercase();
         let mut text = format!(
             "#include \"stickler.h\"\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n#include \"POUS.c\"\n\
              static {program} program;\n{PRINTERS}"
         );
-        write_look(&mut text, request, &kinds);
+        write_look(&mut text, request, copies, &kinds);
         // Writing into a String does not fail.
         let _ = write!(
             text,
@@ -66,34 +53,13 @@ impl<'r> Driver<'r> {
     /// # Errors
     /// A fragment that says what is wrong with what it printed.
     pub(super) fn values(&self, printed: &str, request: &RunRequest<'_>) -> Result<Vec<NamedValue>, String> {
-        let mut values: Vec<Option<Value>> = self.kinds.iter().map(|_| None).collect();
-        for line in printed.lines() {
-            let nonsense = || format!("its driver printed `{line}`");
-            let (number, shown) = line.split_once(' ').ok_or_else(nonsense)?;
-            let number: usize = number.parse().map_err(|_| nonsense())?;
-            let kind = self.kinds.get(number).ok_or_else(nonsense)?;
-            values[number] = Some(value(kind, shown).ok_or_else(nonsense)?);
-        }
-        let named = |(asked, value): (&Observation<'_>, Option<Value>)| {
-            let missing = || format!("its driver did not print {}", asked.key());
-            Ok((asked.key(), value.ok_or_else(missing)?))
-        };
-        request.observe.iter().zip(values).map(named).collect()
+        printed::values(printed, request, &self.kinds, value)
     }
 }
 
-fn kind<'r>(asked: &Observation<'r>, source: &str) -> Result<Kind<'r>, String> {
-    match ElementaryType::from_name(asked.type_name) {
-        Some(ty) if ty.is_third_edition() || ty == ElementaryType::Wstring => {
-            Err(format!("it has no values of {ty}"))
-        }
-        Some(ty) => Ok(Kind::Elementary(ty)),
-        None => match enumeration(source, asked.type_name) {
-            Some(values) => Ok(Kind::Enumerated(asked.type_name, values)),
-            None if asked.type_name.is_empty() => Err(format!("the type of {} was not told", asked.name)),
-            None => Err(format!("values of {} cannot be shown", asked.type_name)),
-        },
-    }
+/// Whether the compiler has values of a type.
+fn has(ty: ElementaryType) -> bool {
+    !ty.is_third_edition() && ty != ElementaryType::Wstring
 }
 
 /// One function for each form in which a value is printed.
@@ -115,20 +81,10 @@ static void print_text(int number, STRING value) {
 ";
 
 /// The function that prints what is to be seen after a scan; 0 stands for the end.
-fn write_look(text: &mut String, request: &RunRequest<'_>, kinds: &[Kind<'_>]) {
+fn write_look(text: &mut String, request: &RunRequest<'_>, copies: &Copies, kinds: &[Kind<'_>]) {
     text.push_str("static void look(unsigned long scan) {\n");
-    let mut paths: Vec<&str> = Vec::new();
     for (number, (asked, kind)) in request.observe.iter().zip(kinds).enumerate() {
-        let name = if is_path(asked.name) {
-            let known = paths.iter().position(|path| *path == asked.name);
-            let place = known.unwrap_or_else(|| {
-                paths.push(asked.name);
-                paths.len() - 1
-            });
-            Witness::name(place)
-        } else {
-            asked.name.to_owned()
-        };
+        let name = copies.variable(asked);
         let variable = format!("program.{}.value", name.to_ascii_uppercase());
         let call = match kind {
             Kind::Elementary(ty) if is_time(*ty) => format!("print_time({number}, {variable})"),
@@ -167,7 +123,7 @@ fn written(setting: &Setting<'_>) -> Result<String, String> {
     let Value::Plain { ty, raw } = *setting.value else {
         return Err(cannot());
     };
-    if is_path(setting.name) {
+    if setting.name.contains(['.', '[']) {
         return Err(cannot());
     }
     let variable = format!("program.{}.value", setting.name.to_ascii_uppercase());
@@ -192,10 +148,7 @@ fn is_time(ty: ElementaryType) -> bool {
 fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
     let bits = || u64::from_str_radix(shown, 16).ok();
     match kind {
-        Kind::Enumerated(type_name, values) => {
-            let place = usize::try_from(bits()?).ok()?;
-            Some(Value::enumerated(*type_name, values.get(place)?))
-        }
+        Kind::Enumerated(..) => kind.enumerated(bits()?),
         Kind::Elementary(ty) if is_time(*ty) => {
             let (seconds, rest) = shown.split_once(' ')?;
             let (seconds, rest) = (seconds.parse::<i64>().ok()?, rest.parse::<i64>().ok()?);
@@ -205,16 +158,7 @@ fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
         Kind::Elementary(ty) if ty.is_text() => {
             text(shown.strip_prefix('\'')?).map(|units| Value::text(*ty, units))
         }
-        Kind::Elementary(ty) => Some(Value::plain(*ty, raw(*ty, bits()?))),
-    }
-}
-
-/// The raw form of the bits of a variable. A BOOL that holds more than one bit is TRUE, as it is to every C condition.
-fn raw(ty: ElementaryType, bits: u64) -> u64 {
-    match ty.family() {
-        Family::Boolean => u64::from(bits != 0),
-        Family::Real => bits,
-        _ => ty.wrap(i128::from(bits)),
+        Kind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
     }
 }
 
@@ -229,7 +173,7 @@ fn text(digits: &str) -> Option<Vec<u16>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ClockStep;
+    use crate::{ClockStep, Observation};
     use stickler_types::DialectName;
 
     fn observation<'a>(name: &'a str, type_name: &'a str) -> Observation<'a> {
@@ -262,7 +206,7 @@ mod tests {
             observation("b", "BOOL"),
         ];
         let request = request(&observe);
-        let driver = Driver::of(&request, "main").unwrap();
+        let driver = Driver::of(&request, &Copies::of(&request), "main").unwrap();
         let printed = "1 3fc00000\n0 ffff\n2 1 500000000\n3 '6127\n4 1\n5 1\n";
         let values = driver.values(printed, &request).unwrap();
         let values: Vec<String> = values
@@ -310,7 +254,7 @@ mod tests {
             }],
             ..request(&observe)
         };
-        let driver = Driver::of(&request, "main").unwrap();
+        let driver = Driver::of(&request, &Copies::of(&request), "main").unwrap();
         for line in [
             "static MAIN program;",
             "if (scan == 0UL) print_time(0, program.X.value);",
@@ -334,7 +278,8 @@ mod tests {
             ("SHAPE", "SHAPE"),
         ] {
             let observe = [observation("x", type_name)];
-            let reason = Driver::of(&request(&observe), "main").err().unwrap();
+            let request = request(&observe);
+            let reason = Driver::of(&request, &Copies::of(&request), "main").err().unwrap();
             assert!(reason.contains(part), "{reason}");
         }
     }

@@ -1,0 +1,88 @@
+//! What a driver prints of a program's values: a line for each, with the number of the observation and the value.
+
+use super::source::enumeration;
+use crate::{NamedValue, Observation, RunRequest};
+use stickler_types::{ElementaryType, Family, Value};
+
+/// What is printed of a value.
+pub(super) enum Kind<'r> {
+    /// A value of an elementary type.
+    Elementary(ElementaryType),
+    /// The number of its place among the values of the enumeration of this name.
+    Enumerated(&'r str, Vec<String>),
+}
+
+impl Kind<'_> {
+    /// The value of an enumeration at this place, if there is one.
+    pub(super) fn enumerated(&self, place: u64) -> Option<Value> {
+        match self {
+            Kind::Enumerated(type_name, values) => {
+                let name = values.get(usize::try_from(place).ok()?)?;
+                Some(Value::enumerated(*type_name, name))
+            }
+            Kind::Elementary(_) => None,
+        }
+    }
+}
+
+/// What is to be printed for a request, by a compiler that has values of these types.
+///
+/// # Errors
+/// A fragment that says what cannot be printed.
+pub(super) fn kinds<'r>(
+    request: &RunRequest<'r>,
+    has: fn(ElementaryType) -> bool,
+) -> Result<Vec<Kind<'r>>, String> {
+    let kind = |asked: &Observation<'r>| kind(asked, request.source, has);
+    request.observe.iter().map(kind).collect()
+}
+
+fn kind<'r>(
+    asked: &Observation<'r>,
+    source: &str,
+    has: fn(ElementaryType) -> bool,
+) -> Result<Kind<'r>, String> {
+    match ElementaryType::from_name(asked.type_name) {
+        Some(ty) if has(ty) => Ok(Kind::Elementary(ty)),
+        Some(ty) => Err(format!("it has no values of {ty}")),
+        None => match enumeration(source, asked.type_name) {
+            Some(values) => Ok(Kind::Enumerated(asked.type_name, values)),
+            None if asked.type_name.is_empty() => Err(format!("the type of {} was not told", asked.name)),
+            None => Err(format!("values of {} cannot be shown", asked.type_name)),
+        },
+    }
+}
+
+/// The values that were printed, in the order asked for; `read` reads one, and gives nothing where it is nonsense.
+///
+/// # Errors
+/// A fragment that says what is wrong with what was printed.
+pub(super) fn values(
+    printed: &str,
+    request: &RunRequest<'_>,
+    kinds: &[Kind<'_>],
+    read: fn(&Kind<'_>, &str) -> Option<Value>,
+) -> Result<Vec<NamedValue>, String> {
+    let mut values: Vec<Option<Value>> = kinds.iter().map(|_| None).collect();
+    for line in printed.lines() {
+        let nonsense = || format!("its driver printed `{line}`");
+        let (number, shown) = line.split_once(' ').ok_or_else(nonsense)?;
+        let number: usize = number.parse().map_err(|_| nonsense())?;
+        let kind = kinds.get(number).ok_or_else(nonsense)?;
+        values[number] = Some(read(kind, shown).ok_or_else(nonsense)?);
+    }
+    let named = |(asked, value): (&Observation<'_>, Option<Value>)| {
+        let missing = || format!("its driver did not print {}", asked.key());
+        Ok((asked.key(), value.ok_or_else(missing)?))
+    };
+    request.observe.iter().zip(values).map(named).collect()
+}
+
+/// The raw form of the bits of a variable. A BOOL that holds more than one bit is TRUE, as it is to every C condition.
+pub(super) fn raw(ty: ElementaryType, bits: u64) -> u64 {
+    match ty.family() {
+        Family::Boolean => u64::from(bits != 0),
+        Family::Real => bits,
+        _ => ty.wrap(i128::from(bits)),
+    }
+}

@@ -1,0 +1,212 @@
+//! The C++ program that runs a translated one and prints what is observed of it.
+//!
+//! Basis: strucpp: the C++ that it writes, and its run-time headers: a class for each program, its variables in upper case,
+//! each with `get`; durations and times of day are nanoseconds, dates days, both together nanoseconds.
+
+use crate::adapters::printed::{self, Kind};
+use crate::adapters::witness::Copies;
+use crate::{NamedValue, RunRequest};
+use std::fmt::Write;
+use stickler_types::{ElementaryType, Value};
+
+/// The exit code by which the driver tells a subscript outside its array.
+pub(super) const SUBSCRIPT: i32 = 3;
+
+/// The headers that every translated program includes; they are compiled once.
+pub(super) const HEADER: &str = "\
+#include \"iec_types.hpp\"
+#include \"iec_var.hpp\"
+#include \"iec_global.hpp\"
+#include \"iec_array.hpp\"
+#include \"iec_located.hpp\"
+#include \"iec_std_lib.hpp\"
+#include \"iec_enum.hpp\"
+#include \"iec_memory.hpp\"
+#include \"iec_pointer.hpp\"
+#include \"iec_string.hpp\"
+#include \"iec_wstring.hpp\"
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+";
+
+/// The program, and how to read what it prints.
+pub(super) struct Driver<'r> {
+    text: String,
+    kinds: Vec<Kind<'r>>,
+}
+
+/// One function for each form in which a value is printed.
+const PRINTERS: &str = "\
+template<class T> static void print_bits(int number, T value) {
+    unsigned long long bits = 0;
+    static_assert(sizeof value <= sizeof bits);
+    std::memcpy(&bits, &value, sizeof value);
+    std::printf(\"%d %llx\\n\", number, bits);
+}
+template<class T> static void print_text(int number, const T &value) {
+    std::printf(\"%d '\", number);
+    for (std::size_t at = 0; at < value.length(); at++) {
+        unsigned unit = static_cast<unsigned>(value[at]);
+        std::printf(\"%04x\", sizeof value[0] == 1 ? unit & 0xffu : unit & 0xffffu);
+    }
+    std::printf(\"\\n\");
+}
+";
+
+impl<'r> Driver<'r> {
+    /// The driver of a request; `program` is the name of the main program.
+    ///
+    /// # Errors
+    /// A fragment that says what cannot be observed or set.
+    pub(super) fn of(request: &RunRequest<'r>, copies: &Copies, program: &str) -> Result<Driver<'r>, String> {
+        if !request.set.is_empty() {
+            return Err("its driver writes no variables between scans".to_owned());
+        }
+        let kinds = printed::kinds(request, |_| true)?;
+        let program = program.to_ascii_uppercase();
+        let mut text = format!(
+            "#include \"stickler.hpp\"\n#include \"program.cpp\"\nstatic strucpp::Program_{program} program;\n{PRINTERS}\
+             static void look(unsigned long scan) {{\n"
+        );
+        for (number, (asked, kind)) in request.observe.iter().zip(&kinds).enumerate() {
+            let variable = format!("program.{}.get()", copies.variable(asked).to_ascii_uppercase());
+            let printer = match kind {
+                Kind::Elementary(ty) if ty.is_text() => "print_text",
+                _ => "print_bits",
+            };
+            // Writing into a String does not fail.
+            let _ = writeln!(
+                text,
+                "    if (scan == {}UL) {printer}({number}, {variable});",
+                asked.after.unwrap_or(0)
+            );
+        }
+        let _ = write!(
+            text,
+            "}}\nint main() try {{\n    for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
+            request.scans
+        );
+        for step in request.clock {
+            let _ = writeln!(
+                text,
+                "        if (scan == {}UL) strucpp::__CURRENT_TIME_NS = {}LL;",
+                step.before, step.nanoseconds
+            );
+        }
+        let _ = write!(
+            text,
+            "        program.run();\n        look(scan);\n    }}\n    look(0);\n    return 0;\n\
+             }} catch (const std::out_of_range &) {{\n    return {SUBSCRIPT};\n}}\n"
+        );
+        Ok(Driver { text, kinds })
+    }
+
+    /// The program.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The values that it printed.
+    ///
+    /// # Errors
+    /// A fragment that says what is wrong with what it printed.
+    pub(super) fn values(&self, printed: &str, request: &RunRequest<'_>) -> Result<Vec<NamedValue>, String> {
+        printed::values(printed, request, &self.kinds, value)
+    }
+}
+
+/// A value as it was printed; `None` where that is nonsense.
+fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
+    let bits = || u64::from_str_radix(shown, 16).ok();
+    match kind {
+        Kind::Enumerated(..) => kind.enumerated(bits()?),
+        Kind::Elementary(ty @ (ElementaryType::Date | ElementaryType::Ldate)) => {
+            let nanoseconds = bits()?.cast_signed().checked_mul(86_400_000_000_000)?;
+            Some(Value::plain(*ty, nanoseconds.cast_unsigned()))
+        }
+        Kind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => Some(Value::plain(*ty, bits()?)),
+        Kind::Elementary(ty) if ty.is_text() => Some(Value::text(*ty, units(shown.strip_prefix('\'')?)?)),
+        Kind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
+    }
+}
+
+/// The code units of a text, four hexadecimal digits each.
+fn units(digits: &str) -> Option<Vec<u16>> {
+    let units = digits.as_bytes().chunks(4);
+    units
+        .map(|unit| u16::from_str_radix(std::str::from_utf8(unit).ok()?, 16).ok())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{ClockStep, Observation};
+    use stickler_types::DialectName;
+
+    #[test]
+    fn values_are_read_as_the_driver_prints_them() {
+        let observe = [
+            "i INT",
+            "r LREAL",
+            "t TIME",
+            "s STRING",
+            "w WSTRING",
+            "d DATE",
+            "l[1] BYTE",
+        ]
+        .map(|asked| {
+            let (name, type_name) = asked.split_once(' ').unwrap();
+            Observation {
+                name,
+                type_name,
+                after: None,
+            }
+        });
+        let request = RunRequest {
+            dialect: DialectName::IronplcEd3,
+            source: "",
+            scans: 2,
+            observe: &observe,
+            clock: &[ClockStep {
+                before: 2,
+                nanoseconds: 5,
+            }],
+            set: &[],
+        };
+        let driver = Driver::of(&request, &Copies::of(&request), "main").unwrap();
+        for line in [
+            "static strucpp::Program_MAIN program;",
+            "if (scan == 0UL) print_text(3, program.S.get());",
+            "if (scan == 0UL) print_bits(6, program.STICKLER_WITNESS_0.get());",
+            "if (scan == 2UL) strucpp::__CURRENT_TIME_NS = 5LL;",
+        ] {
+            assert!(driver.text().contains(line), "{line}\n{}", driver.text());
+        }
+        let printed = "0 ffff\n1 3ff8000000000000\n2 59682f00\n3 '00610027\n4 '00e4\n5 4d46\n6 ff\n";
+        let values = driver.values(printed, &request).unwrap();
+        let values: Vec<String> = values
+            .iter()
+            .map(|(name, value)| format!("{name}={value}"))
+            .collect();
+        assert_eq!(
+            values,
+            [
+                "i=INT#-1",
+                "r=LREAL#1.5",
+                "t=TIME#1500ms",
+                "s=STRING#'a$''",
+                "w=WSTRING#\"$00E4\"",
+                "d=DATE#2024-02-29",
+                "l[1]=BYTE#16#FF"
+            ]
+        );
+        for nonsense in ["0 ffff\n", "9 0\n", "0\n", "3 61\n"] {
+            assert!(driver.values(nonsense, &request).is_err(), "{nonsense}");
+        }
+    }
+}
