@@ -148,11 +148,31 @@ impl Finding {
         let who = self.subject().to_owned();
         let mut print = Fingerprint::default();
         print.add(&self.target);
-        print.add(self.dialect.as_deref().unwrap_or_default());
         self.rule.iter().for_each(|part| print.add(part));
-        self.id = file_name(&format!("{who}-{}-{:08x}", self.symptom, print.short()));
+        self.id = file_name(&format!("{who}-{}-{:08x}", self.kind(), print.short()));
         self.fingerprint = fingerprint(self.program.as_deref(), &self.input);
         self
+    }
+
+    /// The kind of symptom, without the type of a value: what a compiler does wrong it mostly does with several types.
+    #[must_use]
+    pub fn kind(&self) -> &str {
+        match self.symptom.split_once(':') {
+            Some((kind @ ("value" | "missing"), _)) => kind,
+            _ => &self.symptom,
+        }
+    }
+
+    /// Whether this finding is probably the same as another: the same is wrong with more of the language around it.
+    #[must_use]
+    pub fn is_like(&self, simpler: &Finding) -> bool {
+        self.id != simpler.id
+            && self.subject() == simpler.subject()
+            && self.target == simpler.target
+            && self.kind() == simpler.kind()
+            && !simpler.rule.is_empty()
+            && simpler.rule.len() < self.rule.len()
+            && simpler.rule.iter().all(|part| self.rule.contains(part))
     }
 
     /// Who disagrees: the engine, or the target where that asks the reference alone.
@@ -236,8 +256,10 @@ mod tests {
     #[test]
     fn a_name_tells_who_and_how_and_is_a_file_name() {
         let finding = sample::finding("My Compiler", "value:INT", &["MOD"], 9);
-        assert!(finding.id.starts_with("my-compiler-value-int-"), "{}", finding.id);
-        assert_eq!(finding.id.len(), "my-compiler-value-int-".len() + 8);
+        assert!(finding.id.starts_with("my-compiler-value-"), "{}", finding.id);
+        assert_eq!(finding.id.len(), "my-compiler-value-".len() + 8);
+        let rejected = sample::finding("a", "rejected:P4035", &["MOD"], 9);
+        assert!(rejected.id.starts_with("a-rejected-p4035-"), "{}", rejected.id);
     }
 
     #[test]
@@ -247,6 +269,16 @@ mod tests {
         assert_eq!(one.id, other.id);
         assert_ne!(one.id, sample::finding("a", "crash", &["FOR"], 9).id);
         assert_ne!(one.id, sample::finding("b", "crash", &["FOR", "MOD"], 9).id);
+    }
+
+    #[test]
+    fn a_finding_is_like_one_that_needs_less_of_the_language() {
+        let simple = sample::finding("a", "value:INT", &["MOD"], 9);
+        let more = sample::finding("a", "value:UINT", &["INT_TO_UINT", "MOD"], 9);
+        assert!(more.is_like(&simple) && !simple.is_like(&more) && !simple.is_like(&simple));
+        assert!(!sample::finding("b", "value:INT", &["FOR", "MOD"], 9).is_like(&simple));
+        assert!(!sample::finding("a", "crash", &["FOR", "MOD"], 9).is_like(&simple));
+        assert!(!more.is_like(&sample::finding("a", "value:INT", &[], 9)));
     }
 
     #[test]

@@ -77,7 +77,7 @@ pub(crate) fn compare(question: Question<'_>, outcome: &Outcome) -> Agreement {
         Outcome::Rendered { .. } => Agreement::disagrees("error", "answered `rendered` where it was to run"),
         Outcome::Crashed { reason } => Agreement::disagrees("crash", format!("died: {reason}")),
         Outcome::TimedOut { after_ms } => {
-            Agreement::disagrees("timeout", format!("gave no answer within {after_ms} ms"))
+            Agreement::disagrees("hang", format!("gave no answer within {after_ms} ms"))
         }
         Outcome::Error { message } => Agreement::disagrees("error", message.as_str()),
     }

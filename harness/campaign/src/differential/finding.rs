@@ -67,7 +67,7 @@ impl Asking<'_> {
 
     fn tries(&self, index: usize, suspicion: &Suspicion) -> u64 {
         match (&*suspicion.symptom, self.bench.entrants[index].is_reference) {
-            ("timeout", _) => FEW_TRIES,
+            ("hang", _) => FEW_TRIES,
             (_, true) => MANY_TRIES,
             (_, false) => TRIES,
         }

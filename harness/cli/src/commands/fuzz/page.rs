@@ -58,10 +58,21 @@ impl<'o> Page<'o> {
     /// Where nothing can be written.
     pub fn end(&mut self, summary: &Summary, unsaved: &Unsaved) -> io::Result<()> {
         self.totals(summary)?;
-        for finding in shown(summary) {
+        let (different, alike) = told_apart(summary);
+        for finding in different.iter().take(SHOWN) {
             self.finding(finding, summary.times.get(&finding.id).copied().unwrap_or(0))?;
         }
-        let more = summary.findings.len().saturating_sub(SHOWN);
+        if let Some((first, rest)) = alike.split_first() {
+            writeln!(
+                self.out,
+                "\nprobably the same, with more of the language around it:"
+            )?;
+            for finding in std::iter::once(first).chain(rest).take(SHOWN) {
+                let rule = finding.rule.join(", ");
+                writeln!(self.out, "  {}  {DIM}{rule}{DIM:#}", finding.id)?;
+            }
+        }
+        let more = different.len().saturating_sub(SHOWN) + alike.len().saturating_sub(SHOWN);
         if more > 0 {
             writeln!(self.out, "\n{more} more in {}", unsaved.folder)?;
         }
@@ -131,7 +142,7 @@ impl<'o> Page<'o> {
             .unwrap_or_default();
         writeln!(
             self.out,
-            "  {dialect}{} {unit} of {}, {times} times{flaky}",
+            "  {dialect}{} {unit} of {}, found {times}x{flaky}",
             finding.origin.size, finding.origin.size_found
         )?;
         if !finding.rule.is_empty() {
@@ -183,12 +194,12 @@ impl<'o> Page<'o> {
     }
 }
 
-/// The findings that are shown: seen again before flaky, small before large.
-fn shown(summary: &Summary) -> Vec<&Finding> {
+/// The findings that differ, and those that are probably one of them: each seen again before flaky, small before large.
+fn told_apart(summary: &Summary) -> (Vec<&Finding>, Vec<&Finding>) {
     let mut findings: Vec<&Finding> = summary.findings.values().collect();
     findings.sort_by_key(|finding| (finding.standing, finding.origin.size, finding.id.as_str()));
-    findings.truncate(SHOWN);
-    findings
+    let alike = |finding: &&Finding| summary.findings.values().any(|simpler| finding.is_like(simpler));
+    findings.into_iter().partition(|finding| !alike(finding))
 }
 
 /// A line that does nothing to a terminal.

@@ -1,0 +1,123 @@
+//! What a campaign finds in an engine with a known defect.
+
+use crate::engines::{Defect, Defective};
+use crate::reproducible::{campaign, whole};
+use std::fs;
+use std::path::Path;
+use stickler_campaign::finding::{Expected, Standing};
+use stickler_campaign::{Ended, Entrant, Finding, Part, Store, load, promote, replay};
+use stickler_engines::{Engine, Reference};
+
+/// What a campaign finds that is not probably the same as something simpler.
+fn found(defect: Defect, count: u64) -> Vec<Finding> {
+    let summary = whole(&Defective::new(defect), count);
+    assert_eq!(summary.ended, Ended::Done);
+    let all: Vec<Finding> = summary.findings.values().cloned().collect();
+    let different = all
+        .iter()
+        .filter(|finding| !all.iter().any(|simpler| finding.is_like(simpler)));
+    different.cloned().collect()
+}
+
+#[test]
+fn a_program_that_is_computed_wrongly_is_found_and_made_small() {
+    let findings = found(Defect::Mistakes(" MOD ", " / "), 250);
+    let finding = findings
+        .iter()
+        .find(|finding| finding.rule == ["MOD"])
+        .expect("the defect itself");
+    assert_eq!(finding.engine.as_ref().unwrap().name, "defective");
+    assert_eq!(finding.kind(), "value");
+    assert_eq!(finding.standing, Standing::Confirmed);
+    assert!(finding.origin.size <= 15, "{} lines", finding.origin.size);
+    let outcomes: Vec<&str> = finding
+        .outcomes
+        .iter()
+        .map(|answer| answer.engine.name.as_str())
+        .collect();
+    assert_eq!(outcomes, ["reference", "defective"]);
+    let Expected::Values { opened, .. } = &finding.expected else {
+        panic!("values")
+    };
+    assert_eq!(opened, &Vec::<String>::new());
+}
+
+#[test]
+fn a_program_over_which_an_engine_dies_is_found_and_made_small() {
+    let findings = found(Defect::DiesOver("FOR "), 100);
+    let [finding] = &findings[..] else {
+        panic!("{findings:#?}")
+    };
+    assert_eq!(
+        (finding.symptom.as_str(), &finding.rule[..]),
+        ("crash", &["FOR".to_owned()][..])
+    );
+    assert!(finding.origin.size <= 15, "{} lines", finding.origin.size);
+}
+
+#[test]
+fn an_engine_that_dies_now_and_then_is_started_again_and_what_is_not_seen_again_is_flaky() {
+    let summary = whole(&Defective::new(Defect::DiesEvery(50)), 120);
+    assert_eq!(summary.ended, Ended::Done);
+    assert_eq!(summary.programs, 120);
+    assert!(summary.deaths >= 2, "{}", summary.deaths);
+    assert!(
+        summary
+            .findings
+            .values()
+            .all(|finding| finding.standing == Standing::Flaky)
+    );
+    assert!(!summary.findings.is_empty());
+}
+
+#[test]
+fn an_engine_that_does_not_live_any_more_ends_the_campaign_in_words() {
+    let summary = whole(&Defective::new(Defect::DiesAfter(60)), 1000);
+    let Ended::Lost(reason) = &summary.ended else {
+        panic!("{:?}", summary.ended)
+    };
+    assert!(reason.contains("engine defective died"), "{reason}");
+    assert!(summary.programs < 200);
+}
+
+#[test]
+fn the_reference_agrees_with_the_documents() {
+    let summary = campaign(&Reference::default(), Part::WHOLE, 300, 2);
+    assert_eq!(summary.findings.into_values().collect::<Vec<_>>(), []);
+}
+
+#[test]
+fn a_finding_is_saved_judged_again_and_promoted() {
+    let defective = Defective::new(Defect::Mistakes(" MOD ", " / "));
+    let findings = found(Defect::Mistakes(" MOD ", " / "), 250);
+    let finding = findings
+        .iter()
+        .find(|finding| finding.rule == ["MOD"])
+        .expect("the defect itself");
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::open(folder.path()).unwrap();
+    store.save(finding).unwrap();
+    let finding = load(&store.place(&finding.id)).unwrap();
+    let reference = Reference::default();
+    let shows = |engine: &dyn Engine| {
+        let entrant = Entrant {
+            engine,
+            asked_for: "",
+            is_reference: false,
+        };
+        replay(&finding, &[entrant]).unwrap().shows()
+    };
+    assert!(shows(&defective));
+    assert!(!shows(&reference));
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+    let found = folder.path().join("found");
+    fs::create_dir(&found).unwrap();
+    fs::write(found.join("README.md"), "Found.").unwrap();
+    for file in ["suite.toml", "dialects.toml"] {
+        fs::copy(cases.join(file), folder.path().join(file)).unwrap();
+    }
+    let promoted = promote(&finding, folder.path(), Some("mod"), None).unwrap();
+    let (read, errors) = stickler_suite::load_file(folder.path(), &promoted.path);
+    assert_eq!(errors, []);
+    assert_eq!(read.len(), 1);
+}

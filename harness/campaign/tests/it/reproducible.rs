@@ -1,0 +1,73 @@
+//! The same seed finds the same: on one thread and on several, on one machine and in parts.
+
+use crate::engines::{Defect, Defective};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+use stickler_campaign::{
+    Commands, Differential, Entrant, Finding, Inputs, Part, Plan, Store, Summary, Until, merge, run,
+};
+use stickler_engines::{Engine, Reference};
+use stickler_types::DialectName;
+
+/// A campaign of the reference and this engine.
+pub fn campaign(engine: &dyn Engine, part: Part, count: u64, jobs: usize) -> Summary {
+    let reference = Reference::default();
+    let entrant = |engine, asked_for| Entrant {
+        engine,
+        asked_for,
+        is_reference: asked_for == "reference",
+    };
+    let bench = Differential {
+        entrants: vec![entrant(&reference, "reference"), entrant(engine, "cmd:defective")],
+        inputs: Inputs::new(11),
+        dialects: DialectName::ALL.to_vec(),
+        open: false,
+        commands: Commands {
+            program: "stickler".to_owned(),
+            folder: PathBuf::from("reports/findings"),
+            engines: vec!["cmd:defective".to_owned()],
+            dialects: Vec::new(),
+            targets: Vec::new(),
+        },
+    };
+    let plan = Plan {
+        first: 0,
+        until: Until::Count(count),
+        part,
+        jobs,
+        batch: 8,
+    };
+    run(&plan, &bench, &mut |_| (), &AtomicBool::new(false)).expect("the engines start")
+}
+
+/// A campaign that is no part, on two threads.
+pub fn whole(engine: &dyn Engine, count: u64) -> Summary {
+    campaign(engine, Part::WHOLE, count, 2)
+}
+
+const DEFECT: Defect = Defect::Mistakes(" > ", " >= ");
+
+#[test]
+fn the_number_of_jobs_changes_nothing_that_is_found() {
+    let of = |jobs| campaign(&Defective::new(DEFECT), Part::WHOLE, 100, jobs).findings;
+    let one = of(1);
+    assert!(!one.is_empty());
+    assert_eq!(one, of(4));
+}
+
+#[test]
+fn the_parts_put_together_have_what_the_whole_has() {
+    let whole: BTreeMap<String, Finding> = whole(&Defective::new(DEFECT), 100).findings;
+    let root = tempfile::tempdir().unwrap();
+    let mut folders = Vec::new();
+    for index in 1..=3 {
+        let part = Part::new(index, 3).unwrap();
+        let store = Store::open(&root.path().join(index.to_string())).unwrap();
+        for finding in campaign(&Defective::new(DEFECT), part, 100, 2).findings.values() {
+            store.save(finding).unwrap();
+        }
+        folders.push(store.folder().to_owned());
+    }
+    assert_eq!(merge(&folders).findings, whole);
+}
