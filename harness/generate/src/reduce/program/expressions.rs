@@ -1,6 +1,6 @@
 //! Expressions replaced by plainer ones of the same type.
 
-use super::plain::{Step, plainest};
+use super::plain::{Step, literal_kind, plainest};
 use super::usage::instance_of;
 use super::walk::{Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_variable};
 use crate::model::{
@@ -56,6 +56,15 @@ fn operand(expression: &Expression, which: usize) -> Option<Expression> {
         .filter(|operand| operand.ty == expression.ty)
         .nth(which)
         .cloned()
+        .map(with_prefix)
+}
+
+/// An untyped literal may stand where it stood only.
+fn with_prefix(mut expression: Expression) -> Expression {
+    if let ExpressionKind::Literal(value, LiteralForm::Untyped) = expression.kind {
+        expression.kind = literal_kind(value);
+    }
+    expression
 }
 
 /// Walks over the expressions that may be any of their type, and replaces those that are chosen of the ones that have a
@@ -139,6 +148,16 @@ pub(super) fn halve_literals(program: &mut Program, sites: &mut Sites) {
 /// Takes a tenth off literals, and makes texts of one character.
 pub(super) fn trim_literals(program: &mut Program, sites: &mut Sites) {
     literals(program, sites, Step::Tenth);
+}
+
+/// Makes literals the power of two below, for many limits are such powers.
+pub(super) fn literals_to_powers(program: &mut Program, sites: &mut Sites) {
+    literals(program, sites, Step::Power);
+}
+
+/// Makes literals one more than the power of two below: just outside of many limits.
+pub(super) fn literals_above_powers(program: &mut Program, sites: &mut Sites) {
+    literals(program, sites, Step::AbovePower);
 }
 
 /// Makes literals one less, or one character shorter.

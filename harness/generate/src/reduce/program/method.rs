@@ -1,6 +1,7 @@
 //! The passes over a program in their order, and the one function that runs them.
 
-use super::{declarations, expressions, forget, promote, shapes, statements, unwrap, values, weight};
+use super::soundness::breaches;
+use super::{declarations, expressions, forget, lift, promote, shapes, statements, unwrap, values, weight};
 use crate::model::Program;
 use crate::reduce::{Answer, Budget, Method, Minimised, Pass, Sites, minimise};
 
@@ -17,6 +18,7 @@ pub const METHOD: Method<Program> = Method {
         pass("drop statements", statements::drop_anywhere),
         pass("replace statements by what they guard", statements::splice),
         pass("drop branches", statements::drop_branches),
+        pass("end REPEAT at once", lift::end_repeats),
         pass("put a unit in the place of main", promote::promote),
         pass("make numbers of enumerations", promote::enumerations_to_numbers),
         pass("forget functions", forget::forget_functions),
@@ -24,6 +26,10 @@ pub const METHOD: Method<Program> = Method {
             declarations::with_variables(program, sites, forget::forget_variables);
         }),
         pass("drop what is not used any more", declarations::drop_unused),
+        pass("hoist values out of statements", lift::hoist),
+        pass("replace variables by what they are assigned", |program, sites| {
+            declarations::with_variables(program, sites, lift::propagate);
+        }),
         pass("replace expressions by plain literals", expressions::to_plainest),
         pass("replace expressions by their values", values::to_value),
         pass(
@@ -49,6 +55,11 @@ pub const METHOD: Method<Program> = Method {
         pass("make literals one", expressions::literals_to_one),
         pass("halve literals", expressions::halve_literals),
         pass("trim literals", expressions::trim_literals),
+        pass("make literals powers of two", expressions::literals_to_powers),
+        pass(
+            "make literals one more than a power of two",
+            expressions::literals_above_powers,
+        ),
         pass("lessen literals", expressions::lessen_literals),
         pass("drop prefixes of literals", expressions::drop_prefixes),
     ],
@@ -66,7 +77,16 @@ pub fn program(
     mut interesting: impl FnMut(&Program) -> Answer,
     budget: &Budget<'_>,
 ) -> Minimised<Program> {
-    minimise(start.clone(), &METHOD, &mut interesting, budget)
+    // Where the start breaks a rule of spelling, that may be what shows.
+    let most = breaches(start);
+    let mut ask = |candidate: &Program| {
+        if breaches(candidate) > most {
+            Answer::Refused
+        } else {
+            interesting(candidate)
+        }
+    };
+    minimise(start.clone(), &METHOD, &mut ask, budget)
 }
 
 const fn pass(name: &'static str, edit: fn(&mut Program, &mut Sites)) -> Pass<Program> {

@@ -6,11 +6,13 @@
 mod declarations;
 mod expressions;
 mod forget;
+mod lift;
 mod method;
 mod plain;
 mod promote;
 mod removal;
 mod shapes;
+mod soundness;
 mod statements;
 #[cfg(test)]
 mod tests;

@@ -6,7 +6,8 @@ use stickler_types::{ElementaryType, Family, Value};
 /// The plainest expression of a type: 0, FALSE, the empty text, the first value of an enumeration; nothing for what no
 /// single word can write, such as an array.
 pub(super) fn plainest(program: &Program, ty: &Type) -> Option<Expression> {
-    let kind = match program.unaliased(ty) {
+    let ty = program.unaliased(ty);
+    let kind = match ty {
         Type::Elementary(elementary) if elementary.is_text() => {
             literal_kind(Value::text(*elementary, Vec::new()))
         }
@@ -57,8 +58,12 @@ pub(super) enum Step {
     One,
     /// Half the number, or half the text.
     Half,
-    /// One nearer to nothing, or one character less.
+    /// One nearer to nothing, or one character less; only of small numbers and short texts, for it is a small step.
     Less,
+    /// The power of two below.
+    Power,
+    /// One more than the power of two below.
+    AbovePower,
     /// Nine tenths of it, which gets past a limit that halves cannot reach.
     Tenth,
 }
@@ -90,7 +95,9 @@ impl Step {
             Step::Zero => 0,
             Step::One => 1,
             Step::Half => length / 2,
+            Step::Less if length > SMALL as usize => length,
             Step::Less => length.saturating_sub(1),
+            Step::Power | Step::AbovePower => length,
             Step::Tenth => return units.iter().map(|_| u16::from(b'a')).collect(),
         };
         units.iter().take(kept).copied().collect()
@@ -104,7 +111,7 @@ impl Step {
             Step::Zero => 0.0,
             Step::One => 1.0,
             Step::Half => number.trunc(),
-            Step::Less => number.abs(),
+            Step::Less | Step::Power | Step::AbovePower => number.abs(),
             Step::Tenth => (number * 10.0).trunc() / 10.0,
         })
     }
@@ -115,9 +122,24 @@ impl Step {
             Step::Zero => 0,
             Step::One => unit,
             Step::Half => number / 2 / unit * unit,
+            Step::Less if number.abs() / unit > SMALL => number,
             Step::Less => number - unit * number.signum(),
+            Step::Power => power_below(number),
+            Step::AbovePower if number.abs() > 2 => power_below(number) + number.signum(),
+            Step::AbovePower => number,
             Step::Tenth => (number - number / 10) / unit * unit,
         }
+    }
+}
+
+/// Up to here numbers are made less one by one.
+const SMALL: i128 = 16;
+
+/// The greatest power of two that is no further from nothing, of the same sign.
+fn power_below(number: i128) -> i128 {
+    match number.unsigned_abs().checked_ilog2() {
+        Some(bit) => number.signum() << bit,
+        None => 0,
     }
 }
 
@@ -153,9 +175,13 @@ mod tests {
     fn numbers_come_nearer_to_nothing() {
         assert_eq!(after(Step::Zero, "INT#-300").as_deref(), Some("INT#0"));
         assert_eq!(after(Step::Half, "INT#-300").as_deref(), Some("INT#-150"));
+        assert_eq!(after(Step::Less, "SINT#-16").as_deref(), Some("SINT#-15"));
+        assert_eq!(after(Step::Less, "INT#300"), None);
+        assert_eq!(after(Step::Power, "INT#-300").as_deref(), Some("INT#-256"));
+        assert_eq!(after(Step::AbovePower, "INT#300").as_deref(), Some("INT#257"));
         assert_eq!(
-            after(Step::Less, "ULINT#18446744073709551615").as_deref(),
-            Some("ULINT#18446744073709551614")
+            after(Step::Power, "ULINT#18446744073709551615").as_deref(),
+            Some("ULINT#9223372036854775808")
         );
         assert_eq!(after(Step::Less, "SINT#0"), None);
         assert_eq!(after(Step::Half, "REAL#-2.75").as_deref(), Some("REAL#-2.0"));

@@ -4,7 +4,7 @@ use super::walk::{Visitor, walk_expression, walk_program, walk_statement, walk_v
 use crate::evaluate::evaluate;
 use crate::generator::{Settings, program as generate};
 use crate::model::{
-    BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, LiteralForm, Program,
+    BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, LiteralForm, Program, Section,
     StandardFunction, Statement, StatementKind, Target, Type, Variable,
 };
 use crate::reduce::{Answer, Budget, Ended, Minimised, Symptom, program};
@@ -222,7 +222,9 @@ const BUGS: [(&str, Bug); 16] = [
         "initial values of inner variables are lost",
         Bug::Runs(|program| {
             for variable in program.blocks.iter_mut().flat_map(|block| &mut block.variables) {
-                variable.initial = None;
+                if variable.section != Section::Constant {
+                    variable.initial = None;
+                }
             }
         }),
     ),
@@ -341,14 +343,18 @@ fn shown(bug: &Bug, seeds: std::ops::Range<u64>) -> Option<(Program, Symptom)> {
 
 fn reduced(bug: &Bug, start: &Program, symptom: &Symptom) -> Minimised<Program> {
     let interesting = |candidate: &Program| match expected(candidate) {
-        Some(expected) => Answer::from(symptom.shows(&expected, &outcome(bug, candidate))),
+        Some(expected) => {
+            let text = write(candidate, &Style::default()).text;
+            let diagnostics = stickler_reference::check(&text, candidate.dialect);
+            assert!(
+                diagnostics.is_empty(),
+                "no candidate is ill-formed: {diagnostics:?}\n{text}"
+            );
+            Answer::from(symptom.shows(&expected, &outcome(bug, candidate)))
+        }
         None => Answer::Refused,
     };
-    let reduced = program(start, interesting, &Budget::default());
-    let text = write(&reduced.value, &Style::default()).text;
-    let diagnostics = stickler_reference::check(&text, start.dialect);
-    assert!(diagnostics.is_empty(), "{diagnostics:?}\n{text}");
-    reduced
+    program(start, interesting, &Budget::default())
 }
 
 fn lines(program: &Program) -> usize {

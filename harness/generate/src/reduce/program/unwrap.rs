@@ -32,16 +32,17 @@ pub(super) fn unwrap_variables(program: &mut Program, sites: &mut Sites) {
     }
     let places = unwrapped.iter().map(|(at, ..)| *at).collect();
     for ((unit, variable), head, ty) in unwrapped {
-        if let Some(variable) = variable_of(program, unit, variable) {
-            unwrap(variable, head, ty);
+        let meant = program.unaliased(&ty).clone();
+        if let Some(variable) = variable_mut(program, unit, variable) {
+            unwrap(variable, head, ty, &meant);
         }
     }
     let unit = Unit::Main;
     walk_program(&mut Shorten { places, unit }, program);
 }
 
-/// Gives a variable the type of its part, and the part of its initial value.
-fn unwrap(variable: &mut Variable, head: Head, ty: Type) {
+/// Gives a variable the type of its part, and the part of its initial value; `meant` is what that type stands for.
+fn unwrap(variable: &mut Variable, head: Head, ty: Type, meant: &Type) {
     let part = match (variable.initial.take(), head) {
         (Some(Initial::Array(values)), _) => values.into_iter().next(),
         (Some(Initial::Structure(fields)), Head::Field(field)) => fields
@@ -51,14 +52,14 @@ fn unwrap(variable: &mut Variable, head: Head, ty: Type) {
         _ => None,
     };
     // What is no single value any more, as an array in an array, starts as its type does.
-    variable.initial = part.filter(|value| value.ty == ty).map(Initial::Expression);
+    variable.initial = part.filter(|value| value.ty == *meant).map(Initial::Expression);
     if variable.initial.is_none() {
         variable.section = Section::Local;
     }
     variable.ty = ty;
 }
 
-fn variable_of(program: &mut Program, unit: Unit, variable: VariableId) -> Option<&mut Variable> {
+fn variable_mut(program: &mut Program, unit: Unit, variable: VariableId) -> Option<&mut Variable> {
     let variables = match unit {
         Unit::Main => &mut program.main.variables,
         Unit::Function(index) => &mut program.functions.get_mut(index)?.variables,
@@ -80,7 +81,7 @@ fn units(program: &Program) -> impl Iterator<Item = (Unit, &[Variable])> {
 
 /// How all places of a variable begin.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Head {
+pub(super) enum Head {
     /// With subscripts.
     Index,
     /// With this field.
@@ -90,7 +91,7 @@ enum Head {
 }
 
 /// The type of what the first step of every place selects.
-fn inside(program: &Program, ty: &Type, head: Head) -> Option<Type> {
+pub(super) fn inside(program: &Program, ty: &Type, head: Head) -> Option<Type> {
     match (head, program.unaliased(ty)) {
         (Head::Index, Type::Array(array)) => Some(array.element.clone()),
         (Head::Field(field), ty) => program.fields(ty)?.get(field).map(|(_, ty, _)| ty.clone()),

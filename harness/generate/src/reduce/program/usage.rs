@@ -2,7 +2,8 @@
 
 use super::walk::{Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
 use crate::model::{
-    Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type, VariableId,
+    Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type, Variable,
+    VariableId,
 };
 
 /// For each declaration whether anything refers to it. An argument of a call is no use of its parameter.
@@ -58,15 +59,20 @@ impl Usage {
     }
 }
 
-/// The type of a variable of a unit.
-pub(super) fn variable_type(program: &Program, unit: Unit, variable: VariableId) -> Option<&Type> {
+/// A variable of a unit.
+pub(super) fn variable_of(program: &Program, unit: Unit, variable: VariableId) -> Option<&Variable> {
     let variables = match unit {
         Unit::Main => &program.main.variables,
         Unit::Function(index) => &program.functions.get(index)?.variables,
         Unit::Block(index) => &program.blocks.get(index)?.variables,
         Unit::Types => return None,
     };
-    variables.get(variable.0).map(|variable| &variable.ty)
+    variables.get(variable.0)
+}
+
+/// The type of a variable of a unit.
+pub(super) fn variable_type(program: &Program, unit: Unit, variable: VariableId) -> Option<&Type> {
+    variable_of(program, unit, variable).map(|variable| &variable.ty)
 }
 
 /// The function block of which a variable is an instance.

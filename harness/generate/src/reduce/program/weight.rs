@@ -1,5 +1,6 @@
 //! How much there is of a program, and which programs are the same.
 
+use super::lift::is_true;
 use super::walk::{
     Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type, walk_variable,
 };
@@ -56,6 +57,12 @@ impl Visitor for Scales {
             StatementKind::While(..) | StatementKind::Repeat(..) => 25,
             _ => 10,
         };
+        if let StatementKind::Repeat(_, until) = &statement.kind
+            && !is_true(until)
+        {
+            // TRUE is what ends it, and FALSE no plainer.
+            self.size += 4;
+        }
         walk_statement(self, statement);
     }
 

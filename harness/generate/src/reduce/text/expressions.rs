@@ -11,8 +11,8 @@ const PLAIN: [&str; 7] = ["FALSE", "0", "0.0", "''", "T#0s", "TRUE", "1"];
 
 /// A literal of each type that could be what does not fit.
 const TYPED: [&str; 8] = [
-    "INT#0",
     "DINT#0",
+    "INT#0",
     "LINT#0",
     "UINT#0",
     "LREAL#0.0",

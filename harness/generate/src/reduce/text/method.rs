@@ -18,11 +18,11 @@ const METHOD: Method<Draft> = Method {
         pass("forget variables", declarations::forget_variables),
         pass("drop sections", declarations::drop_sections),
         pass("drop empty sections", chunks::drop_empty_sections),
-        pass("replace expressions by literals", expressions::to_literal),
         pass(
             "replace expressions by typed literals",
             expressions::to_typed_literal,
         ),
+        pass("replace expressions by literals", expressions::to_literal),
         pass("drop what is not used any more", declarations::drop_unused),
         pass(
             "replace expressions by their first operands",

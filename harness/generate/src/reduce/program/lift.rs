@@ -1,0 +1,227 @@
+//! Values taken out of where they stand: of conditions into variables of their own, of variables into what reads them.
+
+use super::walk::{
+    Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_statements,
+};
+use crate::model::{
+    Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement, StatementKind, Target, Type,
+    Variable, VariableId,
+};
+use crate::reduce::Sites;
+use std::collections::HashMap;
+use std::mem;
+use stickler_types::{ElementaryType, Value};
+
+/// Replaces a statement of `PROGRAM main` that asks a condition or selects by a value: by an assignment of that value, or of a
+/// part of it, to a new variable.
+///
+/// Of `IF f(1) = 0 THEN x := 1; END_IF;` remains `y := f(1);`, which shows as much where `f` is what is wrong.
+pub(super) fn hoist(program: &mut Program, sites: &mut Sites) {
+    let mut body = mem::take(&mut program.main.body);
+    let mut hoist = Hoist {
+        sites,
+        variables: &mut program.main.variables,
+    };
+    hoist.statements(&mut body);
+    program.main.body = body;
+}
+
+struct Hoist<'p> {
+    sites: &'p mut Sites,
+    variables: &'p mut Vec<Variable>,
+}
+
+impl Hoist<'_> {
+    /// `new := value;`, of a variable that there was not before.
+    fn assignment(&mut self, value: Expression) -> Statement {
+        let place = Place {
+            variable: VariableId(self.variables.len()),
+            path: Vec::new(),
+            ty: value.ty.clone(),
+        };
+        let name = (0..=self.variables.len())
+            .map(|number| format!("value{number}"))
+            .find(|name| self.variables.iter().all(|variable| variable.name != *name));
+        self.variables.push(Variable {
+            name: name.unwrap_or_default(),
+            ty: value.ty.clone(),
+            section: Section::Local,
+            initial: None,
+        });
+        Statement {
+            kind: StatementKind::Assign(Target::Place(place), value),
+        }
+    }
+}
+
+impl Visitor for Hoist<'_> {
+    fn statements(&mut self, statements: &mut Vec<Statement>) {
+        for statement in &mut *statements {
+            let chosen = values(statement).into_iter().find(|_| self.sites.here());
+            if let Some(value) = chosen {
+                *statement = self.assignment(value);
+            }
+        }
+        walk_statements(self, statements);
+    }
+}
+
+/// The values that a statement asks before it does anything else, and their parts that are computed.
+fn values(statement: &Statement) -> Vec<Expression> {
+    let heads: Vec<&Expression> = match &statement.kind {
+        StatementKind::If(branches, _) => branches.iter().map(|(condition, _)| condition).collect(),
+        StatementKind::Case(selector, ..) => vec![selector],
+        StatementKind::While(condition, _) | StatementKind::Repeat(_, condition) => vec![condition],
+        _ => Vec::new(),
+    };
+    let mut parts = Parts(Vec::new());
+    for head in heads {
+        parts.expression(&mut head.clone());
+    }
+    parts.0
+}
+
+struct Parts(Vec<Expression>);
+
+impl Visitor for Parts {
+    fn expression(&mut self, expression: &mut Expression) {
+        let computed = !matches!(
+            expression.kind,
+            ExpressionKind::Literal(..)
+                | ExpressionKind::Enumerated(_)
+                | ExpressionKind::Read(_)
+                | ExpressionKind::Raw(_)
+        );
+        if computed && matches!(expression.ty, Type::Elementary(_)) {
+            self.0.push(expression.clone());
+        }
+        walk_expression(self, expression);
+    }
+}
+
+/// Puts what is assigned to a variable, where that is done once, in the place of every value that is read of it.
+pub(super) fn propagate(program: &mut Program, sites: &mut Sites) {
+    let mut assigned = Assigned {
+        values: HashMap::new(),
+        unit: Unit::Main,
+    };
+    walk_program(&mut assigned, &mut program.clone());
+    let mut values: Vec<_> = assigned.values.into_iter().collect();
+    values.sort_by_key(|((unit, variable), _)| (order(*unit), *variable));
+    let chosen = values
+        .into_iter()
+        .filter_map(|(place, value)| Some((place, value?)))
+        .filter(|_| sites.here())
+        .collect();
+    let unit = Unit::Main;
+    walk_program(&mut Propagate { chosen, unit }, program);
+}
+
+const fn order(unit: Unit) -> (u8, usize) {
+    match unit {
+        Unit::Main => (0, 0),
+        Unit::Function(index) => (1, index),
+        Unit::Block(index) => (2, index),
+        Unit::Types => (3, 0),
+    }
+}
+
+/// What each variable is assigned as a whole; `None` where that is done more than once, or with a value that reads it.
+struct Assigned {
+    values: HashMap<(Unit, VariableId), Option<Expression>>,
+    unit: Unit,
+}
+
+impl Visitor for Assigned {
+    fn enter(&mut self, unit: Unit) {
+        self.unit = unit;
+    }
+
+    fn statement(&mut self, statement: &mut Statement) {
+        if let Some((variable, value)) = whole_assignment(statement) {
+            let mut reads = Reads(variable, false);
+            reads.expression(&mut value.clone());
+            let once = (!reads.1).then(|| value.clone());
+            self.values
+                .entry((self.unit, variable))
+                .and_modify(|known| *known = None)
+                .or_insert(once);
+        }
+        walk_statement(self, statement);
+    }
+}
+
+fn whole_assignment(statement: &Statement) -> Option<(VariableId, &Expression)> {
+    match &statement.kind {
+        StatementKind::Assign(Target::Place(place), value) if place.path.is_empty() => {
+            Some((place.variable, value))
+        }
+        _ => None,
+    }
+}
+
+/// Whether a variable is read.
+struct Reads(VariableId, bool);
+
+impl Visitor for Reads {
+    fn place(&mut self, place: &mut Place) {
+        self.1 |= place.variable == self.0;
+        walk_place(self, place);
+    }
+}
+
+struct Propagate {
+    chosen: HashMap<(Unit, VariableId), Expression>,
+    unit: Unit,
+}
+
+impl Visitor for Propagate {
+    fn enter(&mut self, unit: Unit) {
+        self.unit = unit;
+    }
+
+    fn statements(&mut self, statements: &mut Vec<Statement>) {
+        statements.retain(|statement| {
+            whole_assignment(statement)
+                .is_none_or(|(variable, _)| !self.chosen.contains_key(&(self.unit, variable)))
+        });
+        walk_statements(self, statements);
+    }
+
+    fn expression(&mut self, expression: &mut Expression) {
+        if let ExpressionKind::Read(place) = &expression.kind
+            && place.path.is_empty()
+            && let Some(value) = self.chosen.get(&(self.unit, place.variable))
+        {
+            *expression = value.clone();
+            return;
+        }
+        walk_expression(self, expression);
+    }
+}
+
+/// Ends each REPEAT after its first turn. Code that is not run may say anything there; once it is run, it should end.
+pub(super) fn end_repeats(program: &mut Program, sites: &mut Sites) {
+    struct Repeats<'s>(&'s mut Sites);
+    impl Visitor for Repeats<'_> {
+        fn statement(&mut self, statement: &mut Statement) {
+            if let StatementKind::Repeat(_, until) = &mut statement.kind
+                && !is_true(until)
+                && self.0.here()
+            {
+                let yes = Value::plain(ElementaryType::Bool, 1);
+                until.kind = ExpressionKind::Literal(yes, LiteralForm::Untyped);
+            }
+            walk_statement(self, statement);
+        }
+    }
+    walk_program(&mut Repeats(sites), program);
+}
+
+/// Whether an expression is TRUE.
+pub(super) fn is_true(expression: &Expression) -> bool {
+    matches!(
+        &expression.kind,
+        ExpressionKind::Literal(Value::Plain { raw: 1, .. }, _)
+    )
+}

@@ -1,0 +1,214 @@
+//! Rules that a candidate must keep although its types are right.
+//!
+//! What an untyped literal or an implicit conversion means depends on what stands beside it, and a compiler computes what it
+//! can: so a program whose every node has its type can still be spelled as one that means something else, or is rejected.
+//! The generator makes no such programs; the passes may, and then the search passes the candidate over.
+//!
+//! Basis: stickler-design: §8 (an untyped literal takes the type of the other operand; no third type is sought), §7 (P4039,
+//! P4040, P2027).
+
+use super::unwrap::{Head, inside};
+use super::usage::{instance_of, variable_of, variable_type};
+use super::walk::{Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement};
+use crate::model::{
+    BinaryOperator, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Selector,
+    Statement, StatementKind, Type, UnaryOperator, VariableId,
+};
+use stickler_types::{Family, Value};
+
+/// How often a program breaks these rules; one of the generator's breaks none.
+pub(super) fn breaches(program: &Program) -> usize {
+    let mut counter = Counter {
+        program,
+        unit: Unit::Main,
+        breaches: 0,
+    };
+    // The walk is written for passes, which change what they walk over.
+    walk_program(&mut counter, &mut program.clone());
+    counter.breaches
+}
+
+struct Counter<'p> {
+    program: &'p Program,
+    unit: Unit,
+    breaches: usize,
+}
+
+impl Counter<'_> {
+    fn count(&mut self, breach: bool) {
+        self.breaches += usize::from(breach);
+    }
+
+    /// The value of an integer that a compiler can compute, as far as it does.
+    fn constant(&self, expression: &Expression) -> Option<i128> {
+        let Type::Elementary(ty) = &expression.ty else {
+            return None;
+        };
+        match &expression.kind {
+            ExpressionKind::Literal(Value::Plain { ty, raw }, _) if ty.integer_range().is_some() => {
+                Some(ty.integer_value(*raw))
+            }
+            ExpressionKind::Widen(operand) => self.constant(operand),
+            ExpressionKind::Read(place) if place.path.is_empty() => self.named_constant(place.variable),
+            ExpressionKind::Unary(UnaryOperator::Negate, operand) => Some(-self.constant(operand)?),
+            ExpressionKind::Binary(operator, left, right) => {
+                let (left, right) = (self.constant(left)?, self.constant(right)?);
+                let number = match operator {
+                    BinaryOperator::Add => left.checked_add(right),
+                    BinaryOperator::Subtract => left.checked_sub(right),
+                    BinaryOperator::Multiply => left.checked_mul(right),
+                    BinaryOperator::Divide => left.checked_div(right),
+                    BinaryOperator::Modulo => left.checked_rem(right),
+                    _ => None,
+                };
+                number.filter(|number| fits(*number, expression))
+            }
+            _ => None,
+        }
+        .filter(|_| ty.integer_range().is_some())
+    }
+
+    fn named_constant(&self, variable: VariableId) -> Option<i128> {
+        let variable = variable_of(self.program, self.unit, variable)?;
+        match &variable.initial {
+            Some(Initial::Expression(value)) if variable.section == Section::Constant => self.constant(value),
+            _ => None,
+        }
+    }
+
+    /// Whether a compiler that computes constants finds this one wrong.
+    fn is_rejected(&self, expression: &Expression) -> bool {
+        match &expression.kind {
+            ExpressionKind::Unary(UnaryOperator::Negate, operand) => self
+                .constant(operand)
+                .is_some_and(|number| !fits(-number, expression)),
+            ExpressionKind::Binary(BinaryOperator::Divide | BinaryOperator::Modulo, _, right)
+                if is_zero(right) =>
+            {
+                true
+            }
+            ExpressionKind::Binary(operator, left, right)
+                if !is_comparison(*operator)
+                    && self.constant(left).is_some()
+                    && self.constant(right).is_some() =>
+            {
+                is_arithmetic(*operator) && self.constant(expression).is_none()
+            }
+            _ => false,
+        }
+    }
+}
+
+fn fits(number: i128, expression: &Expression) -> bool {
+    match &expression.ty {
+        Type::Elementary(ty) => ty
+            .integer_range()
+            .is_none_or(|(least, greatest)| (least..=greatest).contains(&number)),
+        _ => true,
+    }
+}
+
+fn is_zero(expression: &Expression) -> bool {
+    match &expression.kind {
+        ExpressionKind::Literal(Value::Plain { ty, raw }, _) => {
+            *raw == 0 || ty.is_real() && Value::plain(*ty, *raw).to_string().ends_with("#-0.0")
+        }
+        ExpressionKind::Widen(operand) => is_zero(operand),
+        _ => false,
+    }
+}
+
+const fn is_arithmetic(operator: BinaryOperator) -> bool {
+    use BinaryOperator as B;
+    matches!(
+        operator,
+        B::Add | B::Subtract | B::Multiply | B::Divide | B::Modulo
+    )
+}
+
+const fn is_comparison(operator: BinaryOperator) -> bool {
+    use BinaryOperator as B;
+    matches!(
+        operator,
+        B::Equal | B::NotEqual | B::Less | B::LessOrEqual | B::Greater | B::GreaterOrEqual
+    )
+}
+
+/// Whether the text of an expression has its type without a look at what stands around it.
+fn has_own_type(expression: &Expression) -> bool {
+    !matches!(expression.kind, ExpressionKind::Widen(_)) && !is_bare(expression)
+}
+
+/// Whether it is a number without the prefix that tells its type.
+fn is_bare(expression: &Expression) -> bool {
+    match &expression.kind {
+        ExpressionKind::Literal(Value::Plain { ty, .. }, LiteralForm::Untyped) => matches!(
+            ty.family(),
+            Family::Signed | Family::Unsigned | Family::BitString | Family::Real
+        ),
+        _ => false,
+    }
+}
+
+impl Visitor for Counter<'_> {
+    fn enter(&mut self, unit: Unit) {
+        self.unit = unit;
+    }
+
+    fn statement(&mut self, statement: &mut Statement) {
+        match &statement.kind {
+            StatementKind::Case(selector, ..) => self.count(!has_own_type(selector)),
+            StatementKind::If(branches, _) => {
+                for (condition, _) in branches {
+                    self.count(!has_own_type(condition));
+                }
+            }
+            _ => {}
+        }
+        walk_statement(self, statement);
+    }
+
+    fn expression(&mut self, expression: &mut Expression) {
+        match &expression.kind {
+            ExpressionKind::Unary(_, operand) | ExpressionKind::Widen(operand) => {
+                self.count(!has_own_type(operand))
+            }
+            ExpressionKind::Convert(_, operand) => self.count(is_bare(operand)),
+            ExpressionKind::Binary(_, left, right) => self.count(!has_own_type(left) && !has_own_type(right)),
+            ExpressionKind::Standard(_, arguments) => {
+                let breaches = arguments
+                    .iter()
+                    .filter(|argument| !has_own_type(argument))
+                    .count();
+                self.breaches += breaches;
+            }
+            _ => {}
+        }
+        self.count(self.is_rejected(expression));
+        walk_expression(self, expression);
+    }
+
+    fn place(&mut self, place: &mut Place) {
+        let mut ty = variable_type(self.program, self.unit, place.variable).cloned();
+        for selector in &place.path {
+            let Some(outer) = ty.take() else { break };
+            ty = match selector {
+                Selector::Index(subscripts) => {
+                    if let Type::Array(array) = self.program.unaliased(&outer) {
+                        for (subscript, (low, high)) in subscripts.iter().zip(&array.dimensions) {
+                            let outside = self.constant(subscript).is_some_and(|number| {
+                                !(i128::from(*low)..=i128::from(*high)).contains(&number)
+                            });
+                            self.count(outside || !has_own_type(subscript) && !is_bare(subscript));
+                        }
+                    }
+                    inside(self.program, &outer, Head::Index)
+                }
+                Selector::Field(field) => inside(self.program, &outer, Head::Field(*field)),
+                Selector::Output(output) => instance_of(self.program, self.unit, place.variable)
+                    .and_then(|block| variable_type(self.program, Unit::Block(block), *output).cloned()),
+            };
+        }
+        walk_place(self, place);
+    }
+}
