@@ -10,9 +10,10 @@
 //! | `scope` | the POU in hand: what can be read and written in it |
 //! | `declarations`, `routines` | types and variables; functions and function blocks |
 //! | `expressions`, `places`, `operations`, `standard`, `calls` | expressions of a wanted type |
-//! | `statements`, `loops` | statements |
+//! | `statements`, `assignments`, `loops` | statements |
 //! | `checksum` | the end of main, where everything flows together |
 
+mod assignments;
 mod calls;
 mod checksum;
 mod declarations;

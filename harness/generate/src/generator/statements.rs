@@ -3,12 +3,11 @@
 use super::expressions::Wanted;
 use super::features::Feature;
 use super::maker::Maker;
-use super::operations::has_bits;
 use super::places::integer;
-use super::scope::{Kind, contains_text};
+use super::scope::Kind;
 use crate::model::{
     Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Section, Statement,
-    StatementKind, Target, Type, VariableId,
+    StatementKind, Type, VariableId,
 };
 use stickler_types::ElementaryType;
 
@@ -114,44 +113,6 @@ impl Maker<'_, '_> {
         ];
         let weights = choices.map(|(_, weight)| weight);
         choices[self.random.weighted(&weights)].0
-    }
-
-    /// An assignment to anything that can be written.
-    fn assignment(&mut self) -> Option<StatementKind> {
-        let place = self.target(|_| true)?;
-        let ty = place.ty.clone();
-        let mut value = self.assigned(&ty, place.variable.0)?;
-        // What is assigned to itself tells nothing.
-        if matches!(&value.kind, ExpressionKind::Read(read) if *read == place) {
-            value = self.assigned(&ty, place.variable.0)?;
-        }
-        Some(StatementKind::Assign(Target::Place(place), value))
-    }
-
-    /// A value for a place of this type, which is of that variable; nothing where there is none.
-    pub fn assigned(&mut self, ty: &Type, variable: usize) -> Option<Expression> {
-        if contains_text(ty, &self.program) {
-            self.text_bound = VariableId(variable);
-        }
-        if let Type::Elementary(ty) = ty {
-            return Some(self.value(*ty, Wanted::Assigned, self.deepest));
-        }
-        if self.program.enumerated_values(ty).is_some() {
-            let called = if self.random.chance(1, 4) {
-                self.call(ty, 1)
-            } else {
-                None
-            };
-            return Some(called.unwrap_or_else(|| self.enumerated(ty)));
-        }
-        self.read(ty, false)
-    }
-
-    fn assigned_bit(&mut self) -> Option<StatementKind> {
-        let place = self.target(has_bits)?;
-        let bit = self.bit_number(&place.ty);
-        let value = self.value(ElementaryType::Bool, Wanted::Assigned, self.deepest);
-        Some(StatementKind::Assign(Target::Bit(place, bit), value))
     }
 
     fn branches(&mut self, depth: usize) -> StatementKind {

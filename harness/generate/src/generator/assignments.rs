@@ -1,0 +1,74 @@
+//! Assignments: to variables, parts of them, and bits.
+
+use super::expressions::{Wanted, elementary};
+use super::features::Feature;
+use super::maker::Maker;
+use super::operations::{binary, has_bits};
+use super::scope::contains_text;
+use crate::model::{
+    BinaryOperator, Expression, ExpressionKind, Place, StatementKind, Target, Type, VariableId,
+};
+use stickler_types::{ElementaryType, Family};
+
+impl Maker<'_, '_> {
+    /// An assignment to anything that can be written.
+    pub fn assignment(&mut self) -> Option<StatementKind> {
+        let place = self.target(|_| true)?;
+        let ty = place.ty.clone();
+        if self.random.chance(1, 3)
+            && let Some(value) = self.accumulated(&place)
+        {
+            return Some(StatementKind::Assign(Target::Place(place), value));
+        }
+        let mut value = self.assigned(&ty, place.variable.0)?;
+        // What is assigned to itself tells nothing.
+        if matches!(&value.kind, ExpressionKind::Read(read) if *read == place) {
+            value = self.assigned(&ty, place.variable.0)?;
+        }
+        Some(StatementKind::Assign(Target::Place(place), value))
+    }
+
+    /// What the place holds already, with something added: so what was assigned to it before is not lost.
+    fn accumulated(&mut self, place: &Place) -> Option<Expression> {
+        let Type::Elementary(ty) = place.ty else {
+            return None;
+        };
+        let operator = match ty.family() {
+            Family::Signed | Family::Unsigned | Family::Real if self.has(Feature::Arithmetic) => {
+                [BinaryOperator::Add, BinaryOperator::Subtract][self.random.below(2)]
+            }
+            Family::Boolean | Family::BitString if self.has(Feature::Logic) => BinaryOperator::Xor,
+            _ => return None,
+        };
+        let held = elementary(ty, ExpressionKind::Read(place.clone()));
+        let added = self.value(ty, Wanted::Operand, self.deepest - 1);
+        Some(binary(operator, held, added, ty))
+    }
+
+    /// A value for a place of this type, which is of that variable; nothing where there is none.
+    pub fn assigned(&mut self, ty: &Type, variable: usize) -> Option<Expression> {
+        if contains_text(ty, &self.program) {
+            self.text_bound = VariableId(variable);
+        }
+        if let Type::Elementary(ty) = ty {
+            return Some(self.value(*ty, Wanted::Assigned, self.deepest));
+        }
+        if self.program.enumerated_values(ty).is_some() {
+            let called = if self.random.chance(1, 4) {
+                self.call(ty, 1)
+            } else {
+                None
+            };
+            return Some(called.unwrap_or_else(|| self.enumerated(ty)));
+        }
+        self.read(ty, false)
+    }
+
+    /// An assignment to a bit.
+    pub fn assigned_bit(&mut self) -> Option<StatementKind> {
+        let place = self.target(has_bits)?;
+        let bit = self.bit_number(&place.ty);
+        let value = self.value(ElementaryType::Bool, Wanted::Assigned, self.deepest);
+        Some(StatementKind::Assign(Target::Bit(place, bit), value))
+    }
+}
