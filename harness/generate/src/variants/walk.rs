@@ -1,8 +1,8 @@
 //! The parts of a program that variants change: its bodies, their statement lists and expressions, and names that are free.
 
+use crate::model::walk::{Visitor, walk_expression, walk_statements};
 use crate::model::{
-    Declared, Expression, ExpressionKind, Place, Program, Section, Selector, Statement, StatementKind,
-    Target, Type, Variable, VariableId,
+    Declared, Expression, Place, Program, Section, Statement, StatementKind, Type, Variable, VariableId,
 };
 use std::collections::HashSet;
 
@@ -103,117 +103,39 @@ pub(super) fn whole(variable: VariableId, ty: Type) -> Place {
 /// Shows every expression of some statements, the parts before the whole. CASE labels, and what stands behind BY, are left out:
 /// there only literals may stand.
 pub(super) fn expressions(statements: &mut [Statement], visit: &mut dyn FnMut(&mut Expression)) {
-    for statement in statements {
-        match &mut statement.kind {
-            StatementKind::Assign(target, value) => {
-                match target {
-                    Target::Place(place) | Target::Bit(place, _) => of_place(place, visit),
-                    Target::Result => {}
-                }
-                of_expression(value, visit);
-            }
-            StatementKind::If(branches, otherwise) => {
-                for (condition, body) in branches {
-                    of_expression(condition, visit);
-                    expressions(body, visit);
-                }
-                expressions(otherwise.as_deref_mut().unwrap_or_default(), visit);
-            }
-            StatementKind::Case(selector, branches, otherwise) => {
-                of_expression(selector, visit);
-                for branch in branches {
-                    expressions(&mut branch.body, visit);
-                }
-                expressions(otherwise.as_deref_mut().unwrap_or_default(), visit);
-            }
-            StatementKind::For { from, to, body, .. } => {
-                of_expression(from, visit);
-                of_expression(to, visit);
-                expressions(body, visit);
-            }
-            StatementKind::While(condition, body) | StatementKind::Repeat(body, condition) => {
-                of_expression(condition, visit);
-                expressions(body, visit);
-            }
-            StatementKind::Invoke { inputs, outputs, .. } => {
-                for input in inputs {
-                    of_expression(&mut input.value, visit);
-                }
-                for (_, place) in outputs {
-                    of_place(place, visit);
-                }
-            }
-            StatementKind::Exit | StatementKind::Return | StatementKind::Raw(_) => {}
-        }
-    }
+    walk_statements(&mut Expressions(visit), statements);
 }
 
-fn of_place(place: &mut Place, visit: &mut dyn FnMut(&mut Expression)) {
-    for selector in &mut place.path {
-        if let Selector::Index(subscripts) = selector {
-            for subscript in subscripts {
-                of_expression(subscript, visit);
-            }
-        }
-    }
-}
+struct Expressions<'v>(&'v mut dyn FnMut(&mut Expression));
 
-fn of_expression(expression: &mut Expression, visit: &mut dyn FnMut(&mut Expression)) {
-    match &mut expression.kind {
-        ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) => of_place(place, visit),
-        ExpressionKind::Unary(_, operand)
-        | ExpressionKind::Widen(operand)
-        | ExpressionKind::Convert(_, operand) => of_expression(operand, visit),
-        ExpressionKind::Binary(_, left, right) => {
-            of_expression(left, visit);
-            of_expression(right, visit);
-        }
-        ExpressionKind::Call(_, arguments) => {
-            for argument in arguments {
-                of_expression(&mut argument.value, visit);
-            }
-        }
-        ExpressionKind::Standard(_, arguments) => {
-            for argument in arguments {
-                of_expression(argument, visit);
-            }
-        }
-        ExpressionKind::Literal(..) | ExpressionKind::Enumerated(_) | ExpressionKind::Raw(_) => {}
+impl Visitor for Expressions<'_> {
+    fn expression(&mut self, expression: &mut Expression) {
+        walk_expression(self, expression);
+        (self.0)(expression);
     }
-    visit(expression);
+
+    fn literal(&mut self, _: &mut Expression) {}
 }
 
 /// Shows every list of statements in a list, the inner ones before the outer, and the list itself last.
 pub(super) fn lists(statements: &mut Vec<Statement>, visit: &mut dyn FnMut(&mut Vec<Statement>)) {
-    for statement in statements.iter_mut() {
-        inner_lists(statement, visit);
-    }
-    visit(statements);
+    Lists(visit).statements(statements);
 }
 
-fn inner_lists(statement: &mut Statement, visit: &mut dyn FnMut(&mut Vec<Statement>)) {
-    match &mut statement.kind {
-        StatementKind::If(branches, otherwise) => {
-            for (_, body) in branches {
-                lists(body, visit);
-            }
-            if let Some(otherwise) = otherwise {
-                lists(otherwise, visit);
-            }
-        }
-        StatementKind::Case(_, branches, otherwise) => {
-            for branch in branches {
-                lists(&mut branch.body, visit);
-            }
-            if let Some(otherwise) = otherwise {
-                lists(otherwise, visit);
-            }
-        }
-        StatementKind::For { body, .. } | StatementKind::While(_, body) | StatementKind::Repeat(body, _) => {
-            lists(body, visit);
-        }
-        _ => {}
+struct Lists<'v>(&'v mut dyn FnMut(&mut Vec<Statement>));
+
+impl Visitor for Lists<'_> {
+    fn statements(&mut self, statements: &mut Vec<Statement>) {
+        walk_statements(self, statements);
+        (self.0)(statements);
     }
+
+    // No statements stand in these.
+    fn expression(&mut self, _: &mut Expression) {}
+
+    fn literal(&mut self, _: &mut Expression) {}
+
+    fn place(&mut self, _: &mut Place) {}
 }
 
 /// Whether an EXIT in these statements would leave a loop around them.

@@ -1,0 +1,45 @@
+//! What the oracle `execute` finds in programs by the hundred: nothing, and little that documents leave open.
+
+use std::fmt::Write as _;
+use stickler_generate::oracles::{Tried, execute};
+
+/// So many bytes that look random, for the seed.
+fn bytes(seed: u64) -> Vec<u8> {
+    let length = (seed * 11 % 2000) as usize;
+    let mut state = seed ^ 0x5EED;
+    let mut bytes = Vec::with_capacity(length + 8);
+    while bytes.len() < length {
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        bytes.extend((mixed ^ (mixed >> 31)).to_le_bytes());
+    }
+    bytes.truncate(length);
+    bytes
+}
+
+/// How many programs are judged: `SEEDS` of the environment, or few.
+fn seeds() -> u64 {
+    let asked = std::env::var("SEEDS").ok();
+    asked.and_then(|seeds| seeds.parse().ok()).unwrap_or(400)
+}
+
+#[test]
+fn the_reference_gives_what_the_evaluator_gives_and_so_do_all_variants() {
+    let (mut failures, mut passed_over) = (String::new(), 0);
+    for seed in 0..seeds() {
+        match execute::execute(&bytes(seed)) {
+            Ok(Tried::Done) => {}
+            Ok(Tried::PassedOver(_)) => passed_over += 1,
+            Err(failure) => {
+                let _ = writeln!(failures, "seed {seed}: {failure}");
+            }
+        }
+    }
+    assert_eq!(failures, "");
+    assert!(
+        passed_over * 5 < seeds(),
+        "{passed_over} of {} programs are passed over",
+        seeds()
+    );
+}
