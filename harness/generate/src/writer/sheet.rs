@@ -69,17 +69,24 @@ impl<'p> Sheet<'p> {
         }
     }
 
-    /// A blank, or a comment between two blanks.
+    /// A blank, or a comment, which separates as a blank does: so there need not be blanks beside it.
     pub fn blank(&mut self) {
-        self.text.push(' ');
-        if self.style.comments && self.next_random().is_multiple_of(BLANKS_A_COMMENT) {
-            let which = self.next_random() as usize % COMMENTS.len();
-            for (number, line) in COMMENTS[which].split('\n').enumerate() {
-                if number > 0 {
-                    self.end_line();
-                }
-                self.text.push_str(line);
+        if !self.style.comments || !self.next_random().is_multiple_of(BLANKS_A_COMMENT) {
+            self.text.push(' ');
+            return;
+        }
+        let chosen = self.next_random();
+        if chosen & 1 == 0 {
+            self.text.push(' ');
+        }
+        let which = (chosen >> 2) as usize % COMMENTS.len();
+        for (number, line) in COMMENTS[which].split('\n').enumerate() {
+            if number > 0 {
+                self.end_line();
             }
+            self.text.push_str(line);
+        }
+        if chosen & 2 == 0 {
             self.text.push(' ');
         }
     }
