@@ -39,6 +39,8 @@ pub enum Kind {
     Open,
     /// It differs only in what a case cannot see: a message, a suggestion, a position within a line.
     Unseen,
+    /// No program gets there: it is for a choice that no dialect makes, or for other callers than the suite.
+    Unused,
 }
 
 impl Explained {

@@ -7,6 +7,9 @@ use std::process::{Command, Stdio};
 /// What to type where it is missing.
 const INSTALL: &str = "cargo install cargo-mutants --locked";
 
+/// What is mutated: the implementation that the suite is run on.
+const MUTATED: [&str; 2] = ["stickler-reference", "stickler-types"];
+
 /// The name by which `tests/suite.rs` of the judge finds its cases.
 const PREPARED: &str = "STICKLER_PREPARED";
 
@@ -32,7 +35,10 @@ pub fn find() -> anyhow::Result<()> {
 /// Where it does not come to an end. That mutants survive is no error.
 pub fn run(prepared: &Path, output: &Path, options: &[String]) -> anyhow::Result<()> {
     let mut command = cargo();
-    command.args(["mutants", "--workspace", "--output"]).arg(output);
+    command.args(["mutants", "--output"]).arg(output);
+    for package in MUTATED {
+        command.args(["--package", package]);
+    }
     let status = command.args(options).env(PREPARED, prepared).status();
     let status = status.context("cargo could not be started")?;
     match status.code() {
