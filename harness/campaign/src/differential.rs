@@ -6,6 +6,8 @@
 mod comparison;
 mod entrant;
 mod finding;
+mod pace;
+mod pack;
 mod subject;
 mod told;
 mod worker;

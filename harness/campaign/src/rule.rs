@@ -1,19 +1,31 @@
-//! What is left of the language in a program: its functions, operators and kinds of statements.
+//! What is left of the language in a program: its functions, operators, kinds of statements, and less common types.
 //!
-//! Two findings with the same symptom are the same if they need the same of the language. What every program has is left
-//! out: assignments, reads, literals, variables of elementary types.
+//! Two findings with the same symptom are the same if they need the same of the language. What most programs have is left
+//! out: assignments, reads, literals, and variables of numbers, bit strings and truth values.
 
 use std::collections::BTreeSet;
-use stickler_generate::model::{
-    Argument, BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program,
-    Section, Selector, StandardFunction, Statement, StatementKind, Target, Type, UnaryOperator, Variable,
+use stickler_generate::model::walk::{
+    Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type, walk_variable,
 };
+use stickler_generate::model::{
+    BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program, Section,
+    Selector, StandardFunction, Statement, StatementKind, Target, Type, UnaryOperator, Variable,
+};
+use stickler_types::{ElementaryType, Family};
 
 /// The words for what the program uses, sorted, each once.
 #[must_use]
 pub fn rule(program: &Program) -> Vec<String> {
     let mut gathering = Gathering::default();
-    gathering.program(program);
+    // The walker may change what it walks over, so it gets a copy.
+    walk_program(&mut gathering, &mut program.clone());
+    for declaration in &program.types {
+        gathering.word(match declaration.kind {
+            Declared::Structure(_) => "STRUCT",
+            Declared::Enumeration(_) => "enumeration",
+            Declared::Alias(_) => "alias",
+        });
+    }
     gathering.words.into_iter().collect()
 }
 
@@ -26,210 +38,110 @@ impl Gathering {
     fn word(&mut self, word: impl Into<String>) {
         self.words.insert(word.into());
     }
+}
 
-    fn program(&mut self, program: &Program) {
-        for declaration in &program.types {
-            match &declaration.kind {
-                Declared::Structure(fields) => {
-                    self.word("STRUCT");
-                    for (_, ty, initial) in fields {
-                        self.ty(ty);
-                        initial.iter().for_each(|initial| self.expression(initial));
-                    }
-                }
-                Declared::Enumeration(_) => self.word("enumeration"),
-                Declared::Alias(ty) => {
-                    self.word("alias");
-                    self.ty(ty);
-                }
-            }
-        }
-        for function in &program.functions {
-            self.word("FUNCTION");
-            self.variables(&function.variables);
-            self.statements(&function.body);
-        }
-        for block in &program.blocks {
-            self.word("FUNCTION_BLOCK");
-            self.variables(&block.variables);
-            self.statements(&block.body);
-        }
-        self.variables(&program.main.variables);
-        self.statements(&program.main.body);
-    }
-
-    fn variables(&mut self, variables: &[Variable]) {
-        for variable in variables {
-            self.ty(&variable.ty);
-            match variable.section {
-                Section::Constant => self.word("CONSTANT"),
-                Section::InOut => self.word("VAR_IN_OUT"),
-                Section::Output => self.word("VAR_OUTPUT"),
-                Section::Local | Section::Input => {}
-            }
-            match &variable.initial {
-                Some(Initial::Expression(value)) => self.expression(value),
-                Some(Initial::Array(values)) => {
-                    self.word("initial array");
-                    values.iter().for_each(|value| self.expression(value));
-                }
-                Some(Initial::Structure(fields)) => {
-                    self.word("initial structure");
-                    fields.iter().for_each(|(_, value)| self.expression(value));
-                }
-                None => {}
-            }
+impl Visitor for Gathering {
+    fn enter(&mut self, unit: Unit) {
+        match unit {
+            Unit::Function(_) => self.word("FUNCTION"),
+            Unit::Block(_) => self.word("FUNCTION_BLOCK"),
+            Unit::Main | Unit::Types => {}
         }
     }
 
-    fn ty(&mut self, ty: &Type) {
-        if let Type::Array(array) = ty {
-            self.word("ARRAY");
-            self.ty(&array.element);
+    fn variable(&mut self, variable: &mut Variable) {
+        match variable.section {
+            Section::Constant => self.word("CONSTANT"),
+            Section::InOut => self.word("VAR_IN_OUT"),
+            Section::Output => self.word("VAR_OUTPUT"),
+            Section::Local | Section::Input => {}
         }
+        match variable.initial {
+            Some(Initial::Array(_)) => self.word("initial array"),
+            Some(Initial::Structure(_)) => self.word("initial structure"),
+            Some(Initial::Expression(_)) | None => {}
+        }
+        walk_variable(self, variable);
     }
 
-    fn statements(&mut self, statements: &[Statement]) {
-        for statement in statements {
-            self.statement(&statement.kind);
+    fn ty(&mut self, ty: &mut Type) {
+        match ty {
+            Type::Array(_) => self.word("ARRAY"),
+            Type::Elementary(elementary) if is_less_common(*elementary) => self.word(elementary.name()),
+            Type::Elementary(_) | Type::Declared(_) | Type::Block(_) => {}
         }
+        walk_type(self, ty);
     }
 
-    fn statement(&mut self, kind: &StatementKind) {
-        match kind {
-            StatementKind::Assign(target, value) => {
-                self.target(target);
-                self.expression(value);
-            }
-            StatementKind::If(branches, other) => {
-                self.word("IF");
-                for (condition, body) in branches {
-                    self.expression(condition);
-                    self.statements(body);
-                }
-                other.iter().for_each(|body| self.statements(body));
-            }
-            StatementKind::Case(selector, branches, other) => {
+    fn statement(&mut self, statement: &mut Statement) {
+        match &statement.kind {
+            StatementKind::Assign(Target::Place(_), _) => {}
+            StatementKind::Assign(Target::Bit(..), _) => self.word("bit written"),
+            StatementKind::Assign(Target::Result, _) => self.word("result"),
+            StatementKind::If(..) => self.word("IF"),
+            StatementKind::Case(_, branches, _) => {
                 self.word("CASE");
-                self.expression(selector);
-                for branch in branches {
-                    branch.labels.iter().for_each(|label| self.label(label));
-                    self.statements(&branch.body);
+                let mut labels = branches.iter().flat_map(|branch| &branch.labels);
+                if labels.any(|label| matches!(label, CaseLabel::Range(..))) {
+                    self.word("CASE ..");
                 }
-                other.iter().for_each(|body| self.statements(body));
             }
-            StatementKind::For {
-                from, to, by, body, ..
-            } => {
-                self.word("FOR");
-                [Some(from), Some(to), by.as_ref()]
-                    .into_iter()
-                    .flatten()
-                    .for_each(|bound| self.expression(bound));
-                self.statements(body);
-            }
-            StatementKind::While(condition, body) => {
-                self.word("WHILE");
-                self.expression(condition);
-                self.statements(body);
-            }
-            StatementKind::Repeat(body, condition) => {
-                self.word("REPEAT");
-                self.statements(body);
-                self.expression(condition);
-            }
-            StatementKind::Invoke { inputs, outputs, .. } => {
+            StatementKind::For { .. } => self.word("FOR"),
+            StatementKind::While(..) => self.word("WHILE"),
+            StatementKind::Repeat(..) => self.word("REPEAT"),
+            StatementKind::Invoke { outputs, .. } => {
                 self.word("invocation");
-                self.arguments(inputs);
                 if !outputs.is_empty() {
                     self.word("=>");
                 }
-                outputs.iter().for_each(|(_, place)| self.place(place));
             }
             StatementKind::Exit => self.word("EXIT"),
             StatementKind::Return => self.word("RETURN"),
             StatementKind::Raw(_) => self.word("text"),
         }
+        walk_statement(self, statement);
     }
 
-    fn label(&mut self, label: &CaseLabel) {
-        match label {
-            CaseLabel::One(value) => self.expression(value),
-            CaseLabel::Range(low, high) => {
-                self.word("CASE ..");
-                self.expression(low);
-                self.expression(high);
-            }
-        }
-    }
-
-    fn target(&mut self, target: &Target) {
-        match target {
-            Target::Place(place) => self.place(place),
-            Target::Bit(place, _) => {
-                self.word("bit written");
-                self.place(place);
-            }
-            Target::Result => self.word("result"),
-        }
-    }
-
-    fn place(&mut self, place: &Place) {
+    fn place(&mut self, place: &mut Place) {
         for selector in &place.path {
-            match selector {
-                Selector::Index(subscripts) => {
-                    self.word("[]");
-                    subscripts.iter().for_each(|subscript| self.expression(subscript));
-                }
-                Selector::Field(_) => self.word(".field"),
-                Selector::Output(_) => self.word(".output"),
-            }
+            self.word(match selector {
+                Selector::Index(_) => "[]",
+                Selector::Field(_) => ".field",
+                Selector::Output(_) => ".output",
+            });
         }
+        walk_place(self, place);
     }
 
-    fn arguments(&mut self, arguments: &[Argument]) {
-        arguments
-            .iter()
-            .for_each(|argument| self.expression(&argument.value));
-    }
-
-    fn expression(&mut self, expression: &Expression) {
+    fn expression(&mut self, expression: &mut Expression) {
         match &expression.kind {
-            ExpressionKind::Literal(..) => {}
+            ExpressionKind::Literal(..) | ExpressionKind::Read(_) => {}
             ExpressionKind::Enumerated(_) => self.word("enumerated value"),
-            ExpressionKind::Read(place) => self.place(place),
-            ExpressionKind::Bit(place, _) => {
-                self.word("bit read");
-                self.place(place);
-            }
-            ExpressionKind::Unary(operator, operand) => {
-                self.word(unary(*operator));
-                self.expression(operand);
-            }
-            ExpressionKind::Binary(operator, left, right) => {
-                self.word(binary(*operator));
-                self.expression(left);
-                self.expression(right);
-            }
+            ExpressionKind::Bit(..) => self.word("bit read"),
+            ExpressionKind::Unary(operator, _) => self.word(unary(*operator)),
+            ExpressionKind::Binary(operator, ..) => self.word(binary(*operator)),
             ExpressionKind::Widen(operand) => {
                 self.word(format!("{} to {}", name(&operand.ty), name(&expression.ty)));
-                self.expression(operand);
             }
-            ExpressionKind::Convert(signature, operand) => {
-                self.word(signature.function.clone());
-                self.expression(operand);
-            }
-            ExpressionKind::Call(_, arguments) => {
-                self.word("call");
-                self.arguments(arguments);
-            }
-            ExpressionKind::Standard(function, operands) => {
-                self.word(standard(*function));
-                operands.iter().for_each(|operand| self.expression(operand));
-            }
+            ExpressionKind::Convert(signature, _) => self.word(signature.function.clone()),
+            ExpressionKind::Call(..) => self.word("call"),
+            ExpressionKind::Standard(function, _) => self.word(standard(*function)),
             ExpressionKind::Raw(_) => self.word("text"),
         }
+        walk_expression(self, expression);
     }
+
+    fn literal(&mut self, expression: &mut Expression) {
+        self.expression(expression);
+    }
+}
+
+/// Whether a compiler may well lack the type.
+const fn is_less_common(ty: ElementaryType) -> bool {
+    !matches!(
+        ty.family(),
+        Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString | Family::Real
+    )
 }
 
 const fn name(ty: &Type) -> &'static str {

@@ -3,17 +3,30 @@
 use super::Differential;
 use super::comparison::{Agreement, compare};
 use super::entrant::{ask, lives};
+use super::pace::Pace;
+use super::pack::{Pack, packs};
 use super::subject::Subject;
 use crate::bench::{Suspicion, Verdict, Worker};
 use crate::finding::Finding;
+use std::time::Instant;
 use stickler_engines::{EngineError, Outcome, Session};
+use stickler_types::DialectName;
 
 /// A worker with a session of each engine.
 pub(super) struct Asking<'b> {
     pub(super) bench: &'b Differential<'b>,
-    pub(super) sessions: Vec<Box<dyn Session + 'b>>,
+    sessions: Vec<Box<dyn Session + 'b>>,
+    paces: Vec<Pace>,
     /// The engine that does not answer any more.
     lost: Option<String>,
+}
+
+/// A place, and its program where there is one.
+struct Input {
+    verdict: Verdict,
+    subject: Option<Subject>,
+    /// How many engines could do it.
+    asked: usize,
 }
 
 impl<'b> Asking<'b> {
@@ -26,51 +39,133 @@ impl<'b> Asking<'b> {
         Ok(Asking {
             bench,
             sessions: sessions.collect::<Result<_, _>>()?,
+            paces: vec![Pace::default(); bench.entrants.len()],
             lost: None,
         })
     }
 
-    fn judge_one(&mut self, place: u64) -> Verdict {
+    fn input(&self, place: u64) -> Input {
         let mut verdict = Verdict::agreed(place);
         let program = self
             .bench
             .inputs
             .program(place, &self.bench.dialects, self.bench.open);
-        let subject = match Subject::new(program) {
-            Ok(subject) => subject,
-            Err(word) => {
-                verdict.passed_over = Some(word);
-                return verdict;
-            }
+        let subject = Subject::new(program)
+            .map_err(|word| verdict.passed_over = Some(word))
+            .ok();
+        Input {
+            verdict,
+            subject,
+            asked: 0,
+        }
+    }
+
+    /// Asks one engine about all inputs whose dialect it speaks; in packs, where its pace says so.
+    fn ask_all(&mut self, index: usize, inputs: &mut [Input], going: &dyn Fn() -> bool) -> bool {
+        let speaks = |input: &Input| {
+            let subject = input.subject.as_ref();
+            subject.is_some_and(|subject| {
+                self.bench.entrants[index]
+                    .identity()
+                    .speaks(subject.program.dialect)
+            })
         };
-        let mut asked = 0;
-        for index in 0..self.bench.entrants.len() {
-            if !self.bench.entrants[index]
-                .identity()
-                .speaks(subject.program.dialect)
-            {
-                continue;
-            }
-            let (outcome, agreement) = self.hold(index, &subject);
-            asked += u64::from(agreement != Agreement::Unsupported);
-            if let Some(symptom) = agreement.symptom() {
-                verdict.suspicions.push(Suspicion {
-                    place,
-                    subject: self.bench.entrants[index].identity().name.clone(),
-                    symptom: symptom.to_owned(),
-                });
-            }
-            if matches!(outcome, Outcome::Crashed { .. } | Outcome::TimedOut { .. }) {
-                verdict.deaths += 1;
-                self.see_whether_it_lives(index, &subject);
+        let mut alone: Vec<usize> = (0..inputs.len())
+            .filter(|&number| speaks(&inputs[number]))
+            .collect();
+        if self.paces[index].width() > 1 {
+            for dialect in DialectName::ALL {
+                let pack = |number: &usize| {
+                    let subject = inputs[*number].subject.as_ref();
+                    subject.is_some_and(|subject| subject.program.dialect == dialect && packs(subject))
+                };
+                let together: Vec<usize> = alone.iter().copied().filter(pack).collect();
+                alone.retain(|number| !together.contains(number));
+                if !self.ask_packs(index, &together, inputs, going) {
+                    return false;
+                }
             }
         }
-        if asked == 0 {
-            verdict.passed_over = Some("no engine can do it");
-        } else if !subject.opened.is_empty() && verdict.suspicions.is_empty() {
-            verdict.passed_over = Some("no document settles all of it");
+        alone
+            .iter()
+            .all(|&number| going() && self.ask_alone(index, &mut inputs[number]))
+    }
+
+    /// Asks about programs of one dialect in packs. Whether the engine lives.
+    fn ask_packs(
+        &mut self,
+        index: usize,
+        numbers: &[usize],
+        inputs: &mut [Input],
+        going: &dyn Fn() -> bool,
+    ) -> bool {
+        let mut rest = numbers;
+        while !rest.is_empty() {
+            let (pack, behind) = rest.split_at(self.paces[index].width().min(rest.len()));
+            if !self.ask_pack(index, pack, inputs, going) {
+                return false;
+            }
+            rest = behind;
         }
-        verdict
+        true
+    }
+
+    /// Asks about several programs at once; where the engine does not agree, about each half. Whether the engine lives.
+    fn ask_pack(
+        &mut self,
+        index: usize,
+        numbers: &[usize],
+        inputs: &mut [Input],
+        going: &dyn Fn() -> bool,
+    ) -> bool {
+        if let [one] = numbers {
+            return going() && self.ask_alone(index, &mut inputs[*one]);
+        }
+        let subjects: Vec<&Subject> = numbers
+            .iter()
+            .filter_map(|&number| inputs[number].subject.as_ref())
+            .collect();
+        let Some(pack) = Pack::of(&subjects) else {
+            return true;
+        };
+        if !going() {
+            return false;
+        }
+        let outcome = ask(&mut *self.sessions[index], pack.question());
+        let agreed = compare(pack.question(), &outcome) == Agreement::Agrees;
+        self.paces[index].packed(agreed);
+        if agreed {
+            numbers.iter().for_each(|&number| inputs[number].asked += 1);
+            return true;
+        }
+        if has_died(&outcome) && !self.lives(index, subjects[0].program.dialect) {
+            return false;
+        }
+        let (first, second) = numbers.split_at(numbers.len() / 2);
+        self.ask_pack(index, first, inputs, going) && self.ask_pack(index, second, inputs, going)
+    }
+
+    /// Asks about one program. Whether the engine lives.
+    fn ask_alone(&mut self, index: usize, input: &mut Input) -> bool {
+        let Some(subject) = &input.subject else {
+            return true;
+        };
+        let begun = Instant::now();
+        let (outcome, agreement) = self.hold(index, subject);
+        self.paces[index].took(begun.elapsed());
+        input.asked += usize::from(agreement != Agreement::Unsupported);
+        if let Some(symptom) = agreement.symptom() {
+            input.verdict.suspicions.push(Suspicion {
+                place: input.verdict.place,
+                subject: self.bench.entrants[index].identity().name.clone(),
+                symptom: symptom.to_owned(),
+            });
+        }
+        if has_died(&outcome) {
+            input.verdict.deaths += 1;
+            return self.lives(index, subject.program.dialect);
+        }
+        true
     }
 
     /// Gives the program to one engine, and holds what it does against what it must do.
@@ -81,26 +176,52 @@ impl<'b> Asking<'b> {
         (outcome, agreement)
     }
 
-    fn see_whether_it_lives(&mut self, index: usize, subject: &Subject) {
-        if !lives(&mut *self.sessions[index], subject.program.dialect) {
+    /// Whether an engine that has died can be started again; if not, the campaign is at its end.
+    fn lives(&mut self, index: usize, dialect: DialectName) -> bool {
+        let lives = lives(&mut *self.sessions[index], dialect);
+        if !lives {
             let name = &self.bench.entrants[index].identity().name;
             self.lost.get_or_insert_with(|| {
                 format!("engine {name} died over a program, and since then over the smallest program that there is")
             });
         }
+        lives
+    }
+}
+
+/// Whether the engine is no longer what it was before the question.
+const fn has_died(outcome: &Outcome) -> bool {
+    matches!(outcome, Outcome::Crashed { .. } | Outcome::TimedOut { .. })
+}
+
+impl Input {
+    fn into_verdict(self) -> Verdict {
+        let mut verdict = self.verdict;
+        if let Some(subject) = self.subject {
+            verdict.passed_over = match self.asked {
+                0 => Some("no engine can do it"),
+                _ if subject.opened.is_empty() || !verdict.suspicions.is_empty() => None,
+                _ => Some("no document settles all of it"),
+            };
+        }
+        verdict
     }
 }
 
 impl Worker for Asking<'_> {
     fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict> {
-        let mut verdicts = Vec::with_capacity(places.len());
-        for &place in places {
-            if !going() || self.lost.is_some() {
+        if self.lost.is_some() || !going() {
+            return Vec::new();
+        }
+        let mut inputs: Vec<Input> = places.iter().map(|&place| self.input(place)).collect();
+        for index in 0..self.bench.entrants.len() {
+            if !self.ask_all(index, &mut inputs, going) {
+                // Some engines have not seen all of it. What was seen to be wrong is wrong all the same.
+                inputs.retain(|input| !input.verdict.suspicions.is_empty());
                 break;
             }
-            verdicts.push(self.judge_one(place));
         }
-        verdicts
+        inputs.into_iter().map(Input::into_verdict).collect()
     }
 
     fn reduce(&mut self, suspicion: &Suspicion, going: &dyn Fn() -> bool) -> Finding {

@@ -36,7 +36,7 @@ pub fn campaign(engine: &dyn Engine, part: Part, count: u64, jobs: usize) -> Sum
         until: Until::Count(count),
         part,
         jobs,
-        batch: 8,
+        batch: 16,
     };
     run(&plan, &bench, &mut |_| (), &AtomicBool::new(false)).expect("the engines start")
 }
@@ -54,6 +54,28 @@ fn the_number_of_jobs_changes_nothing_that_is_found() {
     let one = of(1);
     assert!(!one.is_empty());
     assert_eq!(one, of(4));
+}
+
+#[test]
+fn packs_change_nothing_that_is_found() {
+    let quick = Defective::new(Defect::DiesOver("WHILE "));
+    let slow = Defective::new(Defect::DiesOver("WHILE ")).slow();
+    let (alone, packed) = (
+        campaign(&quick, Part::WHOLE, 64, 1),
+        campaign(&slow, Part::WHOLE, 64, 1),
+    );
+    assert!(!alone.findings.is_empty());
+    assert_eq!(alone.findings, packed.findings);
+    assert_eq!(alone.disagreements, packed.disagreements);
+    assert_eq!(alone.programs, packed.programs);
+}
+
+#[test]
+fn an_engine_that_is_slow_and_right_is_asked_about_many_programs_at_a_time() {
+    let slow = Defective::new(Defect::DiesOver("what no program has")).slow();
+    let summary = campaign(&slow, Part::WHOLE, 160, 1);
+    assert_eq!((summary.programs, summary.findings.len()), (160, 0));
+    assert!(slow.requests() < 80, "{}", slow.requests());
 }
 
 #[test]

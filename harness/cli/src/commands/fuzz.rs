@@ -71,7 +71,7 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
         open: arguments.open,
         commands,
     };
-    campaign(&bench, 8, arguments, request, store, out)
+    campaign(&bench, 16, arguments, request, store, out)
 }
 
 /// Runs it on a bench.
