@@ -61,7 +61,7 @@ impl Matiec {
         let matiec = Matiec {
             identity: Identity {
                 name: called.to_owned(),
-                version,
+                version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
                 dialects: vec![DialectName::Matiec],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
             },

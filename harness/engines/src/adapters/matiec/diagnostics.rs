@@ -1,10 +1,12 @@
 //! What `iec2c` writes to stderr about a program.
 //!
 //! Basis: matiec: measured. A syntax error: `file:LINE: error: message`; any other: `file:L-C..L-C: error: message`, from
-//! 1, the last column within what is meant; `warning:` in place of `error:` rejects nothing. There are no codes.
+//! 1, the last column within what is meant; `warning:` in place of `error:` rejects nothing. There are no codes; the first form is
+//! Stickler's P0002.
 
 use crate::process::Ended;
 use crate::{Diagnostic, Outcome};
+use stickler_types::Code;
 
 /// Whether the program is accepted.
 ///
@@ -43,7 +45,9 @@ fn diagnostic(line: &str) -> Option<Diagnostic> {
             ..Diagnostic::default()
         });
     }
+    // Only the parser names no column.
     Some(Diagnostic {
+        code: Some(Code::SyntaxError.as_str().to_owned()),
         line: Some(place.parse().ok()?),
         message,
         ..Diagnostic::default()
@@ -69,7 +73,10 @@ mod tests {
         );
         assert_eq!(found.message, "Incompatible data types for ':=' operation.");
         let found = diagnostic("program.st:3: error: invalid statement in ST statement.").unwrap();
-        assert_eq!((found.line, found.column), (Some(3), None));
+        assert_eq!(
+            (found.code.as_deref(), found.line, found.column),
+            (Some("P0002"), Some(3), None)
+        );
         for other in [
             "program.st:3-4..3-9: warning: Lost precision",
             "1 error(s) found. Bailing out!",

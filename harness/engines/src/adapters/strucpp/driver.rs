@@ -12,6 +12,9 @@ use stickler_types::{ElementaryType, Value};
 /// The exit code by which the driver tells a subscript outside its array.
 pub(super) const SUBSCRIPT: i32 = 3;
 
+/// A day in nanoseconds.
+const DAY: i64 = 86_400_000_000_000;
+
 /// The headers that every translated program includes; they are compiled once.
 pub(super) const HEADER: &str = "\
 #include \"iec_types.hpp\"
@@ -125,8 +128,9 @@ fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
     match kind {
         Kind::Enumerated(..) => kind.enumerated(bits()?),
         Kind::Elementary(ty @ (ElementaryType::Date | ElementaryType::Ldate)) => {
-            let nanoseconds = bits()?.cast_signed().checked_mul(86_400_000_000_000)?;
-            Some(Value::plain(*ty, nanoseconds.cast_unsigned()))
+            // A date beyond all that can be written is the last one, or the first.
+            let days = bits()?.cast_signed().clamp(i64::MIN / DAY, i64::MAX / DAY);
+            Some(Value::plain(*ty, (days * DAY).cast_unsigned()))
         }
         Kind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => Some(Value::plain(*ty, bits()?)),
         Kind::Elementary(ty) if ty.is_text() => Some(Value::text(*ty, units(shown.strip_prefix('\'')?)?)),
