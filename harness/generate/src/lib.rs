@@ -8,6 +8,7 @@ pub mod evaluate;
 pub mod generator;
 pub mod model;
 pub mod oracles;
+pub mod plant;
 pub mod random;
 pub mod reduce;
 pub mod variants;

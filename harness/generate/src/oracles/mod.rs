@@ -1,6 +1,7 @@
 //! What a fuzz target holds against the bytes that it is given: one file an oracle, and [`Target`], which names them all.
 
 mod case_file;
+mod check;
 mod convert;
 pub mod differential;
 pub mod execute;
@@ -14,5 +15,6 @@ mod target;
 mod tree;
 mod words;
 
+pub use check::{check, judge as judge_planted};
 pub use failure::{Failure, Tried};
 pub use target::Target;

@@ -1,6 +1,6 @@
 //! The fuzz targets: their names, and the one door through which libFuzzer, replays, tests and campaigns judge an input.
 
-use super::{Failure, Tried, case_file, convert, differential, execute, literal, parse, protocol};
+use super::{Failure, Tried, case_file, check, convert, differential, execute, literal, parse, protocol};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -74,7 +74,7 @@ impl Target {
             Target::Parse => parse::judge(data),
             Target::Literal => literal::judge(data),
             Target::Convert => convert::judge(data),
-            Target::Check => Ok(Tried::PassedOver("nothing is held against this input")),
+            Target::Check => check::check(data),
             Target::Execute => execute::execute(data),
             Target::CaseFile => case_file::judge(data),
             Target::Protocol => protocol::judge(data),

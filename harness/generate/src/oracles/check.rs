@@ -1,0 +1,169 @@
+//! Holds the reference to a program with one planted error: that error and nothing else is said, on its line, and what is
+//! suggested helps.
+
+use super::{Failure, Tried};
+use crate::generator::{Settings, program};
+use crate::model::Program;
+use crate::plant::{Planted, plant};
+use crate::writer::{Keywords, LineEnds, Style, write};
+use arbitrary::Unstructured;
+use stickler_reference::LocatedDiagnostic;
+use stickler_types::DialectName;
+
+/// How many bytes choose the error; the others choose the program.
+const OF_THE_ERROR: usize = 48;
+
+/// Judges one input: its first bytes choose an error and where it stands, the others a sound program.
+///
+/// Without the error the program is accepted. With it there is exactly one diagnostic, of the planted code on the planted line;
+/// where a conversion function is missing it suggests the call, and a suggestion put in its place makes the program
+/// acceptable.
+///
+/// # Errors
+/// What of this does not hold.
+pub fn check(data: &[u8]) -> Result<Tried, Failure> {
+    let Some((of_the_error, of_the_program)) = data.split_at_checked(OF_THE_ERROR) else {
+        return Ok(Tried::PassedOver("too short"));
+    };
+    let sound = program(&mut Unstructured::new(of_the_program), &Settings::default());
+    let mut input = Unstructured::new(of_the_error);
+    let style = style(&mut input);
+    match plant(&sound, &mut input) {
+        Some(planted) => judge(&sound, &planted, &style),
+        None => Ok(Tried::PassedOver("no place for an error")),
+    }
+}
+
+/// A spelling that cannot hide the error: comments would, where one is not closed.
+fn style(input: &mut Unstructured<'_>) -> Style {
+    let choice = input.arbitrary::<u8>().unwrap_or(0);
+    Style {
+        keywords: [Keywords::Upper, Keywords::Lower, Keywords::Mixed, Keywords::Upper]
+            [usize::from(choice & 3)],
+        line_ends: if choice & 4 == 0 {
+            LineEnds::Lf
+        } else {
+            LineEnds::CrLf
+        },
+        seed: u64::from(choice),
+        ..Style::default()
+    }
+}
+
+/// Holds the reference to a sound program and the same with an error, both written in a style with positional arguments.
+///
+/// # Errors
+/// As [`check`].
+pub fn judge(sound: &Program, planted: &Planted, style: &Style) -> Result<Tried, Failure> {
+    let dialect = sound.dialect;
+    let without = write(sound, style);
+    let with = write(&planted.program, style);
+    if let Some(said) = stickler_reference::check(&without.text, dialect).first() {
+        let symptom = format!("rejected:{}", said.code);
+        let message = format!("a sound program of {dialect} is rejected: {}", shown(said));
+        return Err(Failure::new(symptom, message).of_program(without.text));
+    }
+    let line = planted.line(&without, &with);
+    let said = stickler_reference::check(&with.text, dialect);
+    let verdict =
+        one_error(planted, line, &said).and_then(|said| suggestion_helps(planted, said, &with.text, dialect));
+    match verdict {
+        Ok(()) => Ok(Tried::Done),
+        Err((symptom, message)) => {
+            let (code, kind) = (planted.code, planted.kind);
+            let message =
+                format!("{message}\nplanted in a program of {dialect}: {kind}, {code} on line {line}");
+            Err(Failure::new(symptom, message).of_program(with.text))
+        }
+    }
+}
+
+/// A symptom and what to tell a person.
+type Wrong = (String, String);
+
+/// The one diagnostic, if there is exactly one and it is the planted one.
+fn one_error<'d>(
+    planted: &Planted,
+    line: u32,
+    said: &'d [LocatedDiagnostic],
+) -> Result<&'d LocatedDiagnostic, Wrong> {
+    let code = planted.code;
+    let Some(right) = said.iter().find(|said| said.code == code && said.line == line) else {
+        return Err(match said {
+            [] => (
+                format!("not-rejected:{code}"),
+                "the program is accepted".to_owned(),
+            ),
+            [first, ..] if first.code == code => (format!("other-line:{code}"), listed(said)),
+            [first, ..] => (format!("other-code:{code}:{}", first.code), listed(said)),
+        });
+    };
+    match said.iter().find(|other| !std::ptr::eq(*other, right)) {
+        Some(other) => Err((format!("more:{code}:{}", other.code), listed(said))),
+        None => Ok(right),
+    }
+}
+
+/// Whether there is a suggestion where there must be, and it makes the program acceptable.
+fn suggestion_helps(
+    planted: &Planted,
+    said: &LocatedDiagnostic,
+    text: &str,
+    dialect: DialectName,
+) -> Result<(), Wrong> {
+    let code = planted.code;
+    let Some(suggestion) = &said.suggestion else {
+        return if planted.suggested {
+            let symptom = format!("no-suggestion:{code}");
+            Err((symptom, format!("no conversion is suggested: {}", shown(said))))
+        } else {
+            Ok(())
+        };
+    };
+    let Some(mended) = mended(text, said, suggestion) else {
+        let symptom = format!("span:{code}");
+        return Err((symptom, format!("the span is not in the text: {}", shown(said))));
+    };
+    match stickler_reference::check(&mended, dialect).first() {
+        None => Ok(()),
+        Some(still) => {
+            let symptom = format!("suggestion:{code}:{}", still.code);
+            let message = format!("with `{suggestion}` in its place there is still {}", shown(still));
+            Err((symptom, message))
+        }
+    }
+}
+
+/// The text with a suggestion in the place of the diagnostic's span; nothing where the span is not in the text.
+fn mended(text: &str, said: &LocatedDiagnostic, suggestion: &str) -> Option<String> {
+    let start = offset(text, said.line, said.column)?;
+    let end = offset(text, said.end_line, said.end_column)?;
+    Some([text.get(..start)?, suggestion, text.get(end..)?].concat())
+}
+
+/// The byte at a line and column, both counted from 1, columns in Unicode scalar values.
+fn offset(text: &str, line: u32, column: u32) -> Option<usize> {
+    let before = usize::try_from(line).ok()?.checked_sub(1)?;
+    let mut lines = text.split_inclusive('\n');
+    let start: usize = lines.by_ref().take(before).map(str::len).sum();
+    let characters = usize::try_from(column).ok()?.checked_sub(1)?;
+    let line = lines.next().unwrap_or_default();
+    let ends = [line.len()];
+    let mut offsets = line.char_indices().map(|(offset, _)| offset).chain(ends);
+    offsets.nth(characters).map(|within| start + within)
+}
+
+fn listed(said: &[LocatedDiagnostic]) -> String {
+    let shown: Vec<String> = said.iter().map(shown).collect();
+    format!("the reference says {}", shown.join("; "))
+}
+
+fn shown(said: &LocatedDiagnostic) -> String {
+    format!(
+        "{} on line {}, column {}: {}",
+        said.code, said.line, said.column, said.message
+    )
+}
+
+#[cfg(test)]
+mod tests;

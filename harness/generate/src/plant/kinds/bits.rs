@@ -1,0 +1,141 @@
+//! Bits that are not there, and forms of access that the dialect does not have.
+//!
+//! Basis: ironplc-bit-access, which is why most of it is for IronPLC's dialects only; where another stands, the kind names it.
+
+use super::super::plot::{Plot, literal};
+use super::super::scope::{Unit, elementary, has_bits};
+use super::operands::stands_for_any_value;
+use crate::model::{Expression, ExpressionKind, Place, Program, StatementKind, Target, Type};
+use stickler_types::{DialectName, ElementaryType};
+
+/// The number of bits of a type that has bits.
+fn bits(program: &Program, ty: &Type) -> Option<u32> {
+    let ty = elementary(program, ty)?;
+    (ty.is_integer() || ty.is_bit_string()).then(|| ty.bits())
+}
+
+/// A bit beyond the last one, read.
+pub(super) fn outside_read(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let original = plot.original;
+    read(
+        plot,
+        |place| bits(original, &place.ty).is_some(),
+        |width| vec![width, width * 2, 1000],
+    )
+}
+
+/// A bit of what has no bits, read: of a BOOL, a real, a duration, a text, an aggregate, an enumeration.
+pub(super) fn none_read(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let original = plot.original;
+    read(plot, |place| has_none(original, place), |_| vec![0, 1, 31])
+}
+
+fn has_none(program: &Program, place: &Place) -> bool {
+    bits(program, &place.ty).is_none() && !matches!(place.ty, Type::Block(_))
+}
+
+/// Puts a bit of some place where any value may stand.
+fn read(
+    plot: &mut Plot<'_, '_, '_>,
+    eligible: impl Fn(&Place) -> bool,
+    numbers: impl Fn(u32) -> Vec<u32>,
+) -> Option<()> {
+    let original = plot.original;
+    if !has_bits(original.dialect) {
+        return None;
+    }
+    let (number, site, _) = plot.site(stands_for_any_value)?;
+    let place = plot.place(site.unit, |place, _| eligible(place))?;
+    let width = bits(original, &place.ty).unwrap_or_default();
+    let bit = plot.choose(numbers(width))?;
+    plot.replace(number, ExpressionKind::Bit(place, bit));
+    Some(())
+}
+
+/// A bit beyond the last one, written.
+pub(super) fn outside_written(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let original = plot.original;
+    written(
+        plot,
+        |place| bits(original, &place.ty).is_some(),
+        |width| vec![width, width + 1, 99],
+    )
+}
+
+/// A bit of what has no bits, written.
+pub(super) fn none_written(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let original = plot.original;
+    written(plot, |place| has_none(original, place), |_| vec![0, 7])
+}
+
+fn written(
+    plot: &mut Plot<'_, '_, '_>,
+    eligible: impl Fn(&Place) -> bool,
+    numbers: impl Fn(u32) -> Vec<u32>,
+) -> Option<()> {
+    let original = plot.original;
+    if !has_bits(original.dialect) {
+        return None;
+    }
+    plot.insert(
+        |_, _| true,
+        |plot, unit| {
+            let place = plot.place(unit, |place, writable| writable && eligible(place))?;
+            let bit = plot.choose(numbers(bits(original, &place.ty).unwrap_or_default()))?;
+            let value = literal(ElementaryType::Bool);
+            Some(StatementKind::Assign(Target::Bit(place, bit), value))
+        },
+    )
+}
+
+/// A bit by `.%X`, where the dialect does not have the form.
+///
+/// Basis: bit-access/partial-access-disabled.toml.
+pub(super) fn percent_disabled(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    if plot.original.dialect != DialectName::IronplcEd2 {
+        return None;
+    }
+    by_text(plot, ElementaryType::Word, &[".%X0", ".%X15", ".%X16", ".%x3"])
+}
+
+/// A byte or word of a bit string, where the dialect has no partial access.
+///
+/// Basis: bit-access/wider-forms-disabled.toml.
+pub(super) fn wider_disabled(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    if plot.original.dialect != DialectName::IronplcEd2 {
+        return None;
+    }
+    by_text(plot, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
+}
+
+/// A byte or word of a bit string, where the dialect has partial access to bits only.
+///
+/// Basis: bit-access/wider-forms-unsupported.toml.
+pub(super) fn wider_unsupported(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let dialects = [DialectName::IronplcEd3, DialectName::IronplcRusty];
+    if !dialects.contains(&plot.original.dialect) {
+        return None;
+    }
+    by_text(plot, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
+}
+
+/// A bit in matiec, whose grammar has none.
+///
+/// Basis: bit-access/matiec.toml.
+pub(super) fn in_matiec(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    if plot.original.dialect != DialectName::Matiec {
+        return None;
+    }
+    by_text(plot, ElementaryType::Word, &[".0", ".15", ".%X0"])
+}
+
+/// Puts a variable of the type, and one of the texts behind it, where any value may stand.
+fn by_text(plot: &mut Plot<'_, '_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
+    let (number, site, _) = plot.site(|site, expression: &Expression| {
+        site.unit != Unit::Types && stands_for_any_value(site, expression)
+    })?;
+    let name = plot.variable_text(site.unit, ty)?;
+    let text = plot.choose(texts.to_vec())?;
+    plot.replace(number, ExpressionKind::Raw(format!("{name}{text}")));
+    Some(())
+}

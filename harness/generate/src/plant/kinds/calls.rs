@@ -1,0 +1,257 @@
+//! Calls of functions: arguments too many, too few, twice, or by names that nothing has; and calls that never end.
+
+use super::super::plot::{PLANTED, Plot, literal, literal_text};
+use super::super::scope::{Unit, elementary, types, written};
+use super::super::walk::Site;
+use super::misfits::converts;
+use super::operands::stands_for_any_value;
+use crate::model::{
+    Argument, Expression, ExpressionKind, Function, Program, Section, StandardFunction, Statement,
+    StatementKind, Target, Type, Variable, VariableId,
+};
+use stickler_types::ElementaryType;
+
+/// One argument more than the function has inputs; the style of writing must be positional.
+///
+/// Basis: language/diagnostics-names.st.
+pub(super) fn argument_too_many(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let (number, ..) = plot.site(|_, expression| matches!(expression.kind, ExpressionKind::Call(..)))?;
+    plot.change(number, |call| {
+        if let ExpressionKind::Call(_, arguments) = &mut call.kind {
+            arguments.push(Argument {
+                parameter: VariableId(arguments.len()),
+                value: literal(ElementaryType::Int),
+            });
+        }
+    });
+    Some(())
+}
+
+/// One argument less than the function has inputs; the style of writing must be positional.
+///
+/// Basis: language/diagnostics-names.st.
+pub(super) fn argument_too_few(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let (number, ..) = plot.site(|_, expression| {
+        matches!(&expression.kind, ExpressionKind::Call(_, arguments) if !arguments.is_empty())
+    })?;
+    plot.change(number, |call| {
+        if let ExpressionKind::Call(_, arguments) = &mut call.kind {
+            arguments.pop();
+        }
+    });
+    Some(())
+}
+
+/// A standard function with one argument more or less than it has parameters.
+///
+/// Basis: ironplc-problem-codes: P4018; iec-61131-3: Tables 23 to 31.
+pub(super) fn standard_argument(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let (number, ..) = plot.site(|_, expression| matches!(expression.kind, ExpressionKind::Standard(..)))?;
+    let fewer = plot.input.ratio(1, 2).unwrap_or(true);
+    plot.change(number, |call| {
+        if let ExpressionKind::Standard(function, arguments) = &mut call.kind {
+            if takes_any_number(*function) {
+                arguments.truncate(1);
+            } else if fewer {
+                arguments.pop();
+            } else {
+                let last = arguments.last().cloned();
+                arguments.extend(last);
+            }
+        }
+    });
+    Some(())
+}
+
+/// Of these one argument is too few, for they take any number from two.
+const fn takes_any_number(function: StandardFunction) -> bool {
+    matches!(
+        function,
+        StandardFunction::Min | StandardFunction::Max | StandardFunction::Mux | StandardFunction::Concat
+    )
+}
+
+/// A conversion function with two arguments, or with none; its result is of the type that the place expects.
+///
+/// Basis: conversion/bad-count.toml.
+pub(super) fn conversion_argument(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let original = plot.original;
+    let dialect = original.dialect;
+    let sources = |expression: &Expression| {
+        let into = written(expression);
+        types(dialect)
+            .filter(|&from| into.is_some_and(|into| from != into && converts(from, into, dialect)))
+            .collect::<Vec<_>>()
+    };
+    let (number, _, expression) = plot
+        .site(|site, expression| stands_for_any_value(site, expression) && written(expression).is_some())?;
+    let from = plot.choose(sources(&expression))?;
+    let into = written(&expression)?;
+    let argument = literal_text(from);
+    let arguments = plot.choose(vec![String::new(), format!("{argument}, {argument}")])?;
+    plot.replace(
+        number,
+        ExpressionKind::Raw(format!("{from}_TO_{into}({arguments})")),
+    );
+    Some(())
+}
+
+/// The inputs of a function.
+fn inputs(function: &Function) -> Vec<(&Variable, ElementaryType)> {
+    let inputs = function
+        .variables
+        .iter()
+        .filter(|variable| variable.section == Section::Input);
+    inputs
+        .filter_map(|variable| match variable.ty {
+            Type::Elementary(ty) => Some((variable, ty)),
+            _ => None,
+        })
+        .collect()
+}
+
+/// The functions all of whose inputs are elementary, and whose arguments can be written as literals.
+fn callable(program: &Program, unit: Unit) -> Vec<&Function> {
+    // A function calls only those before it; a call of itself or of a later one could be recursive.
+    let before = match unit {
+        Unit::Function(number) => number,
+        Unit::Types => 0,
+        Unit::Block(_) | Unit::Main => program.functions.len(),
+    };
+    let functions = program.functions.iter().take(before);
+    functions
+        .filter(|function| {
+            let others = function.variables.iter();
+            let needed =
+                others.filter(|variable| matches!(variable.section, Section::Input | Section::InOut));
+            !inputs(function).is_empty() && inputs(function).len() == needed.count()
+        })
+        .collect()
+}
+
+/// The arguments of a call by name, each a literal.
+fn named(function: &Function) -> Vec<String> {
+    inputs(function)
+        .into_iter()
+        .map(|(variable, ty)| format!("{} := {}", variable.name, literal_text(ty)))
+        .collect()
+}
+
+/// Puts a call of a function of the program, as a text, where a value of the type of its result stands.
+fn call(
+    plot: &mut Plot<'_, '_, '_>,
+    eligible: fn(&Function) -> bool,
+    arguments: impl FnOnce(&Function) -> String,
+) -> Option<()> {
+    let original = plot.original;
+    let fitting = |site: Site, expression: &Expression| {
+        // What is converted implicitly is of another type than its place.
+        let own = !matches!(expression.kind, ExpressionKind::Widen(_));
+        let functions = callable(original, site.unit).into_iter();
+        functions
+            .filter(|function| own && function.result == expression.ty && eligible(function))
+            .collect::<Vec<_>>()
+    };
+    let (number, site, expression) = plot.site(|site, expression| {
+        stands_for_any_value(site, expression) && !fitting(site, expression).is_empty()
+    })?;
+    let function = plot.choose(fitting(site, &expression))?;
+    let text = format!("{}({})", function.name, arguments(function));
+    plot.replace(number, ExpressionKind::Raw(text));
+    Some(())
+}
+
+/// An argument by a name that the function does not have.
+///
+/// Basis: language/diagnostics-names.st.
+pub(super) fn unknown_name(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    call(
+        plot,
+        |_| true,
+        |function| {
+            let mut arguments = named(function);
+            arguments.push(format!("{PLANTED} := INT#1"));
+            arguments.join(", ")
+        },
+    )
+}
+
+/// An argument that is given twice.
+///
+/// Basis: language/diagnostics-names.st.
+pub(super) fn name_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    call(
+        plot,
+        |_| true,
+        |function| {
+            let mut arguments = named(function);
+            arguments.extend_from_within(..1);
+            arguments.join(", ")
+        },
+    )
+}
+
+/// Arguments of which some have names and some have not.
+///
+/// Basis: ironplc-problem-codes: P4001.
+pub(super) fn mixed(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    call(
+        plot,
+        |function| inputs(function).len() > 1,
+        |function| {
+            let mut arguments = named(function);
+            if let (Some(first), Some(&(_, ty))) = (arguments.first_mut(), inputs(function).first()) {
+                *first = literal_text(ty);
+            }
+            arguments.join(", ")
+        },
+    )
+}
+
+/// A function that calls itself.
+///
+/// Basis: language/diagnostics-recursion.st (the call is the line).
+pub(super) fn recursive_function(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let original = plot.original;
+    let numbers = (0..original.functions.len()).filter(|&number| {
+        let function = &original.functions[number];
+        elementary(original, &function.result).is_some()
+            && callable(original, Unit::Main)
+                .iter()
+                .any(|other| other.name == function.name)
+    });
+    let number = plot.choose(numbers.collect())?;
+    let function = plot.program.functions.get_mut(number)?;
+    let arguments = function
+        .variables
+        .iter()
+        .enumerate()
+        .filter_map(|(id, variable)| match variable.ty {
+            Type::Elementary(ty) if variable.section == Section::Input => Some(Argument {
+                parameter: VariableId(id),
+                value: literal(ty),
+            }),
+            _ => None,
+        });
+    let value = Expression {
+        ty: function.result.clone(),
+        kind: ExpressionKind::Call(number, arguments.collect()),
+    };
+    let at = plot.input.int_in_range(0..=function.body.len()).unwrap_or(0);
+    let kind = StatementKind::Assign(Target::Result, value);
+    function.body.insert(at, Statement { kind });
+    Some(())
+}
+
+/// A function block that holds an instance of itself.
+///
+/// Basis: ironplc-problem-codes: P4005.
+pub(super) fn recursive_block(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let number = plot.choose((0..plot.original.blocks.len()).collect())?;
+    let name = &plot.original.blocks.get(number)?.name;
+    plot.declare_text(
+        Unit::Block(number),
+        &format!("{PLANTED}_own : {name}"),
+        Section::Local,
+    )
+}

@@ -1,0 +1,160 @@
+//! Statements that stand where they mean nothing, labels that hold nothing, and texts that are no statements.
+
+use super::super::plot::Plot;
+use crate::model::{CaseLabel, Expression, ExpressionKind, LiteralForm, StatementKind};
+use stickler_types::{DialectName, ElementaryType, Value};
+
+/// EXIT outside a loop.
+///
+/// Basis: language/diagnostics-statements.st.
+pub(super) fn exit(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    outside_loops(plot, "EXIT;")
+}
+
+/// CONTINUE outside a loop.
+///
+/// Basis: language/diagnostics-statements.st.
+pub(super) fn continue_(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    outside_loops(plot, "CONTINUE;")
+}
+
+fn outside_loops(plot: &mut Plot<'_, '_, '_>, text: &str) -> Option<()> {
+    plot.insert(
+        |_, in_loop| !in_loop,
+        |_, _| Some(StatementKind::Raw(text.to_owned())),
+    )
+}
+
+/// A range of labels that descends.
+///
+/// Basis: language/diagnostics-statements.st.
+pub(super) fn descending_labels(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let has_integers = |_, kind: &StatementKind| match kind {
+        StatementKind::Case(_, branches, _) => branches
+            .iter()
+            .flat_map(|branch| &branch.labels)
+            .any(|label| descending(label).is_some()),
+        _ => false,
+    };
+    plot.change_statement(has_integers, |plot, _, kind| {
+        let StatementKind::Case(_, branches, _) = kind else {
+            return None;
+        };
+        let mut labels: Vec<_> = branches
+            .iter_mut()
+            .flat_map(|branch| &mut branch.labels)
+            .filter(|label| descending(label).is_some())
+            .collect();
+        let which = plot.choose((0..labels.len()).collect())?;
+        let label = labels.get_mut(which)?;
+        **label = descending(label)?;
+        Some(())
+    })
+}
+
+/// A label as a range that descends, where it is of integer literals.
+fn descending(label: &CaseLabel) -> Option<CaseLabel> {
+    match label {
+        CaseLabel::Range(low, high) if value(low)? < value(high)? => {
+            Some(CaseLabel::Range(high.clone(), low.clone()))
+        }
+        CaseLabel::Range(..) => None,
+        CaseLabel::One(one) => {
+            let (text, value) = (one.clone(), value(one)?);
+            let (_, high) = integer_type(one)?.integer_range()?;
+            let above = Expression {
+                ty: one.ty.clone(),
+                kind: ExpressionKind::Raw((value + 1).to_string()),
+            };
+            (value < high).then_some(CaseLabel::Range(above, text))
+        }
+    }
+}
+
+fn integer_type(expression: &Expression) -> Option<ElementaryType> {
+    match expression.kind {
+        ExpressionKind::Literal(Value::Plain { ty, .. }, LiteralForm::Untyped) => {
+            Some(ty).filter(|ty| ty.is_integer())
+        }
+        _ => None,
+    }
+}
+
+fn value(expression: &Expression) -> Option<i128> {
+    match expression.kind {
+        ExpressionKind::Literal(Value::Plain { ty, raw }, _) if ty.is_integer() => {
+            Some(ty.integer_value(raw))
+        }
+        _ => None,
+    }
+}
+
+/// A comment that is not closed. Nothing that follows it can be said to be wrong.
+///
+/// Basis: ironplc-problem-codes: P0001; the line: stickler-design: §3.1.
+pub(super) fn open_comment(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    plot.insert_text(|plot, _| {
+        let texts = [
+            "(* never closed",
+            "; (* never closed",
+            "; (* closed *) (* not closed *",
+        ];
+        plot.choose(texts.to_vec()).map(str::to_owned)
+    })
+}
+
+/// A statement that is none. Each begins as one, and ends before the next does.
+///
+/// Basis: language/syntax-recovery.st.
+pub(super) fn no_statement(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    plot.insert_text(|plot, unit| {
+        let name = plot.variable_text(unit, ElementaryType::Int)?;
+        let texts = [
+            format!("{name} := ;"),
+            format!("{name} := ({name} + 1;"),
+            format!("{name} := {name} + ;"),
+            format!("{name} := {name} {name};"),
+            format!("{name} := 1 + * 2;"),
+            format!("{name} = 1;"),
+            format!("IF {name} > 1 {name} := 2; END_IF;"),
+            format!("WHILE {name} > 1 {name} := 2; END_WHILE;"),
+            format!("FOR {name} = 1 TO 2 DO ; END_FOR;"),
+            format!("REPEAT {name} := 2; UNTIL END_REPEAT;"),
+        ];
+        plot.choose(texts.to_vec())
+    })
+}
+
+/// Characters that are no part of the language.
+///
+/// Basis: ironplc-problem-codes: P0003.
+pub(super) fn no_token(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    plot.insert_text(|plot, unit| {
+        let name = plot.variable_text(unit, ElementaryType::Int)?;
+        let texts = [
+            format!("{name} := {name} ? 3;"),
+            format!("{name} := {name} ! 3;"),
+            format!("{name} := 1 \\ 2;"),
+            format!("{name} := {name} ~ 1;"),
+        ];
+        plot.choose(texts.to_vec())
+    })
+}
+
+/// A comment to the end of the line, where the dialect does not have it.
+///
+/// Basis: language/comments.st.
+pub(super) fn line_comment(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let without = [
+        DialectName::IronplcEd2,
+        DialectName::IronplcEd3,
+        DialectName::Matiec,
+    ];
+    if !without.contains(&plot.original.dialect) {
+        return None;
+    }
+    plot.insert_text(|plot, _| {
+        let texts = ["// over there", "; // it's 5 o'clock (* or 6", "; // a := ;"];
+        plot.choose(texts.to_vec()).map(str::to_owned)
+    })
+}

@@ -1,0 +1,102 @@
+//! Programs with one error: a sound program, something wrong planted in it, and the code and the line that documents give it.
+//!
+//! Each kind of error is one function in one table. What is expected comes from the documents, never from what the reference
+//! prints, and each function names them: the design's registry and its rule *which code where*, the cases, the standard.
+//! Architecture Invariant: nothing here knows the reference.
+
+mod kinds;
+mod plot;
+mod scope;
+mod walk;
+
+use crate::model::Program;
+use crate::writer::Written;
+use arbitrary::Unstructured;
+use kinds::KINDS;
+use plot::Plot;
+use stickler_types::Code;
+
+/// A program with one error.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Planted {
+    /// The program.
+    pub program: Program,
+    /// The code that the error has.
+    pub code: Code,
+    /// What kind of error it is, in a few words: one of [`kind_names`].
+    pub kind: &'static str,
+    /// Whether the diagnostic has to come with a suggestion: a value that does not convert, where a function does.
+    pub suggested: bool,
+    mark: Option<String>,
+}
+
+impl Planted {
+    /// The line of the error in the program's text, `sound` being the text of the program without it in the same style.
+    ///
+    /// It is the line of what stands there as raw text; else the one that holds the planted declaration; else the first that
+    /// differs. Lines count from 1.
+    #[must_use]
+    pub fn line(&self, sound: &Written, broken: &Written) -> u32 {
+        if let Some(mark) = &self.mark {
+            return number_of_first(broken.text.lines().map(|line| line.contains(mark.as_str())));
+        }
+        if let Some(&line) = broken.raw_lines.first() {
+            return line;
+        }
+        let mut sound = sound.text.lines();
+        number_of_first(broken.text.lines().map(|line| Some(line) != sound.next()))
+    }
+}
+
+/// The number of the first `true`, from 1; 0 where there is none, which no line has.
+fn number_of_first(mut lines: impl Iterator<Item = bool>) -> u32 {
+    lines.position(|found| found).map_or(0, |before| {
+        // A text with more lines is longer than any that is written.
+        u32::try_from(before + 1).unwrap_or(u32::MAX)
+    })
+}
+
+/// The names of all kinds of errors.
+pub fn kind_names() -> impl Iterator<Item = &'static str> {
+    KINDS.iter().map(|kind| kind.name)
+}
+
+/// Plants one error in a sound program; the input chooses which and where. Nothing only where no kind finds a place, which
+/// does not happen in a program that has a main with a statement.
+#[must_use]
+pub fn plant(program: &Program, input: &mut Unstructured<'_>) -> Option<Planted> {
+    // When the bytes run out the first kind is tried first.
+    let first = input.int_in_range(0..=KINDS.len() - 1).unwrap_or(0);
+    // A kind that finds no place hands on to another that is drawn again, so that its neighbour gets no more than others.
+    let drawn = (0..8).map(|_| input.int_in_range(0..=KINDS.len() - 1).unwrap_or(0));
+    let drawn: Vec<usize> = drawn.collect();
+    let order = [first].into_iter().chain(drawn).chain(0..KINDS.len());
+    order
+        .into_iter()
+        .find_map(|number| plant_number(program, number, input))
+}
+
+/// Plants an error of the kind of this name.
+#[must_use]
+pub fn plant_kind(program: &Program, kind: &str, input: &mut Unstructured<'_>) -> Option<Planted> {
+    let number = KINDS.iter().position(|known| known.name == kind)?;
+    plant_number(program, number, input)
+}
+
+fn plant_number(program: &Program, number: usize, input: &mut Unstructured<'_>) -> Option<Planted> {
+    let kind = KINDS.get(number)?;
+    let mut plot = Plot::new(program, input);
+    (kind.plant)(&mut plot)?;
+    Some(Planted {
+        program: plot.program,
+        code: kind.code,
+        kind: kind.name,
+        suggested: plot.suggested,
+        mark: plot.mark,
+    })
+}
+
+#[cfg(test)]
+mod example;
+#[cfg(test)]
+mod tests;

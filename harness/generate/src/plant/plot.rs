@@ -1,0 +1,294 @@
+//! The piece of ground on which a kind plants its error: a program, a copy to change, and the bytes that choose.
+
+use super::scope::{Unit, elementary, places};
+use super::walk::{self, Site};
+use crate::model::{
+    BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement,
+    StatementKind, Type, UnaryOperator, Variable,
+};
+use arbitrary::Unstructured;
+use stickler_exact::signatures;
+use stickler_types::{ElementaryType, Family, Value};
+
+/// The name of what a kind declares besides; no program has it.
+pub(super) const PLANTED: &str = "planted";
+
+/// What a kind works on.
+pub(super) struct Plot<'p, 'b, 'd> {
+    /// The program as it was.
+    pub original: &'p Program,
+    /// The program to change.
+    pub program: Program,
+    /// What chooses.
+    pub input: &'b mut Unstructured<'d>,
+    /// The text by which the line of the error is found, where a declaration is planted.
+    pub mark: Option<String>,
+    /// Whether the diagnostic has to come with a suggestion.
+    pub suggested: bool,
+}
+
+impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
+    /// A plot where nothing is planted yet.
+    pub fn new(original: &'p Program, input: &'b mut Unstructured<'d>) -> Plot<'p, 'b, 'd> {
+        Plot {
+            original,
+            program: original.clone(),
+            input,
+            mark: None,
+            suggested: false,
+        }
+    }
+
+    /// One of several; nothing of none.
+    pub fn choose<T>(&mut self, mut from: Vec<T>) -> Option<T> {
+        let last = from.len().checked_sub(1)?;
+        // When the bytes run out the first is chosen.
+        let which = self.input.int_in_range(0..=last).unwrap_or(0);
+        Some(from.swap_remove(which))
+    }
+
+    /// One of the expressions that a test lets pass: its number in the walk, its place, and itself.
+    pub fn site(
+        &mut self,
+        eligible: impl Fn(Site, &Expression) -> bool,
+    ) -> Option<(usize, Site, Expression)> {
+        let mut found = Vec::new();
+        let mut number = 0;
+        let original = self.original;
+        walk::expressions(original, &mut self.program, &mut |site, expression| {
+            if eligible(site, expression) {
+                found.push((number, site));
+            }
+            number += 1;
+        });
+        let (number, site) = self.choose(found)?;
+        let mut chosen = None;
+        self.change(number, |expression| chosen = Some(expression.clone()));
+        chosen.map(|expression| (number, site, expression))
+    }
+
+    /// Changes the expression of a number.
+    pub fn change(&mut self, number: usize, change: impl FnOnce(&mut Expression)) {
+        let mut change = Some(change);
+        let mut reached = 0;
+        walk::expressions(self.original, &mut self.program, &mut |_, expression| {
+            if reached == number
+                && let Some(change) = change.take()
+            {
+                change(expression);
+            }
+            reached += 1;
+        });
+    }
+
+    /// Puts another expression, of whatever type, where one stands.
+    pub fn replace(&mut self, number: usize, kind: ExpressionKind) {
+        self.change(number, |expression| expression.kind = kind);
+    }
+
+    /// Puts a statement somewhere into a list that a test lets pass: a unit, and whether a loop is around it.
+    pub fn insert(
+        &mut self,
+        eligible: impl Fn(Unit, bool) -> bool,
+        make: impl FnOnce(&mut Self, Unit) -> Option<StatementKind>,
+    ) -> Option<()> {
+        let mut found = Vec::new();
+        let mut number = 0;
+        walk::lists(&mut self.program, &mut |unit, in_loop, list| {
+            if eligible(unit, in_loop) {
+                found.push((number, unit, list.len()));
+            }
+            number += 1;
+        });
+        let (number, unit, length) = self.choose(found)?;
+        let at = self.input.int_in_range(0..=length).unwrap_or(0);
+        let kind = make(self, unit)?;
+        self.change_list(number, |list| list.insert(at.min(list.len()), Statement { kind }));
+        Some(())
+    }
+
+    /// Puts a statement that is only text somewhere into any list.
+    pub fn insert_text(&mut self, make: impl FnOnce(&mut Self, Unit) -> Option<String>) -> Option<()> {
+        self.insert(|_, _| true, |plot, unit| make(plot, unit).map(StatementKind::Raw))
+    }
+
+    /// Changes one of the statements that a test lets pass.
+    pub fn change_statement(
+        &mut self,
+        eligible: impl Fn(Unit, &StatementKind) -> bool,
+        change: impl FnOnce(&mut Self, Unit, &mut StatementKind) -> Option<()>,
+    ) -> Option<()> {
+        let mut found = Vec::new();
+        let mut number = 0;
+        walk::lists(&mut self.program, &mut |unit, _, list| {
+            let statements = list.iter().enumerate();
+            found.extend(
+                statements
+                    .filter(|(_, statement)| eligible(unit, &statement.kind))
+                    .map(|(at, statement)| (number, at, unit, statement.kind.clone())),
+            );
+            number += 1;
+        });
+        let (number, at, unit, mut kind) = self.choose(found)?;
+        change(self, unit, &mut kind)?;
+        self.change_list(number, |list| {
+            if let Some(statement) = list.get_mut(at) {
+                statement.kind = kind;
+            }
+        });
+        Some(())
+    }
+
+    /// Changes the list of statements of a number.
+    fn change_list(&mut self, number: usize, change: impl FnOnce(&mut Vec<Statement>)) {
+        let mut change = Some(change);
+        let mut reached = 0;
+        walk::lists(&mut self.program, &mut |_, _, list| {
+            if reached == number
+                && let Some(change) = change.take()
+            {
+                change(list);
+            }
+            reached += 1;
+        });
+    }
+
+    /// Declares a variable at the end of a unit's, which leaves every other its number.
+    pub fn declare(&mut self, unit: Unit, name: &str, ty: Type, section: Section) -> Option<()> {
+        unit.variables_mut(&mut self.program)?.push(Variable {
+            name: name.to_owned(),
+            ty,
+            section,
+            initial: None,
+        });
+        Some(())
+    }
+
+    /// Declares what only a text can say: the name of a variable takes the text with it. The text stands on a line of its own,
+    /// which is that of the error; its last declaration is an INT.
+    pub fn declare_text(&mut self, unit: Unit, text: &str, section: Section) -> Option<()> {
+        self.mark = Some(text.to_owned());
+        let last = if text.is_empty() {
+            PLANTED.to_owned()
+        } else {
+            format!("{text}; {PLANTED}")
+        };
+        let int = ElementaryType::Int;
+        self.declare(unit, &last, Type::Elementary(int), section)?;
+        if section == Section::Constant {
+            let declared = unit.variables_mut(&mut self.program)?.last_mut()?;
+            declared.initial = Some(crate::model::Initial::Expression(literal(int)));
+        }
+        Some(())
+    }
+
+    /// A unit with variables.
+    pub fn unit(&mut self) -> Option<Unit> {
+        self.choose(Unit::all(self.original))
+    }
+
+    /// A part of a variable that a test lets pass.
+    pub fn place(&mut self, unit: Unit, eligible: impl Fn(&Place, bool) -> bool) -> Option<Place> {
+        let mut found = places(self.original, unit);
+        found.retain(|named| eligible(&named.place, named.writable));
+        self.choose(found).map(|named| named.place)
+    }
+
+    /// A variable of this elementary type that the unit can read, by its text: one that is there and is nothing but a name, or
+    /// one that is declared for it.
+    pub fn variable_text(&mut self, unit: Unit, ty: ElementaryType) -> Option<String> {
+        let original = self.original;
+        let found = unit
+            .variables(original)
+            .iter()
+            .filter(|variable| elementary(original, &variable.ty) == Some(ty))
+            .map(|variable| variable.name.clone())
+            .collect();
+        match self.choose(found) {
+            Some(name) => Some(name),
+            None => self.declare_variable(unit, ty),
+        }
+    }
+
+    /// Declares a local variable of an elementary type; gives its name.
+    fn declare_variable(&mut self, unit: Unit, ty: ElementaryType) -> Option<String> {
+        let variables = unit.variables_mut(&mut self.program)?;
+        let name = format!("{PLANTED}_{}", variables.len());
+        self.declare(unit, &name, Type::Elementary(ty), Section::Local)?;
+        Some(name)
+    }
+
+    /// A value of an elementary type: a variable, an element, a field or an output.
+    pub fn variable(&mut self, unit: Unit, ty: ElementaryType) -> Option<ExpressionKind> {
+        match self.place(unit, |place, _| place.ty == Type::Elementary(ty)) {
+            Some(place) => Some(ExpressionKind::Read(place)),
+            None => self.declare_variable(unit, ty).map(ExpressionKind::Raw),
+        }
+    }
+
+    /// A value of an elementary type that is no bare variable: an operation on one, where the type has operations.
+    pub fn operation(&mut self, unit: Unit, ty: ElementaryType) -> Option<ExpressionKind> {
+        let kind = self.variable(unit, ty)?;
+        let operand = || Box::new(of(ty, kind.clone()));
+        Some(match ty.family() {
+            Family::Signed | Family::Unsigned | Family::Real | Family::Duration => {
+                ExpressionKind::Binary(BinaryOperator::Add, operand(), operand())
+            }
+            Family::Boolean => ExpressionKind::Binary(BinaryOperator::And, operand(), operand()),
+            Family::BitString => ExpressionKind::Unary(UnaryOperator::Not, operand()),
+            _ => kind,
+        })
+    }
+
+    /// The bare call of a function that gives an elementary type: a conversion from any other type.
+    pub fn call(&mut self, unit: Unit, ty: ElementaryType) -> Option<ExpressionKind> {
+        let dialect = self.original.dialect;
+        let sources: Vec<_> = super::scope::types(dialect)
+            .filter(|&from| from != ty && !signatures(&format!("{from}_TO_{ty}"), dialect).is_empty())
+            .collect();
+        let from = self.choose(sources)?;
+        let argument = self.variable(unit, from)?;
+        let signature = signatures(&format!("{from}_TO_{ty}"), dialect).swap_remove(0);
+        Some(ExpressionKind::Convert(signature, Box::new(of(from, argument))))
+    }
+}
+
+/// The text of [`literal`].
+pub(super) fn literal_text(ty: ElementaryType) -> String {
+    match literal(ty).kind {
+        ExpressionKind::Literal(value, LiteralForm::Typed) => value.to_string(),
+        _ if ty == ElementaryType::Wstring => "\"ab\"".to_owned(),
+        _ => "'ab'".to_owned(),
+    }
+}
+
+/// An expression of an elementary type.
+pub(super) fn of(ty: ElementaryType, kind: ExpressionKind) -> Expression {
+    Expression {
+        ty: Type::Elementary(ty),
+        kind,
+    }
+}
+
+/// A small literal of an elementary type, with the type's name in front of it; of texts without, for a literal in quotes has
+/// its type in them, and two characters, so that it is no single one.
+pub(super) fn literal(ty: ElementaryType) -> Expression {
+    const SECOND: u64 = 1_000_000_000;
+    let raw = match ty.family() {
+        Family::Text => {
+            let form = LiteralForm::Untyped;
+            let value = Value::text(ty, vec![u16::from(b'a'), u16::from(b'b')]);
+            return of(ty, ExpressionKind::Literal(value, form));
+        }
+        Family::Real if ty == ElementaryType::Real => u64::from(1.5f32.to_bits()),
+        Family::Real => 1.5f64.to_bits(),
+        Family::Character => u64::from(b'a'),
+        Family::Duration | Family::TimeOfDay => SECOND,
+        Family::Date | Family::DateAndTime => 0,
+        Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString => 1,
+    };
+    of(
+        ty,
+        ExpressionKind::Literal(Value::plain(ty, raw), LiteralForm::Typed),
+    )
+}

@@ -1,0 +1,265 @@
+//! What can be said where: the units of a program, the variables that they see, and the types of what is written there.
+
+use crate::model::{
+    ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Selector,
+    StandardFunction, StatementKind, Type, Variable, VariableId,
+};
+use stickler_types::{DialectName, ElementaryType, Value};
+
+/// A part of a program with names of its own.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Unit {
+    /// TYPE … END_TYPE.
+    Types,
+    /// A function, by its place.
+    Function(usize),
+    /// A function block, by its place.
+    Block(usize),
+    /// `PROGRAM main`.
+    Main,
+}
+
+impl Unit {
+    /// Its variables; none where the program has no such unit.
+    pub fn variables(self, program: &Program) -> &[Variable] {
+        match self {
+            Unit::Types => &[],
+            Unit::Function(number) => program
+                .functions
+                .get(number)
+                .map_or(&[], |function| &function.variables),
+            Unit::Block(number) => program.blocks.get(number).map_or(&[], |block| &block.variables),
+            Unit::Main => &program.main.variables,
+        }
+    }
+
+    /// The same, to declare more in.
+    pub fn variables_mut(self, program: &mut Program) -> Option<&mut Vec<Variable>> {
+        match self {
+            Unit::Types => None,
+            Unit::Function(number) => program
+                .functions
+                .get_mut(number)
+                .map(|function| &mut function.variables),
+            Unit::Block(number) => program.blocks.get_mut(number).map(|block| &mut block.variables),
+            Unit::Main => Some(&mut program.main.variables),
+        }
+    }
+
+    /// Every unit that has variables.
+    pub fn all(program: &Program) -> Vec<Unit> {
+        let functions = (0..program.functions.len()).map(Unit::Function);
+        let blocks = (0..program.blocks.len()).map(Unit::Block);
+        functions.chain(blocks).chain([Unit::Main]).collect()
+    }
+}
+
+/// The elementary type that a type is, or stands for.
+pub(super) fn elementary(program: &Program, ty: &Type) -> Option<ElementaryType> {
+    match program.unaliased(ty) {
+        Type::Elementary(ty) => Some(*ty),
+        _ => None,
+    }
+}
+
+/// The type of an array's elements, and the limits of its dimensions.
+pub(super) fn element_and_limits<'p>(
+    program: &'p Program,
+    ty: &'p Type,
+) -> Option<(&'p Type, &'p [(i64, i64)])> {
+    match program.unaliased(ty) {
+        Type::Array(array) => {
+            let ArrayType { dimensions, element } = &**array;
+            Some((element, dimensions))
+        }
+        _ => None,
+    }
+}
+
+/// The type of what a selector selects.
+pub(super) fn selected_type<'p>(program: &'p Program, ty: &'p Type, selector: &Selector) -> Option<&'p Type> {
+    match selector {
+        Selector::Index(_) => element_and_limits(program, ty).map(|(element, _)| element),
+        Selector::Field(number) => program.fields(ty)?.get(*number).map(|(_, ty, _)| ty),
+        Selector::Output(id) => {
+            let Type::Block(block) = ty else { return None };
+            let output = Unit::Block(*block).variables(program).get(id.0)?;
+            Some(&output.ty)
+        }
+    }
+}
+
+/// The elementary type that the text of an expression has by itself; none where it takes its type from around it, or has no
+/// elementary type.
+///
+/// An implicit conversion is not in the text, so it is the type before it.
+pub(super) fn written(expression: &Expression) -> Option<ElementaryType> {
+    let own = match expression.ty {
+        Type::Elementary(ty) => Some(ty),
+        // An alias is not looked through: what a document says of aliases beside others is little.
+        _ => None,
+    };
+    match &expression.kind {
+        ExpressionKind::Literal(_, LiteralForm::Untyped) => None,
+        ExpressionKind::Literal(_, LiteralForm::Typed)
+        | ExpressionKind::Read(_)
+        | ExpressionKind::Bit(..)
+        | ExpressionKind::Convert(..)
+        | ExpressionKind::Call(..) => own,
+        ExpressionKind::Widen(operand) => written(operand),
+        ExpressionKind::Unary(_, operand) => written(operand),
+        ExpressionKind::Binary(operator, left, right) => {
+            // Of two operands one converts to the other's type, which is that of the whole.
+            let rigid = compares(*operator) || written(left).or_else(|| written(right)).is_some();
+            own.filter(|_| rigid)
+        }
+        ExpressionKind::Standard(function, arguments) => {
+            let values = match function {
+                StandardFunction::Len => return own,
+                StandardFunction::Sel | StandardFunction::Mux => arguments.get(1..),
+                StandardFunction::Shl
+                | StandardFunction::Shr
+                | StandardFunction::Rol
+                | StandardFunction::Ror => arguments.get(..1),
+                StandardFunction::Abs
+                | StandardFunction::Min
+                | StandardFunction::Max
+                | StandardFunction::Limit
+                | StandardFunction::Concat => Some(&arguments[..]),
+            };
+            let rigid = values
+                .unwrap_or_default()
+                .iter()
+                .any(|value| written(value).is_some());
+            own.filter(|_| rigid)
+        }
+        ExpressionKind::Enumerated(_) | ExpressionKind::Raw(_) => None,
+    }
+}
+
+/// Whether an operator compares, and so gives BOOL whatever it is given.
+pub(super) const fn compares(operator: BinaryOperator) -> bool {
+    use BinaryOperator as B;
+    matches!(
+        operator,
+        B::Equal | B::NotEqual | B::Less | B::LessOrEqual | B::Greater | B::GreaterOrEqual
+    )
+}
+
+/// Every elementary type of a dialect.
+///
+/// Basis: ironplc-problem-codes: P0010 (the types of the third edition need it); stickler-design: §8.
+pub(super) fn types(dialect: DialectName) -> impl Iterator<Item = ElementaryType> {
+    let third = !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec);
+    ElementaryType::ALL
+        .into_iter()
+        .filter(move |ty| third || !ty.is_third_edition())
+}
+
+/// Whether a dialect's documents know access to single bits.
+///
+/// Basis: ironplc-bit-access; the others' documents are silent, and matiec's grammar does not have it.
+pub(super) const fn has_bits(dialect: DialectName) -> bool {
+    matches!(
+        dialect,
+        DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty
+    )
+}
+
+/// A part of a variable that a unit can name.
+#[derive(Clone, Debug)]
+pub(super) struct Named {
+    /// The part.
+    pub place: Place,
+    /// Whether the unit may write it without changing anything but its value.
+    pub writable: bool,
+}
+
+/// Every part of a unit's variables; of arrays the element with the lowest subscripts.
+pub(super) fn places(program: &Program, unit: Unit) -> Vec<Named> {
+    let mut found = Vec::new();
+    let controlled = controlled(program, unit);
+    for (number, variable) in unit.variables(program).iter().enumerate() {
+        let id = VariableId(number);
+        let place = Place {
+            variable: id,
+            path: Vec::new(),
+            ty: variable.ty.clone(),
+        };
+        let writable = match variable.section {
+            Section::Local | Section::Output | Section::InOut => !controlled.contains(&id),
+            Section::Constant | Section::Input => false,
+        };
+        parts(program, place, writable, &mut found);
+    }
+    found
+}
+
+fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<Named>) {
+    let mut step = |selector: Selector, ty: &Type, writable: bool| {
+        let mut path = place.path.clone();
+        path.push(selector);
+        let part = Place {
+            variable: place.variable,
+            path,
+            ty: ty.clone(),
+        };
+        parts(program, part, writable, found);
+    };
+    if let Some((element, limits)) = element_and_limits(program, &place.ty) {
+        let lowest = limits.iter().map(|&(low, _)| integer(low)).collect();
+        step(Selector::Index(lowest), element, writable);
+    } else if let Some(fields) = program.fields(&place.ty) {
+        for (number, (_, ty, _)) in fields.iter().enumerate() {
+            step(Selector::Field(number), ty, writable);
+        }
+    } else if let Type::Block(block) = place.ty {
+        for (number, output) in Unit::Block(block).variables(program).iter().enumerate() {
+            if output.section == Section::Output {
+                step(Selector::Output(VariableId(number)), &output.ty, false);
+            }
+        }
+    }
+    found.push(Named { place, writable });
+}
+
+/// An untyped integer literal, as a subscript.
+pub(super) fn integer(value: i64) -> Expression {
+    // The types in between are as good; this one holds every subscript.
+    let ty = ElementaryType::Lint;
+    Expression {
+        ty: Type::Elementary(ty),
+        kind: ExpressionKind::Literal(Value::plain(ty, value.cast_unsigned()), LiteralForm::Untyped),
+    }
+}
+
+/// The variables that a unit's FOR statements control.
+fn controlled(program: &Program, unit: Unit) -> Vec<VariableId> {
+    let mut found = Vec::new();
+    let body = match unit {
+        Unit::Types => return found,
+        Unit::Function(number) => program.functions.get(number).map(|function| &function.body),
+        Unit::Block(number) => program.blocks.get(number).map(|block| &block.body),
+        Unit::Main => Some(&program.main.body),
+    };
+    let mut waiting: Vec<_> = body.into_iter().flatten().collect();
+    while let Some(statement) = waiting.pop() {
+        match &statement.kind {
+            StatementKind::For { variable, body, .. } => {
+                found.push(*variable);
+                waiting.extend(body);
+            }
+            StatementKind::If(branches, otherwise) => {
+                waiting.extend(branches.iter().flat_map(|(_, body)| body));
+                waiting.extend(otherwise.iter().flatten());
+            }
+            StatementKind::Case(_, branches, otherwise) => {
+                waiting.extend(branches.iter().flat_map(|branch| &branch.body));
+                waiting.extend(otherwise.iter().flatten());
+            }
+            StatementKind::While(_, body) | StatementKind::Repeat(body, _) => waiting.extend(body),
+            _ => {}
+        }
+    }
+    found
+}

@@ -1,0 +1,108 @@
+//! Every kind of error is planted, and planted in one place.
+
+use super::example::example;
+use super::*;
+use crate::oracles::judge_planted;
+use crate::writer::{Style, write};
+use std::collections::{BTreeMap, BTreeSet};
+use stickler_types::DialectName;
+
+/// Bytes that choose something else for every number.
+fn choices(number: u64) -> Vec<u8> {
+    let mut state = number;
+    let mut next = || {
+        // splitmix64.
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        (mixed ^ (mixed >> 27)).to_le_bytes()
+    };
+    (0..12).flat_map(|_| next()).collect()
+}
+
+#[test]
+fn there_are_many_kinds_each_of_its_own_name() {
+    let names: BTreeSet<_> = kind_names().collect();
+    assert_eq!(names.len(), KINDS.len());
+    assert!(names.len() > 90, "{}", names.len());
+}
+
+#[test]
+fn every_code_of_the_design_is_planted() {
+    // Section 7 of the design, in its order.
+    let listed = "P0001 P0002 P0003 P0004 P0010 P2008 P2026 P2027 P4007 P4011 P4014 P4016 P4017 P4018 P4021 P4022 P4023 \
+                  P4024 P4025 P4026 P4027 P4033 P4035 P4039 P4040 P2038 P2039 P2040 P4005 P4049 P4053 P4058 P4059 P4069 P4072";
+    for code in listed.split_whitespace() {
+        assert!(KINDS.iter().any(|kind| kind.code.as_str() == code), "{code}");
+    }
+}
+
+#[test]
+fn every_kind_is_planted_in_the_example_and_found() {
+    let mut wrong = Vec::new();
+    for kind in kind_names() {
+        let mut planted_anywhere = false;
+        for dialect in DialectName::ALL {
+            let sound = example(dialect);
+            for number in 0..12 {
+                let Some(planted) = plant_kind(&sound, kind, &mut Unstructured::new(&choices(number))) else {
+                    continue;
+                };
+                planted_anywhere = true;
+                wrong.extend(judge_planted(&sound, &planted, &Style::default()).err());
+            }
+        }
+        assert!(planted_anywhere, "{kind} is planted in no dialect");
+    }
+    let messages: Vec<_> = wrong
+        .iter()
+        .map(|failure| (&failure.symptom, &failure.message))
+        .collect();
+    let of_each_kind: BTreeMap<_, _> = messages.into_iter().collect();
+    assert!(
+        of_each_kind.is_empty(),
+        "{} failures: {of_each_kind:#?}",
+        wrong.len()
+    );
+}
+
+#[test]
+fn what_is_planted_changes_the_text_on_the_line_that_is_told() {
+    for dialect in DialectName::ALL {
+        let sound = example(dialect);
+        for number in 0..200 {
+            let planted =
+                plant(&sound, &mut Unstructured::new(&choices(number))).expect("a place for an error");
+            let (without, with) = (
+                write(&sound, &Style::default()),
+                write(&planted.program, &Style::default()),
+            );
+            assert_ne!(without.text, with.text, "{}", planted.kind);
+            let line = usize::try_from(planted.line(&without, &with)).expect("a short text");
+            let told = with.text.lines().nth(line - 1).unwrap_or_default();
+            let known = without.text.lines().filter(|line| *line == told).count();
+            let now = with.text.lines().filter(|line| *line == told).count();
+            assert!(
+                now > known,
+                "{}: line {line} is not new in\n{}",
+                planted.kind,
+                with.text
+            );
+        }
+    }
+}
+
+#[test]
+fn no_bytes_plant_the_first_kind() {
+    let planted =
+        plant(&example(DialectName::Matiec), &mut Unstructured::new(&[])).expect("a place for an error");
+    assert_eq!(Some(planted.kind), kind_names().next());
+}
+
+#[test]
+fn an_unknown_kind_is_planted_nowhere() {
+    let sound = example(DialectName::Plcnext);
+    assert_eq!(
+        plant_kind(&sound, "no such kind", &mut Unstructured::new(&[])),
+        None
+    );
+}

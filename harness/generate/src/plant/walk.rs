@@ -1,0 +1,343 @@
+//! The places of a program where something can be planted: every expression with what is expected of it, and every list of
+//! statements.
+
+use super::scope::{Unit, element_and_limits, selected_type, written};
+use crate::model::{
+    Argument, BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program,
+    Section, Selector, StandardFunction, Statement, StatementKind, Target, Type, UnaryOperator, Variable,
+    VariableId,
+};
+use stickler_types::ElementaryType;
+
+/// Where an expression stands.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Context {
+    /// The right side of an assignment to a variable, a part of one, or a bit.
+    Assigned,
+    /// The right side of an assignment to the result of a function.
+    Result,
+    /// An initial value, an element or a field of one, or the default of a field.
+    Initial,
+    /// An argument of a function of the program.
+    Argument,
+    /// An input of a function block, in its call.
+    Input,
+    /// The argument of a function block's VAR_IN_OUT.
+    InOut,
+    /// The argument of a conversion function from one type, named by its own name.
+    Converted,
+    /// The argument of any other conversion function.
+    Overloaded,
+    /// The argument of a standard function, and its place.
+    Standard(StandardFunction, usize),
+    /// The condition of IF.
+    If,
+    /// The condition of ELSIF.
+    ElsIf,
+    /// The condition of WHILE.
+    While,
+    /// The condition of REPEAT.
+    Until,
+    /// The selector of CASE.
+    Selector,
+    /// A label of CASE.
+    Label,
+    /// A subscript, with the limits of its dimension.
+    Subscript(i64, i64),
+    /// The first or last value of FOR.
+    Bound,
+    /// The step of FOR.
+    Step,
+    /// The operand of an operator with two, and the type that the other operand's text has by itself; none where it takes its
+    /// type from around it.
+    Operand(BinaryOperator, Option<ElementaryType>),
+    /// The operand of an operator with one.
+    UnaryOperand(UnaryOperator),
+}
+
+/// An expression's place in the program.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Site {
+    /// In which unit it stands.
+    pub unit: Unit,
+    /// What is expected of it there.
+    pub context: Context,
+}
+
+/// Visits every expression of `copy`, outer ones before the inner. What an implicit conversion converts is not visited itself,
+/// only the conversion. `original` is asked for types; it is the program before anything was planted in `copy`.
+pub(super) fn expressions(
+    original: &Program,
+    copy: &mut Program,
+    visit: &mut dyn FnMut(Site, &mut Expression),
+) {
+    let walk = |unit| Walk {
+        program: original,
+        unit,
+    };
+    for declaration in &mut copy.types {
+        if let Declared::Structure(fields) = &mut declaration.kind {
+            for default in fields.iter_mut().filter_map(|(_, _, default)| default.as_mut()) {
+                walk(Unit::Types).expression(default, Context::Initial, visit);
+            }
+        }
+    }
+    for (number, function) in copy.functions.iter_mut().enumerate() {
+        let walk = walk(Unit::Function(number));
+        walk.initial_values(&mut function.variables, visit);
+        walk.statements(&mut function.body, visit);
+    }
+    for (number, block) in copy.blocks.iter_mut().enumerate() {
+        let walk = walk(Unit::Block(number));
+        walk.initial_values(&mut block.variables, visit);
+        walk.statements(&mut block.body, visit);
+    }
+    walk(Unit::Main).initial_values(&mut copy.main.variables, visit);
+    walk(Unit::Main).statements(&mut copy.main.body, visit);
+}
+
+/// Visits every list of statements, with whether it stands in a loop; an outer list before those in it.
+pub(super) fn lists(copy: &mut Program, visit: &mut dyn FnMut(Unit, bool, &mut Vec<Statement>)) {
+    for (number, function) in copy.functions.iter_mut().enumerate() {
+        list(Unit::Function(number), false, &mut function.body, visit);
+    }
+    for (number, block) in copy.blocks.iter_mut().enumerate() {
+        list(Unit::Block(number), false, &mut block.body, visit);
+    }
+    list(Unit::Main, false, &mut copy.main.body, visit);
+}
+
+fn list(
+    unit: Unit,
+    in_loop: bool,
+    statements: &mut Vec<Statement>,
+    visit: &mut dyn FnMut(Unit, bool, &mut Vec<Statement>),
+) {
+    visit(unit, in_loop, statements);
+    for statement in statements {
+        match &mut statement.kind {
+            StatementKind::If(branches, otherwise) => {
+                let bodies = branches.iter_mut().map(|(_, body)| body);
+                for body in bodies.chain(otherwise.as_mut()) {
+                    list(unit, in_loop, body, visit);
+                }
+            }
+            StatementKind::Case(_, branches, otherwise) => {
+                let bodies = branches.iter_mut().map(|branch| &mut branch.body);
+                for body in bodies.chain(otherwise.as_mut()) {
+                    list(unit, in_loop, body, visit);
+                }
+            }
+            StatementKind::For { body, .. }
+            | StatementKind::While(_, body)
+            | StatementKind::Repeat(body, _) => {
+                list(unit, true, body, visit);
+            }
+            StatementKind::Assign(..)
+            | StatementKind::Invoke { .. }
+            | StatementKind::Exit
+            | StatementKind::Return
+            | StatementKind::Raw(_) => {}
+        }
+    }
+}
+
+/// Visits the expressions of one unit.
+#[derive(Clone, Copy)]
+struct Walk<'p> {
+    program: &'p Program,
+    unit: Unit,
+}
+
+impl<'p> Walk<'p> {
+    fn variable(self, id: VariableId) -> Option<&'p Variable> {
+        self.unit.variables(self.program).get(id.0)
+    }
+
+    fn initial_values(self, variables: &mut [Variable], visit: &mut dyn FnMut(Site, &mut Expression)) {
+        for initial in variables
+            .iter_mut()
+            .filter_map(|variable| variable.initial.as_mut())
+        {
+            match initial {
+                Initial::Expression(value) => self.expression(value, Context::Initial, visit),
+                Initial::Array(values) => {
+                    for value in values {
+                        self.expression(value, Context::Initial, visit);
+                    }
+                }
+                Initial::Structure(values) => {
+                    for (_, value) in values {
+                        self.expression(value, Context::Initial, visit);
+                    }
+                }
+            }
+        }
+    }
+
+    fn statements(self, statements: &mut [Statement], visit: &mut dyn FnMut(Site, &mut Expression)) {
+        for statement in statements {
+            self.statement(&mut statement.kind, visit);
+        }
+    }
+
+    fn statement(self, statement: &mut StatementKind, visit: &mut dyn FnMut(Site, &mut Expression)) {
+        match statement {
+            StatementKind::Assign(target, value) => {
+                let context = match target {
+                    Target::Place(place) | Target::Bit(place, _) => {
+                        self.place(place, visit);
+                        Context::Assigned
+                    }
+                    Target::Result => Context::Result,
+                };
+                self.expression(value, context, visit);
+            }
+            StatementKind::If(branches, otherwise) => {
+                for (number, (condition, body)) in branches.iter_mut().enumerate() {
+                    let context = if number == 0 { Context::If } else { Context::ElsIf };
+                    self.expression(condition, context, visit);
+                    self.statements(body, visit);
+                }
+                self.statements(otherwise.as_deref_mut().unwrap_or_default(), visit);
+            }
+            StatementKind::Case(selector, branches, otherwise) => {
+                self.expression(selector, Context::Selector, visit);
+                for branch in branches {
+                    for label in &mut branch.labels {
+                        self.label(label, visit);
+                    }
+                    self.statements(&mut branch.body, visit);
+                }
+                self.statements(otherwise.as_deref_mut().unwrap_or_default(), visit);
+            }
+            StatementKind::For {
+                from, to, by, body, ..
+            } => {
+                self.expression(from, Context::Bound, visit);
+                self.expression(to, Context::Bound, visit);
+                if let Some(by) = by {
+                    self.expression(by, Context::Step, visit);
+                }
+                self.statements(body, visit);
+            }
+            StatementKind::While(condition, body) => {
+                self.expression(condition, Context::While, visit);
+                self.statements(body, visit);
+            }
+            StatementKind::Repeat(body, condition) => {
+                self.statements(body, visit);
+                self.expression(condition, Context::Until, visit);
+            }
+            StatementKind::Invoke {
+                instance,
+                inputs,
+                outputs,
+            } => {
+                for input in inputs {
+                    self.input(*instance, input, visit);
+                }
+                for (_, place) in outputs {
+                    self.place(place, visit);
+                }
+            }
+            StatementKind::Exit | StatementKind::Return | StatementKind::Raw(_) => {}
+        }
+    }
+
+    fn label(self, label: &mut CaseLabel, visit: &mut dyn FnMut(Site, &mut Expression)) {
+        match label {
+            CaseLabel::One(value) => self.expression(value, Context::Label, visit),
+            CaseLabel::Range(low, high) => {
+                self.expression(low, Context::Label, visit);
+                self.expression(high, Context::Label, visit);
+            }
+        }
+    }
+
+    fn input(self, instance: VariableId, input: &mut Argument, visit: &mut dyn FnMut(Site, &mut Expression)) {
+        let parameters = self
+            .variable(instance)
+            .map_or(&[][..], |instance| match instance.ty {
+                Type::Block(block) => Unit::Block(block).variables(self.program),
+                _ => &[],
+            });
+        let context = match parameters
+            .get(input.parameter.0)
+            .map(|parameter| parameter.section)
+        {
+            Some(Section::InOut) => Context::InOut,
+            _ => Context::Input,
+        };
+        self.expression(&mut input.value, context, visit);
+    }
+
+    fn place(self, place: &mut Place, visit: &mut dyn FnMut(Site, &mut Expression)) {
+        let mut within = self.variable(place.variable).map(|variable| &variable.ty);
+        for selector in &mut place.path {
+            if let Selector::Index(subscripts) = selector {
+                let limits = within.and_then(|ty| element_and_limits(self.program, ty));
+                for (number, subscript) in subscripts.iter_mut().enumerate() {
+                    // What has no limits is no array, and the program is not what it should be.
+                    let limits = limits.and_then(|(_, limits)| limits.get(number));
+                    let &(low, high) = limits.unwrap_or(&(0, 0));
+                    self.expression(subscript, Context::Subscript(low, high), visit);
+                }
+            }
+            within = within.and_then(|ty| selected_type(self.program, ty, selector));
+        }
+    }
+
+    fn expression(
+        self,
+        expression: &mut Expression,
+        context: Context,
+        visit: &mut dyn FnMut(Site, &mut Expression),
+    ) {
+        let site = Site {
+            unit: self.unit,
+            context,
+        };
+        visit(site, expression);
+        self.inside(expression, visit);
+    }
+
+    /// What stands in an expression.
+    fn inside(self, expression: &mut Expression, visit: &mut dyn FnMut(Site, &mut Expression)) {
+        match &mut expression.kind {
+            ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) => self.place(place, visit),
+            ExpressionKind::Unary(operator, operand) => {
+                self.expression(operand, Context::UnaryOperand(*operator), visit);
+            }
+            ExpressionKind::Binary(operator, left, right) => {
+                let (of_left, of_right) = (written(left), written(right));
+                self.expression(left, Context::Operand(*operator, of_right), visit);
+                self.expression(right, Context::Operand(*operator, of_left), visit);
+            }
+            ExpressionKind::Widen(operand) => self.inside(operand, visit),
+            ExpressionKind::Convert(signature, operand) => {
+                let own_name = signature
+                    .operands
+                    .first()
+                    .is_some_and(|from| signature.function == format!("{from}_TO_{}", signature.result));
+                let context = if own_name {
+                    Context::Converted
+                } else {
+                    Context::Overloaded
+                };
+                self.expression(operand, context, visit);
+            }
+            ExpressionKind::Call(_, arguments) => {
+                for argument in arguments {
+                    self.expression(&mut argument.value, Context::Argument, visit);
+                }
+            }
+            ExpressionKind::Standard(function, arguments) => {
+                for (number, argument) in arguments.iter_mut().enumerate() {
+                    self.expression(argument, Context::Standard(*function, number), visit);
+                }
+            }
+            ExpressionKind::Literal(..) | ExpressionKind::Enumerated(_) | ExpressionKind::Raw(_) => {}
+        }
+    }
+}
