@@ -3,6 +3,7 @@
 use super::features::Feature;
 use super::literals;
 use super::maker::Maker;
+use super::operations::binary;
 use crate::model::{Expression, ExpressionKind, LiteralForm, Type};
 use stickler_types::{ElementaryType, Family};
 
@@ -148,10 +149,26 @@ impl Maker<'_, '_> {
         if self.random.chance(1, 4) {
             return self.literal(ty, wanted);
         }
-        match self.read(&Type::Elementary(ty), false) {
-            Some(read) => read,
-            None => self.literal(ty, wanted),
+        let read = self.read(&Type::Elementary(ty), false);
+        let made = match ty {
+            ElementaryType::Bool => read.or_else(|| self.small_condition()),
+            _ => read,
+        };
+        made.unwrap_or_else(|| self.literal(ty, wanted))
+    }
+
+    /// A bit, or a variable compared with a literal: for programs that have no variable of type BOOL.
+    fn small_condition(&mut self) -> Option<Expression> {
+        if self.has(Feature::Bits) && self.language.has_bits(self.open) && self.random.chance(1, 2) {
+            return self.bit();
         }
+        let pou = &self.pou;
+        let seen = |ty: &ElementaryType| *ty != ElementaryType::Bool && pou.varies(*ty);
+        let ty = *self.random.pick_where(&self.palette, seen)?;
+        let operator = self.comparison_operator(ty);
+        let left = self.read(&Type::Elementary(ty), true)?;
+        let right = self.literal(ty, Wanted::Operand);
+        Some(binary(operator, left, right, ElementaryType::Bool))
     }
 
     /// A literal, with the prefix of its type unless the context allows to leave it away.

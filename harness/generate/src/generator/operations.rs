@@ -121,7 +121,7 @@ impl Maker<'_, '_> {
     }
 
     /// Only equality where no document says what comes first.
-    fn comparison_operator(&mut self, ty: ElementaryType) -> Operator {
+    pub fn comparison_operator(&mut self, ty: ElementaryType) -> Operator {
         const ALL: [Operator; 6] = [
             Operator::Equal,
             Operator::NotEqual,
