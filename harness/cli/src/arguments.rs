@@ -95,8 +95,8 @@ pub struct RunArguments {
     /// Which cases.
     #[command(flatten)]
     pub selection: SelectionArguments,
-    /// Run them on this engine: `reference`, or `cmd:COMMAND LINE` for a program that speaks the wire protocol; may be
-    /// repeated [default: reference]
+    /// Run them on this engine: `reference`, a compiler on this machine (`ironplc`, `matiec`, `strucpp`), or `cmd:COMMAND
+    /// LINE` for a program that speaks the wire protocol; may be repeated [default: reference]
     #[arg(long, value_name = "ENGINE")]
     pub engine: Vec<String>,
     /// Run part I of N of the cases
