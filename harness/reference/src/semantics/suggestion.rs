@@ -9,6 +9,7 @@ use super::types::{TypeId, TypeTable};
 use crate::conversion::{self, conversion_function_name};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::ExpressionId;
+use std::sync::LazyLock;
 use stickler_types::ElementaryType;
 
 /// No more names of the text than this are compared with one that is not known.
@@ -78,7 +79,9 @@ impl<'m> Lowering<'m> {
     /// The end of a message about a variable that nobody declared.
     pub(super) fn similar_variable(&mut self, name: &str) -> String {
         let local = self.entry().map(|entry| entry.scope.keys()).into_iter().flatten();
-        let known = local.chain(self.model.globals.keys()).map(|name| name.0);
+        let known = local
+            .chain(self.model.globals.keys())
+            .map(|name| Candidate::new(name.0));
         similar(name, known.take(CANDIDATES), |_| true, &mut self.guesses)
     }
 }
@@ -121,25 +124,53 @@ pub(super) fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32)
         .pous
         .iter()
         .filter(|entry| entry.is_function())
-        .map(|entry| entry.pou.name.text)
+        .map(|entry| Candidate::new(entry.pou.name.text))
         .take(CANDIDATES);
-    let standard = super::standard::NAMES.iter().map(|(name, _)| *name);
     let conversions = conversion::catalogue_names();
     let exists = |name: &str| {
         !conversions.iter().any(|known| known == name)
             || conversion::function(name, dialect).is_some()
             || conversion::concatenation(name, dialect).is_some()
     };
-    let known = standard
-        .chain(conversions.iter().map(String::as_str))
-        .chain(declared);
-    similar(name, known, exists, guesses)
+    similar(name, STANDARD.iter().copied().chain(declared), exists, guesses)
+}
+
+/// Every standard function and type conversion function.
+static STANDARD: LazyLock<Vec<Candidate<'static>>> = LazyLock::new(|| {
+    let standard = super::standard::NAMES.iter().map(|(name, _)| *name);
+    let conversions = conversion::catalogue_names().iter().map(String::as_str);
+    standard.chain(conversions).map(Candidate::new).collect()
+});
+
+/// A name that may be near another, and the letters in it.
+#[derive(Clone, Copy)]
+struct Candidate<'n> {
+    name: &'n str,
+    letters: u64,
+}
+
+impl<'n> Candidate<'n> {
+    fn new(name: &'n str) -> Candidate<'n> {
+        // Letters count without regard to case. That some digits share the bit of a letter hides no near name.
+        let bit = |byte: &u8| 1_u64 << (byte.to_ascii_lowercase() & 63);
+        Candidate {
+            name,
+            letters: name.as_bytes().iter().map(bit).fold(0, |all, bit| all | bit),
+        }
+    }
+
+    /// Whether so few changes can make one name of the other at all. A change takes at most one letter away and brings
+    /// at most one, which turns nearly all names away without looking at the order of their letters.
+    fn may_be_near(self, other: Candidate<'_>, changes: usize) -> bool {
+        (self.letters ^ other.letters).count_ones() as usize <= 2 * changes
+            && self.name.len().abs_diff(other.name.len()) <= changes
+    }
 }
 
 /// `; did you mean …?` with the nearest of some names, if any is near; of near ones those that exist.
 fn similar<'n>(
     name: &str,
-    known: impl Iterator<Item = &'n str>,
+    known: impl Iterator<Item = Candidate<'n>>,
     exists: impl Fn(&str) -> bool,
     guesses: &mut u32,
 ) -> String {
@@ -148,11 +179,11 @@ fn similar<'n>(
         return String::new();
     }
     *guesses -= 1;
-    let lower = name.to_ascii_lowercase();
+    let (lower, wanted) = (name.to_ascii_lowercase(), Candidate::new(name));
     let allowed = if name.len() < 6 { 1 } else { 2 };
     let mut near: Vec<_> = known
-        .filter(|other| other.len().abs_diff(name.len()) <= allowed)
-        .map(|other| (distance(&lower, &other.to_ascii_lowercase()), other))
+        .filter(|other| other.may_be_near(wanted, allowed))
+        .map(|Candidate { name, .. }| (distance(&lower, &name.to_ascii_lowercase()), name))
         .filter(|&(changes, other)| changes <= allowed && exists(other))
         .collect();
     near.sort_unstable();
@@ -210,7 +241,23 @@ fn distance(left: &str, right: &str) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::distance;
+    use super::{Candidate, STANDARD, distance};
+
+    #[test]
+    fn no_near_name_is_turned_away_by_its_letters() {
+        for (index, one) in STANDARD.iter().enumerate().step_by(7) {
+            for other in STANDARD.iter().skip(index % 5).step_by(5) {
+                let changes = distance(one.name, other.name);
+                assert!(
+                    one.may_be_near(*other, changes),
+                    "{} and {}",
+                    one.name,
+                    other.name
+                );
+            }
+        }
+        assert!(!Candidate::new("frobnicate").may_be_near(Candidate::new("INT_TO_REAL"), 2));
+    }
 
     #[test]
     fn distance_counts_changes() {
