@@ -12,6 +12,7 @@ pub use stickler_generate::oracles::Target;
 ///
 /// # Panics
 /// Where the input breaks what the target holds it to.
+#[inline(always)]
 pub fn hold(target: Target, data: &[u8]) {
     if let Err(failure) = target.judge(data) {
         panic!("{failure}");

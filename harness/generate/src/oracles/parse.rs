@@ -5,9 +5,10 @@ use super::words::{census, missing};
 use super::{Failure, Tried};
 use stickler_reference::diagnostic::Diagnostic;
 use stickler_reference::dialect::Dialect;
-use stickler_reference::source::decode;
+use stickler_reference::semantics;
+use stickler_reference::source::{LineIndex, decode};
+use stickler_reference::syntax::tree::SourceUnit;
 use stickler_reference::syntax::{parse, render};
-use stickler_reference::{LocatedDiagnostic, check, check_bytes};
 use stickler_types::DialectName;
 
 /// The dialect of a text that names none.
@@ -22,7 +23,8 @@ const GROWTH: usize = 1000;
 /// Holds against a text what the reference promises of every text. A first byte below 5 names the dialect; otherwise the bytes
 /// are the text, and the dialect is `ironplc-ed3`.
 ///
-/// 1. Every span of the tree and of every diagnostic lies in the text; every diagnostic has a message of bounded length.
+/// 1. Every span of the tree and of every diagnostic, the checker's among them, lies in the text; every diagnostic has a message
+///    of bounded length.
 /// 2. A text that reads without an error is rendered; the rendering has the words of the text, reads without an error to a
 ///    tree of the same shape, and rendering that changes nothing.
 /// 3. The checker finds the same in the rendering as in the text.
@@ -32,7 +34,7 @@ const GROWTH: usize = 1000;
 /// Basis: stickler-design: §2 (parsing never fails and never panics), §4 (spans, `render`).
 ///
 /// # Errors
-/// Symptoms: `place`, `message`, `order`, `size`, `rendering:CODE`, `rendering:words`, `rendering:tree`, `rendering:changes`,
+/// Symptoms: `place`, `message`, `size`, `rendering:CODE`, `rendering:words`, `rendering:tree`, `rendering:changes`,
 /// `rendering:check`.
 pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
     let (name, bytes) = match data.split_first() {
@@ -42,61 +44,79 @@ pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
         _ => (DIALECT, data),
     };
     let (text, broken) = decode(bytes);
-    hold_text(&text, &broken, name).map_err(|failure| {
+    hold_text(&text, &broken, &Dialect::of(name)).map_err(|failure| {
         let message = format!("in the dialect {name}: {}", failure.message);
         Failure { message, ..failure }.of_program(text.as_ref())
     })?;
-    let (_, found) = check_bytes(bytes, name);
-    hold_located(&found, &text).map_err(|failure| failure.of_program(text.as_ref()))?;
     Ok(Tried::Done)
 }
 
-fn hold_text(text: &str, broken: &[Diagnostic], name: DialectName) -> Result<(), Failure> {
-    let dialect = Dialect::of(name);
-    let (unit, diagnostics) = parse(text, &dialect);
-    broken
-        .iter()
-        .chain(&diagnostics)
-        .try_for_each(|diagnostic| hold_diagnostic(diagnostic, text))?;
+fn hold_text(text: &str, broken: &[Diagnostic], dialect: &Dialect) -> Result<(), Failure> {
+    let (unit, diagnostics) = parse(text, dialect);
+    let (_, found) = semantics::check(&unit, text, &LineIndex::new(text), dialect);
+    let all = || broken.iter().chain(&diagnostics).chain(&found);
+    all().try_for_each(|diagnostic| hold_diagnostic(diagnostic, text))?;
     hold_places(&unit, text, diagnostics.is_empty()).map_err(|wrong| Failure::new("place", wrong))?;
-    if unit.expressions.len() > text.len() {
-        return Err(Failure::new(
-            "size",
-            "the tree has more expressions than the text has bytes",
-        ));
-    }
     let rendered = render(&unit, text);
-    if rendered.len() > GROWTH * (text.len() + 1) {
-        return Err(Failure::new(
-            "size",
-            format!("the rendering has {} bytes", rendered.len()),
-        ));
+    if unit.expressions.len() > text.len() || rendered.len() > GROWTH * (text.len() + 1) {
+        let sizes = (text.len(), unit.expressions.len(), rendered.len());
+        let said = format!("bytes of the text, expressions of the tree, bytes of the rendering: {sizes:?}");
+        return Err(Failure::new("size", said));
     }
-    if !diagnostics.is_empty() || !broken.is_empty() {
+    // What the dialect does not enable is not rendered either.
+    let refused = |said: &Diagnostic| said.code.not_enabled();
+    if !diagnostics.is_empty() || !broken.is_empty() || found.iter().any(refused) {
         return Ok(());
     }
+    hold_rendering(&unit, text, &rendered, &found, dialect)
+}
+
+fn hold_rendering(
+    unit: &SourceUnit<'_>,
+    text: &str,
+    rendered: &str,
+    found: &[Diagnostic],
+    dialect: &Dialect,
+) -> Result<(), Failure> {
+    let failed = |symptom: &str, said: String| Err(Failure::new(symptom, format!("{said}\n{rendered}")));
     let nested = dialect.nested_comments;
-    if census(text, nested) != census(&rendered, nested) {
-        return Err(other_words(text, &rendered, nested));
-    }
-    let (again, complaints) = parse(&rendered, &dialect);
-    if let Some(Diagnostic { code, message, .. }) = complaints.first() {
-        let said = format!(
-            "the rendering is rejected with {}, {message}:\n{rendered}",
-            code.as_str()
+    if census(text, nested) != census(rendered, nested) {
+        let (lost, added) = (missing(text, rendered, nested), missing(rendered, text, nested));
+        return failed(
+            "rendering:words",
+            format!("the rendering loses {lost:?} and adds {added:?}:"),
         );
-        return Err(Failure::new(format!("rendering:{}", code.as_str()), said));
     }
-    if shape(&unit) != shape(&again) {
-        let said = format!("the rendering reads to another tree:\n{rendered}");
-        return Err(Failure::new("rendering:tree", said));
+    let (again, complaints) = parse(rendered, dialect);
+    if let Some(Diagnostic { code, message, .. }) = complaints.first() {
+        let said = format!("the rendering is rejected with {}, {message}:", code.as_str());
+        return failed(&format!("rendering:{}", code.as_str()), said);
     }
-    let twice = render(&again, &rendered);
+    if shape(unit) != shape(&again) {
+        return failed(
+            "rendering:tree",
+            "the rendering reads to another tree:".to_owned(),
+        );
+    }
+    let twice = render(&again, rendered);
     if twice != rendered {
-        let said = format!("rendering the rendering\n{rendered}\nchanges it to\n{twice}");
-        return Err(Failure::new("rendering:changes", said));
+        let said = format!("rendering the rendering gives\n{twice}\ninstead of");
+        return failed("rendering:changes", said);
     }
-    hold_meaning(text, &rendered, name)
+    let (_, found_again) = semantics::check(&again, rendered, &LineIndex::new(rendered), dialect);
+    let (before, after) = (codes(found), codes(&found_again));
+    if before != after {
+        let said = format!("the checker says {before:?} of the text and {after:?} of its rendering:");
+        return failed("rendering:check", said);
+    }
+    Ok(())
+}
+
+/// What the checker says, without the places, which differ.
+fn codes(found: &[Diagnostic]) -> Vec<&'static str> {
+    let mut codes: Vec<_> = found.iter().map(|said| said.code.as_str()).collect();
+    codes.sort_unstable();
+    codes
 }
 
 fn hold_diagnostic(diagnostic: &Diagnostic, text: &str) -> Result<(), Failure> {
@@ -112,67 +132,11 @@ fn hold_diagnostic(diagnostic: &Diagnostic, text: &str) -> Result<(), Failure> {
         );
         return Err(Failure::new("place", said));
     }
-    hold_message(message)
-}
-
-fn hold_message(message: &str) -> Result<(), Failure> {
     if message.is_empty() || message.len() > LONGEST_MESSAGE {
         let said = format!("a message of {} bytes: {message}", message.len());
         return Err(Failure::new("message", said));
     }
     Ok(())
-}
-
-fn other_words(text: &str, rendered: &str, nested: bool) -> Failure {
-    let lost = missing(text, rendered, nested);
-    let added = missing(rendered, text, nested);
-    Failure::new(
-        "rendering:words",
-        format!("the rendering loses {lost:?} and adds {added:?}:\n{rendered}"),
-    )
-}
-
-/// What is wrong with names and types must be wrong in the rendering too, though perhaps on other lines.
-fn hold_meaning(text: &str, rendered: &str, name: DialectName) -> Result<(), Failure> {
-    let [before, after] = [text, rendered].map(|text| {
-        let mut codes: Vec<_> = check(text, name)
-            .into_iter()
-            .map(|said| said.code.as_str())
-            .collect();
-        codes.sort_unstable();
-        codes
-    });
-    // What one code hides at one place may come out when the lines are others; that some are left is all that can be held.
-    if before == after {
-        return Ok(());
-    }
-    let said = format!("the checker says {before:?} of the text and {after:?} of its rendering\n{rendered}");
-    Err(Failure::new("rendering:check", said))
-}
-
-/// What a person is shown: sorted, in the text, with a message.
-fn hold_located(found: &[LocatedDiagnostic], text: &str) -> Result<(), Failure> {
-    let lines = text.bytes().filter(|byte| *byte == b'\n').count() + 1;
-    for said in found {
-        hold_message(&said.message)?;
-        let (start, end) = ((said.line, said.column), (said.end_line, said.end_column));
-        if start.0 == 0 || start.1 == 0 || end < start || end.0 as usize > lines {
-            let message = format!(
-                "{} from {start:?} to {end:?} does not lie in {lines} lines",
-                said.code.as_str()
-            );
-            return Err(Failure::new("place", message));
-        }
-    }
-    let order = |said: &LocatedDiagnostic| (said.line, said.column, said.code.as_str());
-    if found.is_sorted_by_key(order) {
-        Ok(())
-    } else {
-        Err(Failure::new(
-            "order",
-            format!("the diagnostics are not in order: {found:?}"),
-        ))
-    }
 }
 
 #[cfg(test)]

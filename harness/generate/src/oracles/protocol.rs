@@ -5,8 +5,8 @@ use serde_json::Value as Json;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 use stickler_engines::Reference;
-use stickler_engines::protocol::{Reply, serve};
-use stickler_types::Value;
+use stickler_engines::protocol::{DiagnosticMessage, Reply, serve};
+use stickler_types::{Code, Value};
 
 /// The reference, with few steps for each run: what matters here is that there is an answer.
 static ENGINE: LazyLock<Reference> = LazyLock::new(|| Reference::with_step_limit(20_000));
@@ -16,12 +16,13 @@ static ENGINE: LazyLock<Reference> = LazyLock::new(|| Reference::with_step_limit
 /// 1. Each line that is not blank gets one reply, in order, until `bye` or the end.
 /// 2. A reply is one line of JSON of the protocol's form, and repeats the id of a request that has one.
 /// 3. A request is answered by a reply that fits it; each value that was asked for is there, in its canonical spelling.
-/// 4. Nothing makes the engine crash, or contradict itself.
+/// 4. Diagnostics are sorted, and each has a known code, a message and a place in the program.
+/// 5. Nothing makes the engine crash, or contradict itself.
 ///
 /// Basis: stickler-design: §4 (wire protocol).
 ///
 /// # Errors
-/// Symptoms: `io`, `replies`, `reply`, `id`, `kind`, `values`, `crash`, `internal-error`.
+/// Symptoms: `io`, `replies`, `reply`, `id`, `kind`, `values`, `diagnostics`, `crash`, `internal-error`.
 pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
     let mut output = Vec::new();
     serve(&*ENGINE, data, &mut output).map_err(|error| Failure::new("io", error.to_string()))?;
@@ -100,16 +101,17 @@ fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), Failure> {
     match &read {
         Reply::Executed(executed) => hold_values(&request, &executed.values, true),
         Reply::Faulted(faulted) => hold_values(&request, &faulted.values, false),
+        Reply::Rejected(rejected) => hold_diagnostics(&request, &rejected.diagnostics),
         _ => Ok(()),
     }
 }
 
 /// Errors are about requests, never about the engine itself.
 fn hold_error(message: &str) -> Result<(), Failure> {
-    if message.contains("the engine crashed") {
+    if message.starts_with("the engine crashed: ") {
         return Err(Failure::new("crash", message));
     }
-    if message.contains("defect of the reference") {
+    if message.starts_with("defect of the reference: ") {
         return Err(Failure::new("internal-error", message));
     }
     Ok(())
@@ -177,6 +179,32 @@ fn hold_values(
         (Some(name), _) => Err(Failure::new("values", format!("the value of {name} is missing"))),
         (_, Some(name)) => Err(Failure::new("values", format!("nobody asked for {name}"))),
     }
+}
+
+/// There is a diagnostic; each has a code, a message and a place in the text, and they are sorted.
+fn hold_diagnostics(
+    request: &serde_json::Map<String, Json>,
+    diagnostics: &[DiagnosticMessage],
+) -> Result<(), Failure> {
+    let source = request.get("source").and_then(Json::as_str).unwrap_or_default();
+    let lines = source.bytes().filter(|byte| *byte == b'\n').count() + 1;
+    let sound = |said: &DiagnosticMessage| {
+        let (start, end) = ((said.line, said.column), (said.end_line, said.end_column));
+        said.code
+            .as_deref()
+            .is_some_and(|code| code.parse::<Code>().is_ok())
+            && !said.message.is_empty()
+            && start >= (Some(1), Some(1))
+            && said.column >= Some(1)
+            && end >= start
+            && said.end_line <= u32::try_from(lines).ok()
+    };
+    let order = |said: &DiagnosticMessage| (said.line, said.column, said.code.clone());
+    if !diagnostics.is_empty() && diagnostics.iter().all(sound) && diagnostics.is_sorted_by_key(order) {
+        return Ok(());
+    }
+    let message = "no diagnostic, or one without code, message or place, or out of order";
+    Err(Failure::new("diagnostics", message))
 }
 
 #[cfg(test)]
