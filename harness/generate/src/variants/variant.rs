@@ -3,7 +3,7 @@
 use super::{branches, capitals, dead_code, literals, loops, operands, spelling};
 use crate::model::Program;
 use crate::random::Random;
-use crate::writer::{Arguments, Bits, Keywords, LineEnds, Style, Widening, write};
+use crate::writer::{Arguments, Bits, Keywords, LineEnds, Notation, Style, Widening, write};
 use arbitrary::Unstructured;
 use stickler_reference::render;
 use stickler_types::DialectName;
@@ -19,6 +19,8 @@ pub enum Variant {
     Comments,
     /// Lines that end with a carriage return and a line feed.
     LineEnds,
+    /// Literals in other notations: bases, underscores, exponents, `T#1m30s`, characters by their numbers.
+    Notation,
     /// `.%Xn` for `.n`.
     Bits,
     /// A conversion function for each implicit conversion.
@@ -45,11 +47,12 @@ pub enum Variant {
 
 impl Variant {
     /// Every variant, in the order of the declaration.
-    pub const ALL: [Variant; 15] = [
+    pub const ALL: [Variant; 16] = [
         Variant::Keywords,
         Variant::Capitals,
         Variant::Comments,
         Variant::LineEnds,
+        Variant::Notation,
         Variant::Bits,
         Variant::ExplicitConversions,
         Variant::NamedArguments,
@@ -71,6 +74,7 @@ impl Variant {
             Variant::Capitals => "capitals",
             Variant::Comments => "comments",
             Variant::LineEnds => "line-ends",
+            Variant::Notation => "notation",
             Variant::Bits => "bits",
             Variant::ExplicitConversions => "explicit-conversions",
             Variant::NamedArguments => "named-arguments",
@@ -121,6 +125,14 @@ impl Variant {
                     ..Style::default()
                 },
             ),
+            Variant::Notation => spelling::other(
+                program,
+                Style {
+                    notation: Notation::Varied,
+                    seed: random.bits(),
+                    ..Style::default()
+                },
+            ),
             Variant::Bits if has_partial_access(program.dialect) => spelling::other(
                 program,
                 Style {
@@ -150,7 +162,7 @@ impl Variant {
             Variant::LoopUnrolled => changed(program, &mut random, loops::unroll),
             Variant::DeadCode => changed(program, &mut random, dead_code::insert),
             Variant::BranchesSwapped => changed(program, &mut random, branches::swap),
-            Variant::Rendered => Some(rendered(program)),
+            Variant::Rendered => Some(rendered(program, &mut random)),
         }
     }
 }
@@ -172,9 +184,16 @@ const fn has_partial_access(dialect: DialectName) -> bool {
     matches!(dialect, DialectName::IronplcEd3 | DialectName::IronplcRusty)
 }
 
-/// What the reference's renderer gives. Where it refuses, that is no text of a program, and whoever runs it will say so.
-fn rendered(program: &Program) -> String {
-    let text = write(program, &Style::default()).text;
+/// What the reference's renderer gives for the text in one notation or the other. Where it refuses, that is no text of a program,
+/// and whoever runs it will say so.
+fn rendered(program: &Program, random: &mut Random<'_, '_>) -> String {
+    let notations = [Notation::Canonical, Notation::Varied];
+    let style = Style {
+        notation: random.pick(&notations).copied().unwrap_or_default(),
+        seed: random.bits(),
+        ..Style::default()
+    };
+    let text = write(program, &style).text;
     render(&text, program.dialect).unwrap_or_else(|diagnostics| {
         let told: Vec<String> = diagnostics
             .iter()
