@@ -263,7 +263,7 @@ impl Scans<'_> {
             scans.as_ref(),
             "--dump-vars".as_ref(),
         ];
-        let ended = call(&self.session.engine.machine, &arguments, &self.session.folder)?;
+        let ended = locate::execute(&self.session.engine.machine, &arguments, &self.session.folder)?;
         match ended.code()? {
             0 => Ok(Execution::ToTheEnd(ended.stdout)),
             1 => match fault(&ended.stderr) {

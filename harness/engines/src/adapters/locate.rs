@@ -5,6 +5,7 @@ use crate::{Outcome, process};
 use std::env;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// A program on this machine: what the environment variable names, or else what PATH has under this name.
 ///
@@ -101,7 +102,7 @@ pub(super) fn first_error(ended: &Ended) -> String {
     line.chars().filter(|character| !character.is_control()).collect()
 }
 
-/// Runs a program in a folder of a session, under the limits that every compiler gets.
+/// Runs a compiler in a folder of a session, under the limits that every compiler gets.
 ///
 /// # Errors
 /// As [`run_tool`].
@@ -111,6 +112,26 @@ pub(super) fn call<A: AsRef<OsStr>>(
     folder: &Folder,
 ) -> Result<Ended, Outcome> {
     run_tool(program, arguments, folder.path(), &ToolLimits::default())
+}
+
+/// How long a program that was compiled may run. Those of cases and campaigns are done in milliseconds, so that one which is
+/// still at work has a loop that does not end.
+const EXECUTION: Duration = Duration::from_secs(10);
+
+/// Runs what was compiled, under the limits that every execution gets.
+///
+/// # Errors
+/// As [`run_tool`].
+pub(super) fn execute<A: AsRef<OsStr>>(
+    program: &Path,
+    arguments: &[A],
+    folder: &Folder,
+) -> Result<Ended, Outcome> {
+    let limits = ToolLimits {
+        time: EXECUTION,
+        ..ToolLimits::default()
+    };
+    run_tool(program, arguments, folder.path(), &limits)
 }
 
 #[cfg(test)]

@@ -247,7 +247,7 @@ impl MatiecSession<'_> {
 
     fn execute(&self, driver: &Driver<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let nothing: [&str; 0] = [];
-        let ended = call(&self.folder.path().join("driver"), &nothing, &self.folder)?;
+        let ended = locate::execute(&self.folder.path().join("driver"), &nothing, &self.folder)?;
         if ended.stopped_by_arithmetic() {
             return Ok(Outcome::Faulted {
                 fault: Fault::DivisionByZero,

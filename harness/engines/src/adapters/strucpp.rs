@@ -301,7 +301,7 @@ impl StrucppSession<'_> {
 
     fn execute(&self, driver: &Driver<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let nothing: [&str; 0] = [];
-        let ended = call(&self.folder.path().join("driver"), &nothing, &self.folder)?;
+        let ended = locate::execute(&self.folder.path().join("driver"), &nothing, &self.folder)?;
         let faulted = |fault| Outcome::Faulted {
             fault,
             line: None,

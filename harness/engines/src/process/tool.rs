@@ -27,10 +27,11 @@ pub(crate) struct ToolLimits {
 }
 
 impl Default for ToolLimits {
-    /// 30 seconds, 16 MiB of output and 2 GiB of memory: many times what compilers of small programs take.
+    /// One minute, 16 MiB of output and 2 GiB of memory: many times what compilers of small programs take, also on a busy
+    /// machine.
     fn default() -> ToolLimits {
         ToolLimits {
-            time: Duration::from_secs(30),
+            time: Duration::from_secs(60),
             output: 16 << 20,
             memory: 2 << 30,
         }

@@ -122,7 +122,7 @@ fn string_length(bytes: &[u8]) -> usize {
 }
 
 /// Words, and every other character that is no blank by itself.
-fn words(text: &str) -> Vec<Range<usize>> {
+pub(super) fn words(text: &str) -> Vec<Range<usize>> {
     let mut found: Vec<Range<usize>> = Vec::new();
     let mut in_word = false;
     for (at, character) in text.char_indices() {

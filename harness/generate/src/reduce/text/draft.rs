@@ -1,5 +1,6 @@
 //! A source text on its way to becoming smaller: changes to it, its weight, and which changes are allowed.
 
+use super::chunks::words;
 use super::tree::lists;
 use crate::reduce::Sites;
 use std::cell::RefCell;
@@ -174,31 +175,27 @@ fn without_blank_lines(text: &str) -> String {
     lines.collect()
 }
 
-/// First how many words and signs there are, then how many characters stand in them; blanks weigh nothing, numbers little.
+/// First how many words and signs there are, then how many characters stand in them; blanks weigh nothing, literals little,
+/// for a literal is what everything is to become.
 pub(super) fn weight(draft: &Draft) -> (u64, u128) {
-    let mut words = 0_u64;
+    let mut parts = 0_u64;
     let mut size = 0_u128;
-    let mut inside = None;
-    for character in draft.text.chars() {
-        let kind = if character.is_whitespace() {
-            None
-        } else if character.is_alphanumeric() || "_#.".contains(character) {
-            Some(true)
-        } else {
-            Some(false)
-        };
-        if kind.is_some() && (kind != inside || kind == Some(false)) {
-            // A word that begins with a digit is a number, which is what everything is to become.
-            words += if character.is_ascii_digit() { 1 } else { 2 };
-        }
-        inside = kind;
-        size += match (kind, character.to_digit(10)) {
-            (None, _) => 0,
-            (_, Some(digit)) => 100 + u128::from(digit),
-            _ => 120,
-        };
+    for at in words(&draft.text) {
+        let word = &draft.text[at];
+        parts += if is_literal(word) { 1 } else { 2 };
+        let digits = word.bytes().filter(u8::is_ascii_digit);
+        let digits: u128 = digits.map(|digit| u128::from(digit - b'0')).sum();
+        size += 100 * word.len() as u128 + digits;
     }
-    (words, size)
+    (parts, size)
+}
+
+/// Whether a word is a number, or a value with the prefix of its type, or one of BOOL.
+fn is_literal(word: &str) -> bool {
+    word.starts_with(|first: char| first.is_ascii_digit())
+        || word.contains('#')
+        || word.eq_ignore_ascii_case("TRUE")
+        || word.eq_ignore_ascii_case("FALSE")
 }
 
 /// The same for the same text.

@@ -1,10 +1,10 @@
 //! Expressions replaced by their operands and by literals, and literals made smaller.
 
 use super::draft::{Change, Draft, bytes};
-use super::tree::{expression, operands, parse, place};
+use super::tree::{expression, operands, parse, place, statements};
 use crate::reduce::Sites;
 use std::ops::Range;
-use stickler_reference::syntax::tree::{Expression, ExpressionKind, LiteralKind, SourceUnit};
+use stickler_reference::syntax::tree::{Expression, ExpressionKind, LiteralKind, SourceUnit, StatementKind};
 
 /// What is tried in the place of an expression whose type nobody knows; the reference says which of them can stand there.
 const PLAIN: [&str; 7] = ["FALSE", "0", "0.0", "''", "T#0s", "TRUE", "1"];
@@ -21,16 +21,25 @@ const TYPED: [&str; 8] = [
     "T#0s",
 ];
 
-/// Replaces expressions by a plain literal that can stand in their place, outermost first.
+/// Replaces expressions by a plain literal that can stand in their place, outermost first; what ends REPEAT, by TRUE.
 pub(super) fn to_literal(draft: &mut Draft, sites: &mut Sites) {
     draft.change("to literal", sites, |draft| {
         let unit = parse(draft);
+        let ends: Vec<Range<usize>> = statements(&unit)
+            .into_iter()
+            .filter_map(|statement| match &statement.kind {
+                StatementKind::Repeat { until, .. } => Some(place(&unit, *until)),
+                _ => None,
+            })
+            .collect();
         let mut changes = Vec::new();
         for expression in outermost_first(&unit) {
             if !matches!(expression.kind, ExpressionKind::Literal(_)) {
                 let at = bytes(expression.span);
-                let all = PLAIN.iter().map(|plain| Change::of(at.clone(), *plain));
-                changes.extend(draft.only_allowed(all.collect()).into_iter().next());
+                let first = ends.contains(&at).then_some(&"TRUE");
+                let all = first.into_iter().chain(&PLAIN);
+                let all = all.map(|plain| Change::of(at.clone(), *plain)).collect();
+                changes.extend(draft.only_allowed(all).into_iter().next());
             }
         }
         changes

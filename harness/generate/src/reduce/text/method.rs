@@ -1,7 +1,7 @@
 //! The passes over a source text in their order, and the one function that runs them.
 
 use super::draft::{self, Draft};
-use super::{chunks, declarations, expressions, statements};
+use super::{chunks, declarations, expressions, statements, values};
 use crate::reduce::{Answer, Budget, Ended, Method, Minimised, Pass, Sites, minimise};
 use stickler_types::DialectName;
 
@@ -23,6 +23,11 @@ const METHOD: Method<Draft> = Method {
             expressions::to_typed_literal,
         ),
         pass("replace expressions by literals", expressions::to_literal),
+        pass("replace variables by their last values", values::to_final_value),
+        pass(
+            "replace variables by their first values",
+            values::to_initial_value,
+        ),
         pass("drop what is not used any more", declarations::drop_unused),
         pass(
             "replace expressions by their first operands",

@@ -8,7 +8,7 @@
 //! |---|---|
 //! | `draft` | a text with the changes that can be made to it |
 //! | `tree` | what the passes ask of the syntax tree |
-//! | `statements`, `expressions`, `declarations`, `chunks` | the passes |
+//! | `statements`, `expressions`, `values`, `declarations`, `chunks` | the passes |
 //! | `method` | their order |
 
 mod chunks;
@@ -20,5 +20,6 @@ mod statements;
 #[cfg(test)]
 mod tests;
 mod tree;
+mod values;
 
 pub use method::text;

@@ -106,10 +106,6 @@ fn what_remains_of_a_program_is_what_the_symptom_needs() {
         let found = reduce(MACHINE, words);
         accepted(&found.value);
         let lines = found.value.lines().count();
-        println!(
-            "{words:?}: {lines} lines, {} tries, {} refused\n{}",
-            found.tries, found.refused, found.value
-        );
         assert_eq!(found.ended, Ended::Smallest);
         assert!(lines <= most, "{words:?}: {lines} lines\n{}", found.value);
     }

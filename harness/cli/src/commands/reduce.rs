@@ -1,0 +1,210 @@
+//! `stickler reduce`: one file made small while an engine goes on doing with it what it should not.
+
+mod subject;
+
+use crate::arguments::ReduceArguments;
+use crate::exit::Exit;
+use crate::{engines, interrupt, output, source_file};
+use anyhow::{Context, bail};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+use stickler_engines::{Engine, ProcessEngine, ProcessLimits};
+use stickler_generate::reduce::{self, Answer, Budget, Ended, Minimised, Symptom};
+use stickler_reference::source;
+use stickler_types::DialectName;
+use subject::Subject;
+
+/// Prints the smallest program that shows the symptom, or writes it to the file that was named; how it went goes to stderr.
+///
+/// # Errors
+/// A file that cannot be read or written; an engine that cannot be run.
+pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let (bytes, path) = source_file::read(&arguments.file)?;
+    let (text, broken) = source::decode(&bytes);
+    if !broken.is_empty() {
+        output::note(format!(
+            "{path} has {}, which stand as U+FFFD from here on",
+            broken[0].message
+        ));
+    }
+    let engine = engine(arguments)?;
+    let stop = interrupt::flag()?;
+    let mut subject = Subject::new(engine.as_ref(), arguments.engine == engines::REFERENCE)?;
+    let Some((dialect, symptom)) = shown(&mut subject, arguments, &text, &path)? else {
+        return Ok(Exit::Failures);
+    };
+    let started = Instant::now();
+    let bar = Bar::new(&symptom);
+    let stopped = || stop.load(Ordering::Relaxed);
+    let budget = Budget {
+        tries: arguments.tries,
+        stop: &stopped,
+    };
+    let mut trouble = None;
+    let found = reduce::text(
+        &text,
+        dialect,
+        |candidate| {
+            let answer = subject.answer(dialect, candidate, &symptom);
+            let answer = answer.unwrap_or_else(|error| {
+                trouble.get_or_insert(error);
+                Answer::Dull
+            });
+            bar.tried(candidate, answer);
+            answer
+        },
+        &budget,
+    );
+    bar.finish();
+    let again = found.ended != Ended::NotInteresting
+        && subject
+            .answer(dialect, &found.value, &symptom)
+            .is_ok_and(|answer| answer == Answer::Interesting);
+    write(arguments.output.as_deref(), &found.value, out)?;
+    // What is said of the program comes behind it.
+    out.flush()?;
+    let name = &engine.identity().name;
+    output::note(format!(
+        "{symptom} on {name} in {dialect}: {}, in {:.1} s",
+        summary(&text, &found),
+        started.elapsed().as_secs_f64()
+    ));
+    if let Some(error) = trouble {
+        return Err(
+            error.context("the engine could not be started again; this is the smallest program up to then")
+        );
+    }
+    Ok(exit(&found, again))
+}
+
+/// How large the program was and is, and what it took.
+fn summary(before: &str, found: &Minimised<String>) -> String {
+    let lines = |text: &str| text.lines().count();
+    let tries = if found.tries == 1 { "try" } else { "tries" };
+    format!(
+        "{} → {} lines, {} {tries}",
+        lines(before),
+        lines(&found.value),
+        found.tries
+    )
+}
+
+fn exit(found: &Minimised<String>, again: bool) -> Exit {
+    match found.ended {
+        Ended::Stopped => {
+            output::note("stopped: this is the smallest program so far");
+            return Exit::Interrupted;
+        }
+        Ended::OutOfTries => output::note("no more tries are allowed; --tries N allows more"),
+        Ended::Smallest | Ended::NotInteresting => {}
+    }
+    if again {
+        return Exit::AsExpected;
+    }
+    output::note("the symptom is flaky: the same program was run again and did not show it");
+    Exit::Failures
+}
+
+/// The dialect and the symptom to keep; says so where there is none.
+fn shown(
+    subject: &mut Subject<'_>,
+    arguments: &ReduceArguments,
+    text: &str,
+    path: &str,
+) -> anyhow::Result<Option<(DialectName, Symptom)>> {
+    let identity = subject.identity();
+    let dialects = match arguments.dialect {
+        Some(dialect) => engines::spoken(identity, &[dialect])?,
+        None => identity.dialects.clone(),
+    };
+    let name = identity.name.clone();
+    let mut others = Vec::new();
+    for &dialect in &dialects {
+        let symptoms = subject.symptoms(dialect, text)?;
+        let wanted = match &arguments.symptom {
+            Some(wanted) => symptoms.iter().find(|symptom| *symptom == wanted),
+            None => symptoms.first(),
+        };
+        if let Some(symptom) = wanted {
+            return Ok(Some((dialect, symptom.clone())));
+        }
+        others.extend(symptoms.iter().map(|symptom| format!("{symptom} in {dialect}")));
+    }
+    let dialects: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
+    let dialects = dialects.join(", ");
+    output::complain(&match &arguments.symptom {
+        Some(wanted) if others.is_empty() => {
+            anyhow::anyhow!("{path} shows no {wanted} on {name} in {dialects}, and nothing else")
+        }
+        Some(wanted) => anyhow::anyhow!("{path} shows no {wanted} on {name}, but {}", others.join(", ")),
+        None if arguments.engine == engines::REFERENCE => anyhow::anyhow!(
+            "{path} shows nothing to keep: the reference runs it to its end in {dialects}; --engine names another"
+        ),
+        None => {
+            anyhow::anyhow!("{path} shows no symptom: in {dialects}, {name} does what the reference does")
+        }
+    });
+    Ok(None)
+}
+
+/// The engine that was named, with the limit that was set.
+fn engine(arguments: &ReduceArguments) -> anyhow::Result<Box<dyn Engine>> {
+    let Some(reply) = arguments.hang else {
+        return engines::by_name(&arguments.engine);
+    };
+    let Some(line) = arguments.engine.strip_prefix(engines::COMMAND) else {
+        bail!("--hang is for engines that are named with `{}`", engines::COMMAND);
+    };
+    let limits = ProcessLimits {
+        reply,
+        ..ProcessLimits::default()
+    };
+    Ok(Box::new(ProcessEngine::start(line, limits)?))
+}
+
+/// Writes the program where it is wanted; what cannot be written to a file is printed, so that the work is not lost.
+fn write(file: Option<&Path>, program: &str, out: &mut dyn Write) -> anyhow::Result<()> {
+    let end = if program.ends_with('\n') { "" } else { "\n" };
+    let Some(file) = file else {
+        return Ok(write!(out, "{program}{end}")?);
+    };
+    let written = fs::write(file, format!("{program}{end}"));
+    if written.is_err() {
+        write!(out, "{program}{end}")?;
+    }
+    written.with_context(|| format!("cannot write {}; the program is printed instead", file.display()))
+}
+
+/// What is shown while it goes on, on stderr and only where that is a terminal.
+struct Bar(ProgressBar);
+
+impl Bar {
+    fn new(symptom: &Symptom) -> Bar {
+        let bar = ProgressBar::new_spinner();
+        // The template is a constant; if it were wrong, the bar would look plain.
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {prefix}: {pos} tries, {elapsed}{msg}") {
+            bar.set_style(style);
+        }
+        bar.set_prefix(symptom.to_string());
+        bar.enable_steady_tick(Duration::from_millis(100));
+        Bar(bar)
+    }
+
+    fn tried(&self, candidate: &str, answer: Answer) {
+        if answer != Answer::Refused {
+            self.0.inc(1);
+        }
+        if answer == Answer::Interesting {
+            self.0
+                .set_message(format!(", {} lines", candidate.lines().count()));
+        }
+    }
+
+    fn finish(&self) {
+        self.0.finish_and_clear();
+    }
+}

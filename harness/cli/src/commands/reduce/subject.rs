@@ -1,0 +1,146 @@
+//! What an engine and the reference do with a program, and how that differs.
+
+use stickler_engines::{
+    Ability, Engine, EngineError, Identity, NamedValue, Observation, Outcome, Reference, RunRequest, Session,
+    guard,
+};
+use stickler_generate::reduce::{Answer, Symptom};
+use stickler_types::{DialectName, Fault, Value};
+
+/// How many variables are compared.
+const MOST: usize = 1000;
+
+/// An engine, and the reference beside it.
+pub struct Subject<'e> {
+    engine: &'e dyn Engine,
+    session: Box<dyn Session + 'e>,
+    reference: Reference,
+    /// There is no engine but the reference.
+    alone: bool,
+}
+
+impl<'e> Subject<'e> {
+    /// A session with this engine; `alone` where it is the reference itself, which is not held against itself. A process
+    /// that serves the reference is an engine like any other.
+    ///
+    /// # Errors
+    /// Where the engine cannot be started.
+    pub fn new(engine: &'e dyn Engine, alone: bool) -> Result<Subject<'e>, EngineError> {
+        Ok(Subject {
+            engine,
+            session: engine.session()?,
+            reference: Reference::new(),
+            alone,
+        })
+    }
+
+    /// Who the engine is.
+    pub fn identity(&self) -> &'e Identity {
+        self.engine.identity()
+    }
+
+    /// Every symptom of a program. Of the reference: how it does not run it to its end.
+    ///
+    /// # Errors
+    /// Where the engine died and cannot be started again.
+    pub fn symptoms(&mut self, dialect: DialectName, source: &str) -> anyhow::Result<Vec<Symptom>> {
+        let expected = self.expected(dialect, source)?;
+        if self.alone {
+            let to_its_end = Outcome::Executed { values: Vec::new() };
+            return Ok(Symptom::all(&to_its_end, &expected));
+        }
+        // Where the reference is at an end, there is nothing to hold an engine against.
+        if matches!(
+            expected,
+            Outcome::Crashed { .. }
+                | Outcome::Error { .. }
+                | Outcome::Faulted {
+                    fault: Fault::StepLimit,
+                    ..
+                }
+        ) {
+            return Ok(Vec::new());
+        }
+        let got = self.ask(dialect, source, &expected)?;
+        Ok(Symptom::all(&expected, &got))
+    }
+
+    /// Whether a program shows a symptom.
+    ///
+    /// # Errors
+    /// Those of [`Subject::symptoms`].
+    pub fn answer(
+        &mut self,
+        dialect: DialectName,
+        source: &str,
+        symptom: &Symptom,
+    ) -> anyhow::Result<Answer> {
+        let symptoms = self.symptoms(dialect, source)?;
+        Ok(Answer::from(symptoms.contains(symptom)))
+    }
+
+    /// What the reference does: the values of all variables of an elementary type.
+    fn expected(&self, dialect: DialectName, source: &str) -> Result<Outcome, EngineError> {
+        let names = stickler_reference::variables(source, dialect, MOST);
+        let observe: Vec<Observation<'_>> = names
+            .iter()
+            .map(|name| Observation {
+                name,
+                type_name: "",
+                after: None,
+            })
+            .collect();
+        let mut session = self.reference.session()?;
+        let outcome = guard(|| session.run(&request(dialect, source, &observe)));
+        Ok(match outcome {
+            Outcome::Executed { mut values } => {
+                values.retain(|(_, value)| !matches!(value, Value::Enumerated { .. }));
+                Outcome::Executed { values }
+            }
+            other => other,
+        })
+    }
+
+    /// What the engine does with a program, asked for the values that there are to compare.
+    fn ask(
+        &mut self,
+        dialect: DialectName,
+        source: &str,
+        expected: &Outcome,
+    ) -> Result<Outcome, EngineError> {
+        let values: &[NamedValue] = match expected {
+            Outcome::Executed { values } => values,
+            _ => &[],
+        };
+        let observe: Vec<Observation<'_>> = values
+            .iter()
+            .map(|(name, value)| Observation {
+                name,
+                type_name: value.type_name(),
+                after: None,
+            })
+            .collect();
+        let rejected = matches!(expected, Outcome::Rejected { .. });
+        let outcome = if rejected && self.identity().can(Ability::Check) {
+            guard(|| self.session.check(dialect, source))
+        } else {
+            guard(|| self.session.run(&request(dialect, source, &observe)))
+        };
+        if matches!(outcome, Outcome::Crashed { .. }) {
+            // What a panic has left behind must not be used again.
+            self.session = self.engine.session()?;
+        }
+        Ok(outcome)
+    }
+}
+
+fn request<'a>(dialect: DialectName, source: &'a str, observe: &'a [Observation<'a>]) -> RunRequest<'a> {
+    RunRequest {
+        dialect,
+        source,
+        scans: 1,
+        observe,
+        clock: &[],
+        set: &[],
+    }
+}

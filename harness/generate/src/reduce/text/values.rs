@@ -1,0 +1,78 @@
+//! Variables replaced by values that the reference finds in them.
+//!
+//! That cuts a program off from all that led to a value, as the evaluator does for programs of the model. Which value a
+//! variable has where it is read is not known here; that of the start and that of the end are good guesses.
+
+use super::draft::{Change, Draft, bytes};
+use super::expressions::outermost_first;
+use super::tree::parse;
+use crate::reduce::Sites;
+use std::collections::HashMap;
+use stickler_reference::syntax::tree::ExpressionKind;
+use stickler_reference::{Limits, Observation, Outcome, Request, run, variables};
+use stickler_types::Value;
+
+/// How many variables are looked at.
+const MOST: usize = 300;
+
+/// Replaces variables by their values at the end.
+pub(super) fn to_final_value(draft: &mut Draft, sites: &mut Sites) {
+    draft.change("final values", sites, |draft| to_value(draft, 1));
+}
+
+/// Replaces variables by their initial values.
+pub(super) fn to_initial_value(draft: &mut Draft, sites: &mut Sites) {
+    draft.change("initial values", sites, |draft| to_value(draft, 0));
+}
+
+fn to_value(draft: &Draft, scans: u32) -> Vec<Change> {
+    let values = values(draft, scans);
+    let unit = parse(draft);
+    let mut changes = Vec::new();
+    for expression in outermost_first(&unit) {
+        let is_read = matches!(
+            expression.kind,
+            ExpressionKind::Name(_) | ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
+        );
+        let name = expression.span.text(&draft.text).to_ascii_lowercase();
+        if let (true, Some(value)) = (is_read, values.get(&name)) {
+            changes.push(Change::of(bytes(expression.span), value.as_str()));
+        }
+    }
+    draft.only_allowed(changes)
+}
+
+/// The values of the variables after some scans, as literals, by their names in lower case.
+fn values(draft: &Draft, scans: u32) -> HashMap<String, String> {
+    let names = variables(&draft.text, draft.dialect, MOST);
+    let observe: Vec<Observation<'_>> = names
+        .iter()
+        .map(|name| Observation { name, after: None })
+        .collect();
+    let outcome = run(&Request {
+        dialect: draft.dialect,
+        source: &draft.text,
+        scans,
+        observe: &observe,
+        clock: &[],
+        set: &[],
+        limits: Limits { steps: 100_000 },
+    });
+    let values = match outcome {
+        Ok(Outcome::Executed { values } | Outcome::Faulted { values, .. }) => values,
+        _ => Vec::new(),
+    };
+    values
+        .into_iter()
+        .map(|(name, value)| (name.to_ascii_lowercase(), spelled(&value)))
+        .collect()
+}
+
+/// BOOL and texts without the prefix of their type, which not every compiler reads.
+fn spelled(value: &Value) -> String {
+    let canonical = value.to_string();
+    let bare = ["BOOL#", "STRING#", "WSTRING#"]
+        .into_iter()
+        .find_map(|prefix| canonical.strip_prefix(prefix));
+    bare.map_or_else(|| canonical.clone(), str::to_owned)
+}
