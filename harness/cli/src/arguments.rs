@@ -1,8 +1,10 @@
 //! The command line as clap reads it: commands, options and the help that teaches them by example.
 
 mod fuzz;
+mod reduce;
 
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
+pub use reduce::ReduceArguments;
 
 use crate::exit::Listing;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -66,6 +68,9 @@ pub enum Command {
     /// Look for programs on which an engine, or the reference, does not do what documents say
     #[command(after_help = fuzz::FUZZ_EXAMPLES)]
     Fuzz(FuzzArguments),
+    /// Make a program small that shows a symptom on an engine
+    #[command(after_help = reduce::REDUCE_EXAMPLES)]
+    Reduce(ReduceArguments),
     /// Make a case of a finding
     #[command(after_help = fuzz::PROMOTE_EXAMPLES)]
     Promote(PromoteArguments),

@@ -90,7 +90,7 @@ fn targets() -> impl TypedValueParser<Value = Target> {
 }
 
 /// Reads `90s`, `10m`, `2h`, `500ms`; a number alone is seconds.
-fn time(text: &str) -> Result<Duration, String> {
+pub(super) fn time(text: &str) -> Result<Duration, String> {
     let digits = text.bytes().take_while(u8::is_ascii_digit).count();
     let (number, unit) = text.split_at(digits);
     let wrong = || format!("`{text}` is no time; write it as 90s, 10m or 2h");

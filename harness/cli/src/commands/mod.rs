@@ -11,6 +11,7 @@ mod list;
 mod matrix;
 mod merge;
 mod promote;
+mod reduce;
 mod render;
 mod run;
 mod show;
@@ -42,6 +43,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Conversions(arguments) => conversions::execute(&arguments, out),
         Command::Sweep(arguments) => sweep::execute(&arguments, out),
         Command::Fuzz(arguments) => fuzz::execute(&arguments, out),
+        Command::Reduce(arguments) => reduce::execute(&arguments, out),
         Command::Promote(arguments) => promote::execute(&arguments, out),
         Command::Merge(arguments) => merge::execute(&arguments, out),
     }
