@@ -17,7 +17,7 @@ use std::process::ExitCode;
 /// Exit codes: 0; 1 where a mutant of the conversion, widening or bit-access code survives that survivors.toml does not
 /// explain; 2 usage, or a broken case file; 3 cargo-mutants is missing or could not be run.
 #[derive(Parser)]
-#[command(name = "stickler-mutants", verbatim_doc_comment)]
+#[command(name = "stickler-mutants")]
 struct Arguments {
     /// Run nothing; read these folders, each a `mutants.out` or one that has it. Of a mutant that several have, the last
     /// counts.
