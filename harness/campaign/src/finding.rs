@@ -8,6 +8,9 @@ use stickler_types::DialectName;
 /// The version of the form in which findings are saved.
 pub const FORMAT: u32 = 1;
 
+/// So much of a symptom stands in a name; some compilers say much.
+const LONGEST_KIND: usize = 40;
+
 /// A disagreement or crash, reduced and run again.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct Finding {
@@ -149,7 +152,9 @@ impl Finding {
         let mut print = Fingerprint::default();
         print.add(&self.target);
         self.rule.iter().for_each(|part| print.add(part));
-        self.id = file_name(&format!("{who}-{}-{:08x}", self.kind(), print.short()));
+        print.add(self.kind());
+        let kind: String = self.kind().chars().take(LONGEST_KIND).collect();
+        self.id = format!("{}-{:08x}", file_name(&format!("{who}-{kind}")), print.short());
         self.fingerprint = fingerprint(self.program.as_deref(), &self.input);
         self
     }

@@ -1,6 +1,7 @@
 //! The reference alone: the oracles of the fuzz targets, in rotation.
 
 mod finding;
+mod planted;
 mod small;
 mod worker;
 

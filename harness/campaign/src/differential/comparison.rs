@@ -85,13 +85,43 @@ pub(crate) fn compare(question: Question<'_>, outcome: &Outcome) -> Agreement {
 
 fn rejected(diagnostics: &[Diagnostic]) -> Agreement {
     let first = diagnostics.first();
-    let code = first.and_then(|first| first.code.as_deref());
-    let symptom = code.map_or_else(|| "rejected".to_owned(), |code| format!("rejected:{code}"));
+    let told = first.map(|first| match &first.code {
+        Some(code) => code.clone(),
+        None => gist(&first.message),
+    });
+    let symptom = match told.filter(|told| !told.is_empty()) {
+        Some(told) => format!("rejected:{told}"),
+        None => "rejected".to_owned(),
+    };
     let message = match first {
         Some(first) => format!("expected to be accepted, rejected: {}", diagnostic(first)),
         None => "expected to be accepted, rejected without a reason".to_owned(),
     };
     Agreement::disagrees(symptom, message)
+}
+
+/// What is left of the message of a compiler without codes when a program gets smaller: the first of its words, without what
+/// it quotes, without names and numbers that a generator made.
+fn gist(message: &str) -> String {
+    const WORDS: usize = 6;
+    let quote = |character: char| "'\"`".contains(character);
+    // Every other piece stands between quotation marks.
+    let said = message.lines().next().unwrap_or_default().split(quote).step_by(2);
+    let words = said.flat_map(str::split_whitespace);
+    let plain = |word: &&str| {
+        word.bytes()
+            .all(|byte| byte.is_ascii_alphabetic() || b",.:;()-".contains(&byte))
+    };
+    let words: Vec<String> = words
+        .filter(plain)
+        .map(|word| {
+            word.trim_matches(|end: char| !end.is_ascii_alphabetic())
+                .to_ascii_lowercase()
+        })
+        .filter(|word| !word.is_empty())
+        .take(WORDS)
+        .collect();
+    words.join(" ")
 }
 
 /// One diagnostic in one line.
@@ -136,4 +166,23 @@ fn find<'v>(values: &'v [(String, Value)], name: &str) -> Option<&'v Value> {
 /// Whether the generator computes it from everything else.
 fn is_checksum(name: &str) -> bool {
     name.starts_with("checksum")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::gist;
+
+    #[test]
+    fn the_gist_of_a_message_has_no_names_and_no_numbers() {
+        assert_eq!(
+            gist("Variable v17 of type 'INT' is not declared (line 5)."),
+            "variable of type is not declared"
+        );
+        assert_eq!(
+            gist("unknown error in program declaration."),
+            "unknown error in program declaration"
+        );
+        assert_eq!(gist("\"x\": 5"), "");
+        assert_eq!(gist(""), "");
+    }
 }

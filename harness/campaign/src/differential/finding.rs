@@ -75,6 +75,10 @@ impl Asking<'_> {
 
     /// Whether the engine shows the symptom on this program.
     fn shows(&mut self, index: usize, suspicion: &Suspicion, candidate: &Program, opened: bool) -> Answer {
+        // Some compilers reject a program without variables or statements for itself, whatever else was wrong with it.
+        if candidate.main.variables.is_empty() || candidate.main.body.is_empty() {
+            return Answer::Refused;
+        }
         let Ok(subject) = Subject::new(candidate.clone()) else {
             return Answer::Refused;
         };

@@ -1,5 +1,6 @@
 //! The smallest input with the same symptom: by its bytes first, and then, where it stands for a program, by its model.
 
+use super::planted;
 use crate::basis::basis;
 use crate::differential::{Subject, expected};
 use crate::finding::Expected;
@@ -59,7 +60,24 @@ impl Small {
         };
         match (target, &small.failure) {
             (Target::Execute, Some(_)) => small.with_program(symptom, &budget),
+            (Target::Check, Some(_)) => small.with_error(symptom, &budget),
             _ => small,
+        }
+    }
+
+    fn with_error(self, symptom: &str, budget: &Budget<'_>) -> Small {
+        let Some(planted) = planted::small(&self.input, symptom, budget) else {
+            return self;
+        };
+        Small {
+            failure: Some(planted.failure),
+            smallest: planted.reduced.ended == Ended::Smallest,
+            tries: self.tries.saturating_add(planted.reduced.tries),
+            // What stands around the error is there because a program needs it.
+            rule: vec![planted.kind.to_owned()],
+            dialect: Some(planted.reduced.value.dialect),
+            expected: planted.expected,
+            input: self.input,
         }
     }
 

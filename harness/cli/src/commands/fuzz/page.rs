@@ -82,6 +82,13 @@ impl<'o> Page<'o> {
             Ended::Interrupted => writeln!(self.out, "\nstopped before its end")?,
             Ended::Lost(reason) => writeln!(self.out, "\n{RED}stopped:{RED:#} {reason}")?,
         }
+        if !unsaved.findings.is_empty() {
+            let number = unsaved.findings.len();
+            writeln!(
+                self.out,
+                "\n{number} of the findings could not be saved; they stand above"
+            )?;
+        }
         match summary.findings.len() {
             0 => writeln!(self.out, "\n{GREEN}nothing found{GREEN:#}"),
             1 => writeln!(self.out, "\n{RED}1 finding{RED:#} in {}", unsaved.folder),
