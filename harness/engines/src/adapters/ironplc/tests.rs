@@ -1,0 +1,166 @@
+//! The adapter with stand-ins for both programs, which say what the real ones said, or do what those must not.
+
+use super::*;
+use crate::Observation;
+use std::process::Command;
+
+/// Does what a comment in the program asks for; otherwise it writes bytecode, which here is the program itself.
+const COMPILER: &str = r#"#!/bin/sh
+case $(cat program.st) in
+*'please: reject'*)
+    printf '\033[0m\033[1merror[P4035]\033[0m: does not fit\n  \342\224\214\342\224\200 /tmp/program.st:3:7\n' >&2
+    exit 1 ;;
+*'please: be unfinished'*) printf 'error[P9999]: not yet\n' >&2; exit 1 ;;
+*'please: panic'*) echo "thread 'main' panicked at src/x.rs" >&2; exit 101 ;;
+*'please: die'*) kill -ABRT $$ ;;
+*'please: forget'*) exit 0 ;;
+*'please: take no copies'*'stickler_witness_0'*) printf 'error[P2008]: no such type\n' >&2; exit 1 ;;
+esac
+cp program.st program.iplc
+"#;
+
+const MACHINE: &str = r#"#!/bin/sh
+printf 'x: 5\nstickler_witness_0: 7\n'
+case $(cat "$2") in
+*'please: divide'*) echo 'V4001 - runtime error: divide by zero (task 0, instance 0)' >&2; exit 1 ;;
+*'please: trap'*) echo 'V4002 - runtime error: negative exponent' >&2; exit 1 ;;
+*'please: overflow'*) echo 'V9001 - stack' >&2; exit 3 ;;
+esac
+"#;
+
+/// The adapter with its stand-ins, and the folder that holds them.
+fn stand_in() -> (Ironplc, Folder) {
+    let folder = Folder::new().unwrap();
+    // Written by another process: a file that this one still had open for writing, in a child that another test is just
+    // starting, could not be run.
+    let program = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        let written = Command::new("sh")
+            .args(["-c", r#"printf %s "$1" >"$2" && chmod 700 "$2""#, "sh", text])
+            .arg(&path)
+            .status();
+        assert!(written.unwrap().success());
+        path
+    };
+    let ironplc = Ironplc {
+        identity: Identity {
+            name: "ironplc".to_owned(),
+            version: "0".to_owned(),
+            dialects: vec![DialectName::IronplcEd2],
+            abilities: Vec::new(),
+        },
+        compiler: program("ironplcc", COMPILER),
+        machine: program("ironplcvm", MACHINE),
+    };
+    (ironplc, folder)
+}
+
+fn asked(what: &str, observe: &[(&str, &str)]) -> Outcome {
+    let (engine, _folder) = stand_in();
+    let observe: Vec<Observation<'_>> = observe
+        .iter()
+        .map(|&(name, type_name)| Observation {
+            name,
+            type_name,
+            after: None,
+        })
+        .collect();
+    let source = format!("PROGRAM main\n(* please: {what} *)\nEND_PROGRAM\n");
+    engine.session().unwrap().run(&RunRequest {
+        dialect: DialectName::IronplcEd2,
+        source: &source,
+        scans: 1,
+        observe: &observe,
+        clock: &[],
+        set: &[],
+    })
+}
+
+#[test]
+fn values_come_from_the_dump_and_from_copies() {
+    let executed = asked("run", &[("x", "INT"), ("a[1]", "DINT")]);
+    let values = vec![
+        ("x".to_owned(), stickler_types::Value::parse("INT#5").unwrap()),
+        ("a[1]".to_owned(), stickler_types::Value::parse("DINT#7").unwrap()),
+    ];
+    assert_eq!(executed, Outcome::Executed { values });
+}
+
+#[test]
+fn a_rejection_is_no_crash_and_a_crash_no_rejection() {
+    let Outcome::Rejected { diagnostics } = asked("reject", &[]) else {
+        panic!("not rejected")
+    };
+    assert_eq!(
+        (diagnostics[0].code.as_deref(), diagnostics[0].line),
+        (Some("P4035"), Some(3))
+    );
+    assert!(matches!(asked("be unfinished", &[]), Outcome::Unsupported { .. }));
+    for what in ["panic", "die", "overflow"] {
+        assert!(matches!(asked(what, &[]), Outcome::Crashed { .. }), "{what}");
+    }
+    for what in ["forget", "trap"] {
+        assert!(matches!(asked(what, &[]), Outcome::Error { .. }), "{what}");
+    }
+}
+
+#[test]
+fn a_trap_is_a_fault_with_the_values_that_need_no_copy() {
+    let outcome = asked("divide", &[("x", "INT"), ("a[1]", "DINT")]);
+    let values = vec![("x".to_owned(), stickler_types::Value::parse("INT#5").unwrap())];
+    assert_eq!(
+        outcome,
+        Outcome::Faulted {
+            fault: Fault::DivisionByZero,
+            line: None,
+            values
+        }
+    );
+}
+
+#[test]
+fn where_copies_are_not_accepted_the_program_alone_is_judged() {
+    let Outcome::Unsupported { reason } = asked("take no copies", &[("a[1]", "DINT")]) else {
+        panic!("supported")
+    };
+    assert_eq!(reason, "the copies of its values are not accepted: no such type");
+    assert!(matches!(
+        asked("take no copies", &[("x", "INT")]),
+        Outcome::Executed { .. }
+    ));
+    assert!(matches!(
+        asked("reject", &[("a[1]", "DINT")]),
+        Outcome::Rejected { .. }
+    ));
+}
+
+#[test]
+fn what_it_cannot_do_is_unsupported() {
+    let (engine, _folder) = stand_in();
+    let mut session = engine.session().unwrap();
+    assert!(matches!(
+        session.check(DialectName::Matiec, ""),
+        Outcome::Unsupported { .. }
+    ));
+    let clock = [crate::ClockStep {
+        before: 1,
+        nanoseconds: 1,
+    }];
+    let request = RunRequest {
+        dialect: DialectName::IronplcEd2,
+        source: "",
+        scans: 1,
+        observe: &[],
+        clock: &clock,
+        set: &[],
+    };
+    assert!(matches!(session.run(&request), Outcome::Unsupported { .. }));
+}
+
+#[test]
+fn a_trap_is_told_by_its_code() {
+    let stderr = "V4001 - runtime error: divide by zero (task 0, instance 0)\n";
+    assert_eq!(fault(stderr), Some(Fault::DivisionByZero));
+    assert_eq!(fault("V4002 - runtime error: negative exponent"), None);
+    assert_eq!(fault(""), None);
+}
