@@ -11,19 +11,9 @@ use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
 use stickler_types::{DialectName, ElementaryType, Value};
 
-/// So many bytes that look random, for the seed.
+/// The bytes of a seed: programs of every size.
 fn bytes(seed: u64) -> Vec<u8> {
-    let length = (seed * 7 % 3000) as usize;
-    let mut state = seed;
-    let mut bytes = Vec::with_capacity(length + 8);
-    while bytes.len() < length {
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        bytes.extend((mixed ^ (mixed >> 31)).to_le_bytes());
-    }
-    bytes.truncate(length);
-    bytes
+    stickler_generate::random::bytes(seed, (seed * 7 % 3000) as usize)
 }
 
 fn of_dialect(dialect: DialectName) -> Settings {

@@ -2,6 +2,7 @@
 
 use super::style::{Keywords, LineEnds, Style};
 use crate::model::Program;
+use crate::random::next;
 
 /// The text so far, and everything that decides how it goes on.
 pub(super) struct Sheet<'p> {
@@ -135,11 +136,8 @@ impl<'p> Sheet<'p> {
         self.line += 1;
     }
 
-    /// The next number of the style's own sequence (splitmix64), which has nothing to do with the program's bytes.
+    /// The next number of the style's own sequence, which has nothing to do with the program's bytes.
     pub fn next_random(&mut self) -> u64 {
-        self.random = self.random.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (self.random ^ (self.random >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        mixed ^ (mixed >> 31)
+        next(&mut self.random)
     }
 }
