@@ -33,8 +33,12 @@ impl<'m> Lowering<'m> {
             &self.model.types,
             self.model.source.dialect,
         );
-        // What does not fit is lowered all the same, for what is wrong inside.
-        let value = self.value(id, (fits == Fit::Yes).then_some(to));
+        // What does not fit is lowered all the same, for what is wrong inside. A call in which something is wrong knows what
+        // is wanted of it, for its suggestions.
+        let bare = self.expression(self.model.source.bare(id));
+        let broken_call = fits == Fit::Silent && matches!(bare.kind, ExpressionKind::Call { .. });
+        let wanted = fits == Fit::Yes || broken_call && to != TypeId::ERROR;
+        let value = self.value(id, wanted.then_some(to));
         if fits == Fit::No {
             // A type that is known is wrong here whatever is wrong inside; a literal that could not be read in
             // its default type is not said to be of the wrong type as well.

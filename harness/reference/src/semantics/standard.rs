@@ -6,6 +6,7 @@ use super::common::settle;
 use super::contexts::Context;
 use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
+use super::suggestion::misfit;
 use super::types::{Kind, TypeId};
 use crate::instruction::{Instruction, StandardFunction};
 use crate::source::Span;
@@ -245,6 +246,15 @@ impl Lowering<'_> {
         }
     }
 
+    /// Whether a standard function is defined for what an argument is.
+    fn takes_inferred(&self, function: StandardFunction, inferred: Inferred) -> bool {
+        match inferred {
+            Inferred::Known(ty) => self.takes(function, ty),
+            Inferred::Text { wide, .. } => self.takes(function, TypeId::of(super::literals::text_type(wide))),
+            _ => false,
+        }
+    }
+
     /// Calls a standard function.
     pub(super) fn call_standard(
         &mut self,
@@ -312,8 +322,12 @@ impl Lowering<'_> {
         };
         let target = ty.unwrap_or(TypeId::ERROR);
         if target != TypeId::ERROR && !self.takes(function, target) {
-            for &value in values {
-                self.refuse_argument(function, value);
+            for (&value, &inferred) in values.iter().zip(&inferred) {
+                if self.takes_inferred(function, inferred) {
+                    self.value(value, None);
+                } else {
+                    self.refuse_argument(function, value, wanted);
+                }
             }
             return None;
         }
@@ -347,25 +361,31 @@ impl Lowering<'_> {
         }))
     }
 
-    /// An argument of a type for which the function is not defined; for an integer that should be bits, with
-    /// the conversion.
-    fn refuse_argument(&mut self, function: StandardFunction, id: ExpressionId) {
+    /// An argument of a type for which the function is not defined, with the conversion to the type that is wanted of the
+    /// result. Where none is wanted nothing is suggested, for what the call would then give might not fit where it stands.
+    ///
+    /// Basis: stickler-design: §7 (a suggestion makes the program acceptable).
+    fn refuse_argument(&mut self, function: StandardFunction, id: ExpressionId, wanted: Option<TypeId>) {
         let value = self.value(id, None);
         let inferred = self.infer(id);
         if value.ty == TypeId::ERROR && inferred != Inferred::Nothing {
             return;
         }
-        let target = match function {
+        let usual = match function {
             StandardFunction::Len | StandardFunction::Concat => ElementaryType::String,
             StandardFunction::Abs => ElementaryType::Lreal,
-            _ => match value.ty.elementary().map_or(64, ElementaryType::bits) {
-                8 => ElementaryType::Byte,
-                16 => ElementaryType::Word,
-                32 => ElementaryType::Dword,
-                _ => ElementaryType::Lword,
-            },
+            _ => ElementaryType::Lword,
         };
-        self.report_misfit(id, inferred, TypeId::of(target), Context::CommonArgument);
+        let usual = TypeId::of(usual);
+        let wanted = match function {
+            StandardFunction::Len => Some(usual),
+            _ => wanted.filter(|&ty| self.takes(function, ty)),
+        };
+        let Some(target) = wanted else {
+            let message = misfit(&self.model.types, inferred, usual, Context::CommonArgument);
+            return self.report(Code::FunctionCallArgTypeMismatch, self.span(id), message);
+        };
+        self.report_misfit(id, inferred, target, Context::CommonArgument);
     }
 
     /// The count of a shift, or the selector of MUX.

@@ -199,6 +199,19 @@ fn wrong_arguments_of_standard_functions_are_named_once() {
 }
 
 #[test]
+fn of_texts_to_join_only_what_is_no_text_is_wrong() {
+    let variables = "b : BOOL; s : STRING;";
+    for wrong in [
+        "s := CONCAT('x', b);",
+        "s := CONCAT(b, 'x', s);",
+        "s := CONCAT(s, b);",
+    ] {
+        assert_eq!(codes(variables, wrong), ["P4026"], "{wrong}");
+    }
+    assert_eq!(codes(variables, "s := CONCAT(b, b);"), ["P4026", "P4026"]);
+}
+
+#[test]
 fn conversion_functions_check_their_argument() {
     let variables = "i : INT; d : DINT; r : REAL; w : WORD; s : STRING;";
     assert!(

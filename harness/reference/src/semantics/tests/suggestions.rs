@@ -119,6 +119,26 @@ fn arguments_of_standard_functions_have_suggestions_that_fit() {
 }
 
 #[test]
+fn an_argument_of_a_standard_function_is_converted_to_what_is_wanted_of_the_result_or_not_at_all() {
+    let suggested = |statement: &str| {
+        let text = format!(
+            "PROGRAM main VAR i : INT; b : BOOL; w : WORD; r : REAL; n : INT; END_VAR {statement} END_PROGRAM"
+        );
+        diagnose(ED3, &text).remove(0).suggestion
+    };
+    for (statement, suggestion) in [
+        ("i := ABS(b);", Some("BOOL_TO_INT(b)")),
+        ("r := ABS(w);", Some("WORD_TO_REAL(w)")),
+        ("w := SHL(r, 1);", Some("REAL_TO_WORD(r)")),
+        ("n := LEN(i);", Some("INT_TO_STRING(i)")),
+        // What ABS gives of an LREAL is no INT.
+        ("i := i + ABS(w);", None),
+    ] {
+        assert_eq!(suggested(statement).as_deref(), suggestion, "{statement}");
+    }
+}
+
+#[test]
 fn a_function_of_the_text_with_the_name_of_a_conversion_is_not_suggested() {
     let text = "FUNCTION DINT_TO_INT : BOOL VAR_INPUT x : BOOL; END_VAR END_FUNCTION
         PROGRAM main VAR a : DINT; b : INT; END_VAR b := a; END_PROGRAM";
