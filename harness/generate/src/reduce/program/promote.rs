@@ -4,15 +4,16 @@ use super::removal::keep_only;
 use super::usage::Usage;
 use super::walk::{Visitor, walk_expression, walk_program, walk_statement, walk_type};
 use crate::model::{
-    Declared, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement, StatementKind,
-    Target, Type, Variable, VariableId,
+    Argument, Declared, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Statement,
+    StatementKind, Target, Type, Variable, VariableId,
 };
 use crate::reduce::Sites;
 use stickler_types::{ElementaryType, Value};
 
 /// Puts the variables and the body of a function or a function block where those of `PROGRAM main` are.
 ///
-/// Where a defect does not need the call, that saves its two lines and those around the unit.
+/// Where a defect does not need the call, that saves its two lines and those around the unit. Literals that were handed to it
+/// become initial values.
 pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
     let functions = program.functions.len();
     for unit in 0..functions + program.blocks.len() {
@@ -33,6 +34,23 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
         for variable in &mut variables {
             if variable.section != Section::Constant {
                 variable.section = Section::Local;
+            }
+        }
+        let mut calls = Calls {
+            unit,
+            functions,
+            instances: program
+                .main
+                .variables
+                .iter()
+                .map(|variable| variable.ty.clone())
+                .collect(),
+            arguments: Vec::new(),
+        };
+        calls.statements(&mut program.main.body);
+        for argument in calls.arguments {
+            if let Some(variable) = variables.get_mut(argument.parameter.0) {
+                variable.initial = Some(Initial::Expression(argument.value));
             }
         }
         program.main.body = body;
@@ -64,6 +82,45 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
         }
         keep_only(program, &keep);
         return;
+    }
+}
+
+/// The literals that a program hands to a function or function block; the unit is counted as in [`promote`].
+struct Calls {
+    unit: usize,
+    functions: usize,
+    /// The types of the variables of main.
+    instances: Vec<Type>,
+    arguments: Vec<Argument>,
+}
+
+impl Calls {
+    fn take(&mut self, arguments: &[Argument]) {
+        let literals = arguments
+            .iter()
+            .filter(|argument| matches!(argument.value.kind, ExpressionKind::Literal(..)));
+        self.arguments.extend(literals.cloned());
+    }
+}
+
+impl Visitor for Calls {
+    fn statement(&mut self, statement: &mut Statement) {
+        if let StatementKind::Invoke { instance, inputs, .. } = &statement.kind
+            && let Some(Type::Block(block)) = self.instances.get(instance.0)
+            && block + self.functions == self.unit
+        {
+            self.take(inputs);
+        }
+        walk_statement(self, statement);
+    }
+
+    fn expression(&mut self, expression: &mut Expression) {
+        if let ExpressionKind::Call(function, arguments) = &expression.kind
+            && *function == self.unit
+        {
+            self.take(arguments);
+        }
+        walk_expression(self, expression);
     }
 }
 
