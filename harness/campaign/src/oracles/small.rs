@@ -1,6 +1,7 @@
-//! The smallest input with the same symptom: by its bytes first, and then, where it stands for a program, by its model.
+//! The smallest input with the same symptom: where it stands for a program, by the model of that, which takes a hundred tries
+//! and not thousands; otherwise by its bytes.
 
-use super::planted;
+use super::planted::{self, SmallPlant};
 use crate::basis::basis;
 use crate::differential::{Subject, expected};
 use crate::finding::Expected;
@@ -43,32 +44,40 @@ impl Small {
             stop: &stop,
         };
         let failing = |bytes: &[u8]| {
-            target
-                .judge(bytes)
-                .err()
-                .filter(|failure| failure.symptom == symptom)
+            let failure = target.judge(bytes).err();
+            failure.filter(|failure| failure.symptom == symptom)
         };
-        let reduced = shrink::bytes(input.to_vec(), |bytes| failing(bytes).is_some(), &budget);
-        let small = Small {
-            failure: failing(&reduced.value),
-            input: reduced.value,
-            smallest: reduced.ended == Ended::Smallest,
-            tries: reduced.tries,
+        let found = Small {
+            failure: failing(input),
+            input: input.to_vec(),
+            smallest: false,
+            tries: 1,
             rule: Vec::new(),
             dialect: None,
             expected: None,
         };
-        match (target, &small.failure) {
-            (Target::Execute, Some(_)) => small.with_program(symptom, &budget),
-            (Target::Check, Some(_)) => small.with_error(symptom, &budget),
-            _ => small,
+        match (target, &found.failure) {
+            // What does not fail any more cannot be made small.
+            (_, None) => return found,
+            (Target::Execute, _) => return found.with_program(symptom, &budget),
+            (Target::Check, _) => {
+                if let Some(planted) = planted::small(input, symptom, &budget) {
+                    return found.with_error(planted);
+                }
+            }
+            _ => {}
+        }
+        let reduced = shrink::bytes(input.to_vec(), |bytes| failing(bytes).is_some(), &budget);
+        Small {
+            failure: failing(&reduced.value),
+            input: reduced.value,
+            smallest: reduced.ended == Ended::Smallest,
+            tries: reduced.tries,
+            ..found
         }
     }
 
-    fn with_error(self, symptom: &str, budget: &Budget<'_>) -> Small {
-        let Some(planted) = planted::small(&self.input, symptom, budget) else {
-            return self;
-        };
+    fn with_error(self, planted: SmallPlant) -> Small {
         Small {
             failure: Some(planted.failure),
             smallest: planted.reduced.ended == Ended::Smallest,
