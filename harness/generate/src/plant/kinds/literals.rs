@@ -4,7 +4,7 @@ use super::super::plot::Plot;
 use super::super::scope::elementary;
 use super::super::walk::{Context, Site};
 use super::operands::stands_for_any_value;
-use crate::model::{Expression, ExpressionKind};
+use crate::model::{Expression, ExpressionKind, Type};
 use stickler_types::{DialectName, ElementaryType};
 
 /// An untyped integer literal beyond the type of its target, or one below it.
@@ -23,8 +23,9 @@ pub(super) fn integer_for_target(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 
 /// The same where the other operand gives the type.
 pub(super) fn integer_for_operand(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    too_large(plot, |site, _| match site.context {
-        Context::Operand(_, other) => other,
+    too_large(plot, |site, expression| match site.context {
+        // Beside a narrower operand that widens, the literal would make the whole narrower, and other literals with it wrong.
+        Context::Operand(_, other) => other.filter(|&other| expression.ty == Type::Elementary(other)),
         _ => None,
     })
 }
