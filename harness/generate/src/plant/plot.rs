@@ -194,14 +194,16 @@ impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
         self.choose(found).map(|named| named.place)
     }
 
-    /// A variable of this elementary type that the unit can read, by its text: one that is there and is nothing but a name, or
+    /// A variable of this elementary type that the unit can read and write, by its text: one that is there and is nothing but a name, or
     /// one that is declared for it.
     pub fn variable_text(&mut self, unit: Unit, ty: ElementaryType) -> Option<String> {
         let original = self.original;
         let found = unit
             .variables(original)
             .iter()
-            .filter(|variable| elementary(original, &variable.ty) == Some(ty))
+            .filter(|variable| {
+                variable.section != Section::Constant && elementary(original, &variable.ty) == Some(ty)
+            })
             .map(|variable| variable.name.clone())
             .collect();
         match self.choose(found) {
