@@ -44,7 +44,7 @@ pub(super) enum Action {
 pub(super) enum Signature {
     /// This operation.
     Defined(Operation),
-    /// Both operands are untyped literals, and so is the result.
+    /// Both operands, or the base of a power, are untyped literals, and so is the result.
     Untyped(Inferred),
     /// It is not defined for them.
     Undefined,
@@ -63,6 +63,10 @@ impl Rules<'_> {
         }
         let operation = match group(operator) {
             Group::Comparison(comparison) => self.comparison(comparison, left, right),
+            // The exponent keeps a type of its own, so there is no operand whose type the base could take.
+            Group::Power if left == Inferred::Real && is_integer(right) => {
+                return Signature::Untyped(Inferred::Real);
+            }
             _ if left.is_untyped_number() && right.is_untyped_number() => return self.untyped(left, right),
             Group::Logic(logic) => self.logic(logic, left, right),
             Group::Arithmetic(arithmetic) => self.arithmetic(arithmetic, left, right),
@@ -239,6 +243,13 @@ impl Rules<'_> {
             action: Action::Power { base, exponent },
             result: TypeId::of(base),
         })
+    }
+}
+
+fn is_integer(value: Inferred) -> bool {
+    match value {
+        Inferred::Integer(_) => true,
+        _ => value.elementary().is_some_and(ElementaryType::is_integer),
     }
 }
 

@@ -17,6 +17,7 @@ fn operators_are_defined_for_their_operands() {
         "t := dt - dt; t := da - da; t := td - td; dt := dt + t; dt := dt - t; td := td + T#1h; td := td - t;",
         "lt := ldt - ldt; ldt := ldt + lt; ldt := ldt - T#1s; lt := lt + t;",
         "r := r ** 2; r := r ** i; i := i ** 2; lr := 2.0 ** lr; d := 2 ** d; r := r ** 0.5; i := 2 ** 3;",
+        "r := 2.0 ** i; lr := 2.0 ** i; r := 2.0 ** 3; r := 2.0 * 3.0 ** 2 + 1.0; b := 2.0 ** i > r; r := r * 2.0 ** i;",
     ] {
         assert!(
             codes(VARIABLES, sound).is_empty(),
