@@ -2,16 +2,11 @@
 
 use crate::finding::Expected;
 use arbitrary::Unstructured;
-use stickler_generate::generator::{Settings, program};
 use stickler_generate::model::Program;
-use stickler_generate::oracles::{Failure, judge_planted};
+use stickler_generate::oracles::{Failure, SoundProgram, judge_planted};
 use stickler_generate::plant::{Planted, plant, plant_kind};
 use stickler_generate::reduce::{self, Answer, Budget, Ended, Minimised};
 use stickler_generate::writer::{Style, write};
-
-/// How many bytes of an input choose the error. Where the oracle came to take another number, nothing would be found here that
-/// fails, and the input stays as its bytes were made small.
-const OF_THE_ERROR: usize = 48;
 
 /// What codes stand for which error.
 const BASIS: &str = "stickler-design: §7";
@@ -30,12 +25,10 @@ pub(super) struct SmallPlant {
 
 /// Makes what an input stands for small, if an error of the same kind can be planted so that it fails alike.
 pub(super) fn small(input: &[u8], symptom: &str, budget: &Budget<'_>) -> Option<SmallPlant> {
-    let (of_the_error, of_the_program) = input.split_at_checked(OF_THE_ERROR)?;
-    let sound = program(&mut Unstructured::new(of_the_program), &Settings::default());
-    // The first byte chooses a style, which does not matter here.
-    let kind = plant(&sound, &mut Unstructured::new(of_the_error.get(1..)?))?.kind;
+    let SoundProgram { sound, error, .. } = SoundProgram::of(input)?;
+    let kind = plant(&sound, &mut Unstructured::new(error))?.kind;
     // Which bytes chose the kind and which the place is the planter's affair: those are taken that lead to the same failure.
-    let places = (0..OF_THE_ERROR).filter_map(|skipped| of_the_error.get(skipped..));
+    let places = (0..error.len()).filter_map(|skipped| error.get(skipped..));
     let place = { places }.find(|place| failing(&sound, kind, place, symptom).is_some())?;
     let shows = |candidate: &Program| Answer::from(failing(candidate, kind, place, symptom).is_some());
     let reduced = reduce::program(&sound, shows, budget);

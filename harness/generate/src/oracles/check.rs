@@ -10,7 +10,7 @@ use arbitrary::Unstructured;
 use stickler_reference::LocatedDiagnostic;
 use stickler_types::DialectName;
 
-/// How many bytes choose the error; the others choose the program.
+/// How many bytes choose the style and the error; the others choose the program.
 const OF_THE_ERROR: usize = 48;
 
 /// Judges one input: its first bytes choose an error and where it stands, the others a sound program.
@@ -22,21 +22,41 @@ const OF_THE_ERROR: usize = 48;
 /// # Errors
 /// What of this does not hold.
 pub fn check(data: &[u8]) -> Result<Tried, Failure> {
-    let Some((of_the_error, of_the_program)) = data.split_at_checked(OF_THE_ERROR) else {
+    let Some(SoundProgram { sound, style, error }) = SoundProgram::of(data) else {
         return Ok(Tried::PassedOver("too short"));
     };
-    let sound = program(&mut Unstructured::new(of_the_program), &Settings::default());
-    let mut input = Unstructured::new(of_the_error);
-    let style = style(&mut input);
-    match plant(&sound, &mut input) {
+    match plant(&sound, &mut Unstructured::new(error)) {
         Some(planted) => judge(&sound, &planted, &style),
         None => Ok(Tried::PassedOver("no place for an error")),
     }
 }
 
+/// What an input of [`check`] stands for.
+pub struct SoundProgram<'d> {
+    /// The program before anything is planted in it.
+    pub sound: Program,
+    /// How it is written.
+    pub style: Style,
+    /// The bytes that choose the error and its place.
+    pub error: &'d [u8],
+}
+
+impl<'d> SoundProgram<'d> {
+    /// Takes an input apart; `None` where it is too short.
+    #[must_use]
+    pub fn of(data: &'d [u8]) -> Option<SoundProgram<'d>> {
+        let (of_the_error, of_the_program) = data.split_at_checked(OF_THE_ERROR)?;
+        let (&of_the_style, error) = of_the_error.split_first()?;
+        Some(SoundProgram {
+            sound: program(&mut Unstructured::new(of_the_program), &Settings::default()),
+            style: style(of_the_style),
+            error,
+        })
+    }
+}
+
 /// A spelling that cannot hide the error: comments would, where one is not closed.
-fn style(input: &mut Unstructured<'_>) -> Style {
-    let choice = input.arbitrary::<u8>().unwrap_or(0);
+fn style(choice: u8) -> Style {
     Style {
         keywords: [Keywords::Upper, Keywords::Lower, Keywords::Mixed, Keywords::Upper]
             [usize::from(choice & 3)],
