@@ -18,6 +18,8 @@ pub struct Commands {
     pub dialects: Vec<DialectName>,
     /// The targets that were asked for; the place of an input says which of them judges it.
     pub targets: Vec<String>,
+    /// What stands behind each `--without`.
+    pub without: Vec<String>,
 }
 
 impl Commands {
@@ -43,6 +45,10 @@ impl Commands {
         for target in &self.targets {
             find.push_str(" --target ");
             find.push_str(target);
+        }
+        for word in &self.without {
+            find.push_str(" --without ");
+            find.push_str(&quote(word));
         }
         if finding.origin.open {
             find.push_str(" --open");

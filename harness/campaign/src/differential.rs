@@ -22,7 +22,9 @@ pub(crate) use told::told;
 use crate::bench::{Bench, Worker};
 use crate::commands::Commands;
 use crate::inputs::Inputs;
+use crate::without::Without;
 use stickler_engines::EngineError;
+use stickler_generate::model::Program;
 use stickler_types::DialectName;
 
 /// The bench of a campaign with engines.
@@ -35,8 +37,18 @@ pub struct Differential<'e> {
     pub dialects: Vec<DialectName>,
     /// Whether programs may use what documents leave open. Values of such programs are not compared.
     pub open: bool,
+    /// What programs shall not have.
+    pub without: Without,
     /// How commands are written.
     pub commands: Commands,
+}
+
+impl Differential<'_> {
+    /// The program at a place; `None` where nothing comes without what is to be left out.
+    fn program(&self, place: u64) -> Option<Program> {
+        self.inputs
+            .program_without(place, &self.dialects, self.open, &self.without)
+    }
 }
 
 impl Bench for Differential<'_> {

@@ -1,10 +1,14 @@
 //! The input at each place of a seed's row: the same on every machine, whoever asks and in whatever order.
 
+use crate::without::Without;
 use arbitrary::Unstructured;
 use stickler_generate::generator::{self, Settings};
 use stickler_generate::model::Program;
 use stickler_sweep::Scattered;
 use stickler_types::DialectName;
+
+/// So many programs are made for a place until one comes without what is to be left out.
+const ATTEMPTS: u64 = 2000;
 
 /// The inputs of a seed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -58,17 +62,47 @@ impl Inputs {
     /// The program at this place, in one of these dialects (in any where none is named).
     #[must_use]
     pub fn program(self, place: u64, dialects: &[DialectName], open: bool) -> Program {
+        let settings = self.settings(place, dialects, open);
+        generator::program(&mut Unstructured::new(&self.bytes(place)), &settings)
+    }
+
+    /// The same, without what is to be left out; `None` where none of many comes without it.
+    ///
+    /// It is looked for in the program that was made, and where it is found, another is made in its place. So nothing of it
+    /// remains, and a program that never had it is the same as without this.
+    #[must_use]
+    pub fn program_without(
+        self,
+        place: u64,
+        dialects: &[DialectName],
+        open: bool,
+        without: &Without,
+    ) -> Option<Program> {
+        let first = self.program(place, dialects, open);
+        if without.admits(&first) {
+            return Some(first);
+        }
+        let settings = self.settings(place, dialects, open);
+        // A row of rows, at a place from which the first takes nothing.
+        let others = Inputs {
+            row: self.draws(place).row(u64::MAX - 1),
+            ..self
+        };
+        (0..ATTEMPTS)
+            .map(|attempt| generator::program(&mut Unstructured::new(&others.bytes(attempt)), &settings))
+            .find(|program| without.admits(program))
+    }
+
+    fn settings(self, place: u64, dialects: &[DialectName], open: bool) -> Settings {
         let count = dialects.len().max(1) as u64;
         // From the far end of the row, where no byte comes from.
         let drawn = self.draws(place).at(u64::MAX) % count;
         let dialect = usize::try_from(drawn).ok().and_then(|index| dialects.get(index));
-        let settings = Settings {
+        Settings {
             dialect: dialect.copied(),
             open,
             ..Settings::default()
-        };
-        let bytes = self.bytes(place);
-        generator::program(&mut Unstructured::new(&bytes), &settings)
+        }
     }
 }
 

@@ -28,6 +28,7 @@ mod sample;
 mod shrink;
 mod store;
 mod texts;
+mod without;
 
 pub use bench::{Bench, Suspicion, Verdict, Worker};
 pub use commands::Commands;
@@ -38,8 +39,9 @@ pub use merge::{Merged, merge};
 pub use oracles::Oracles;
 pub use part::Part;
 pub use plan::{Plan, Until};
-pub use promote::{FOUND, PromoteError, Promoted, promote};
+pub use promote::{FOUND, PromoteError, Promoted, Words, promote};
 pub use record::{Record, Request};
 pub use replay::{Replayed, replay};
 pub use run::{Ended, Event, Progress, Summary, run};
 pub use store::{Saved, Store, StoreError, load};
+pub use without::{UnknownWord, Without};

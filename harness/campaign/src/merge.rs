@@ -149,6 +149,7 @@ mod tests {
                 engines: Vec::new(),
                 dialects: Vec::new(),
                 open: false,
+                without: Vec::new(),
             },
             part,
             parts: 3,

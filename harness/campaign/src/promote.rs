@@ -52,22 +52,28 @@ pub struct Promoted {
     pub proposed: bool,
 }
 
+/// What a person says of a finding; what is left out is proposed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Words<'w> {
+    /// The name of the case.
+    pub name: Option<&'w str>,
+    /// What holds, in a line.
+    pub title: Option<&'w str>,
+    /// The document and section that say so.
+    pub basis: Option<&'w str>,
+}
+
 /// Writes a finding as a case file into `cases`/found, and has the suite read it.
 ///
 /// # Errors
 /// [`PromoteError`]; then no file is left.
-pub fn promote(
-    finding: &Finding,
-    cases: &Path,
-    name: Option<&str>,
-    basis: Option<&str>,
-) -> Result<Promoted, PromoteError> {
-    let name = name.unwrap_or(&finding.id);
+pub fn promote(finding: &Finding, cases: &Path, words: &Words<'_>) -> Result<Promoted, PromoteError> {
+    let name = words.name.unwrap_or(&finding.id);
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte);
     if name.is_empty() || name.starts_with('.') || !name.bytes().all(plain) {
         return Err(PromoteError::Name(name.to_owned()));
     }
-    let (text, chosen) = case_file(finding, basis)?;
+    let (text, chosen) = case_file(finding, words)?;
     let folder = cases.join(FOUND);
     let path = folder.join(format!("{name}.st"));
     if path.exists() {
@@ -89,7 +95,7 @@ pub fn promote(
     Ok(Promoted {
         path,
         basis: chosen,
-        proposed: basis.is_none(),
+        proposed: words.basis.is_none(),
     })
 }
 
@@ -112,7 +118,7 @@ fn mistake(cases: &Path, path: &Path) -> Option<String> {
 ///
 /// # Errors
 /// [`PromoteError::Refused`].
-fn case_file(finding: &Finding, basis: Option<&str>) -> Result<(String, String), PromoteError> {
+fn case_file(finding: &Finding, words: &Words<'_>) -> Result<(String, String), PromoteError> {
     let refused = |reason: String| PromoteError::Refused {
         id: finding.id.clone(),
         reason,
@@ -142,12 +148,12 @@ fn case_file(finding: &Finding, basis: Option<&str>) -> Result<(String, String),
         Expected::Rejected { code, line, basis } => (basis, with_error(program, code, *line)),
         Expected::Property { .. } => return Err(refused(no_program(finding))),
     };
-    let Some(basis) = basis.map(str::to_owned).or_else(|| proposal.clone()) else {
+    let Some(basis) = words.basis.map(str::to_owned).or_else(|| proposal.clone()) else {
         return Err(refused(
             "nobody has said which document says so; name it with --basis".to_owned(),
         ));
     };
-    let mut text = header(finding, &basis, dialect.as_str());
+    let mut text = header(finding, words.title, &basis, dialect.as_str());
     text.push_str(&marked);
     Ok((text, basis))
 }
@@ -160,12 +166,13 @@ fn no_program(finding: &Finding) -> String {
     )
 }
 
-fn header(finding: &Finding, basis: &str, dialect: &str) -> String {
+fn header(finding: &Finding, title: Option<&str>, basis: &str, dialect: &str) -> String {
     let uses = match &finding.rule[..] {
         [] => "assignment".to_owned(),
         rule => rule.join(", "),
     };
-    let title = format!("Found by a campaign: {uses} ({})", finding.symptom);
+    let proposed = || format!("Found by a campaign: {uses} ({})", finding.symptom);
+    let title = title.map_or_else(proposed, str::to_owned);
     let who = match &finding.engine {
         Some(engine) => format!("{} {}", engine.name, engine.version),
         None => format!("the reference of Stickler {}", finding.stickler),
@@ -265,7 +272,7 @@ mod tests {
     }
 
     fn reason(finding: &Finding) -> String {
-        promote(finding, cases().path(), None, None)
+        promote(finding, cases().path(), &Words::default())
             .unwrap_err()
             .to_string()
     }
@@ -274,7 +281,12 @@ mod tests {
     fn a_finding_becomes_a_case_that_expects_what_the_evaluator_says() {
         let cases = cases();
         let finding = sample::finding("a", "value:INT", &["MOD"], 6);
-        let promoted = promote(&finding, cases.path(), Some("mod-of-things"), None).unwrap();
+        let words = Words {
+            name: Some("mod-of-things"),
+            title: Some("MOD gives (* what is *) left"),
+            basis: None,
+        };
+        let promoted = promote(&finding, cases.path(), &words).unwrap();
         assert!(promoted.proposed);
         let (read, errors) = stickler_suite::load_file(cases.path(), &promoted.path);
         assert_eq!(errors, []);
@@ -282,7 +294,8 @@ mod tests {
         assert_eq!(&*case.id, "found/mod-of-things");
         assert_eq!(case.expectation.values[0].value.to_string(), "INT#5");
         assert_eq!(&*case.basis.to_string(), "stickler-design: §8");
-        let again = promote(&finding, cases.path(), Some("mod-of-things"), None).unwrap_err();
+        assert_eq!(&*case.title, "MOD gives (* what is *) left");
+        let again = promote(&finding, cases.path(), &words).unwrap_err();
         assert!(matches!(again, PromoteError::Exists(_)), "{again}");
     }
 
@@ -297,11 +310,15 @@ mod tests {
             },
             ..sample::finding("a", "not-rejected:P4035", &[], 6)
         };
-        let error = promote(&finding, cases.path(), None, None)
+        let error = promote(&finding, cases.path(), &Words::default())
             .unwrap_err()
             .to_string();
         assert!(error.contains("name it with --basis"), "{error}");
-        let promoted = promote(&finding, cases.path(), None, Some("stickler-design: §7")).unwrap();
+        let words = Words {
+            basis: Some("stickler-design: §7"),
+            ..Words::default()
+        };
+        let promoted = promote(&finding, cases.path(), &words).unwrap();
         let text = fs::read_to_string(promoted.path).unwrap();
         assert!(text.contains("    x := 5; (*! error P4035 *)\n"), "{text}");
     }
@@ -341,10 +358,15 @@ mod tests {
     fn a_case_with_a_basis_that_is_none_is_not_kept() {
         let cases = cases();
         let finding = sample::finding("a", "value:INT", &["MOD"], 6);
-        let error = promote(&finding, cases.path(), Some("x"), Some("hearsay: §1")).unwrap_err();
+        let words = |name, basis| Words {
+            name: Some(name),
+            basis,
+            title: None,
+        };
+        let error = promote(&finding, cases.path(), &words("x", Some("hearsay: §1"))).unwrap_err();
         assert!(matches!(error, PromoteError::Unsound(_)), "{error}");
         assert!(!cases.path().join("found/x.st").exists());
-        let error = promote(&finding, cases.path(), Some("../x"), None).unwrap_err();
+        let error = promote(&finding, cases.path(), &words("../x", None)).unwrap_err();
         assert!(matches!(error, PromoteError::Name(_)), "{error}");
     }
 

@@ -53,6 +53,9 @@ pub struct Request {
     pub dialects: Vec<String>,
     /// Whether programs could use what documents leave open.
     pub open: bool,
+    /// What programs should not have.
+    #[serde(default)]
+    pub without: Vec<String>,
 }
 
 impl Record {

@@ -8,15 +8,91 @@ use stickler_generate::model::walk::{
     Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type, walk_variable,
 };
 use stickler_generate::model::{
-    BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program, Section,
-    Selector, StandardFunction, Statement, StatementKind, Target, Type, UnaryOperator, Variable,
+    BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, LiteralForm, Place, Program,
+    Section, Selector, StandardFunction, Statement, StatementKind, Target, Type, UnaryOperator, Variable,
 };
 use stickler_types::{ElementaryType, Family};
+
+/// The words that stand for one thing each; besides them there are types, conversion functions and implicit conversions.
+pub(crate) const WORDS: &[&str] = &[
+    "#-",
+    "$",
+    "ABS",
+    "alias",
+    "AND",
+    "ARRAY",
+    "ARRAY[n..n]",
+    "bit read",
+    "bit written",
+    "call",
+    "CASE",
+    "CASE ..",
+    "CONCAT",
+    "CONSTANT",
+    "enumerated value",
+    "enumeration",
+    "EXIT",
+    ".field",
+    "FOR",
+    "FUNCTION",
+    "FUNCTION_BLOCK",
+    "IF",
+    "initial array",
+    "initial structure",
+    "invocation",
+    "LEN",
+    "LIMIT",
+    "MAX",
+    "MIN",
+    "MOD",
+    "MUX",
+    "negation",
+    "NOT",
+    "OR",
+    ".output",
+    "REPEAT",
+    "result",
+    "RETURN",
+    "ROL",
+    "ROR",
+    "SEL",
+    "SHL",
+    "SHR",
+    "STRUCT",
+    "VAR_IN_OUT",
+    "VAR_OUTPUT",
+    "WHILE",
+    "XOR",
+    "[]",
+    "+",
+    "-",
+    "*",
+    "/",
+    "=",
+    "<>",
+    "<",
+    "<=",
+    ">",
+    ">=",
+    "=>",
+];
 
 /// The words for what the program uses, sorted, each once.
 #[must_use]
 pub fn rule(program: &Program) -> Vec<String> {
-    let mut gathering = Gathering::default();
+    gathered(program, false)
+}
+
+/// The words of [`rule`], all elementary types, and the types before literals: `INT#`, and `#-` where a minus follows.
+pub(crate) fn words(program: &Program) -> Vec<String> {
+    gathered(program, true)
+}
+
+fn gathered(program: &Program, is_whole: bool) -> Vec<String> {
+    let mut gathering = Gathering {
+        words: BTreeSet::new(),
+        is_whole,
+    };
     // The walker may change what it walks over, so it gets a copy.
     walk_program(&mut gathering, &mut program.clone());
     for declaration in &program.types {
@@ -29,9 +105,10 @@ pub fn rule(program: &Program) -> Vec<String> {
     gathering.words.into_iter().collect()
 }
 
-#[derive(Default)]
 struct Gathering {
     words: BTreeSet<String>,
+    /// Whether what nearly every program has is told too: numbers, bit strings, literals with a type.
+    is_whole: bool,
 }
 
 impl Gathering {
@@ -66,8 +143,15 @@ impl Visitor for Gathering {
 
     fn ty(&mut self, ty: &mut Type) {
         match ty {
-            Type::Array(_) => self.word("ARRAY"),
-            Type::Elementary(elementary) if is_less_common(*elementary) => self.word(elementary.name()),
+            Type::Array(array) => {
+                self.word("ARRAY");
+                if array.dimensions.iter().any(|(low, high)| low == high) {
+                    self.word("ARRAY[n..n]");
+                }
+            }
+            Type::Elementary(elementary) if self.is_whole || is_less_common(*elementary) => {
+                self.word(elementary.name())
+            }
             Type::Elementary(_) | Type::Declared(_) | Type::Block(_) => {}
         }
         walk_type(self, ty);
@@ -115,6 +199,15 @@ impl Visitor for Gathering {
 
     fn expression(&mut self, expression: &mut Expression) {
         match &expression.kind {
+            // Of all literals only those of texts and characters have an escape.
+            ExpressionKind::Literal(value, _) if value.to_string().contains('$') => self.word("$"),
+            ExpressionKind::Literal(value, LiteralForm::Typed) if self.is_whole => {
+                let name = value.type_name();
+                self.word(format!("{name}#"));
+                if value.to_string().starts_with(&format!("{name}#-")) {
+                    self.word("#-");
+                }
+            }
             ExpressionKind::Literal(..) | ExpressionKind::Read(_) => {}
             ExpressionKind::Enumerated(_) => self.word("enumerated value"),
             ExpressionKind::Bit(..) => self.word("bit read"),
@@ -193,5 +286,21 @@ const fn standard(function: StandardFunction) -> &'static str {
         StandardFunction::Ror => "ROR",
         StandardFunction::Len => "LEN",
         StandardFunction::Concat => "CONCAT",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::inputs::Inputs;
+    use crate::without::Without;
+    use stickler_types::DialectName;
+
+    #[test]
+    fn every_word_of_a_program_can_be_left_out() {
+        for place in 0..300 {
+            let words = words(&Inputs::new(9).program(place, &DialectName::ALL, true));
+            assert_eq!(Without::new(&words).map(|_| ()), Ok(()), "at {place}");
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! What an engine did, held against what the evaluator gives.
 
 use stickler_engines::{Diagnostic, Outcome};
-use stickler_types::{DialectName, Value};
+use stickler_types::{Code, DialectName, Value};
 
 /// What an engine is asked about a program.
 #[derive(Clone, Copy, Debug)]
@@ -86,6 +86,10 @@ pub(crate) fn compare(question: Question<'_>, outcome: &Outcome) -> Agreement {
 fn rejected(diagnostics: &[Diagnostic]) -> Agreement {
     let first = diagnostics.first();
     let told = first.map(|first| match &first.code {
+        // A parser has one code for all that it does not understand, and says what that is in its own words.
+        Some(code) if code == Code::SyntaxError.as_str() => {
+            format!("{code} {}", gist(&first.message)).trim_end().to_owned()
+        }
         Some(code) => code.clone(),
         None => gist(&first.message),
     });

@@ -23,7 +23,10 @@ impl Asking<'_> {
     /// Makes the program of a suspicion as small as it can be, and asks every engine about what is left.
     pub(super) fn finding(&mut self, suspicion: &Suspicion, going: &dyn Fn() -> bool) -> Finding {
         let bench = self.bench;
-        let start = bench.inputs.program(suspicion.place, &bench.dialects, bench.open);
+        let start = bench.program(suspicion.place);
+        // What was judged at this place came from it then, and comes from it again.
+        let start =
+            start.unwrap_or_else(|| bench.inputs.program(suspicion.place, &bench.dialects, bench.open));
         let entrants = &bench.entrants;
         // A suspicion names an engine of this campaign.
         let index = entrants

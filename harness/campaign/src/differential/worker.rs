@@ -48,9 +48,10 @@ impl<'b> Asking<'b> {
         let mut verdict = Verdict::agreed(place);
         let program = self
             .bench
-            .inputs
-            .program(place, &self.bench.dialects, self.bench.open);
-        let subject = Subject::new(program)
+            .program(place)
+            .ok_or("none came without what is to be left out");
+        let subject = program
+            .and_then(Subject::new)
             .map_err(|word| verdict.passed_over = Some(word))
             .ok();
         Input {

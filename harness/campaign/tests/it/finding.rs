@@ -5,7 +5,7 @@ use crate::reproducible::{campaign, whole};
 use std::fs;
 use std::path::Path;
 use stickler_campaign::finding::{Expected, Standing};
-use stickler_campaign::{Ended, Entrant, Finding, Part, Store, load, promote, replay};
+use stickler_campaign::{Ended, Entrant, Finding, Part, Store, Words, load, promote, replay};
 use stickler_engines::{Engine, Reference};
 
 /// What a campaign finds that is not probably the same as something simpler.
@@ -116,7 +116,11 @@ fn a_finding_is_saved_judged_again_and_promoted() {
     for file in ["suite.toml", "dialects.toml"] {
         fs::copy(cases.join(file), folder.path().join(file)).unwrap();
     }
-    let promoted = promote(&finding, folder.path(), Some("mod"), None).unwrap();
+    let words = Words {
+        name: Some("mod"),
+        ..Words::default()
+    };
+    let promoted = promote(&finding, folder.path(), &words).unwrap();
     let (read, errors) = stickler_suite::load_file(folder.path(), &promoted.path);
     assert_eq!(errors, []);
     assert_eq!(read.len(), 1);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use stickler_campaign::{
-    Commands, Differential, Entrant, Finding, Inputs, Part, Plan, Store, Summary, Until, merge, run,
+    Commands, Differential, Entrant, Finding, Inputs, Part, Plan, Store, Summary, Until, Without, merge, run,
 };
 use stickler_engines::{Engine, Reference};
 use stickler_types::DialectName;
@@ -23,12 +23,14 @@ pub fn campaign(engine: &dyn Engine, part: Part, count: u64, jobs: usize) -> Sum
         inputs: Inputs::new(11),
         dialects: DialectName::ALL.to_vec(),
         open: false,
+        without: Without::default(),
         commands: Commands {
             program: "stickler".to_owned(),
             folder: PathBuf::from("reports/findings"),
             engines: vec!["cmd:defective".to_owned()],
             dialects: Vec::new(),
             targets: Vec::new(),
+            without: Vec::new(),
         },
     };
     let plan = Plan {

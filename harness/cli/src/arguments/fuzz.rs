@@ -45,11 +45,16 @@ pub struct FuzzArguments {
     /// hangs count
     #[arg(long, requires = "engine")]
     pub open: bool,
+    /// With --engine: only programs that have nothing of this, a type or a word that findings show for their programs (MUX,
+    /// CHAR, REAL_TO_INT, 'ARRAY[n..n]'); may be repeated. What an engine was found to reject then no longer hides what else
+    /// is wrong with it
+    #[arg(long, value_name = "WORD", requires = "engine")]
+    pub without: Vec<String>,
     /// Keep findings in DIR [default: reports/findings beside the folder of the cases]
     #[arg(long, value_name = "DIR")]
     pub findings: Option<PathBuf>,
     /// Judge a finding again, or, with --target, the bytes of any file
-    #[arg(long, value_name = "PATH", conflicts_with_all = ["seed", "first", "time", "count", "shard", "open", "dialect"])]
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["seed", "first", "time", "count", "shard", "open", "dialect", "without"])]
     pub replay: Option<PathBuf>,
 }
 
@@ -62,6 +67,9 @@ pub struct PromoteArguments {
     /// The document and section that say what must happen, `source: section` [default: as the finding proposes]
     #[arg(long, value_name = "BASIS")]
     pub basis: Option<String>,
+    /// What holds, in a line, for whoever meets the case [default: what the program uses, and the symptom]
+    #[arg(long, value_name = "TITLE")]
+    pub title: Option<String>,
     /// The name of the case, found/NAME [default: the finding's]
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
@@ -114,6 +122,7 @@ Examples:
   stickler fuzz                                     the reference, for a minute
   stickler fuzz --target execute --count 100000     found again by the same line
   stickler fuzz --engine 'cmd:my-adapter' --time 10m
+  stickler fuzz --engine 'cmd:my-adapter' --without CHAR --without MUX
   stickler fuzz --engine 'cmd:my-adapter' --seed 7 --count 40000 --shard 1/4
   stickler fuzz --replay reports/findings/FINDING   is it still there?
   stickler fuzz --replay crash-1f3a --target parse  one input of libFuzzer";
@@ -123,7 +132,8 @@ pub const PROMOTE_EXAMPLES: &str = "\
 Examples:
   stickler promote my-compiler-value-int-3f2a91c0
   stickler promote reports/findings/my-compiler-value-int-3f2a91c0 \\
-      --name mod-of-a-negative-dividend --basis 'stickler-design: §8'";
+      --name mod-of-a-negative-dividend --basis 'stickler-design: §8' \\
+      --title 'MOD has the sign of its dividend'";
 
 /// What the help of `merge` ends with.
 pub const MERGE_EXAMPLES: &str = "\

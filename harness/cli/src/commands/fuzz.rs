@@ -19,7 +19,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 use stickler_campaign::{
     Bench, Commands, Differential, Ended, Entrant, Event, Inputs, Oracles, Part, Plan, Request, Store,
-    Summary, Until,
+    Summary, Until, Without,
 };
 use stickler_generate::oracles::Target;
 use stickler_run::Shard;
@@ -38,6 +38,7 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
     }
     // An engine may take its time to start; the campaign itself ends in an orderly way.
     interrupt::at_once()?;
+    let without = Without::new(&arguments.without)?;
     let engines = engines_of(&arguments.engine)?;
     let store = Store::open(&findings_folder(arguments.findings.as_ref()))?;
     let inputs = Inputs::new(arguments.seed);
@@ -69,6 +70,7 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
         inputs,
         dialects,
         open: arguments.open,
+        without,
         commands,
     };
     campaign(&bench, 16, arguments, request, store, out)
@@ -197,6 +199,7 @@ fn commands(arguments: &FuzzArguments, store: &Store) -> Commands {
             .iter()
             .map(|target| target.name().to_owned())
             .collect(),
+        without: arguments.without.clone(),
     }
 }
 
@@ -222,5 +225,6 @@ fn request(
             .map(|dialect| dialect.as_str().to_owned())
             .collect(),
         open: arguments.open,
+        without: arguments.without.clone(),
     }
 }

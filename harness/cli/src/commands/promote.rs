@@ -7,7 +7,7 @@ use crate::exit::Exit;
 use crate::{output, shell};
 use std::io::Write;
 use std::path::PathBuf;
-use stickler_campaign::{FOUND, load, promote};
+use stickler_campaign::{FOUND, Words, load, promote};
 
 /// Writes the case, and says how to run it.
 ///
@@ -16,12 +16,12 @@ use stickler_campaign::{FOUND, load, promote};
 pub fn execute(arguments: &PromoteArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let finding = load(&place(arguments))?;
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let promoted = promote(
-        &finding,
-        &folder.path,
-        arguments.name.as_deref(),
-        arguments.basis.as_deref(),
-    )?;
+    let words = Words {
+        name: arguments.name.as_deref(),
+        title: arguments.title.as_deref(),
+        basis: arguments.basis.as_deref(),
+    };
+    let promoted = promote(&finding, &folder.path, &words)?;
     writeln!(out, "{}", promoted.path.display())?;
     if promoted.proposed {
         output::note(format!(

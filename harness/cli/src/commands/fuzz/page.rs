@@ -47,7 +47,11 @@ impl<'o> Page<'o> {
                 ""
             };
             let (engines, dialects) = (request.engines.join(", "), request.dialects.join(", "));
-            writeln!(self.out, ", {engines}: programs in {dialects}{open}")?;
+            write!(self.out, ", {engines}: programs in {dialects}{open}")?;
+            match &request.without[..] {
+                [] => writeln!(self.out)?,
+                words => writeln!(self.out, ", without {}", words.join(", "))?,
+            }
         }
         self.out.flush()
     }

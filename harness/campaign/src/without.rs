@@ -1,0 +1,149 @@
+//! What the programs of a campaign shall not have, so that a compiler that lacks it does not hide what else is wrong.
+//!
+//! The words are those that a finding shows for its program ([`crate::Finding::rule`]): what a compiler was found to reject
+//! can be left out by the word that the finding has for it.
+
+use crate::rule::{WORDS, words};
+use stickler_exact::signatures;
+use stickler_generate::model::Program;
+use stickler_types::{DialectName, ElementaryType};
+
+/// Words for what programs shall not have.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Without(Vec<String>);
+
+/// A word that stands for nothing that programs can have.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error(
+    "`{0}` is nothing that can be left out; there are: the elementary types (`INT`), literals with their type (`INT#`), \
+     conversion functions (`INT_TO_REAL`), implicit conversions (`INT to REAL`), and {known}",
+    known = WORDS.join(", ")
+)]
+pub struct UnknownWord(String);
+
+impl Without {
+    /// Reads the words, in any case.
+    ///
+    /// # Errors
+    /// [`UnknownWord`]: the first that stands for nothing, so that a slip does not pass for a wish that was granted.
+    pub fn new(words: &[String]) -> Result<Without, UnknownWord> {
+        let known = |word: &String| match is_known(word) {
+            true => Ok(word.clone()),
+            false => Err(UnknownWord(word.clone())),
+        };
+        words.iter().map(known).collect::<Result<_, _>>().map(Without)
+    }
+
+    /// Whether there is nothing to leave out.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Whether the program has nothing of it.
+    pub(crate) fn admits(&self, program: &Program) -> bool {
+        if self.is_empty() {
+            return true;
+        }
+        let has = words(program);
+        let unwanted = |word: &String| self.0.iter().any(|other| other.eq_ignore_ascii_case(word));
+        !has.iter().any(unwanted)
+    }
+
+    /// The words, as they were given.
+    #[must_use]
+    pub fn words(&self) -> &[String] {
+        &self.0
+    }
+}
+
+fn is_known(word: &str) -> bool {
+    let is_type = |word: &str| {
+        ElementaryType::ALL
+            .iter()
+            .any(|ty| ty.name().eq_ignore_ascii_case(word))
+    };
+    let is_function = || {
+        DialectName::ALL
+            .iter()
+            .any(|&dialect| !signatures(word, dialect).is_empty())
+    };
+    let is_implicit = || {
+        let upper = word.to_ascii_uppercase();
+        let ends = upper.split_once(" TO ");
+        ends.is_some_and(|(from, to)| is_type(from) && is_type(to))
+    };
+    WORDS.iter().any(|known| known.eq_ignore_ascii_case(word))
+        || is_type(word.strip_suffix('#').unwrap_or(word))
+        || is_function()
+        || is_implicit()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::inputs::Inputs;
+
+    fn without(words: &[&str]) -> Result<Without, UnknownWord> {
+        Without::new(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn a_word_that_stands_for_nothing_is_a_mistake() {
+        for word in [
+            "MUX",
+            "mux",
+            "CHAR",
+            "int_to_real",
+            "INT to REAL",
+            "ARRAY[n..n]",
+            "initial array",
+        ] {
+            assert!(without(&[word]).is_ok(), "{word}");
+        }
+        let message = without(&["MUX", "MUXX"]).unwrap_err().to_string();
+        assert!(message.contains("`MUXX`") && message.contains("SEL"), "{message}");
+    }
+
+    #[test]
+    fn what_is_left_out_is_in_no_program() {
+        let ed3 = [DialectName::IronplcEd3];
+        let unwanted = [
+            "MUX",
+            "SEL",
+            "BOOL#",
+            "#-",
+            "CHAR",
+            "ARRAY[n..n]",
+            "$",
+            "INT to DINT",
+        ];
+        let text = |program: &Program| {
+            let style = stickler_generate::writer::Style::default();
+            stickler_generate::writer::write(program, &style).text
+        };
+        let mut came = 0;
+        for place in 0..200 {
+            let without = without(&unwanted).unwrap();
+            let Some(program) = Inputs::new(3).program_without(place, &ed3, false, &without) else {
+                continue;
+            };
+            came += 1;
+            let text = text(&program);
+            let found = ["MUX(", "SEL(", " CHAR", "$", "BOOL#", "#-"]
+                .iter()
+                .find(|word| text.contains(**word));
+            assert_eq!(found, None, "{text}");
+        }
+        assert!(came > 190, "{came}");
+        let all = Inputs::new(3).program_without(1, &ed3, false, &Without::default());
+        assert_eq!(all, Some(Inputs::new(3).program(1, &ed3, false)));
+    }
+
+    #[test]
+    fn where_every_program_has_it_none_comes() {
+        // The checksum of every program is one.
+        let without = without(&["LINT"]).unwrap();
+        let program = Inputs::new(3).program_without(0, &[DialectName::Matiec], false, &without);
+        assert_eq!(program, None);
+    }
+}
