@@ -187,6 +187,20 @@ fn what_cannot_be_used_is_said_before_the_first_program() {
             2,
             "cannot be used with",
         ),
+        (
+            &[
+                "fuzz",
+                "--engine",
+                "reference",
+                "--without",
+                "MUXX",
+                "--count",
+                "1",
+            ],
+            2,
+            "`MUXX` is nothing that can be left out",
+        ),
+        (&["fuzz", "--without", "MUX"], 2, "--engine <ENGINE>"),
         (&["fuzz", "--time", "soon"], 2, "write it as 90s, 10m or 2h"),
         (
             &["promote", "nothing-of-this-name"],
