@@ -179,11 +179,11 @@ fn similar<'n>(
         return String::new();
     }
     *guesses -= 1;
-    let (lower, wanted) = (name.to_ascii_lowercase(), Candidate::new(name));
+    let wanted = Candidate::new(name);
     let allowed = if name.len() < 6 { 1 } else { 2 };
     let mut near: Vec<_> = known
         .filter(|other| other.may_be_near(wanted, allowed))
-        .map(|Candidate { name, .. }| (distance(&lower, &name.to_ascii_lowercase()), name))
+        .map(|other| (distance(name, other.name), other.name))
         .filter(|&(changes, other)| changes <= allowed && exists(other))
         .collect();
     near.sort_unstable();
@@ -217,26 +217,41 @@ fn rounding_idiom(name: &str) -> Option<&'static str> {
 }
 
 /// How many characters must be changed, added, left out, or exchanged with their neighbour to make one name of
-/// another.
+/// another. Case does not count.
 fn distance(left: &str, right: &str) -> usize {
-    let (left, right) = (left.as_bytes(), right.as_bytes());
-    let mut before: Vec<usize> = Vec::new();
-    let mut above: Vec<usize> = (0..=right.len()).collect();
-    for (line, &byte) in left.iter().enumerate() {
-        let mut row = Vec::with_capacity(above.len());
-        row.push(line + 1);
-        for (column, &other) in right.iter().enumerate() {
-            let replaced = above[column] + usize::from(byte != other);
+    let (left, right) = without_common_ends(left.as_bytes(), right.as_bytes());
+    if left.is_empty() || right.is_empty() {
+        return left.len() + right.len();
+    }
+    let width = right.len() + 1;
+    let (mut before, mut above, mut row) = (vec![0; width], (0..width).collect::<Vec<_>>(), vec![0; width]);
+    for (line, byte) in left.iter().enumerate() {
+        row[0] = line + 1;
+        for (column, other) in right.iter().enumerate() {
+            let replaced = above[column] + usize::from(!byte.eq_ignore_ascii_case(other));
             let mut least = replaced.min(above[column + 1] + 1).min(row[column] + 1);
-            let exchanged = line > 0 && column > 0 && byte == right[column - 1] && other == left[line - 1];
+            let exchanged = line > 0
+                && column > 0
+                && byte.eq_ignore_ascii_case(&right[column - 1])
+                && other.eq_ignore_ascii_case(&left[line - 1]);
             if exchanged {
                 least = least.min(before[column - 1] + 1);
             }
-            row.push(least);
+            row[column + 1] = least;
         }
-        before = std::mem::replace(&mut above, row);
+        std::mem::swap(&mut before, &mut above);
+        std::mem::swap(&mut above, &mut row);
     }
     above[right.len()]
+}
+
+/// Two names without what they begin and end with alike, which takes no change: nearly all of two near names.
+fn without_common_ends<'n>(left: &'n [u8], right: &'n [u8]) -> (&'n [u8], &'n [u8]) {
+    let same = |(one, other): &(&u8, &u8)| one.eq_ignore_ascii_case(other);
+    let front = left.iter().zip(right).take_while(same).count();
+    let (left, right) = (&left[front..], &right[front..]);
+    let back = left.iter().rev().zip(right.iter().rev()).take_while(same).count();
+    (&left[..left.len() - back], &right[..right.len() - back])
 }
 
 #[cfg(test)]
@@ -265,7 +280,11 @@ mod tests {
         assert_eq!(distance("limt", "limit"), 1);
         assert_eq!(distance("sle", "sel"), 1);
         assert_eq!(distance("int_to_dnit", "int_to_dint"), 1);
+        assert_eq!(distance("INT_to_dnit", "int_TO_dint"), 1);
         assert_eq!(distance("abcd", "badc"), 2);
+        assert_eq!(distance("aab", "ab"), 1);
+        assert_eq!(distance("abab", "ab"), 2);
+        assert_eq!(distance("xay", "xbcy"), 2);
         assert_eq!(distance("", "abs"), 3);
     }
 }
