@@ -80,6 +80,12 @@ impl<'o> Page<'o> {
         if more > 0 {
             writeln!(self.out, "\n{more} more in {}", unsaved.folder)?;
         }
+        let rejects = |finding: &Finding| finding.engine.is_some() && finding.symptom.starts_with("rejected");
+        if summary.findings.values().any(rejects) {
+            let hint =
+                "what an engine rejects hides what else is wrong with it: --without WORD leaves it out";
+            writeln!(self.out, "\n{DIM}{hint}{DIM:#}")?;
+        }
         self.unsaved(unsaved)?;
         match &summary.ended {
             Ended::Done => {}
