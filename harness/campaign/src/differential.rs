@@ -16,6 +16,7 @@ pub(crate) use comparison::{Agreement, Disagreement, Question, compare};
 pub use entrant::Entrant;
 pub(crate) use entrant::ask;
 pub(crate) use finding::expected;
+pub use pace::Packs;
 pub(crate) use subject::Subject;
 pub(crate) use told::told;
 
@@ -39,6 +40,8 @@ pub struct Differential<'e> {
     pub open: bool,
     /// What programs shall not have.
     pub without: Without,
+    /// When an engine is given several programs at a time.
+    pub packs: Packs,
     /// How commands are written.
     pub commands: Commands,
 }

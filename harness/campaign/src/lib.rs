@@ -32,7 +32,7 @@ mod without;
 
 pub use bench::{Bench, Suspicion, Verdict, Worker};
 pub use commands::Commands;
-pub use differential::{Differential, Entrant};
+pub use differential::{Differential, Entrant, Packs};
 pub use finding::Finding;
 pub use inputs::Inputs;
 pub use merge::{Merged, merge};

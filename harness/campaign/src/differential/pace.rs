@@ -11,25 +11,38 @@ const SLOW: Duration = Duration::from_millis(20);
 /// So many programs at most stand in one pack.
 const WIDEST: usize = 16;
 
+/// When an engine is given several programs at a time. It changes how long a campaign takes, not what it finds.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Packs {
+    /// Where its first programs took long.
+    #[default]
+    WhereSlow,
+    /// Never.
+    Never,
+    /// From the first program on.
+    Always,
+}
+
 /// What is known of the pace of an engine.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pace {
+    packs: Packs,
     asked: u32,
     spent: Duration,
     width: usize,
 }
 
-impl Default for Pace {
-    fn default() -> Pace {
+impl Pace {
+    /// Nothing is known yet.
+    pub(super) fn new(packs: Packs) -> Pace {
         Pace {
+            packs,
             asked: 0,
             spent: Duration::ZERO,
             width: WIDEST,
         }
     }
-}
 
-impl Pace {
     /// A program alone took so long.
     pub(super) fn took(&mut self, time: Duration) {
         if self.asked < SAMPLE {
@@ -40,11 +53,12 @@ impl Pace {
 
     /// How many programs are put into the next pack; 1: none are packed.
     pub(super) fn width(self) -> usize {
-        if self.asked == SAMPLE && self.spent >= SLOW * SAMPLE {
-            self.width
-        } else {
-            1
-        }
+        let packed = match self.packs {
+            Packs::WhereSlow => self.asked == SAMPLE && self.spent >= SLOW * SAMPLE,
+            Packs::Never => false,
+            Packs::Always => true,
+        };
+        if packed { self.width } else { 1 }
     }
 
     /// A pack was agreed with as a whole, or had to be taken apart, which costs more than its programs alone: an engine with
@@ -64,18 +78,18 @@ mod tests {
 
     #[test]
     fn an_engine_is_slow_when_its_first_programs_took_long() {
-        let mut slow = Pace::default();
+        let mut slow = Pace::new(Packs::WhereSlow);
         assert_eq!(slow.width(), 1);
         (0..SAMPLE).for_each(|_| slow.took(Duration::from_millis(500)));
         assert_eq!(slow.width(), WIDEST);
-        let mut quick = Pace::default();
+        let mut quick = Pace::new(Packs::WhereSlow);
         (0..SAMPLE).for_each(|_| quick.took(Duration::from_micros(50)));
         assert_eq!(quick.width(), 1);
     }
 
     #[test]
     fn packs_get_smaller_where_they_have_to_be_taken_apart_and_larger_again() {
-        let mut pace = Pace::default();
+        let mut pace = Pace::new(Packs::WhereSlow);
         (0..SAMPLE).for_each(|_| pace.took(Duration::from_millis(500)));
         (0..10).for_each(|_| pace.packed(false));
         assert_eq!(pace.width(), 2);

@@ -39,7 +39,7 @@ impl<'b> Asking<'b> {
         Ok(Asking {
             bench,
             sessions: sessions.collect::<Result<_, _>>()?,
-            paces: vec![Pace::default(); bench.entrants.len()],
+            paces: vec![Pace::new(bench.packs); bench.entrants.len()],
             lost: None,
         })
     }

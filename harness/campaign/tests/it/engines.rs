@@ -1,7 +1,6 @@
 //! Engines with known defects: the reference, which is given another program than it was asked about.
 
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Duration;
 use stickler_engines::{Engine, EngineError, Identity, Outcome, Reference, RunRequest, Session};
 use stickler_types::DialectName;
 
@@ -24,8 +23,6 @@ pub struct Defective {
     identity: Identity,
     defect: Defect,
     requests: AtomicU64,
-    /// What each start costs.
-    pause: Duration,
 }
 
 impl Defective {
@@ -41,15 +38,6 @@ impl Defective {
             identity,
             defect,
             requests: AtomicU64::new(0),
-            pause: Duration::ZERO,
-        }
-    }
-
-    /// The same, as slow as a compiler that has to be started.
-    pub fn slow(self) -> Defective {
-        Defective {
-            pause: Duration::from_millis(25),
-            ..self
         }
     }
 
@@ -86,7 +74,6 @@ impl Session for DefectiveSession<'_> {
             Defect::DiesEvery(every) => (request.source.to_owned(), number.is_multiple_of(every)),
             Defect::DiesAfter(most) => (request.source.to_owned(), number > most),
         };
-        std::thread::sleep(self.engine.pause);
         if dies {
             return Outcome::Crashed {
                 reason: "it was made to".to_owned(),

@@ -18,7 +18,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::Duration;
 use stickler_campaign::{
-    Bench, Commands, Differential, Ended, Entrant, Event, Inputs, Oracles, Part, Plan, Request, Store,
+    Bench, Commands, Differential, Ended, Entrant, Event, Inputs, Oracles, Packs, Part, Plan, Request, Store,
     Summary, Until, Without,
 };
 use stickler_generate::oracles::Target;
@@ -71,6 +71,7 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
         dialects,
         open: arguments.open,
         without,
+        packs: Packs::WhereSlow,
         commands,
     };
     campaign(&bench, 16, arguments, request, store, out)
