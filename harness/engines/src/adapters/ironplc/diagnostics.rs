@@ -101,7 +101,7 @@ mod tests {
     /// Of `ironplcc compile` 0.239, on the program `a := b; c := a; q := 1;` of three types.
     const RECORDED: &str = "\u{1b}[0m\u{1b}[1m\u{1b}[38;5;9merror[P4035]\u{1b}[0m\u{1b}[1m: Assignment value type does not match \
         assignment target type (target=a, target_type=int, value_type=dint)\u{1b}[0m\n  \
-        \u{1b}[0m\u{1b}[36m┌─\u{1b}[0m /tmp/x/program.st:5:7\n  \u{1b}[0m\u{1b}[36m│\u{1b}[0m\n\
+        \u{1b}[0m\u{1b}[36m┌─\u{1b}[0m program.st:5:7\n  \u{1b}[0m\u{1b}[36m│\u{1b}[0m\n\
         \u{1b}[0m\u{1b}[36m5\u{1b}[0m \u{1b}[0m\u{1b}[36m│\u{1b}[0m  a := \u{1b}[0m\u{1b}[31mb\u{1b}[0m; \n  \
         \u{1b}[0m\u{1b}[36m=\u{1b}[0m Learn more: https://www.ironplc.com/reference/P4035.html\n\n\
         \u{1b}[0m\u{1b}[1m\u{1b}[38;5;9merror[P4007]\u{1b}[0m\u{1b}[1m: Variable not defined before used (variable=q)\u{1b}[0m\n  \

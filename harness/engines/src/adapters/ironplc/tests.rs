@@ -8,7 +8,7 @@ use std::process::Command;
 const COMPILER: &str = r#"#!/bin/sh
 case $(cat program.st) in
 *'please: reject'*)
-    printf '\033[0m\033[1merror[P4035]\033[0m: does not fit\n  \342\224\214\342\224\200 /tmp/program.st:3:7\n' >&2
+    printf '\033[0m\033[1merror[P4035]\033[0m: does not fit\n  \342\224\214\342\224\200 program.st:3:7\n' >&2
     exit 1 ;;
 *'please: be unfinished'*) printf 'error[P9999]: not yet\n' >&2; exit 1 ;;
 *'please: panic'*) echo "thread 'main' panicked at src/x.rs" >&2; exit 101 ;;
