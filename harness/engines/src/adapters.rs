@@ -5,6 +5,8 @@
 //! be seen into something that it does show; no line of the program moves. What a compiler does wrong is its own: an
 //! adapter mends nothing.
 
+mod builder;
+mod driver;
 mod ironplc;
 mod locate;
 mod matiec;

@@ -8,9 +8,9 @@ mod diagnostics;
 mod dump;
 mod sight;
 
-use super::locate::{self, call, told};
+use super::locate::{self, call, failed};
 use super::source::main_program;
-use super::witness::with_witnesses;
+use super::witness::translate_with;
 use crate::process::{Ended, Folder};
 use crate::{Ability, Engine, EngineError, Identity, NamedValue, Outcome, RunRequest, Session};
 use dump::Dump;
@@ -60,10 +60,7 @@ impl Engine for Ironplc {
     }
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        let folder = Folder::new().map_err(|reason| EngineError::NotStarted {
-            engine: self.identity.name.clone(),
-            reason,
-        })?;
+        let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(IronplcSession { engine: self, folder }))
     }
 }
@@ -103,10 +100,6 @@ fn dialect_name(dialect: DialectName) -> Result<&'static str, Outcome> {
     }
 }
 
-fn failed(message: String) -> Outcome {
-    Outcome::Error { message }
-}
-
 impl IronplcSession<'_> {
     /// Executes a program, with witnesses for what the dump does not show. Where the witnesses are not accepted, the
     /// program alone decides whether it is.
@@ -118,11 +111,7 @@ impl IronplcSession<'_> {
         }
         let mut sights = Sights::of(request, None);
         loop {
-            let container = if sights.witnesses().is_empty() {
-                self.compile(request.dialect, request.source)?
-            } else {
-                self.compile_with_witnesses(request, &sights)?
-            };
+            let container = self.compile_with_witnesses(request, &sights)?;
             let scans = Scans {
                 session: self,
                 container: &container,
@@ -139,19 +128,9 @@ impl IronplcSession<'_> {
         let Some(main) = main_program(request.source) else {
             return self.compile(request.dialect, request.source);
         };
-        let reason = if main.returns {
-            "a program that may return early shows only its simple variables".to_owned()
-        } else if request.scans == 0 {
-            "before the first scan only simple variables are shown".to_owned()
-        } else {
-            let text = with_witnesses(request.source, &main, sights.witnesses());
-            match self.compile(request.dialect, &text) {
-                Ok(container) => return Ok(container),
-                Err(outcome) => format!("the copies of its values are not accepted: {}", told(&outcome)),
-            }
-        };
-        self.compile(request.dialect, request.source)?;
-        Err(Outcome::Unsupported { reason })
+        translate_with(request, &main, sights.witnesses(), |text| {
+            self.compile(request.dialect, text)
+        })
     }
 
     /// Compiles a program and gives the path of its bytecode.

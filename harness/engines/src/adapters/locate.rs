@@ -1,7 +1,7 @@
 //! Where a compiler's programs are: an environment variable says so, or PATH does.
 
 use crate::process::{Ended, Folder, ToolLimits, run_tool};
-use crate::{Outcome, process};
+use crate::{EngineError, Identity, Outcome, process};
 use std::env;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -69,6 +69,22 @@ fn said(ended: &Ended) -> Option<String> {
         .map(str::trim)
         .find(|line| !line.is_empty())
         .map(str::to_owned)
+}
+
+/// A folder for a session of an engine.
+///
+/// # Errors
+/// [`EngineError::NotStarted`] where none can be made.
+pub(super) fn session_folder(engine: &Identity) -> Result<Folder, EngineError> {
+    Folder::new().map_err(|reason| EngineError::NotStarted {
+        engine: engine.name.clone(),
+        reason,
+    })
+}
+
+/// The outcome of an adapter that could not do its work.
+pub(super) fn failed(message: String) -> Outcome {
+    Outcome::Error { message }
 }
 
 /// Why a program did not do what it was started for; a fragment.

@@ -9,15 +9,15 @@
 mod diagnostics;
 mod driver;
 
-use super::locate::{self, call, first_error, told};
-use super::source::{MainProgram, main_program, words};
-use super::witness::{Copies, Witness, with_witnesses};
+use super::builder::{Builder, Language};
+use super::locate::{self, call, failed};
+use super::source::{main_program, words};
+use super::witness::{Copies, translate_with};
 use crate::process::Folder;
 use crate::{Ability, Engine, EngineError, Identity, Outcome, RunRequest, Session};
-use driver::Driver;
-use std::ffi::OsString;
+use driver::driver;
 use std::path::{Path, PathBuf};
-use stickler_types::{DialectName, Fault};
+use stickler_types::DialectName;
 
 /// The configuration without which no C is written. It stands behind the program and moves no line of it.
 fn configuration(program: &str) -> String {
@@ -32,14 +32,12 @@ fn configuration(program: &str) -> String {
 const HEADER: &str =
     "#include \"iec_std_lib.h\"\n#include \"accessor.h\"\n#include <stdio.h>\n#include <string.h>\n";
 
-/// The compiler, its library, and a C compiler.
+/// The compiler, its library, and what builds its C.
 pub(super) struct Matiec {
     identity: Identity,
     compiler: PathBuf,
     library: PathBuf,
-    c_compiler: PathBuf,
-    /// Holds [`HEADER`] and what the C compiler made of it.
-    prepared: Folder,
+    builder: Builder,
 }
 
 impl Matiec {
@@ -55,10 +53,9 @@ impl Matiec {
             "STICKLER_MATIEC_LIB",
             &libraries(&compiler),
         )?;
-        let c_compiler = locate::program("cc", "STICKLER_CC")?;
-        let prepared = Folder::new()?;
-        let version = locate::version(&compiler, &["-v"], &prepared)?;
-        let matiec = Matiec {
+        let builder = Builder::find(Language::C, library.join("C"), HEADER)?;
+        let version = locate::version(&compiler, &["-v"], &Folder::new()?)?;
+        Ok(Matiec {
             identity: Identity {
                 name: called.to_owned(),
                 version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
@@ -67,40 +64,8 @@ impl Matiec {
             },
             compiler,
             library,
-            c_compiler,
-            prepared,
-        };
-        matiec.prepare()?;
-        Ok(matiec)
-    }
-
-    /// Compiles the header once, since that takes most of the time of building a small program. A C compiler that makes no
-    /// use of it reads the header itself.
-    fn prepare(&self) -> Result<(), String> {
-        self.prepared.write("stickler.h", HEADER)?;
-        let arguments = self.c_arguments(&["stickler.h", "-o", "stickler.h.gch"]);
-        let ended = call(&self.c_compiler, &arguments, &self.prepared)
-            .map_err(|outcome| format!("the C compiler {}", locate::reason(&outcome)))?;
-        match ended.status.success() {
-            true => Ok(()),
-            false => Err(format!(
-                "`{}` does not compile the library of iec2c in `{}`: {}",
-                self.c_compiler.display(),
-                self.library.display(),
-                first_error(&ended)
-            )),
-        }
-    }
-
-    /// The arguments of every call of the C compiler, and these. Without optimisation, so that what C leaves undefined
-    /// does what the machine does.
-    fn c_arguments(&self, further: &[&str]) -> Vec<OsString> {
-        let mut arguments: Vec<OsString> = ["-O0", "-w", "-I"].map(OsString::from).to_vec();
-        arguments.push(self.prepared.path().into());
-        arguments.push("-I".into());
-        arguments.push(self.library.join("C").into());
-        arguments.extend(further.iter().map(OsString::from));
-        arguments
+            builder,
+        })
     }
 }
 
@@ -120,10 +85,7 @@ impl Engine for Matiec {
     }
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        let folder = Folder::new().map_err(|reason| EngineError::NotStarted {
-            engine: self.identity.name.clone(),
-            reason,
-        })?;
+        let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(MatiecSession { engine: self, folder }))
     }
 }
@@ -162,10 +124,6 @@ fn speaks(dialect: DialectName) -> Result<(), Outcome> {
     }
 }
 
-fn failed(message: String) -> Outcome {
-    Outcome::Error { message }
-}
-
 impl MatiecSession<'_> {
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         speaks(request.dialect)?;
@@ -175,36 +133,17 @@ impl MatiecSession<'_> {
         };
         let copies = Copies::of(request);
         let driver =
-            Driver::of(request, &copies, &main.name).map_err(|reason| Outcome::Unsupported { reason })?;
-        self.translate_with(request.source, &main, copies.witnesses())?;
-        self.build(&driver)?;
-        self.execute(&driver, request)
-    }
-
-    /// Translates a program with its witnesses. Where they are not accepted, the program alone decides whether it is.
-    fn translate_with(&self, source: &str, main: &MainProgram, witnesses: &[Witness]) -> Result<(), Outcome> {
-        let plain = || {
-            let mut text = source.to_owned();
-            if !words(source).any(|word| word.is("CONFIGURATION")) {
-                text.push_str(&configuration(&main.name));
-            }
-            text
+            driver(request, &copies, &main.name).map_err(|reason| Outcome::Unsupported { reason })?;
+        let has_its_own = words(request.source).any(|word| word.is("CONFIGURATION"));
+        let configuration = match has_its_own {
+            true => String::new(),
+            false => configuration(&main.name),
         };
-        if witnesses.is_empty() {
-            return self.translate(&plain());
-        }
-        let reason = match main.returns {
-            true => "a program that may return early shows only its simple variables".to_owned(),
-            false => {
-                let text = with_witnesses(source, main, witnesses);
-                match self.translate(&(text + &plain()[source.len()..])) {
-                    Ok(()) => return Ok(()),
-                    Err(outcome) => format!("the copies of its values are not accepted: {}", told(&outcome)),
-                }
-            }
-        };
-        self.translate(&plain())?;
-        Err(Outcome::Unsupported { reason })
+        translate_with(request, &main, copies.witnesses(), |text| {
+            self.translate(&format!("{text}{configuration}"))
+        })?;
+        self.engine.builder.build(&driver.text, &self.folder)?;
+        driver.execute(&self.folder, request)
     }
 
     /// Translates a program to C.
@@ -225,42 +164,5 @@ impl MatiecSession<'_> {
         ];
         let ended = call(&self.engine.compiler, &arguments, &self.folder)?;
         diagnostics::outcome(&ended)
-    }
-
-    /// Builds what was translated.
-    fn build(&self, driver: &Driver<'_>) -> Result<(), Outcome> {
-        self.folder.write("driver.c", driver.text()).map_err(failed)?;
-        let arguments = self
-            .engine
-            .c_arguments(&["driver.c", "-I", ".", "-o", "driver", "-lm"]);
-        let ended = call(&self.engine.c_compiler, &arguments, &self.folder)?;
-        match ended.code()? {
-            0 => Ok(()),
-            _ => Err(Outcome::Crashed {
-                reason: format!(
-                    "it accepts the program, and the C that it wrote cannot be built: {}",
-                    first_error(&ended)
-                ),
-            }),
-        }
-    }
-
-    fn execute(&self, driver: &Driver<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
-        let nothing: [&str; 0] = [];
-        let ended = locate::execute(&self.folder.path().join("driver"), &nothing, &self.folder)?;
-        if ended.stopped_by_arithmetic() {
-            return Ok(Outcome::Faulted {
-                fault: Fault::DivisionByZero,
-                line: None,
-                values: Vec::new(),
-            });
-        }
-        match ended.code()? {
-            0 => match driver.values(&ended.stdout, request) {
-                Ok(values) => Ok(Outcome::Executed { values }),
-                Err(message) => Err(failed(message)),
-            },
-            _ => Err(ended.crashed()),
-        }
     }
 }

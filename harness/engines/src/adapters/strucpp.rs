@@ -8,16 +8,16 @@
 
 mod driver;
 
-use super::locate::{self, call, first_error};
-use super::source::{MainProgram, main_program};
-use super::witness::{Copies, Witness, with_witnesses};
+use super::builder::{Builder, Language};
+use super::locate::{self, failed};
+use super::source::main_program;
+use super::witness::{Copies, translate_with};
 use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits};
 use crate::{Ability, Diagnostic, Engine, EngineError, Identity, Outcome, RunRequest, Session};
-use driver::{Driver, HEADER, SUBSCRIPT};
+use driver::{HEADER, driver};
 use serde::Deserialize;
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use stickler_types::{DialectName, Fault};
+use stickler_types::DialectName;
 
 /// The program that Node runs.
 const TRANSLATOR: &str = include_str!("strucpp/translator.mjs");
@@ -29,10 +29,9 @@ const LONGEST: usize = 64 << 20;
 pub(super) struct Strucpp {
     identity: Identity,
     translator: CommandLine,
-    headers: PathBuf,
-    cpp_compiler: PathBuf,
-    /// Holds the translator, and [`HEADER`] with what the C++ compiler made of it.
-    prepared: Folder,
+    builder: Builder,
+    /// Holds the program that Node runs.
+    _script: Folder,
 }
 
 impl Strucpp {
@@ -44,13 +43,13 @@ impl Strucpp {
     pub(super) fn find(called: &str) -> Result<Strucpp, String> {
         let command = locate::program("strucpp", "STICKLER_STRUCPP")?;
         let node = locate::program("node", "STICKLER_NODE")?;
-        let cpp_compiler = locate::program("c++", "STICKLER_CXX")?;
         let package = package(&command)?;
-        let prepared = Folder::new()?;
-        let version = locate::version(&node, &[&command.to_string_lossy(), "--version"], &prepared)?;
-        let script = prepared.write("translator.mjs", TRANSLATOR)?;
+        let builder = Builder::find(Language::Cpp, package.join("src/runtime/include"), HEADER)?;
+        let folder = Folder::new()?;
+        let version = locate::version(&node, &[&command.to_string_lossy(), "--version"], &folder)?;
+        let script = folder.write("translator.mjs", TRANSLATOR)?;
         let arguments = [script, package.join("dist/index.js")];
-        let strucpp = Strucpp {
+        Ok(Strucpp {
             identity: Identity {
                 name: called.to_owned(),
                 version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
@@ -62,39 +61,9 @@ impl Strucpp {
                 node.to_string_lossy().into_owned(),
                 arguments.map(|path| path.to_string_lossy().into_owned()).to_vec(),
             ),
-            headers: package.join("src/runtime/include"),
-            cpp_compiler,
-            prepared,
-        };
-        strucpp.prepare()?;
-        Ok(strucpp)
-    }
-
-    /// Compiles the headers once, since that takes most of the time of building a small program.
-    fn prepare(&self) -> Result<(), String> {
-        self.prepared.write("stickler.hpp", HEADER)?;
-        let arguments = self.cpp_arguments(&["-x", "c++-header", "stickler.hpp", "-o", "stickler.hpp.gch"]);
-        let ended = call(&self.cpp_compiler, &arguments, &self.prepared)
-            .map_err(|outcome| format!("the C++ compiler {}", locate::reason(&outcome)))?;
-        match ended.status.success() {
-            true => Ok(()),
-            false => Err(format!(
-                "`{}` does not compile the headers in `{}`: {}",
-                self.cpp_compiler.display(),
-                self.headers.display(),
-                first_error(&ended)
-            )),
-        }
-    }
-
-    /// The arguments of every call of the C++ compiler, and these.
-    fn cpp_arguments(&self, further: &[&str]) -> Vec<OsString> {
-        let mut arguments: Vec<OsString> = ["-std=c++17", "-O0", "-w", "-I"].map(OsString::from).to_vec();
-        arguments.push(self.prepared.path().into());
-        arguments.push("-I".into());
-        arguments.push(self.headers.as_os_str().into());
-        arguments.extend(further.iter().map(OsString::from));
-        arguments
+            builder,
+            _script: folder,
+        })
     }
 }
 
@@ -121,10 +90,7 @@ impl Engine for Strucpp {
     }
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        let folder = Folder::new().map_err(|reason| EngineError::NotStarted {
-            engine: self.identity.name.clone(),
-            reason,
-        })?;
+        let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(StrucppSession {
             engine: self,
             folder,
@@ -195,10 +161,6 @@ impl Told {
     }
 }
 
-fn failed(message: String) -> Outcome {
-    Outcome::Error { message }
-}
-
 impl StrucppSession<'_> {
     fn try_run(&mut self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let Some(main) = main_program(request.source) else {
@@ -207,34 +169,10 @@ impl StrucppSession<'_> {
         };
         let copies = Copies::of(request);
         let driver =
-            Driver::of(request, &copies, &main.name).map_err(|reason| Outcome::Unsupported { reason })?;
-        self.translate_with(request.source, &main, copies.witnesses())?;
-        self.build(&driver)?;
-        self.execute(&driver, request)
-    }
-
-    /// Translates a program with its witnesses. Where they are not accepted, the program alone decides whether it is.
-    fn translate_with(
-        &mut self,
-        source: &str,
-        main: &MainProgram,
-        witnesses: &[Witness],
-    ) -> Result<(), Outcome> {
-        if witnesses.is_empty() {
-            return self.translate(source);
-        }
-        let reason = match main.returns {
-            true => "a program that may return early shows only its simple variables".to_owned(),
-            false => match self.translate(&with_witnesses(source, main, witnesses)) {
-                Ok(()) => return Ok(()),
-                Err(outcome) => format!(
-                    "the copies of its values are not accepted: {}",
-                    locate::told(&outcome)
-                ),
-            },
-        };
-        self.translate(source)?;
-        Err(Outcome::Unsupported { reason })
+            driver(request, &copies, &main.name).map_err(|reason| Outcome::Unsupported { reason })?;
+        translate_with(request, &main, copies.witnesses(), |text| self.translate(text))?;
+        self.engine.builder.build(&driver.text, &self.folder)?;
+        driver.execute(&self.folder, request)
     }
 
     /// Translates a program to C++.
@@ -278,45 +216,6 @@ impl StrucppSession<'_> {
             Err(Failure::Flood) => Err(Outcome::Crashed {
                 reason: format!("it wrote more than {LONGEST} bytes"),
             }),
-        }
-    }
-
-    /// Builds what was translated.
-    fn build(&self, driver: &Driver<'_>) -> Result<(), Outcome> {
-        self.folder.write("driver.cpp", driver.text()).map_err(failed)?;
-        let arguments = self
-            .engine
-            .cpp_arguments(&["driver.cpp", "-I", ".", "-o", "driver"]);
-        let ended = call(&self.engine.cpp_compiler, &arguments, &self.folder)?;
-        match ended.code()? {
-            0 => Ok(()),
-            _ => Err(Outcome::Crashed {
-                reason: format!(
-                    "it accepts the program, and the C++ that it wrote cannot be built: {}",
-                    first_error(&ended)
-                ),
-            }),
-        }
-    }
-
-    fn execute(&self, driver: &Driver<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
-        let nothing: [&str; 0] = [];
-        let ended = locate::execute(&self.folder.path().join("driver"), &nothing, &self.folder)?;
-        let faulted = |fault| Outcome::Faulted {
-            fault,
-            line: None,
-            values: Vec::new(),
-        };
-        if ended.stopped_by_arithmetic() {
-            return Ok(faulted(Fault::DivisionByZero));
-        }
-        match ended.code()? {
-            0 => match driver.values(&ended.stdout, request) {
-                Ok(values) => Ok(Outcome::Executed { values }),
-                Err(message) => Err(failed(message)),
-            },
-            SUBSCRIPT => Ok(faulted(Fault::SubscriptRange)),
-            _ => Err(ended.crashed()),
         }
     }
 }

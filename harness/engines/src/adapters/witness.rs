@@ -1,7 +1,8 @@
 //! Variables that an adapter adds to a program, so that a compiler shows what it would not show otherwise.
 
+use super::locate::told;
 use super::source::MainProgram;
-use crate::{Observation, RunRequest};
+use crate::{Observation, Outcome, RunRequest};
 use std::fmt::Write;
 use stickler_types::ElementaryType;
 
@@ -23,9 +24,37 @@ impl Witness {
     }
 }
 
+/// Has a program translated with its witnesses. Where they are not accepted, the program alone decides whether it is.
+///
+/// # Errors
+/// What `translate` says of the program alone; [`Outcome::Unsupported`] where it accepts that, and its witnesses would show
+/// nothing or are not accepted.
+pub(super) fn translate_with<T>(
+    request: &RunRequest<'_>,
+    main: &MainProgram,
+    witnesses: &[Witness],
+    mut translate: impl FnMut(&str) -> Result<T, Outcome>,
+) -> Result<T, Outcome> {
+    if witnesses.is_empty() {
+        return translate(request.source);
+    }
+    let reason = if main.returns {
+        "a program that may return early shows only its simple variables".to_owned()
+    } else if request.scans == 0 {
+        "before the first scan only simple variables are shown".to_owned()
+    } else {
+        match translate(&with_witnesses(request.source, main, witnesses)) {
+            Ok(translated) => return Ok(translated),
+            Err(outcome) => format!("the copies of its values are not accepted: {}", told(&outcome)),
+        }
+    };
+    translate(request.source)?;
+    Err(Outcome::Unsupported { reason })
+}
+
 /// The program with its witnesses. Each line stays the line that it was: the declarations stand behind the program's
 /// name, the assignments before its `END_PROGRAM`.
-pub(super) fn with_witnesses(source: &str, main: &MainProgram, witnesses: &[Witness]) -> String {
+fn with_witnesses(source: &str, main: &MainProgram, witnesses: &[Witness]) -> String {
     let mut text = source[..main.inside.start].to_owned();
     text.push_str(" VAR");
     for witness in witnesses {

@@ -3,58 +3,47 @@
 //! Basis: matiec: the C that `iec2c` writes: `NAME_init__`, `NAME_body__`, a structure of the variables in upper case, each
 //! with its `value`; durations and dates are seconds and nanoseconds, a STRING its length and its bytes.
 
+use crate::adapters::driver::Driver;
 use crate::adapters::printed::{self, Kind};
 use crate::adapters::witness::Copies;
-use crate::{NamedValue, RunRequest, Setting};
+use crate::{RunRequest, Setting};
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
 
-/// The program, and how to read what it prints.
-pub(super) struct Driver<'r> {
-    text: String,
-    kinds: Vec<Kind<'r>>,
-}
-
-impl<'r> Driver<'r> {
-    /// The driver of a request; `program` is the name of the main program.
-    ///
-    /// # Errors
-    /// A fragment that says what cannot be observed or set.
-    pub(super) fn of(request: &RunRequest<'r>, copies: &Copies, program: &str) -> Result<Driver<'r>, String> {
-        let kinds = printed::kinds(request, has)?;
-        let program = program.to_ascii_uppercase();
-        let mut text = format!(
-            "#include \"stickler.h\"\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n#include \"POUS.c\"\n\
-             static {program} program;\n{PRINTERS}"
-        );
-        write_look(&mut text, request, copies, &kinds);
-        // Writing into a String does not fail.
-        let _ = write!(
-            text,
-            "int main(void) {{\n    {program}_init__(&program, 0);\n    \
-             for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
-            request.scans
-        );
-        write_before(&mut text, request)?;
-        let _ = write!(
-            text,
-            "        {program}_body__(&program);\n        look(scan);\n    }}\n    look(0);\n    return 0;\n}}\n"
-        );
-        Ok(Driver { text, kinds })
-    }
-
-    /// The program.
-    pub(super) fn text(&self) -> &str {
-        &self.text
-    }
-
-    /// The values that it printed.
-    ///
-    /// # Errors
-    /// A fragment that says what is wrong with what it printed.
-    pub(super) fn values(&self, printed: &str, request: &RunRequest<'_>) -> Result<Vec<NamedValue>, String> {
-        printed::values(printed, request, &self.kinds, value)
-    }
+/// The driver of a request; `program` is the name of the main program.
+///
+/// # Errors
+/// A fragment that says what cannot be observed or set.
+pub(super) fn driver<'r>(
+    request: &RunRequest<'r>,
+    copies: &Copies,
+    program: &str,
+) -> Result<Driver<'r>, String> {
+    let kinds = printed::kinds(request, has)?;
+    let program = program.to_ascii_uppercase();
+    let mut text = format!(
+        "#include \"stickler.h\"\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n#include \"POUS.c\"\n\
+         static {program} program;\n{PRINTERS}"
+    );
+    write_look(&mut text, request, copies, &kinds);
+    // Writing into a String does not fail.
+    let _ = write!(
+        text,
+        "int main(void) {{\n    {program}_init__(&program, 0);\n    \
+         for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
+        request.scans
+    );
+    write_before(&mut text, request)?;
+    let _ = write!(
+        text,
+        "        {program}_body__(&program);\n        look(scan);\n    }}\n    look(0);\n    return 0;\n}}\n"
+    );
+    Ok(Driver {
+        text,
+        kinds,
+        read: value,
+        faults: &[],
+    })
 }
 
 /// Whether the compiler has values of a type.
@@ -206,7 +195,7 @@ mod tests {
             observation("b", "BOOL"),
         ];
         let request = request(&observe);
-        let driver = Driver::of(&request, &Copies::of(&request), "main").unwrap();
+        let driver = driver(&request, &Copies::of(&request), "main").unwrap();
         let printed = "1 3fc00000\n0 ffff\n2 1 500000000\n3 '6127\n4 1\n5 1\n";
         let values = driver.values(printed, &request).unwrap();
         let values: Vec<String> = values
@@ -254,7 +243,7 @@ mod tests {
             }],
             ..request(&observe)
         };
-        let driver = Driver::of(&request, &Copies::of(&request), "main").unwrap();
+        let driver = driver(&request, &Copies::of(&request), "main").unwrap();
         for line in [
             "static MAIN program;",
             "if (scan == 0UL) print_time(0, program.X.value);",
@@ -265,7 +254,7 @@ mod tests {
             "if (scan == 3UL) { unsigned long long bits = 18446744073709551614ULL;",
             "scan <= 3UL;",
         ] {
-            assert!(driver.text().contains(line), "{line}\n{}", driver.text());
+            assert!(driver.text.contains(line), "{line}\n{}", driver.text);
         }
     }
 
@@ -279,7 +268,7 @@ mod tests {
         ] {
             let observe = [observation("x", type_name)];
             let request = request(&observe);
-            let reason = Driver::of(&request, &Copies::of(&request), "main").err().unwrap();
+            let reason = driver(&request, &Copies::of(&request), "main").err().unwrap();
             assert!(reason.contains(part), "{reason}");
         }
     }

@@ -3,14 +3,15 @@
 //! Basis: strucpp: the C++ that it writes, and its run-time headers: a class for each program, its variables in upper case,
 //! each with `get`; durations and times of day are nanoseconds, dates days, both together nanoseconds.
 
+use crate::RunRequest;
+use crate::adapters::driver::Driver;
 use crate::adapters::printed::{self, Kind};
 use crate::adapters::witness::Copies;
-use crate::{NamedValue, RunRequest};
 use std::fmt::Write;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, Fault, Value};
 
 /// The exit code by which the driver tells a subscript outside its array.
-pub(super) const SUBSCRIPT: i32 = 3;
+const SUBSCRIPT: i32 = 3;
 
 /// A day in nanoseconds.
 const DAY: i64 = 86_400_000_000_000;
@@ -36,12 +37,6 @@ pub(super) const HEADER: &str = "\
 #include <string>
 ";
 
-/// The program, and how to read what it prints.
-pub(super) struct Driver<'r> {
-    text: String,
-    kinds: Vec<Kind<'r>>,
-}
-
 /// One function for each form in which a value is printed.
 const PRINTERS: &str = "\
 template<class T> static void print_bits(int number, T value) {
@@ -60,66 +55,60 @@ template<class T> static void print_text(int number, const T &value) {
 }
 ";
 
-impl<'r> Driver<'r> {
-    /// The driver of a request; `program` is the name of the main program.
-    ///
-    /// # Errors
-    /// A fragment that says what cannot be observed or set.
-    pub(super) fn of(request: &RunRequest<'r>, copies: &Copies, program: &str) -> Result<Driver<'r>, String> {
-        if !request.set.is_empty() {
-            return Err("its driver writes no variables between scans".to_owned());
-        }
-        let kinds = printed::kinds(request, |_| true)?;
-        let program = program.to_ascii_uppercase();
-        let mut text = format!(
-            "#include \"stickler.hpp\"\n#include \"program.cpp\"\nstatic strucpp::Program_{program} program;\n{PRINTERS}\
-             static void look(unsigned long scan) {{\n"
-        );
-        for (number, (asked, kind)) in request.observe.iter().zip(&kinds).enumerate() {
-            let variable = format!("program.{}.get()", copies.variable(asked).to_ascii_uppercase());
-            let printer = match kind {
-                Kind::Elementary(ty) if ty.is_text() => "print_text",
-                _ => "print_bits",
-            };
-            // Writing into a String does not fail.
-            let _ = writeln!(
-                text,
-                "    if (scan == {}UL) {printer}({number}, {variable});",
-                asked.after.unwrap_or(0)
-            );
-        }
-        let _ = write!(
+/// The driver of a request; `program` is the name of the main program.
+///
+/// # Errors
+/// A fragment that says what cannot be observed or set.
+pub(super) fn driver<'r>(
+    request: &RunRequest<'r>,
+    copies: &Copies,
+    program: &str,
+) -> Result<Driver<'r>, String> {
+    if !request.set.is_empty() {
+        return Err("its driver writes no variables between scans".to_owned());
+    }
+    let kinds = printed::kinds(request, |_| true)?;
+    let program = program.to_ascii_uppercase();
+    let mut text = format!(
+        "#include \"stickler.hpp\"\n#include \"program.cpp\"\nstatic strucpp::Program_{program} program;\n{PRINTERS}\
+         static void look(unsigned long scan) {{\n"
+    );
+    for (number, (asked, kind)) in request.observe.iter().zip(&kinds).enumerate() {
+        let variable = format!("program.{}.get()", copies.variable(asked).to_ascii_uppercase());
+        let printer = match kind {
+            Kind::Elementary(ty) if ty.is_text() => "print_text",
+            _ => "print_bits",
+        };
+        // Writing into a String does not fail.
+        let _ = writeln!(
             text,
-            "}}\nint main() try {{\n    for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
-            request.scans
+            "    if (scan == {}UL) {printer}({number}, {variable});",
+            asked.after.unwrap_or(0)
         );
-        for step in request.clock {
-            let _ = writeln!(
-                text,
-                "        if (scan == {}UL) strucpp::__CURRENT_TIME_NS = {}LL;",
-                step.before, step.nanoseconds
-            );
-        }
-        let _ = write!(
+    }
+    let _ = write!(
+        text,
+        "}}\nint main() try {{\n    for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
+        request.scans
+    );
+    for step in request.clock {
+        let _ = writeln!(
             text,
-            "        program.run();\n        look(scan);\n    }}\n    look(0);\n    return 0;\n\
-             }} catch (const std::out_of_range &) {{\n    return {SUBSCRIPT};\n}}\n"
+            "        if (scan == {}UL) strucpp::__CURRENT_TIME_NS = {}LL;",
+            step.before, step.nanoseconds
         );
-        Ok(Driver { text, kinds })
     }
-
-    /// The program.
-    pub(super) fn text(&self) -> &str {
-        &self.text
-    }
-
-    /// The values that it printed.
-    ///
-    /// # Errors
-    /// A fragment that says what is wrong with what it printed.
-    pub(super) fn values(&self, printed: &str, request: &RunRequest<'_>) -> Result<Vec<NamedValue>, String> {
-        printed::values(printed, request, &self.kinds, value)
-    }
+    let _ = write!(
+        text,
+        "        program.run();\n        look(scan);\n    }}\n    look(0);\n    return 0;\n\
+         }} catch (const std::out_of_range &) {{\n    return {SUBSCRIPT};\n}}\n"
+    );
+    Ok(Driver {
+        text,
+        kinds,
+        read: value,
+        faults: &[(SUBSCRIPT, Fault::SubscriptRange)],
+    })
 }
 
 /// A value as it was printed; `None` where that is nonsense.
@@ -182,14 +171,14 @@ mod tests {
             }],
             set: &[],
         };
-        let driver = Driver::of(&request, &Copies::of(&request), "main").unwrap();
+        let driver = driver(&request, &Copies::of(&request), "main").unwrap();
         for line in [
             "static strucpp::Program_MAIN program;",
             "if (scan == 0UL) print_text(3, program.S.get());",
             "if (scan == 0UL) print_bits(6, program.STICKLER_WITNESS_0.get());",
             "if (scan == 2UL) strucpp::__CURRENT_TIME_NS = 5LL;",
         ] {
-            assert!(driver.text().contains(line), "{line}\n{}", driver.text());
+            assert!(driver.text.contains(line), "{line}\n{}", driver.text);
         }
         let printed = "0 ffff\n1 3ff8000000000000\n2 59682f00\n3 '00610027\n4 '00e4\n5 4d46\n6 ff\n";
         let values = driver.values(printed, &request).unwrap();

@@ -1,0 +1,129 @@
+//! A C or C++ compiler: it builds what a compiler under test wrote, together with a driver.
+
+use super::locate::{self, call, failed, first_error};
+use crate::Outcome;
+use crate::process::Folder;
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+/// What a compiler under test writes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Language {
+    /// C, for `cc` on PATH or what `STICKLER_CC` names.
+    C,
+    /// C++, for `c++` on PATH or what `STICKLER_CXX` names.
+    Cpp,
+}
+
+/// What the two languages differ in.
+struct Words {
+    name: &'static str,
+    compiler: (&'static str, &'static str),
+    options: &'static [&'static str],
+    header: &'static str,
+    header_kind: &'static str,
+    driver: &'static str,
+    libraries: &'static [&'static str],
+}
+
+impl Language {
+    /// Without optimisation, so that what C leaves undefined does what the machine does.
+    const fn words(self) -> Words {
+        match self {
+            Language::C => Words {
+                name: "C",
+                compiler: ("cc", "STICKLER_CC"),
+                options: &["-O0", "-w"],
+                header: "stickler.h",
+                header_kind: "c-header",
+                driver: "driver.c",
+                libraries: &["-lm"],
+            },
+            Language::Cpp => Words {
+                name: "C++",
+                compiler: ("c++", "STICKLER_CXX"),
+                options: &["-std=c++17", "-O0", "-w"],
+                header: "stickler.hpp",
+                header_kind: "c++-header",
+                driver: "driver.cpp",
+                libraries: &[],
+            },
+        }
+    }
+}
+
+/// The compiler, and the headers that every built program includes; they are compiled once, since that takes most of the time
+/// of building a small program. A compiler that makes no use of that reads them itself.
+pub(super) struct Builder {
+    language: Language,
+    compiler: PathBuf,
+    headers: PathBuf,
+    /// Holds the header that includes the others, and what the compiler made of it.
+    prepared: Folder,
+}
+
+impl Builder {
+    /// Finds a compiler and has it compile `text`, which includes headers of the folder `headers`. A driver includes it as
+    /// `stickler.h` or `stickler.hpp`.
+    ///
+    /// # Errors
+    /// A fragment that says what is missing or does not work.
+    pub(super) fn find(language: Language, headers: PathBuf, text: &str) -> Result<Builder, String> {
+        let words = language.words();
+        let builder = Builder {
+            language,
+            compiler: locate::program(words.compiler.0, words.compiler.1)?,
+            headers,
+            prepared: Folder::new()?,
+        };
+        builder.prepared.write(words.header, text)?;
+        let compiled = format!("{}.gch", words.header);
+        let arguments = builder.arguments(&["-x", words.header_kind, words.header, "-o", &compiled]);
+        let ended = call(&builder.compiler, &arguments, &builder.prepared)
+            .map_err(|outcome| format!("the {} compiler {}", words.name, locate::reason(&outcome)))?;
+        if ended.status.success() {
+            return Ok(builder);
+        }
+        Err(format!(
+            "`{}` does not compile the headers in `{}`: {}",
+            builder.compiler.display(),
+            builder.headers.display(),
+            first_error(&ended)
+        ))
+    }
+
+    /// Builds the program `driver` of a folder from the text of a driver and from what it includes there.
+    ///
+    /// # Errors
+    /// [`Outcome::Crashed`] where it cannot be built: the compiler under test neither rejected its program nor made one that
+    /// runs. Otherwise as [`call`].
+    pub(super) fn build(&self, driver: &str, folder: &Folder) -> Result<(), Outcome> {
+        let words = self.language.words();
+        folder.write(words.driver, driver).map_err(failed)?;
+        let mut arguments = self.arguments(&[words.driver, "-I", ".", "-o", "driver"]);
+        arguments.extend(words.libraries.iter().map(OsString::from));
+        let ended = call(&self.compiler, &arguments, folder)?;
+        match ended.code()? {
+            0 => Ok(()),
+            _ => Err(Outcome::Crashed {
+                reason: format!(
+                    "it accepts the program, and the {} that it wrote cannot be built: {}",
+                    words.name,
+                    first_error(&ended)
+                ),
+            }),
+        }
+    }
+
+    /// The arguments of every call, and these.
+    fn arguments(&self, further: &[&str]) -> Vec<OsString> {
+        let options = self.language.words().options;
+        let mut arguments: Vec<OsString> = options.iter().map(OsString::from).collect();
+        for folder in [self.prepared.path(), &self.headers] {
+            arguments.push("-I".into());
+            arguments.push(folder.into());
+        }
+        arguments.extend(further.iter().map(OsString::from));
+        arguments
+    }
+}
