@@ -87,7 +87,7 @@ pub fn nothing_selected(suite: &Suite) -> Exit {
         number => anyhow::anyhow!("no case is selected: none of {number} fits; `stickler list` lists them"),
     };
     output::complain(&error);
-    Exit::NothingSelected.worst(exit_of(suite))
+    Exit::NothingTested.worst(exit_of(suite))
 }
 
 /// The plan that selects the cases which were asked for.

@@ -20,8 +20,8 @@ pub enum Exit {
     Usage,
     /// An engine could not be run at all.
     EngineNotRun,
-    /// The filters left no case.
-    NothingSelected,
+    /// The filters left no case, or the engines support none of those that they left.
+    NothingTested,
     /// Stopped by Ctrl-C; the event log lacks its footer.
     Interrupted,
 }
@@ -33,7 +33,7 @@ impl Exit {
         Exit::Failures,
         Exit::Usage,
         Exit::EngineNotRun,
-        Exit::NothingSelected,
+        Exit::NothingTested,
         Exit::Interrupted,
     ];
 
@@ -46,7 +46,7 @@ impl Exit {
             Exit::Failures => 1,
             Exit::Usage => 2,
             Exit::EngineNotRun => 3,
-            Exit::NothingSelected => 4,
+            Exit::NothingTested => 4,
             Exit::Interrupted => 130,
         }
     }
@@ -58,7 +58,7 @@ impl Exit {
             Exit::Failures => "conformance failures (check, eval, render: the program is rejected or faults)",
             Exit::Usage => "wrong usage, a broken case file, or a file or folder that cannot be used",
             Exit::EngineNotRun => "an engine could not be run",
-            Exit::NothingSelected => "no case selected",
+            Exit::NothingTested => "no case selected, or none that the engine supports",
             Exit::Interrupted => "stopped by Ctrl-C",
         }
     }
@@ -72,7 +72,7 @@ impl Exit {
         match self {
             Exit::AsExpected => 0,
             Exit::Failures => 1,
-            Exit::NothingSelected => 2,
+            Exit::NothingTested => 2,
             Exit::Usage => 3,
             Exit::EngineNotRun => 4,
             Exit::Interrupted => 5,
@@ -91,7 +91,7 @@ impl From<Exit> for ExitCode {
 /// All that is not said otherwise here is [`Exit::Usage`]: a file that cannot be read, a folder that cannot be written.
 pub fn of_error(error: &anyhow::Error) -> Exit {
     match error.downcast_ref::<RunError>() {
-        Some(RunError::NoCaseSelected) => Exit::NothingSelected,
+        Some(RunError::NoCaseSelected) => Exit::NothingTested,
         Some(RunError::Engine(_) | RunError::Workers(_)) => Exit::EngineNotRun,
         None if error.is::<NoSuchEngine>() || error.is::<SpeaksNone>() || error.is::<EngineError>() => {
             Exit::EngineNotRun
@@ -148,7 +148,7 @@ mod tests {
     fn what_kept_a_command_from_its_work_outranks_what_the_work_found() {
         assert_eq!(Exit::Failures.worst(Exit::Usage), Exit::Usage);
         assert_eq!(Exit::Usage.worst(Exit::Failures), Exit::Usage);
-        assert_eq!(Exit::NothingSelected.worst(Exit::Usage), Exit::Usage);
+        assert_eq!(Exit::NothingTested.worst(Exit::Usage), Exit::Usage);
         assert_eq!(Exit::EngineNotRun.worst(Exit::Interrupted), Exit::Interrupted);
         assert_eq!(Exit::AsExpected.worst(Exit::Failures), Exit::Failures);
     }

@@ -382,3 +382,26 @@ fn a_run_in_a_dialect_that_the_engine_does_not_speak_says_what_it_speaks() {
         assert!(text(&run.stderr).contains(reason), "{}", text(&run.stderr));
     }
 }
+
+/// An engine of another language that can do nothing of what it is asked.
+const UNABLE: &str = r#"while read -r line; do
+  id=$(printf '%s' "$line" | sed -n 's/.*"id":\([0-9]*\).*/\1/p')
+  case "$line" in
+    *'"hello"'*) echo '{"type":"hello","protocol":1,"name":"unable","version":"1","dialects":["ironplc-ed2","ironplc-ed3"],"abilities":["check","execute"]}' ;;
+    *'"bye"'*) exit 0 ;;
+    *) echo "{\"type\":\"unsupported\",\"id\":$id,\"reason\":\"not written yet\"}" ;;
+  esac
+done
+"#;
+
+#[test]
+fn an_engine_that_supports_no_case_is_not_as_expected() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("unable.sh"), UNABLE).expect("a stand-in");
+    let run = output(
+        folder.path(),
+        &["run", "--cases", SUITE, "--engine", "cmd:sh unable.sh"],
+    );
+    assert_eq!(run.status.code(), Some(4), "{}", text(&run.stderr));
+    assert!(text(&run.stdout).contains("unsupported"), "{}", text(&run.stdout));
+}

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
-use stickler_run::{Event, Plan, Summary, select};
+use stickler_run::{Event, Plan, Summary, Verdict, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 
@@ -154,9 +154,16 @@ impl<'c> Desk<'c> {
 }
 
 fn exit(summary: &Summary) -> Exit {
-    match (summary.cancelled, summary.totals.unexpected()) {
-        (true, _) => Exit::Interrupted,
-        (false, 0) => Exit::AsExpected,
-        (false, _) => Exit::Failures,
+    let totals = &summary.totals;
+    if summary.cancelled {
+        return Exit::Interrupted;
     }
+    if totals.unexpected() > 0 {
+        return Exit::Failures;
+    }
+    // The last line of the page says so too. A pipeline must not take it for a compiler that does all that it must.
+    if totals.of(Verdict::Unsupported) == totals.all() {
+        return Exit::NothingTested;
+    }
+    Exit::AsExpected
 }
