@@ -10,6 +10,7 @@ mod driver;
 mod ironplc;
 mod locate;
 mod matiec;
+mod places;
 mod printed;
 mod source;
 mod strucpp;
@@ -18,6 +19,8 @@ mod witness;
 use crate::{Engine, EngineError};
 use ironplc::Ironplc;
 use matiec::Matiec;
+use places::Search;
+pub use places::{FoundBy, Located, Place, Places};
 use strucpp::Strucpp;
 
 /// A compiler for which there is an adapter.
@@ -51,22 +54,61 @@ impl Compiler {
         Compiler::ALL.into_iter().find(|compiler| compiler.name() == name)
     }
 
-    /// Finds the compiler on this machine and makes it an engine that is called `called` in reports.
+    /// Where its project is, and says how it is installed.
+    #[must_use]
+    pub const fn project(self) -> &'static str {
+        match self {
+            Compiler::Ironplc => "https://www.ironplc.com",
+            Compiler::Matiec => "https://github.com/beremiz/matiec",
+            Compiler::Strucpp => "https://github.com/Autonomy-Logic/STruCpp",
+        }
+    }
+
+    /// The programs and folders that it needs.
+    #[must_use]
+    pub const fn places(self) -> &'static [Place] {
+        match self {
+            Compiler::Ironplc => ironplc::PLACES,
+            Compiler::Matiec => matiec::PLACES,
+            Compiler::Strucpp => strucpp::PLACES,
+        }
+    }
+
+    /// Finds the compiler on this machine by environment variables and PATH, and makes it an engine that is called `called`
+    /// in reports.
     ///
     /// # Errors
-    /// [`EngineError`] where a program of it is not there or does not say its version, with the environment variable
-    /// that tells where it is.
+    /// [`EngineError`] where a program of it is not there or does not say its version, with what can tell where it is.
     pub fn engine(self, called: &str) -> Result<Box<dyn Engine>, EngineError> {
-        let engine = match self {
-            Compiler::Ironplc => Ironplc::find(called).map(boxed),
-            Compiler::Matiec => Matiec::find(called).map(boxed),
-            Compiler::Strucpp => Strucpp::find(called).map(boxed),
-        };
-        engine.map_err(|reason| EngineError::NotStarted {
-            engine: format!("`{}`", self.name()),
-            reason,
-        })
+        self.seek(called, called, &Places::default()).engine
     }
+
+    /// Finds the compiler on this machine, also by what `places` says, and makes it an engine that is called `called` in
+    /// reports; `table` is its name in `stickler.toml`, for messages.
+    #[must_use]
+    pub fn seek(self, called: &str, table: &str, places: &Places) -> Sought {
+        let mut search = Search::new(table, places);
+        let engine = match self {
+            Compiler::Ironplc => Ironplc::find(called, &mut search).map(boxed),
+            Compiler::Matiec => Matiec::find(called, &mut search).map(boxed),
+            Compiler::Strucpp => Strucpp::find(called, &mut search).map(boxed),
+        };
+        Sought {
+            located: search.into_located(),
+            engine: engine.map_err(|reason| EngineError::NotStarted {
+                engine: format!("`{table}`"),
+                reason,
+            }),
+        }
+    }
+}
+
+/// What came of looking for a compiler.
+pub struct Sought {
+    /// What of it is there; all that it needs where there is an engine.
+    pub located: Vec<Located>,
+    /// The engine, or what is missing or does not work.
+    pub engine: Result<Box<dyn Engine>, EngineError>,
 }
 
 fn boxed<E: Engine + 'static>(engine: E) -> Box<dyn Engine> {

@@ -12,7 +12,7 @@ mod process;
 pub mod protocol;
 mod reference;
 
-pub use adapters::Compiler;
+pub use adapters::{Compiler, FoundBy, Located, Place, Places, Sought};
 pub use engine::{
     Ability, ClockStep, Engine, EngineError, Identity, Observation, RunRequest, Session, Setting,
 };

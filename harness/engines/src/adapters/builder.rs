@@ -1,24 +1,39 @@
 //! A C or C++ compiler: it builds what a compiler under test wrote, together with a driver.
 
 use super::locate::{self, call, failed, first_error};
+use super::places::{Place, Search};
 use crate::Outcome;
 use crate::process::Folder;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
+/// A C compiler.
+pub(super) const CC: Place = Place {
+    key: "cc",
+    variable: "STICKLER_CC",
+    name: "cc",
+};
+
+/// A C++ compiler.
+pub(super) const CXX: Place = Place {
+    key: "cxx",
+    variable: "STICKLER_CXX",
+    name: "c++",
+};
+
 /// What a compiler under test writes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Language {
-    /// C, for `cc` on PATH or what `STICKLER_CC` names.
+    /// C, for [`CC`].
     C,
-    /// C++, for `c++` on PATH or what `STICKLER_CXX` names.
+    /// C++, for [`CXX`].
     Cpp,
 }
 
 /// What the two languages differ in.
 struct Words {
     name: &'static str,
-    compiler: (&'static str, &'static str),
+    compiler: Place,
     options: &'static [&'static str],
     header: &'static str,
     header_kind: &'static str,
@@ -32,7 +47,7 @@ impl Language {
         match self {
             Language::C => Words {
                 name: "C",
-                compiler: ("cc", "STICKLER_CC"),
+                compiler: CC,
                 options: &["-O0", "-w"],
                 header: "stickler.h",
                 header_kind: "c-header",
@@ -41,7 +56,7 @@ impl Language {
             },
             Language::Cpp => Words {
                 name: "C++",
-                compiler: ("c++", "STICKLER_CXX"),
+                compiler: CXX,
                 options: &["-std=c++17", "-O0", "-w"],
                 header: "stickler.hpp",
                 header_kind: "c++-header",
@@ -68,11 +83,16 @@ impl Builder {
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
-    pub(super) fn find(language: Language, headers: PathBuf, text: &str) -> Result<Builder, String> {
+    pub(super) fn find(
+        search: &mut Search<'_>,
+        language: Language,
+        headers: PathBuf,
+        text: &str,
+    ) -> Result<Builder, String> {
         let words = language.words();
         let builder = Builder {
             language,
-            compiler: locate::program(words.compiler.0, words.compiler.1)?,
+            compiler: search.program(words.compiler)?,
             headers,
             prepared: Folder::new()?,
         };

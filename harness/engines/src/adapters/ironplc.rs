@@ -9,6 +9,7 @@ mod dump;
 mod sight;
 
 use super::locate::{self, call, failed};
+use super::places::{Place, Search};
 use super::source::main_program;
 use super::witness::translate_with;
 use crate::process::{Ended, Folder};
@@ -18,6 +19,21 @@ use sight::{Blind, Experienced, Sights};
 use std::path::{Path, PathBuf};
 use stickler_types::{DialectName, Fault};
 
+const COMPILER: Place = Place {
+    key: "ironplcc",
+    variable: "STICKLER_IRONPLCC",
+    name: "ironplcc",
+};
+
+const MACHINE: Place = Place {
+    key: "ironplcvm",
+    variable: "STICKLER_IRONPLCVM",
+    name: "ironplcvm",
+};
+
+/// What is to be found.
+pub(super) const PLACES: &[Place] = &[COMPILER, MACHINE];
+
 /// The compiler and its virtual machine.
 pub(super) struct Ironplc {
     identity: Identity,
@@ -26,14 +42,13 @@ pub(super) struct Ironplc {
 }
 
 impl Ironplc {
-    /// Finds both programs: `ironplcc` on PATH or by `STICKLER_IRONPLCC`, `ironplcvm` on PATH or by
-    /// `STICKLER_IRONPLCVM`.
+    /// Finds both programs.
     ///
     /// # Errors
     /// A fragment that says which is missing, or what the compiler did when it was asked for its version.
-    pub(super) fn find(called: &str) -> Result<Ironplc, String> {
-        let compiler = locate::program("ironplcc", "STICKLER_IRONPLCC")?;
-        let machine = locate::program("ironplcvm", "STICKLER_IRONPLCVM")?;
+    pub(super) fn find(called: &str, search: &mut Search<'_>) -> Result<Ironplc, String> {
+        let compiler = search.program(COMPILER)?;
+        let machine = search.program(MACHINE)?;
         let version = locate::version(&compiler, &["version"], &Folder::new()?)?;
         let version = version.rsplit(' ').next().unwrap_or_default().to_owned();
         let identity = Identity {

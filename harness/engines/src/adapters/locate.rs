@@ -1,57 +1,10 @@
-//! Where a compiler's programs are: an environment variable says so, or PATH does.
+//! Calls of a compiler's programs, and words about what came of them.
 
 use crate::process::{Ended, Folder, ToolLimits, run_tool};
 use crate::{EngineError, Identity, Outcome, process};
-use std::env;
 use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Duration;
-
-/// A program on this machine: what the environment variable names, or else what PATH has under this name.
-///
-/// # Errors
-/// A fragment that says what is missing and how to name it.
-pub(super) fn program(name: &str, variable: &str) -> Result<PathBuf, String> {
-    if let Some(told) = env::var_os(variable) {
-        return existing(Path::new(&told), variable, Path::is_file);
-    }
-    on_path(name, env::var_os("PATH").as_deref())
-        .ok_or_else(|| format!("there is no `{name}` on PATH; install it, or say by {variable} where it is"))
-}
-
-/// A folder that an environment variable names, or else the first of these that there is.
-///
-/// # Errors
-/// As [`program`].
-pub(super) fn folder(what: &str, variable: &str, candidates: &[PathBuf]) -> Result<PathBuf, String> {
-    if let Some(told) = env::var_os(variable) {
-        return existing(Path::new(&told), variable, Path::is_dir);
-    }
-    candidates
-        .iter()
-        .find(|folder| folder.is_dir())
-        .cloned()
-        .ok_or_else(|| format!("{what} was not found; say by {variable} where it is"))
-}
-
-fn existing(path: &Path, variable: &str, is: fn(&Path) -> bool) -> Result<PathBuf, String> {
-    // The programs run in folders of their own, from which a relative path leads elsewhere.
-    match path.canonicalize() {
-        Ok(path) if is(&path) => Ok(path),
-        _ => Err(format!(
-            "{variable} names `{}`, which is not there",
-            path.display()
-        )),
-    }
-}
-
-fn on_path(name: &str, path: Option<&OsStr>) -> Option<PathBuf> {
-    let file = format!("{name}{}", env::consts::EXE_SUFFIX);
-    env::split_paths(path?)
-        .map(|folder| folder.join(&file))
-        .find(|candidate| candidate.is_file())
-        .and_then(|found| std::path::absolute(found).ok())
-}
 
 /// What a program says when it is asked for its version: its first line that is not blank.
 ///
@@ -148,42 +101,4 @@ pub(super) fn execute<A: AsRef<OsStr>>(
         ..ToolLimits::default()
     };
     run_tool(program, arguments, folder.path(), &limits)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_program_is_found_on_path_and_a_missing_one_named_with_its_variable() {
-        let folder = Folder::new().unwrap();
-        let file = format!("compiler{}", env::consts::EXE_SUFFIX);
-        let there = folder.write(&file, "").unwrap();
-        let path = env::join_paths([Path::new("/no/such/folder"), folder.path()]).unwrap();
-        assert_eq!(on_path("compiler", Some(&path)), Some(there));
-        assert_eq!(on_path("compiler", None), None);
-        let error = program("no-such-compiler", "STICKLER_NO_SUCH_COMPILER").unwrap_err();
-        assert!(
-            error.contains("`no-such-compiler`") && error.contains("STICKLER_NO_SUCH_COMPILER"),
-            "{error}"
-        );
-    }
-
-    #[test]
-    fn a_variable_that_leads_nowhere_is_told() {
-        let error = existing(Path::new("/no/such/file"), "STICKLER_X", Path::is_file).unwrap_err();
-        assert_eq!(error, "STICKLER_X names `/no/such/file`, which is not there");
-    }
-
-    #[test]
-    fn a_folder_is_the_first_candidate_that_there_is() {
-        let folder = Folder::new().unwrap();
-        let there = folder.path().to_owned();
-        let candidates = [PathBuf::from("/no/such/folder"), there.clone()];
-        assert_eq!(
-            super::folder("it", "STICKLER_NO_SUCH_FOLDER", &candidates),
-            Ok(there)
-        );
-        assert!(super::folder("it", "STICKLER_NO_SUCH_FOLDER", &[]).is_err());
-    }
 }

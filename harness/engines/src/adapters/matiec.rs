@@ -9,8 +9,9 @@
 mod diagnostics;
 mod driver;
 
-use super::builder::{Builder, Language};
+use super::builder::{self, Builder, Language};
 use super::locate::{self, call, failed};
+use super::places::{Place, Search};
 use super::source::{main_program, words};
 use super::witness::{Copies, translate_with};
 use crate::process::Folder;
@@ -32,6 +33,21 @@ fn configuration(program: &str) -> String {
 const HEADER: &str =
     "#include \"iec_std_lib.h\"\n#include \"accessor.h\"\n#include <stdio.h>\n#include <string.h>\n";
 
+const COMPILER: Place = Place {
+    key: "iec2c",
+    variable: "STICKLER_IEC2C",
+    name: "iec2c",
+};
+
+const LIBRARY: Place = Place {
+    key: "lib",
+    variable: "STICKLER_MATIEC_LIB",
+    name: "the library of iec2c",
+};
+
+/// What is to be found.
+pub(super) const PLACES: &[Place] = &[COMPILER, LIBRARY, builder::CC];
+
 /// The compiler, its library, and what builds its C.
 pub(super) struct Matiec {
     identity: Identity,
@@ -41,19 +57,14 @@ pub(super) struct Matiec {
 }
 
 impl Matiec {
-    /// Finds `iec2c` on PATH or by `STICKLER_IEC2C`, its library beside it or by `STICKLER_MATIEC_LIB`, and a C compiler:
-    /// `cc` on PATH or what `STICKLER_CC` names.
+    /// Finds the compiler, its library, which otherwise lies beside it, and a C compiler.
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
-    pub(super) fn find(called: &str) -> Result<Matiec, String> {
-        let compiler = locate::program("iec2c", "STICKLER_IEC2C")?;
-        let library = locate::folder(
-            "the library of iec2c",
-            "STICKLER_MATIEC_LIB",
-            &libraries(&compiler),
-        )?;
-        let builder = Builder::find(Language::C, library.join("C"), HEADER)?;
+    pub(super) fn find(called: &str, search: &mut Search<'_>) -> Result<Matiec, String> {
+        let compiler = search.program(COMPILER)?;
+        let library = search.folder(LIBRARY, &libraries(&compiler))?;
+        let builder = Builder::find(search, Language::C, library.join("C"), HEADER)?;
         let version = locate::version(&compiler, &["-v"], &Folder::new()?)?;
         Ok(Matiec {
             identity: Identity {

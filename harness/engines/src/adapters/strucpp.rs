@@ -8,8 +8,9 @@
 
 mod driver;
 
-use super::builder::{Builder, Language};
+use super::builder::{self, Builder, Language};
 use super::locate::{self, failed};
+use super::places::{Place, Search};
 use super::source::main_program;
 use super::witness::{Copies, translate_with};
 use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits};
@@ -25,6 +26,21 @@ const TRANSLATOR: &str = include_str!("strucpp/translator.mjs");
 /// The longest answer of the translator, in bytes: the C++ of a program is many times as long as the program.
 const LONGEST: usize = 64 << 20;
 
+const COMPILER: Place = Place {
+    key: "strucpp",
+    variable: "STICKLER_STRUCPP",
+    name: "strucpp",
+};
+
+const NODE: Place = Place {
+    key: "node",
+    variable: "STICKLER_NODE",
+    name: "node",
+};
+
+/// What is to be found.
+pub(super) const PLACES: &[Place] = &[COMPILER, NODE, builder::CXX];
+
 /// The compiler, and what builds its C++.
 pub(super) struct Strucpp {
     identity: Identity,
@@ -35,16 +51,15 @@ pub(super) struct Strucpp {
 }
 
 impl Strucpp {
-    /// Finds `strucpp` on PATH or by `STICKLER_STRUCPP`, and its package around it; Node (`node`, `STICKLER_NODE`) and a
-    /// C++ compiler (`c++`, `STICKLER_CXX`).
+    /// Finds the compiler, its package around it, Node and a C++ compiler.
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
-    pub(super) fn find(called: &str) -> Result<Strucpp, String> {
-        let command = locate::program("strucpp", "STICKLER_STRUCPP")?;
-        let node = locate::program("node", "STICKLER_NODE")?;
+    pub(super) fn find(called: &str, search: &mut Search<'_>) -> Result<Strucpp, String> {
+        let command = search.script(COMPILER)?;
+        let node = search.program(NODE)?;
         let package = package(&command)?;
-        let builder = Builder::find(Language::Cpp, package.join("src/runtime/include"), HEADER)?;
+        let builder = Builder::find(search, Language::Cpp, package.join("src/runtime/include"), HEADER)?;
         let folder = Folder::new()?;
         let version = locate::version(&node, &[&command.to_string_lossy(), "--version"], &folder)?;
         let script = folder.write("translator.mjs", TRANSLATOR)?;

@@ -1,0 +1,322 @@
+//! Where the programs and folders of a compiler are: an environment variable says so, or `stickler.toml`, or PATH.
+
+use std::collections::BTreeMap;
+use std::env;
+use std::ffi::OsStr;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A program or a folder that an adapter needs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Place {
+    /// Its key in a table `[engines.NAME]` of `stickler.toml`.
+    pub key: &'static str,
+    /// The environment variable that says where it is.
+    pub variable: &'static str,
+    /// What a program is called on PATH; of a folder, what it is.
+    pub name: &'static str,
+}
+
+/// Where a person said that the places of one compiler are.
+///
+/// Basis: README of this crate: an environment variable counts before `stickler.toml`, and that before PATH.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Places {
+    named: BTreeMap<String, Named>,
+    /// Environment variables belong to the compiler under its own name alone: of two versions of it, one must be another.
+    without_variables: bool,
+}
+
+/// A path, and where it is written.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Named {
+    path: PathBuf,
+    written: String,
+}
+
+impl Places {
+    /// Says where the place of this key is; `written` is where that is said, such as `stickler.toml:4`.
+    #[must_use]
+    pub fn named(mut self, key: &str, path: PathBuf, written: String) -> Places {
+        self.named.insert(key.to_owned(), Named { path, written });
+        self
+    }
+
+    /// The same, whatever environment variables say.
+    #[must_use]
+    pub fn without_variables(mut self) -> Places {
+        self.without_variables = true;
+        self
+    }
+}
+
+/// A place that was found.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Located {
+    /// Its [key](Place::key).
+    pub key: &'static str,
+    /// Where it is, as an absolute path.
+    pub path: PathBuf,
+    /// How it was found.
+    pub by: FoundBy,
+}
+
+/// How a place was found.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum FoundBy {
+    /// This environment variable names it.
+    Variable(&'static str),
+    /// It is written here: a file and a line.
+    Configuration(String),
+    /// It is on PATH.
+    Path,
+    /// It lies where it belongs, beside another.
+    Beside,
+}
+
+impl fmt::Display for FoundBy {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            FoundBy::Variable(variable) => formatter.write_str(variable),
+            FoundBy::Configuration(written) => formatter.write_str(written),
+            FoundBy::Path => formatter.write_str("PATH"),
+            FoundBy::Beside => formatter.write_str("beside it"),
+        }
+    }
+}
+
+/// Looks for the places of one compiler, and keeps what it found.
+pub(super) struct Search<'p> {
+    places: &'p Places,
+    /// The engine's name, as in `[engines.NAME]`.
+    engine: &'p str,
+    located: Vec<Located>,
+}
+
+impl<'p> Search<'p> {
+    /// A search for the compiler behind the engine of this name.
+    pub(super) fn new(engine: &'p str, places: &'p Places) -> Search<'p> {
+        Search {
+            places,
+            engine,
+            located: Vec::new(),
+        }
+    }
+
+    /// What was found, in the order of the search.
+    pub(super) fn into_located(self) -> Vec<Located> {
+        self.located
+    }
+
+    /// Finds a program.
+    ///
+    /// # Errors
+    /// A fragment that says what is missing and how to name it, or that it cannot be started.
+    pub(super) fn program(&mut self, place: Place) -> Result<PathBuf, String> {
+        let path = self.script(place)?;
+        match may_be_executed(&path) {
+            true => Ok(path),
+            false => Err(format!(
+                "`{}` is not executable; allow it by `chmod +x`",
+                path.display()
+            )),
+        }
+    }
+
+    /// Finds a file that another program reads and executes.
+    ///
+    /// # Errors
+    /// A fragment that says what is missing and how to name it.
+    pub(super) fn script(&mut self, place: Place) -> Result<PathBuf, String> {
+        if let Some((path, by)) = self.told(place) {
+            let path = existing(&path, &by, place, Path::is_file)?;
+            return Ok(self.keep(place, path, by));
+        }
+        let found = on_path(place.name, env::var_os("PATH").as_deref()).ok_or_else(|| {
+            format!(
+                "there is no `{}` on PATH; install it, or {}",
+                place.name,
+                self.how_to_name(place)
+            )
+        })?;
+        Ok(self.keep(place, found, FoundBy::Path))
+    }
+
+    /// Finds a folder; where nobody said where it is, it is the first of `candidates` that there is.
+    ///
+    /// # Errors
+    /// As [`Search::script`].
+    pub(super) fn folder(&mut self, place: Place, candidates: &[PathBuf]) -> Result<PathBuf, String> {
+        if let Some((path, by)) = self.told(place) {
+            let path = existing(&path, &by, place, Path::is_dir)?;
+            return Ok(self.keep(place, path, by));
+        }
+        let found = candidates.iter().find(|folder| folder.is_dir()).cloned();
+        let found =
+            found.ok_or_else(|| format!("{} was not found; {}", place.name, self.how_to_name(place)))?;
+        Ok(self.keep(place, found, FoundBy::Beside))
+    }
+
+    /// Where somebody said that it is.
+    fn told(&self, place: Place) -> Option<(PathBuf, FoundBy)> {
+        let variable = match self.places.without_variables {
+            true => None,
+            // An empty variable is how some pipelines say that there is none.
+            false => env::var_os(place.variable).filter(|told| !told.is_empty()),
+        };
+        let named = self.places.named.get(place.key);
+        variable
+            .map(|told| (PathBuf::from(told), FoundBy::Variable(place.variable)))
+            .or_else(|| {
+                named.map(|named| (named.path.clone(), FoundBy::Configuration(named.written.clone())))
+            })
+    }
+
+    fn how_to_name(&self, place: Place) -> String {
+        let (engine, key) = (self.engine, place.key);
+        let table = format!("by `{key} = \"…\"` under `[engines.{engine}]` in stickler.toml");
+        match self.places.without_variables {
+            true => format!("say where it is {table}"),
+            false => format!("say where it is by {}, or {table}", place.variable),
+        }
+    }
+
+    fn keep(&mut self, place: Place, path: PathBuf, by: FoundBy) -> PathBuf {
+        self.located.push(Located {
+            key: place.key,
+            path: path.clone(),
+            by,
+        });
+        path
+    }
+}
+
+fn existing(path: &Path, by: &FoundBy, place: Place, is: fn(&Path) -> bool) -> Result<PathBuf, String> {
+    // The programs run in folders of their own, from which a relative path leads elsewhere.
+    match path.canonicalize() {
+        Ok(path) if is(&path) => Ok(path),
+        _ => Err(format!(
+            "{by} names `{}` for {}, which is not there",
+            path.display(),
+            place.name
+        )),
+    }
+}
+
+/// Whether the system would start it.
+#[cfg(unix)]
+pub(super) fn may_be_executed(path: &Path) -> bool {
+    use std::os::unix::fs::PermissionsExt;
+    path.metadata()
+        .is_ok_and(|metadata| metadata.permissions().mode() & 0o111 != 0)
+}
+
+/// Elsewhere the name of a file says whether it can be started.
+#[cfg(not(unix))]
+pub(super) fn may_be_executed(_: &Path) -> bool {
+    true
+}
+
+/// The program of this name in the folders of PATH, as a shell finds it.
+pub(super) fn on_path(name: &str, path: Option<&OsStr>) -> Option<PathBuf> {
+    let file = format!("{name}{}", env::consts::EXE_SUFFIX);
+    env::split_paths(path?)
+        .map(|folder| folder.join(&file))
+        .find(|candidate| candidate.is_file() && may_be_executed(candidate))
+        .and_then(|found| std::path::absolute(found).ok())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::process::Folder;
+
+    const PLACE: Place = Place {
+        key: "compiler",
+        variable: "STICKLER_NO_SUCH_COMPILER",
+        name: "no-such-compiler",
+    };
+
+    #[test]
+    fn a_missing_program_is_named_with_all_that_could_say_where_it_is() {
+        let places = Places::default();
+        let error = Search::new("mine", &places).program(PLACE).unwrap_err();
+        for part in [
+            "`no-such-compiler`",
+            "STICKLER_NO_SUCH_COMPILER",
+            "`compiler = \"…\"` under `[engines.mine]` in stickler.toml",
+        ] {
+            assert!(error.contains(part), "{error}");
+        }
+        let places = places.without_variables();
+        let error = Search::new("mine", &places).program(PLACE).unwrap_err();
+        assert!(!error.contains("STICKLER_NO_SUCH_COMPILER"), "{error}");
+    }
+
+    #[test]
+    fn what_is_named_counts_before_path_and_is_kept_with_where_it_is_written() {
+        let folder = Folder::new().unwrap();
+        let there = folder.write("compiler", "").unwrap().canonicalize().unwrap();
+        let places = Places::default().named("compiler", there.clone(), "stickler.toml:4".to_owned());
+        // Every shell has `sh` on PATH.
+        let place = Place { name: "sh", ..PLACE };
+        let mut search = Search::new("mine", &places);
+        assert_eq!(search.script(place), Ok(there.clone()));
+        let by = FoundBy::Configuration("stickler.toml:4".to_owned());
+        let located = Located {
+            key: "compiler",
+            path: there,
+            by,
+        };
+        assert_eq!(search.into_located(), [located]);
+    }
+
+    #[test]
+    fn what_is_named_and_not_there_is_told_with_where_it_is_written() {
+        let nowhere = PathBuf::from("/no/such/file");
+        let places = Places::default().named("compiler", nowhere, "stickler.toml:4".to_owned());
+        let error = Search::new("mine", &places).program(PLACE).unwrap_err();
+        assert_eq!(
+            error,
+            "stickler.toml:4 names `/no/such/file` for no-such-compiler, which is not there"
+        );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_program_that_may_not_be_executed_is_told_and_passed_over_on_path() {
+        let folder = Folder::new().unwrap();
+        let file = folder.write("no-such-compiler", "").unwrap();
+        let places = Places::default().named("compiler", file, "stickler.toml:4".to_owned());
+        let error = Search::new("mine", &places).program(PLACE).unwrap_err();
+        assert!(error.contains("is not executable"), "{error}");
+        let path = env::join_paths([folder.path()]).unwrap();
+        assert_eq!(on_path("no-such-compiler", Some(&path)), None);
+    }
+
+    #[test]
+    fn a_program_is_found_on_path() {
+        let folder = Folder::new().unwrap();
+        let file = format!("compiler{}", env::consts::EXE_SUFFIX);
+        let there = folder.write(&file, "").unwrap();
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            std::fs::set_permissions(&there, std::fs::Permissions::from_mode(0o700)).unwrap();
+        }
+        let path = env::join_paths([Path::new("/no/such/folder"), folder.path()]).unwrap();
+        assert_eq!(on_path("compiler", Some(&path)), Some(there));
+        assert_eq!(on_path("compiler", None), None);
+    }
+
+    #[test]
+    fn a_folder_is_the_first_candidate_that_there_is() {
+        let folder = Folder::new().unwrap();
+        let there = folder.path().to_owned();
+        let candidates = [PathBuf::from("/no/such/folder"), there.clone()];
+        let places = Places::default();
+        let mut search = Search::new("mine", &places);
+        assert_eq!(search.folder(PLACE, &candidates), Ok(there));
+        assert!(search.folder(PLACE, &[]).is_err());
+    }
+}
