@@ -107,9 +107,9 @@ impl Question {
             Question::ImplicitConversion => "the dialect's tables of implicit conversions",
             Question::RealDivisionByZero | Question::NotANumber => "stickler-design: §8 and real-arithmetic",
             Question::LeastByMinusOne => "stickler-design: §8",
-            Question::ShiftCount | Question::NegativeShiftCount => "iec-61131-3: Table 29",
+            Question::ShiftCount | Question::NegativeShiftCount => "iec-61131-3: Table 30",
             Question::ZerosOfTwoSigns | Question::MuxSelector | Question::LimitsCrossed => {
-                "iec-61131-3: Table 31"
+                "iec-61131-3: Table 32"
             }
             Question::MomentRange => "iec-61131-3: Tables 10 and 35",
             Question::LoopVariable | Question::LoopChanged => "iec-61131-3: 7.3.3.4.2",

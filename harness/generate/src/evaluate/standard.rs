@@ -1,6 +1,6 @@
 //! The standard functions that are no conversions.
 //!
-//! Basis: iec-61131-3: Tables 28 to 31 and 34; the table standard-functions of the cases.
+//! Basis: iec-61131-3: Tables 28 to 32 and 34; the table standard-functions of the cases.
 
 use super::arithmetic::{self, Computed};
 use super::machine::{Machine, Unit};
@@ -134,7 +134,7 @@ impl<'p> Machine<'p> {
 
 /// A shift or rotation of a bit string; `None` where the type has none.
 ///
-/// Basis: iec-61131-3: Table 29. By the width and more the table standard-functions of the cases says: shifted out, or around.
+/// Basis: iec-61131-3: Table 30. By the width and more the table standard-functions of the cases says: shifted out, or around.
 fn shifted(function: StandardFunction, ty: ElementaryType, raw: u64, count: i128) -> Option<Computed> {
     if !ty.is_bit_string() {
         return None;

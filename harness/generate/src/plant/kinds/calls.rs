@@ -44,7 +44,7 @@ pub(super) fn argument_too_few(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 
 /// A standard function with one argument more or less than it has parameters.
 ///
-/// Basis: ironplc-problem-codes: P4018; iec-61131-3: Tables 23 to 31.
+/// Basis: ironplc-problem-codes: P4018; iec-61131-3: Tables 28 to 34.
 pub(super) fn standard_argument(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
     let (number, ..) = plot.site(|_, expression| matches!(expression.kind, ExpressionKind::Standard(..)))?;
     let fewer = plot.input.ratio(1, 2).unwrap_or(true);

@@ -200,7 +200,7 @@ fn no_integer(plot: &mut Plot<'_, '_, '_>, context: fn(Context) -> bool) -> Opti
 
 /// An argument of a standard function that its parameter does not take.
 ///
-/// Basis: iec-61131-3: Tables 23 to 31 (the generic types of the parameters).
+/// Basis: iec-61131-3: Tables 28 to 34 (the generic types of the parameters).
 pub(super) fn standard(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
     let dialect = plot.original.dialect;
     let (number, site, _) = plot.site(|site, _| takes(site.context, ElementaryType::Date) == Some(false))?;
