@@ -1,0 +1,151 @@
+//! The tables `[engines.NAME]`.
+
+use crate::near::list;
+use crate::table::{Mistake, read, table, text};
+use serde::Deserialize;
+use std::ops::Range;
+use std::path::Path;
+use stickler_engines::{Compiler, Places};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// An engine that `stickler.toml` names.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Where it is named, such as `stickler.toml:4`.
+    pub written: String,
+    /// What it is.
+    pub kind: Kind,
+}
+
+/// What an engine of `stickler.toml` is.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// A compiler with an adapter, and where its programs are.
+    Compiler {
+        /// The compiler.
+        compiler: Compiler,
+        /// What the file says about its places.
+        places: Places,
+    },
+    /// A program that speaks the wire protocol.
+    Command {
+        /// Its command line, as it is written.
+        line: String,
+    },
+}
+
+/// The name of the engine that is always there.
+const REFERENCE: &str = "reference";
+
+/// Where the tables of a file stand.
+#[derive(Clone, Copy)]
+pub(crate) struct Place<'p> {
+    /// The folder of the file, to which relative paths are relative.
+    pub(crate) folder: &'p Path,
+    /// Tells a place in the file for people.
+    pub(crate) written: &'p dyn Fn(&Range<usize>) -> String,
+}
+
+/// The entry of one engine.
+///
+/// # Errors
+/// What is wrong with its name or its table.
+pub(crate) fn entry(
+    name: &Spanned<impl AsRef<str>>,
+    value: &Spanned<DeValue<'_>>,
+    place: Place<'_>,
+) -> Result<(String, Entry), Mistake> {
+    let span = name.span();
+    let name = name.get_ref().as_ref();
+    check_name(name, &span)?;
+    let keys = table(&format!("engines.{name}"), value)?;
+    let kind = match (compiler(name, keys)?, keys.get("command")) {
+        (Some(compiler), _) => Kind::Compiler {
+            compiler,
+            places: places(name, compiler, keys, place)?,
+        },
+        (None, Some(_)) => {
+            let keys: CommandKeys = read(keys, value.span(), &format!("of `[engines.{name}]`"))?;
+            Kind::Command { line: keys.command }
+        }
+        (None, None) => return Err(says_nothing(name, span)),
+    };
+    let written = (place.written)(&span);
+    Ok((name.to_owned(), Entry { written, kind }))
+}
+
+/// Refuses a name that would mean something else on the command line, or could not be the name of a file.
+fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
+    let wrong = |message: String| Err(Mistake::at(span.clone(), message));
+    if name == REFERENCE {
+        return wrong(format!(
+            "`{REFERENCE}` is the engine that is always there; give this one another name"
+        ));
+    }
+    let plain = |character: char| character.is_ascii_alphanumeric() || "-_.".contains(character);
+    if name.is_empty() || name.starts_with('.') || !name.chars().all(plain) {
+        return wrong(format!(
+            "`{name}` cannot be the name of an engine; it has letters, digits, `-`, `_` and `.`, and no `.` at its start"
+        ));
+    }
+    Ok(())
+}
+
+/// The compiler whose adapter the engine has: by its key `adapter`, or by the engine's own name.
+fn compiler(name: &str, keys: &DeTable<'_>) -> Result<Option<Compiler>, Mistake> {
+    let Some(value) = keys.get("adapter") else {
+        return Ok(Compiler::from_name(name));
+    };
+    let adapter = text("adapter", value)?;
+    let unknown = || {
+        let all = list(Compiler::ALL.map(Compiler::name));
+        Mistake::at(
+            value.span(),
+            format!("there is no adapter `{adapter}`; there are {all}"),
+        )
+    };
+    Compiler::from_name(adapter).map(Some).ok_or_else(unknown)
+}
+
+/// What a table says about the places of a compiler.
+fn places(name: &str, compiler: Compiler, keys: &DeTable<'_>, place: Place<'_>) -> Result<Places, Mistake> {
+    let mut places = Places::default();
+    if name != compiler.name() {
+        places = places.without_variables();
+    }
+    let known: Vec<&str> = compiler.places().iter().map(|place| place.key).collect();
+    for (key, value) in keys.iter() {
+        match key.get_ref().as_ref() {
+            "adapter" => {}
+            word if known.contains(&word) => {
+                let path = place.folder.join(text(word, value)?);
+                places = places.named(word, path, (place.written)(&value.span()));
+            }
+            word => {
+                let whose = format!(
+                    "of `[engines.{name}]`, which has the adapter `{}`",
+                    compiler.name()
+                );
+                return Err(Mistake::unknown_key(key.span(), word, &whose, &known));
+            }
+        }
+    }
+    Ok(places)
+}
+
+/// The keys of an engine that speaks the wire protocol.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CommandKeys {
+    command: String,
+}
+
+fn says_nothing(name: &str, span: Range<usize>) -> Mistake {
+    let message = format!(
+        "`[engines.{name}]` does not say what the engine is: by `command = \"…\"` a program that speaks the wire protocol, \
+         or by `adapter = \"…\"` one of {}",
+        list(Compiler::ALL.map(Compiler::name))
+    );
+    Mistake::at(span, message)
+}

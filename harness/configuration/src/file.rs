@@ -1,0 +1,131 @@
+//! The file: where it is, and what stands in it.
+
+use crate::engines::{Entry, Place, entry};
+use crate::error::ConfigurationError;
+use crate::table::{Mistake, mistake, table};
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use toml::de::DeTable;
+
+/// What the file is called.
+pub const FILE_NAME: &str = "stickler.toml";
+
+/// Every key at the top of the file.
+const KEYS: [&str; 1] = ["engines"];
+
+/// What `stickler.toml` says; empty where there is none.
+#[derive(Clone, Debug, Default)]
+pub struct Configuration {
+    path: Option<PathBuf>,
+    engines: BTreeMap<String, Entry>,
+}
+
+impl Configuration {
+    /// Reads the file of `folder`, or that of the nearest folder above it which has one.
+    ///
+    /// # Errors
+    /// [`ConfigurationError`] where there is one that cannot be used.
+    pub fn find(folder: &Path) -> Result<Configuration, ConfigurationError> {
+        // A link to a file counts; a folder of that name is somebody else's.
+        let found = folder
+            .ancestors()
+            .map(|folder| folder.join(FILE_NAME))
+            .find(|path| path.is_file());
+        match found {
+            None => Ok(Configuration::default()),
+            // What lies here is called by its name alone.
+            Some(path) if path.parent() == Some(folder) => {
+                Configuration::read_as(&path, Path::new(FILE_NAME))
+            }
+            Some(path) => Configuration::read(&path),
+        }
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// [`ConfigurationError`] where it cannot be used.
+    pub fn read(path: &Path) -> Result<Configuration, ConfigurationError> {
+        Configuration::read_as(path, path)
+    }
+
+    /// Reads a file that is called `shown` in messages.
+    fn read_as(path: &Path, shown: &Path) -> Result<Configuration, ConfigurationError> {
+        let unreadable = |source: io::Error| ConfigurationError::Unreadable {
+            path: shown.to_owned(),
+            source,
+        };
+        let text = fs::read_to_string(path).map_err(unreadable)?;
+        let path = std::path::absolute(path).map_err(unreadable)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let engines = engines(&text, folder, shown).map_err(|mistake| {
+            let (line, column) = position(&text, mistake.span.start);
+            ConfigurationError::Mistake {
+                path: shown.to_owned(),
+                line,
+                column,
+                message: mistake.message,
+            }
+        })?;
+        Ok(Configuration {
+            path: Some(path),
+            engines,
+        })
+    }
+
+    /// The file, as an absolute path; `None` where there is none.
+    #[must_use]
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// The folder of the file, in which the commands of its engines are started; `None` where there is none.
+    #[must_use]
+    pub fn folder(&self) -> Option<&Path> {
+        self.path.as_deref().and_then(Path::parent)
+    }
+
+    /// The engine of this name, if the file names it.
+    #[must_use]
+    pub fn engine(&self, name: &str) -> Option<&Entry> {
+        self.engines.get(name)
+    }
+
+    /// Every engine that the file names, in the order of their names.
+    pub fn engines(&self) -> impl Iterator<Item = (&str, &Entry)> {
+        self.engines.iter().map(|(name, entry)| (name.as_str(), entry))
+    }
+}
+
+fn engines(text: &str, folder: &Path, shown: &Path) -> Result<BTreeMap<String, Entry>, Mistake> {
+    let document = DeTable::parse(text).map_err(|error| mistake(&error, 0..0, "of the file"))?;
+    let mut engines = BTreeMap::new();
+    let written = |span: &Range<usize>| format!("{}:{}", shown.display(), position(text, span.start).0);
+    let place = Place {
+        folder,
+        written: &written,
+    };
+    for (key, value) in document.get_ref().iter() {
+        match key.get_ref().as_ref() {
+            "engines" => {
+                for (name, value) in table("engines", value)?.iter() {
+                    let (name, entry) = entry(name, value, place)?;
+                    engines.insert(name, entry);
+                }
+            }
+            word => return Err(Mistake::unknown_key(key.span(), word, "of the file", &KEYS)),
+        }
+    }
+    Ok(engines)
+}
+
+/// Line and column of a place in a text, from 1; the column in Unicode scalar values.
+fn position(text: &str, at: usize) -> (usize, usize) {
+    let before = text.get(..at).unwrap_or(text);
+    let line = before.matches('\n').count() + 1;
+    let start = before.rfind('\n').map_or(0, |feed| feed + 1);
+    (line, before[start..].chars().count() + 1)
+}

@@ -1,0 +1,59 @@
+//! The word that somebody meant.
+
+/// How many letters of a word may be wrong for it to be taken for another.
+const NEAR: usize = 2;
+
+/// The one of `words` that is nearest to `word`, if one is near.
+#[must_use]
+pub fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Option<&'w str> {
+    let lower = word.to_lowercase();
+    words
+        .into_iter()
+        .map(|known| (strsim::damerau_levenshtein(&lower, &known.to_lowercase()), known))
+        // A word of three letters is near every other of three.
+        .filter(|(distance, known)| *distance <= NEAR && *distance * 2 < known.chars().count().max(2))
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, known)| known)
+}
+
+/// Words in a list, each between backquotes: `a`, `b` and `c`.
+#[must_use]
+pub fn list<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
+    let mut words: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
+    match words.pop() {
+        None => "nothing".to_owned(),
+        Some(only) if words.is_empty() => only,
+        Some(last) => format!("{} and {last}", words.join(", ")),
+    }
+}
+
+/// What to do about a word that is none of `words`: use the one that it nearly is, or one of them.
+pub(crate) fn advice(word: &str, words: &[&str]) -> String {
+    match nearest(word, words.iter().copied()) {
+        Some(known) => format!("did you mean `{known}`?"),
+        None => format!("there is {}", list(words.iter().copied())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_with_a_slip_is_known_and_another_word_is_not() {
+        let words = ["check", "compile", "cc", "lib"];
+        assert_eq!(nearest("chek", words), Some("check"));
+        assert_eq!(nearest("Complie", words), Some("compile"));
+        assert_eq!(nearest("ironplc", words), None);
+        assert_eq!(nearest("cx", words), None);
+        assert_eq!(nearest("lib2", words), Some("lib"));
+        assert_eq!(nearest("", words), None);
+    }
+
+    #[test]
+    fn advice_names_one_word_or_all() {
+        assert_eq!(advice("chek", &["check", "run"]), "did you mean `check`?");
+        assert_eq!(advice("colour", &["check", "run"]), "there is `check` and `run`");
+        assert_eq!(list([]), "nothing");
+    }
+}

@@ -1,0 +1,127 @@
+//! Tables of a TOML document, of which each key and each value knows where it stands.
+
+use crate::near::advice;
+use serde::de::{DeserializeOwned, IntoDeserializer};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// What is wrong, and where in the text, in bytes.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Mistake {
+    pub(crate) span: Range<usize>,
+    pub(crate) message: String,
+}
+
+impl Mistake {
+    /// What is wrong at a place.
+    pub(crate) fn at(span: Range<usize>, message: impl Into<String>) -> Mistake {
+        Mistake {
+            span,
+            message: message.into(),
+        }
+    }
+
+    /// A key that is none of those that are known, in what `whose` names.
+    pub(crate) fn unknown_key(span: Range<usize>, key: &str, whose: &str, known: &[&str]) -> Mistake {
+        let message = format!("unknown key `{key}` {whose}; {}", advice(key, known));
+        Mistake::at(span, message)
+    }
+}
+
+/// The table that a value is.
+///
+/// # Errors
+/// Where it is none.
+pub(crate) fn table<'v, 'i>(name: &str, value: &'v Spanned<DeValue<'i>>) -> Result<&'v DeTable<'i>, Mistake> {
+    value.get_ref().as_table().ok_or_else(|| {
+        let found = value.get_ref().type_str();
+        Mistake::at(
+            value.span(),
+            format!("`{name}` must be a table, and this is of type {found}"),
+        )
+    })
+}
+
+/// The text that a value is.
+///
+/// # Errors
+/// Where it is none.
+pub(crate) fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Result<&'v str, Mistake> {
+    value.get_ref().as_str().ok_or_else(|| {
+        let found = value.get_ref().type_str();
+        Mistake::at(
+            value.span(),
+            format!("`{key}` must be a text in quotes, and this is of type {found}"),
+        )
+    })
+}
+
+/// A table as `T`, whose keys `whose` names in messages.
+///
+/// # Errors
+/// Where `T` finds something wrong with it.
+pub(crate) fn read<T: DeserializeOwned>(
+    table: &DeTable<'_>,
+    span: Range<usize>,
+    whose: &str,
+) -> Result<T, Mistake> {
+    let spanned = Spanned::new(span.clone(), table.clone());
+    T::deserialize(spanned.into_deserializer()).map_err(|error| mistake(&error, span, whose))
+}
+
+/// The first line of what a deserialiser says, where it says that something is wrong.
+pub(crate) fn mistake(error: &toml::de::Error, otherwise: Range<usize>, whose: &str) -> Mistake {
+    let span = error.span().unwrap_or(otherwise);
+    let message = error.message().trim_end().replace('\n', "; ");
+    match unknown_field(&message) {
+        Some((key, known)) => Mistake::unknown_key(span, key, whose, &known),
+        None => Mistake::at(span, message),
+    }
+}
+
+/// The key that a message of serde says is unknown, and those that it says are known.
+///
+/// Basis: serde: `de::Error::unknown_field`.
+fn unknown_field(message: &str) -> Option<(&str, Vec<&str>)> {
+    let (key, known) = message
+        .strip_prefix("unknown field `")?
+        .split_once("`, expected ")?;
+    // Every second piece stands between backquotes.
+    Some((key, known.split('`').skip(1).step_by(2).collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde::Deserialize;
+
+    #[derive(Debug, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Keys {
+        #[expect(dead_code, reason = "only its name is looked at")]
+        check: Option<String>,
+        #[expect(dead_code, reason = "only its name is looked at")]
+        run: Option<String>,
+    }
+
+    fn mistake_in(text: &str) -> (String, String) {
+        let document = DeTable::parse(text).unwrap();
+        let mistake = read::<Keys>(document.get_ref(), 0..text.len(), "of it").unwrap_err();
+        (text[mistake.span].to_owned(), mistake.message)
+    }
+
+    #[test]
+    fn an_unknown_key_is_told_where_it_stands_with_the_one_that_was_meant() {
+        let (place, message) = mistake_in("run = \"a\"\nchek = \"b\"\n");
+        assert_eq!(place, "chek");
+        assert_eq!(message, "unknown key `chek` of it; did you mean `check`?");
+    }
+
+    #[test]
+    fn a_value_of_another_type_is_told_where_it_stands() {
+        let (place, message) = mistake_in("check = 5\n");
+        assert_eq!(place, "5");
+        assert!(message.contains("expected a string"), "{message}");
+    }
+}

@@ -1,0 +1,138 @@
+//! Files as people write them, and the mistakes that they make.
+
+use std::fs;
+use std::path::Path;
+use stickler_configuration::{Configuration, Entry, Kind};
+use stickler_engines::{Compiler, Places};
+
+/// The configuration in a folder of its own that has this text.
+fn read(text: &str) -> Result<Configuration, String> {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("stickler.toml"), text).unwrap();
+    Configuration::find(folder.path()).map_err(|error| error.to_string())
+}
+
+fn mistake(text: &str) -> String {
+    read(text).unwrap_err()
+}
+
+#[test]
+fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "# Ours.\n[engines.ironplc]\nironplcc = \"bin/ironplcc\"\n\n[engines.old]\nadapter = \"ironplc\"\n\
+                ironplcvm = \"/opt/old/ironplcvm\"\n";
+    fs::write(folder.path().join("stickler.toml"), text).unwrap();
+    let configuration = Configuration::find(folder.path()).unwrap();
+    let Some(Entry {
+        written,
+        kind: Kind::Compiler { compiler, places },
+    }) = configuration.engine("ironplc")
+    else {
+        panic!("no compiler")
+    };
+    assert_eq!(
+        (written.as_str(), *compiler),
+        ("stickler.toml:2", Compiler::Ironplc)
+    );
+    let path = folder.path().join("bin/ironplcc");
+    let expected = Places::default().named("ironplcc", path, "stickler.toml:3".to_owned());
+    assert_eq!(*places, expected);
+    // Of a second version, environment variables say nothing.
+    let Some(Kind::Compiler { places, .. }) = configuration.engine("old").map(|entry| &entry.kind) else {
+        panic!("no compiler")
+    };
+    let expected = Places::default()
+        .named(
+            "ironplcvm",
+            "/opt/old/ironplcvm".into(),
+            "stickler.toml:7".to_owned(),
+        )
+        .without_variables();
+    assert_eq!(*places, expected);
+    let names: Vec<&str> = configuration.engines().map(|(name, _)| name).collect();
+    assert_eq!(names, ["ironplc", "old"]);
+    assert_eq!(configuration.folder(), Some(folder.path()));
+}
+
+#[test]
+fn a_command_line_is_an_engine() {
+    let configuration = read("[engines.mine]\ncommand = \"python3 adapter.py\"\n").unwrap();
+    let kind = configuration.engine("mine").map(|entry| &entry.kind);
+    assert!(matches!(kind, Some(Kind::Command { line }) if line == "python3 adapter.py"));
+}
+
+#[test]
+fn the_file_of_a_folder_above_counts_and_none_is_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let inside = folder.path().join("a/b");
+    fs::create_dir_all(&inside).unwrap();
+    fs::write(
+        folder.path().join("stickler.toml"),
+        "[engines.mine]\ncommand = \"x\"\n",
+    )
+    .unwrap();
+    let configuration = Configuration::find(&inside).unwrap();
+    let written = &configuration.engine("mine").unwrap().written;
+    assert!(
+        written.ends_with("stickler.toml:1") && Path::new(written).is_absolute(),
+        "{written}"
+    );
+    let empty = read("").unwrap();
+    assert_eq!(empty.engines().count(), 0);
+    assert!(empty.path().is_some());
+}
+
+#[test]
+fn a_mistake_is_told_with_its_place_and_what_was_meant() {
+    for (text, told) in [
+        (
+            "[engine.mine]\n",
+            "stickler.toml:1:2: unknown key `engine` of the file; did you mean `engines`?",
+        ),
+        (
+            "engines = 5\n",
+            "stickler.toml:1:11: `engines` must be a table, and this is of type integer",
+        ),
+        (
+            "[engines.matiec]\nic2c = \"/x\"\n",
+            "stickler.toml:2:1: unknown key `ic2c` of `[engines.matiec]`, which has the adapter `matiec`; did you mean `iec2c`?",
+        ),
+        (
+            "[engines.matiec]\niec2c = 5\n",
+            "stickler.toml:2:9: `iec2c` must be a text in quotes, and this is of type integer",
+        ),
+        (
+            "[engines.mine]\nadapter = \"iron\"\n",
+            "stickler.toml:2:11: there is no adapter `iron`; there are `ironplc`, `matiec` and `strucpp`",
+        ),
+        (
+            "[engines.mine]\ncommand = \"x\"\ncommands = \"y\"\n",
+            "stickler.toml:3:1: unknown key `commands` of `[engines.mine]`; did you mean `command`?",
+        ),
+        (
+            "[engines.reference]\n",
+            "stickler.toml:1:10: `reference` is the engine that is always there; give this one another name",
+        ),
+    ] {
+        assert_eq!(mistake(text), told);
+    }
+    for (text, part) in [
+        ("[engines.\"a b\"]\n", "`a b` cannot be the name of an engine"),
+        ("[engines.mine]\n", "does not say what the engine is"),
+        ("[engines.mine\n", "stickler.toml:1:"),
+        ("[engines.mine]\ncommand = 1\n", "stickler.toml:2:11: "),
+    ] {
+        let told = mistake(text);
+        assert!(told.contains(part), "{told}");
+    }
+}
+
+#[test]
+fn a_file_that_cannot_be_read_is_named() {
+    let error = Configuration::read(Path::new("no/such/file.toml")).unwrap_err();
+    assert_eq!(error.to_string(), "cannot read no/such/file.toml");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("stickler.toml");
+    fs::write(&path, b"\xff\xfe").unwrap();
+    assert!(Configuration::read(&path).is_err());
+}
