@@ -40,16 +40,29 @@ impl<'m> Lowering<'m> {
         let wanted = fits == Fit::Yes || broken_call && to != TypeId::ERROR;
         let value = self.value(id, wanted.then_some(to));
         if fits == Fit::No {
-            // A type that is known is wrong here whatever is wrong inside; a literal that could not be read in
-            // its default type is not said to be of the wrong type as well.
-            let known = matches!(inferred, Inferred::Known(_) | Inferred::Nothing);
-            if known || value.ty != TypeId::ERROR {
-                self.report_misfit(id, inferred, to, context);
-            }
+            self.report_lowered_misfit(id, inferred, value, to, context);
             return Value::ERROR;
         }
         let value = self.adapt(value, to);
         self.check_limits(id, value, target)
+    }
+
+    /// Says that a value which has been lowered does not fit. A type that is known is wrong here whatever is wrong inside; a
+    /// literal that could not be read in its default type is not said to be of the wrong type as well.
+    ///
+    /// Basis: stickler-design: §4 (all that a person would want at once).
+    pub(super) fn report_lowered_misfit(
+        &mut self,
+        id: ExpressionId,
+        inferred: Inferred,
+        value: Value,
+        expected: TypeId,
+        context: Context,
+    ) {
+        let known = matches!(inferred, Inferred::Known(_) | Inferred::Nothing);
+        if known || value.ty != TypeId::ERROR {
+            self.report_misfit(id, inferred, expected, context);
+        }
     }
 
     /// Converts the value on the stack to a type that it may convert to.

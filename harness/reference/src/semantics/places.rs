@@ -112,19 +112,20 @@ impl<'m> Lowering<'m> {
         self.subscripts(place, shape, subscripts)
     }
 
+    /// The element. What is wrong with a subscript is said, and changes nothing of the element's type, nor of whether it can
+    /// be written: what is wrong with those is said too.
+    ///
+    /// Basis: stickler-design: §4 (all that a person would want at once).
     fn subscripts(&mut self, place: Place, shape: &ArrayShape, subscripts: &[ExpressionId]) -> Option<Place> {
         let mut location = place.location;
-        let mut sound = shape.dimensions.len() == subscripts.len();
         for (&subscript, &dimension) in subscripts.iter().zip(&shape.dimensions) {
-            match self.subscript(location, subscript, dimension) {
-                Some(next) => location = next,
-                None => sound = false,
-            }
+            location = self.subscript(location, subscript, dimension);
         }
         for &subscript in subscripts.iter().skip(shape.dimensions.len()) {
             self.value(subscript, None);
         }
-        (sound && shape.element != TypeId::ERROR).then_some(Place {
+        let known = shape.dimensions.len() == subscripts.len() && shape.element != TypeId::ERROR;
+        known.then_some(Place {
             location,
             ty: shape.element,
             bit: None,
@@ -132,26 +133,29 @@ impl<'m> Lowering<'m> {
         })
     }
 
-    /// Goes one dimension further. A constant subscript is taken into the address here and now.
-    fn subscript(&mut self, location: Location, id: ExpressionId, dimension: Dimension) -> Option<Location> {
+    /// Goes one dimension further. A constant subscript is taken into the address here and now. What is refused is never run, so
+    /// that any address will do.
+    fn subscript(&mut self, location: Location, id: ExpressionId, dimension: Dimension) -> Location {
         let Dimension { low, high, stride } = dimension;
         let before = self.emitter.position();
         if location != Location::Stack {
             self.push_address(location);
         }
-        let value = self.integer(id, ElementaryType::Lint, Context::Integer)?;
+        let Some(value) = self.integer(id, ElementaryType::Lint, Context::Integer) else {
+            return Location::Stack;
+        };
         let span = self.span(id);
         if let Some(number) = value.constant {
             if number < low.into() || number > high.into() {
                 let message = format!("subscript {number} is outside {low}..{high}");
                 self.report(Code::ArrayIndexOutOfBounds, span, message);
-                return None;
+                return Location::Stack;
             }
             // A constant's code is a push or two, and it stands last.
             self.emitter.truncate(before);
             let distance = number - i128::from(low);
             let distance = u32::try_from(distance).unwrap_or(0).saturating_mul(stride);
-            return Some(self.shifted(location, distance));
+            return self.shifted(location, distance);
         }
         let unsigned = value.ty.elementary().is_some_and(ElementaryType::is_unsigned);
         self.emit_at(
@@ -163,7 +167,7 @@ impl<'m> Lowering<'m> {
                 unsigned,
             },
         );
-        Some(Location::Stack)
+        Location::Stack
     }
 
     /// Puts an integer of any type on the stack, an untyped one in the type that is wanted.
@@ -183,11 +187,11 @@ impl<'m> Lowering<'m> {
             Inferred::Nothing | Inferred::Real | Inferred::Text { .. } => false,
         };
         let value = self.value(id, Some(wanted));
-        let sound = value.ty != TypeId::ERROR;
-        if !fits && (sound || inferred == Inferred::Nothing) {
-            self.report_misfit(id, inferred, wanted, context);
+        if !fits {
+            self.report_lowered_misfit(id, inferred, value, wanted, context);
+            return None;
         }
-        (fits && sound).then_some(value)
+        (value.ty != TypeId::ERROR).then_some(value)
     }
 
     fn bit(

@@ -66,6 +66,27 @@ fn places_are_read_and_written() {
 }
 
 #[test]
+fn a_wrong_subscript_hides_nothing_else_that_is_wrong() {
+    for (wrong, expected) in [
+        ("b := a[4];", &["P2027", "P4035"][..]),
+        ("a[4] := b;", &["P2027", "P4035"]),
+        ("a[4] := r;", &["P2027", "P4035"]),
+        ("a[r] := b;", &["P4035", "P4035"]),
+        ("m[3, r] := i;", &["P2027", "P4035", "P4035"]),
+        ("ca[2] := 1;", &["P2027", "S0001"]),
+        ("FOR a[4] := r TO 5 DO ; END_FOR;", &["P2027", "P4035"]),
+        ("b := p.g[2].16;", &["P2027", "P4025"]),
+        // How many subscripts there must be may well depend on what is wanted.
+        ("b := a[1, 2];", &["P2024"]),
+        ("a[1, 2] := b;", &["P2024"]),
+    ] {
+        let mut said = codes(VARIABLES, wrong);
+        said.sort_unstable();
+        assert_eq!(said, expected, "{wrong}");
+    }
+}
+
+#[test]
 fn bits_are_a_matter_of_the_dialect() {
     assert!(codes_in(ED2, "y : BYTE; b : BOOL;", "b := y.3;").is_empty());
     assert!(codes_in(PLCNEXT, "y : BYTE; b : BOOL;", "b := y.3; y.%X3 := b;").is_empty());
