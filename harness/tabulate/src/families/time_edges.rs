@@ -127,6 +127,9 @@ fn from_number(from: ElementaryType, to: ElementaryType) -> Vec<Call> {
             "0.1",
             "1.0E-45",
             "9.0E12",
+            // Odd, and so many nanoseconds that no LREAL is that number.
+            "8999999999999.0",
+            "-8999999999999.0",
             "9.3E12",
             "-9.3E12",
             "1.0E20",
