@@ -10,7 +10,7 @@ use crate::exit::Listing;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
-use stickler_run::Shard;
+use stickler_run::{Grade, Shard};
 use stickler_types::DialectName;
 
 /// The conformance suite for compilers of IEC 61131-3 Structured Text.
@@ -104,6 +104,10 @@ pub struct RunArguments {
     /// LINE` for a program that speaks the wire protocol; may be repeated [default: reference]
     #[arg(long, value_name = "ENGINE")]
     pub engine: Vec<String>,
+    /// How exact a rejection or a fault must be to pass: `code` (the right codes on the right lines), `line`, or
+    /// `rejected`; the reference always must meet `code` [default: the best that each engine claims]
+    #[arg(long, value_name = "GRADE", value_parser = grades(), hide_possible_values = true)]
+    pub strict: Option<Grade>,
     /// Run part I of N of the cases
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
@@ -257,6 +261,10 @@ pub struct SweepArguments {
     /// Use N threads [default: one a processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
+}
+
+fn grades() -> impl TypedValueParser<Value = Grade> {
+    PossibleValuesParser::new(Grade::ALL.map(Grade::as_str)).try_map(|name| name.parse::<Grade>())
 }
 
 fn dialects() -> impl TypedValueParser<Value = DialectName> {

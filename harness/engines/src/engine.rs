@@ -1,6 +1,6 @@
 //! What an engine is: an identity, and sessions that answer requests.
 
-use crate::Outcome;
+use crate::{Grade, Outcome};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -44,6 +44,8 @@ pub struct Identity {
     pub dialects: Vec<DialectName>,
     /// What it can do.
     pub abilities: Vec<Ability>,
+    /// How exactly it can say what is wrong with a program: the best grade that can be asked of its rejections.
+    pub grade: Grade,
 }
 
 impl Identity {

@@ -6,6 +6,7 @@
 
 mod adapters;
 mod engine;
+mod grade;
 mod guard;
 mod outcome;
 mod process;
@@ -16,6 +17,7 @@ pub use adapters::{Compiler, FoundBy, Located, Place, Places, Sought};
 pub use engine::{
     Ability, ClockStep, Engine, EngineError, Identity, Observation, RunRequest, Session, Setting,
 };
+pub use grade::Grade;
 pub use guard::guard;
 pub use outcome::{Diagnostic, NamedValue, Outcome};
 pub use process::{ProcessEngine, ProcessLimits, kill_all_processes};

@@ -1,6 +1,6 @@
 //! The reference implementation as an engine.
 
-use crate::{Ability, Diagnostic, Engine, EngineError, Identity, Outcome, RunRequest, Session};
+use crate::{Ability, Diagnostic, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
 use stickler_reference as reference;
 use stickler_types::DialectName;
 
@@ -12,14 +12,18 @@ pub struct Reference {
 }
 
 impl Reference {
+    /// What the reference is called, in this process and in one of its own.
+    pub const NAME: &str = "reference";
+
     /// The reference under the name `reference`, with the version of this workspace.
     #[must_use]
     pub fn new() -> Reference {
         let identity = Identity {
-            name: "reference".to_owned(),
+            name: Reference::NAME.to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             dialects: DialectName::ALL.to_vec(),
             abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
+            grade: Grade::Code,
         };
         Reference {
             identity,

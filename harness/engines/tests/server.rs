@@ -2,7 +2,7 @@
 
 use serde_json::{Value as Json, json};
 use stickler_engines::protocol::serve;
-use stickler_engines::{Ability, Engine, EngineError, Identity, Outcome, RunRequest, Session};
+use stickler_engines::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
 use stickler_types::{DialectName, Fault, Value};
 
 /// Tells what it was asked, and panics where the source says so.
@@ -73,6 +73,7 @@ fn talk_bytes(input: &[u8]) -> Vec<Json> {
         version: "7".to_owned(),
         dialects: vec![DialectName::Matiec],
         abilities: vec![Ability::Execute],
+        grade: Grade::Line,
     };
     let mut output = Vec::new();
     serve(&Parrot { identity }, input, &mut output).unwrap();
@@ -103,7 +104,7 @@ fn complaint(input: &[u8]) -> (Option<u64>, String) {
 fn hello_is_answered_by_the_identity() {
     let replies = talk(&[json!({"type":"hello","protocol":1,"from":"a later caller"})]);
     let expected = json!({"type":"hello","protocol":1,"name":"parrot","version":"7","dialects":["matiec"],
-        "abilities":["execute"]});
+        "abilities":["execute"],"grade":"line"});
     assert_eq!(replies, [expected]);
 }
 

@@ -8,7 +8,7 @@ use crate::spool::Spool;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, Event, Footer, Header, Totals};
+use stickler_run::{CaseEvent, Event, Footer, Grade, Header, Totals};
 
 /// The version of this format.
 const FORMAT: u32 = 1;
@@ -151,6 +151,7 @@ fn engines<'a>(header: &'a Header, footer: &'a Footer) -> Vec<EngineResult<'a>> 
             name: &engine.name,
             version: &engine.version,
             dialects: &engine.dialects,
+            strict: engine.strict,
             totals: totals(&engine.name).map(|found| found.totals).unwrap_or_default(),
         })
         .collect()
@@ -161,6 +162,7 @@ struct EngineResult<'a> {
     name: &'a str,
     version: &'a str,
     dialects: &'a [String],
+    strict: Grade,
     totals: Totals,
 }
 

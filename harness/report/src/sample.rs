@@ -1,7 +1,7 @@
 //! A small run for the tests of this crate.
 
 use stickler_run::{
-    CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, Totals, Verdict,
+    CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Grade, Header, Observed, Totals, Verdict,
 };
 
 /// A case with this id and verdict.
@@ -69,6 +69,7 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
             name: "reference".to_owned(),
             version: "0.1.0".to_owned(),
             dialects: vec!["ironplc-ed2".to_owned()],
+            strict: Grade::Code,
         }],
         cases: cases.len() as u64,
         shard: None,

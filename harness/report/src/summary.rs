@@ -3,7 +3,7 @@
 use crate::claims::{Claim, Standing};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
-use crate::text::{clip, counted, duration, visible};
+use crate::text::{clip, counted, duration, judged, visible};
 use crate::{ReportError, diff};
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -91,7 +91,7 @@ fn heading(overview: &Overview) -> String {
         let engines: Vec<String> = header
             .engines
             .iter()
-            .map(|engine| format!("{} {}", engine.name, engine.version))
+            .map(|engine| format!("{} {}{}", engine.name, engine.version, judged(engine.strict)))
             .collect();
         let _ = write!(
             text,

@@ -8,7 +8,7 @@ mod failure;
 
 use crate::overview::Overview;
 use crate::table::{Cell, Table};
-use crate::text::{clip, counted, duration, visible};
+use crate::text::{clip, counted, duration, judged, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use stickler_run::{EngineHeader, Totals, Verdict};
@@ -203,10 +203,10 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
     }
 }
 
-/// An engine by its name and version.
+/// An engine by its name and version, and how it was judged where that was not by code and line.
 fn engine(header: &EngineHeader) -> String {
     let named = format!("{} {}", header.name, header.version);
-    visible(named.trim_end())
+    format!("{}{}", visible(named.trim_end()), judged(header.strict))
 }
 
 /// The numbers of those verdicts beside `pass` that are as expected, or of those that are not.
@@ -229,7 +229,7 @@ mod tests {
     use super::{SHOWN_FAILURES, Surroundings, write};
     use crate::overview::Overview;
     use crate::sample;
-    use stickler_run::{CaseEvent, Event, Verdict};
+    use stickler_run::{CaseEvent, Event, Grade, Verdict};
 
     fn shown(events: &[Event]) -> String {
         let mut overview = Overview::default();
@@ -317,6 +317,19 @@ Reports: reports/latest/summary.md; every case is in results.json beside it.
             unsupported("b"),
         ]));
         assert!(text.ends_with("all as expected (1 unsupported).\n"), "{text}");
+    }
+
+    #[test]
+    fn a_run_that_was_not_judged_by_code_and_line_says_so() {
+        let mut events = sample::run_of(vec![sample::case("a", Verdict::Pass)]);
+        if let Event::Header(header) = &mut events[0] {
+            header.engines[0].strict = Grade::Line;
+        }
+        let text = shown(&events);
+        assert!(
+            text.contains("Engine: reference 0.1.0 (rejections judged by line).\n"),
+            "{text}"
+        );
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Making texts of unknown origin fit to be shown: foreign engines print what they like.
 
 use std::fmt::Write;
+use stickler_run::Grade;
 
 /// The text with control characters spelled out (`\u{1b}`), but for line ends and tabs: what an engine says must not
 /// move the cursor of whoever reads it.
@@ -38,6 +39,15 @@ fn clip_line(line: &str, characters: usize) -> String {
     match line.char_indices().nth(characters) {
         None => line.to_owned(),
         Some((end, _)) => format!("{} ... {} bytes more", &line[..end], line.len() - end),
+    }
+}
+
+/// What stands behind an engine whose rejections need not have been right to code and line.
+pub(crate) fn judged(strict: Grade) -> &'static str {
+    match strict {
+        Grade::Code => "",
+        Grade::Line => " (rejections judged by line)",
+        Grade::Rejected => " (rejections judged without their place)",
     }
 }
 

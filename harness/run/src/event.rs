@@ -5,9 +5,10 @@ mod totals;
 mod verdict;
 
 pub use totals::Totals;
-pub use verdict::{Grade, Verdict};
+pub use verdict::Verdict;
 
 use serde::{Deserialize, Serialize};
+use stickler_engines::Grade;
 
 /// The version of the event format.
 pub const FORMAT: u32 = 1;
@@ -58,6 +59,9 @@ pub struct EngineHeader {
     pub version: String,
     /// The dialects it speaks.
     pub dialects: Vec<String>,
+    /// How exact its rejections and faults had to be to pass.
+    #[serde(default)]
+    pub strict: Grade,
 }
 
 /// A case on an engine.

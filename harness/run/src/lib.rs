@@ -17,10 +17,11 @@ mod shard;
 
 pub use answers::{Answers, Desk, Rendering};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed};
-pub use event::{Grade, Totals, Verdict};
+pub use event::{Totals, Verdict};
 pub use filter::Filter;
 pub use judge::{Judgement, is_open, judge, rendered_bodies};
 pub use plan::{Plan, RunError, Summary};
 pub use schedule::run;
 pub use select::select;
 pub use shard::{Shard, ShardError};
+pub use stickler_engines::Grade;

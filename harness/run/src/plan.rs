@@ -3,11 +3,11 @@
 use crate::{Filter, Grade, Shard, Totals};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use stickler_engines::EngineError;
+use stickler_engines::{EngineError, Identity, Reference};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 
-/// What to run and how. The default runs every case of the suite, judged by code and line.
+/// What to run and how. The default runs every case of the suite, each engine judged by the best grade that it claims.
 ///
 /// A baseline, when there is one, belongs here: a list that [`run`](crate::run()) holds against each
 /// [`Judgement`](crate::Judgement), turning `fail` into `xfail` and `pass` into `xpass` before the event goes
@@ -22,8 +22,8 @@ pub struct Plan {
     pub dialects: Vec<DialectName>,
     /// One part of a divided run.
     pub shard: Option<Shard>,
-    /// How exact a rejection or a fault must be to pass.
-    pub strict: Grade,
+    /// How exact a rejection or a fault must be to pass; `None` is the best grade that each engine claims.
+    pub strict: Option<Grade>,
     /// When the run began, for the header; this crate reads no calendar.
     pub started: String,
     /// The command that was typed, for the header.
@@ -42,7 +42,7 @@ impl Default for Plan {
             filters: Vec::new(),
             dialects: Vec::new(),
             shard: None,
-            strict: Grade::Code,
+            strict: None,
             started: String::new(),
             command: String::new(),
             rerun_prefix: "cargo run --release -- run".to_owned(),
@@ -77,6 +77,16 @@ pub enum RunError {
 }
 
 impl Plan {
+    /// How exact a rejection or a fault by this engine must be to pass. The reference must always meet code and line.
+    /// Basis: design, section 6.
+    #[must_use]
+    pub fn strict(&self, engine: &Identity) -> Grade {
+        match engine.name.as_str() {
+            Reference::NAME => Grade::Code,
+            _ => self.strict.unwrap_or(engine.grade),
+        }
+    }
+
     /// The command that runs this case again on this engine, to be pasted into a shell.
     #[must_use]
     pub fn rerun(&self, case: &Case, engine: &str) -> String {
@@ -92,5 +102,32 @@ impl Plan {
         };
         let filter = [" --filter '", &id, "' --dialect ", case.dialect.as_str()];
         [&[self.rerun_prefix.as_str()], engine, &filter].concat().concat()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_engines::Engine;
+
+    #[test]
+    fn an_engine_is_judged_by_what_it_claims_unless_the_plan_says_otherwise_and_the_reference_never_less_than_exactly()
+     {
+        let reference = Reference::new();
+        let compiler = Identity {
+            name: "compiler".to_owned(),
+            grade: Grade::Line,
+            ..reference.identity().clone()
+        };
+        let strict = |strict| {
+            let plan = Plan {
+                strict,
+                ..Plan::default()
+            };
+            (plan.strict(&compiler), plan.strict(reference.identity()))
+        };
+        assert_eq!(strict(None), (Grade::Line, Grade::Code));
+        assert_eq!(strict(Some(Grade::Code)), (Grade::Code, Grade::Code));
+        assert_eq!(strict(Some(Grade::Rejected)), (Grade::Rejected, Grade::Code));
     }
 }

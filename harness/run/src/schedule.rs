@@ -189,8 +189,9 @@ impl Floor<'_> {
         let begun = Instant::now();
         let answers = desk.ask(case)?;
         let duration_us = u64::try_from(begun.elapsed().as_micros()).unwrap_or(u64::MAX);
-        let judgement = judge(case, &answers, self.plan.strict);
-        let engine = &self.engines[engine].identity().name;
+        let identity = self.engines[engine].identity();
+        let judgement = judge(case, &answers, self.plan.strict(identity));
+        let engine = &identity.name;
         Ok(CaseEvent {
             id: case.id.to_string(),
             dialect: case.dialect.as_str().to_owned(),
@@ -258,18 +259,22 @@ fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> 
         suite: suite.version.to_string(),
         started: plan.started.clone(),
         command: plan.command.clone(),
-        engines: engines.iter().map(|engine| engine_header(*engine)).collect(),
+        engines: engines
+            .iter()
+            .map(|engine| engine_header(plan, *engine))
+            .collect(),
         cases: cases as u64,
         shard: plan.shard.map(|shard| shard.to_string()),
         broken_files: suite.errors.iter().map(ToString::to_string).collect(),
     }
 }
 
-fn engine_header(engine: &dyn Engine) -> EngineHeader {
+fn engine_header(plan: &Plan, engine: &dyn Engine) -> EngineHeader {
     let identity = engine.identity();
     EngineHeader {
         name: identity.name.clone(),
         version: identity.version.clone(),
         dialects: identity.dialects.iter().map(ToString::to_string).collect(),
+        strict: plan.strict(identity),
     }
 }

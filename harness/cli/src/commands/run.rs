@@ -83,12 +83,19 @@ fn asked_for(engines: &[Named]) -> BTreeMap<String, String> {
 
 fn plan(arguments: &RunArguments) -> Plan {
     let now = Timestamp::now();
+    let mut plan = case_folder::plan(&arguments.selection, arguments.shard);
+    if let Some(grade) = arguments.strict {
+        // A case that is run again is to be judged as it was.
+        plan.rerun_prefix.push_str(" --strict ");
+        plan.rerun_prefix.push_str(grade.as_str());
+    }
     Plan {
         jobs: arguments.jobs.map_or(0, usize::from),
+        strict: arguments.strict,
         // Rounding a time to seconds fails only at the end of time.
         started: now.round(Unit::Second).unwrap_or(now).to_string(),
         command: shell::command_line(),
-        ..case_folder::plan(&arguments.selection, arguments.shard)
+        ..plan
     }
 }
 

@@ -13,7 +13,7 @@ use super::places::{Place, Search};
 use super::source::main_program;
 use super::witness::translate_with;
 use crate::process::{Ended, Folder};
-use crate::{Ability, Engine, EngineError, Identity, NamedValue, Outcome, RunRequest, Session};
+use crate::{Ability, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session};
 use dump::Dump;
 use sight::{Blind, Experienced, Sights};
 use std::path::{Path, PathBuf};
@@ -60,6 +60,8 @@ impl Ironplc {
                 DialectName::IronplcRusty,
             ],
             abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
+            // The registry's codes are its own.
+            grade: Grade::Code,
         };
         Ok(Ironplc {
             identity,

@@ -15,7 +15,7 @@ use super::places::{Place, Search};
 use super::source::{main_program, words};
 use super::witness::{Copies, translate_with};
 use crate::process::Folder;
-use crate::{Ability, Engine, EngineError, Identity, Outcome, RunRequest, Session};
+use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
 use driver::driver;
 use std::path::{Path, PathBuf};
 use stickler_types::DialectName;
@@ -72,6 +72,8 @@ impl Matiec {
                 version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
                 dialects: vec![DialectName::Matiec],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
+                // It has no codes.
+                grade: Grade::Line,
             },
             compiler,
             library,

@@ -14,7 +14,7 @@ use super::places::{Place, Search};
 use super::source::main_program;
 use super::witness::{Copies, translate_with};
 use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits};
-use crate::{Ability, Diagnostic, Engine, EngineError, Identity, Outcome, RunRequest, Session};
+use crate::{Ability, Diagnostic, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
 use driver::{HEADER, driver};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -71,6 +71,8 @@ impl Strucpp {
                 // It documents no dialect of ours; its language is the third edition with widening.
                 dialects: vec![DialectName::IronplcEd3],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
+                // It has no codes.
+                grade: Grade::Line,
             },
             translator: CommandLine::of(
                 node.to_string_lossy().into_owned(),

@@ -5,7 +5,7 @@ use super::command_line::CommandLine;
 use super::connection::{Connection, Failure};
 use super::message;
 use crate::protocol::{HelloReply, HelloRequest, PROTOCOL, Reply, Request};
-use crate::{Ability, EngineError, Identity};
+use crate::{Ability, EngineError, Grade, Identity};
 use serde_json::Value as Json;
 use stickler_types::DialectName;
 
@@ -65,6 +65,11 @@ fn understood(line: &[u8]) -> Result<HelloReply, String> {
     if let Some(Json::Array(abilities)) = json.get_mut("abilities") {
         abilities.retain(|name| serde_json::from_value::<Ability>(name.clone()).is_ok());
     }
+    if let Some(Json::String(grade)) = json.get("grade") {
+        grade
+            .parse::<Grade>()
+            .map_err(|error| format!("it answered `hello` with a wrong `grade`: {error}"))?;
+    }
     match serde_json::from_value::<Reply>(json) {
         Ok(Reply::Hello(hello)) if hello.protocol == PROTOCOL => Ok(hello),
         Ok(Reply::Hello(hello)) => Err(format!(
@@ -84,6 +89,7 @@ fn identity(hello: HelloReply) -> Result<Identity, EngineError> {
         version: harmless(&hello.version),
         dialects: hello.dialects.iter().filter_map(known).collect(),
         abilities: hello.abilities,
+        grade: hello.grade,
     };
     if identity.dialects.is_empty() {
         let spoken: Vec<String> = hello.dialects.iter().map(|name| harmless(name)).collect();
@@ -112,18 +118,19 @@ fn harmless(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{identity, understood};
-    use crate::Ability;
+    use crate::{Ability, Grade};
     use stickler_types::DialectName;
 
     #[test]
     fn what_a_newer_engine_knows_besides_is_passed_over() {
         let answer =
             br#"{"type":"hello","protocol":1,"name":"new","version":"9","dialects":["matiec","klingon"],
-            "abilities":["check","sing"],"colour":"green"}"#;
+            "abilities":["check","sing"],"grade":"line","colour":"green"}"#;
         let identity = identity(understood(answer).unwrap()).unwrap();
         assert_eq!(identity.name, "new");
         assert_eq!(identity.dialects, [DialectName::Matiec]);
         assert_eq!(identity.abilities, [Ability::Check]);
+        assert_eq!(identity.grade, Grade::Line);
     }
 
     #[test]
@@ -152,11 +159,12 @@ mod tests {
         let identity = identity(understood(answer).unwrap()).unwrap();
         assert_eq!(identity.name, "\\u{1b}[31mred\\u{7}");
         assert_eq!(identity.version, "1\\u{a}2 \u{e4}");
+        assert_eq!(identity.grade, Grade::Code, "where nothing is said");
     }
 
     #[test]
     fn an_answer_that_is_no_hello_of_this_protocol_is_told() {
-        let answers: [(&[u8], &str); 5] = [
+        let answers: [(&[u8], &str); 6] = [
             (b"Usage: adapter FILE", "`Usage: adapter FILE`"),
             (br#"{"type":"accepted","id":1}"#, "no `hello`"),
             (br#"{"type":"hello","protocol":1}"#, "no `hello`"),
@@ -164,6 +172,10 @@ mod tests {
             (
                 br#"{"type":"hello","protocol":2,"name":"a","version":"","dialects":[],"abilities":[]}"#,
                 "it speaks protocol 2",
+            ),
+            (
+                br#"{"type":"hello","protocol":1,"name":"a","version":"","dialects":[],"abilities":[],"grade":"lines"}"#,
+                "the grades are `code`, `line` and `rejected`",
             ),
         ];
         for (answer, part) in answers {

@@ -25,6 +25,7 @@ pub(super) fn hello(identity: &Identity, request: &HelloRequest) -> Reply {
             .map(|dialect| dialect.as_str().to_owned())
             .collect(),
         abilities: identity.abilities.clone(),
+        grade: identity.grade,
     })
 }
 

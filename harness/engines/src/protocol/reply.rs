@@ -1,6 +1,6 @@
 //! What an engine sends back.
 
-use crate::{Ability, Diagnostic, NamedValue, Outcome};
+use crate::{Ability, Diagnostic, Grade, NamedValue, Outcome};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -40,6 +40,10 @@ pub struct HelloReply {
     pub dialects: Vec<String>,
     /// What it can do.
     pub abilities: Vec<Ability>,
+    /// The best grade that can be asked of its rejections: `code` where its diagnostics have the registry's codes and the
+    /// lines, `line` where only the lines are sure, `rejected` where it only says that a program is rejected.
+    #[serde(default)]
+    pub grade: Grade,
 }
 
 /// A reply that carries nothing but the request's id.

@@ -1,8 +1,7 @@
-//! What came of a case, and how exactly.
+//! What came of a case.
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
-use std::str::FromStr;
 
 /// What came of a case on an engine. Basis: design, section 1.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
@@ -68,78 +67,14 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// How exactly a rejection or a fault was right, the best first. Basis: design, section 6.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Grade {
-    /// The right codes on the right lines, and no others.
-    #[default]
-    Code,
-    /// The right lines, and no others.
-    Line,
-    /// Rejected, the place unknown or wrong.
-    Rejected,
-}
-
-impl Grade {
-    /// The word for it, such as `code`.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Grade::Code => "code",
-            Grade::Line => "line",
-            Grade::Rejected => "rejected",
-        }
-    }
-
-    /// Whether this grade is as good as `needed`, or better.
-    #[must_use]
-    pub fn suffices(self, needed: Grade) -> bool {
-        self <= needed
-    }
-}
-
-impl fmt::Display for Grade {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.pad(self.as_str())
-    }
-}
-
-impl FromStr for Grade {
-    type Err = String;
-
-    /// Reads `code`, `line` or `rejected`; the error lists them.
-    fn from_str(text: &str) -> Result<Grade, String> {
-        match text {
-            "code" => Ok(Grade::Code),
-            "line" => Ok(Grade::Line),
-            "rejected" => Ok(Grade::Rejected),
-            _ => Err(format!(
-                "unknown grade `{text}`; the grades are `code`, `line` and `rejected`"
-            )),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_better_grade_suffices_where_a_worse_one_is_needed_and_not_the_other_way_round() {
-        assert!(Grade::Code.suffices(Grade::Rejected));
-        assert!(Grade::Line.suffices(Grade::Line));
-        assert!(!Grade::Rejected.suffices(Grade::Line));
-    }
-
-    #[test]
-    fn verdicts_and_grades_have_one_spelling() {
+    fn verdicts_have_one_spelling() {
         for verdict in Verdict::ALL {
             assert_eq!(serde_json::to_string(&verdict).unwrap(), format!("\"{verdict}\""));
-        }
-        for grade in [Grade::Code, Grade::Line, Grade::Rejected] {
-            assert_eq!(serde_json::to_string(&grade).unwrap(), format!("\"{grade}\""));
-            assert_eq!(grade.to_string().parse(), Ok(grade));
         }
     }
 }

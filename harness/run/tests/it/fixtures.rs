@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 use stickler_engines::{
-    Ability, Diagnostic, Engine, EngineError, Identity, NamedValue, Outcome, RunRequest, Session,
+    Ability, Diagnostic, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session,
 };
 use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue, Observe, Suite,
@@ -149,6 +149,7 @@ impl Puppet {
             version: "1".to_owned(),
             dialects: DialectName::ALL.to_vec(),
             abilities: vec![Ability::Execute],
+            grade: Grade::Code,
         };
         Puppet {
             identity,

@@ -48,6 +48,7 @@ fn stand_in() -> (Ironplc, Folder) {
             version: "0".to_owned(),
             dialects: vec![DialectName::IronplcEd2],
             abilities: Vec::new(),
+            grade: Grade::Code,
         },
         compiler: program("ironplcc", COMPILER),
         machine: program("ironplcvm", MACHINE),

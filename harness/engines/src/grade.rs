@@ -1,0 +1,82 @@
+//! How exactly an engine can say what is wrong with a program.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::str::FromStr;
+
+/// How exactly a rejection or a fault is right, the best first. Basis: design, section 6.
+///
+/// An engine claims one of them as the best that can be asked of it: a compiler without codes of its own, or whose adapter
+/// cannot map them onto those of the registry, is right to the line at best.
+#[derive(
+    Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default, Serialize, Deserialize, JsonSchema,
+)]
+#[serde(rename_all = "lowercase")]
+pub enum Grade {
+    /// The right codes on the right lines, and no others.
+    #[default]
+    Code,
+    /// The right lines, and no others.
+    Line,
+    /// Rejected, the place unknown or wrong.
+    Rejected,
+}
+
+impl Grade {
+    /// Every grade, the best first.
+    pub const ALL: [Grade; 3] = [Grade::Code, Grade::Line, Grade::Rejected];
+
+    /// The word for it, such as `code`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Grade::Code => "code",
+            Grade::Line => "line",
+            Grade::Rejected => "rejected",
+        }
+    }
+
+    /// Whether this grade is as good as `needed`, or better.
+    #[must_use]
+    pub fn suffices(self, needed: Grade) -> bool {
+        self <= needed
+    }
+}
+
+impl fmt::Display for Grade {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.pad(self.as_str())
+    }
+}
+
+impl FromStr for Grade {
+    type Err = String;
+
+    /// Reads `code`, `line` or `rejected`; the error lists them.
+    fn from_str(text: &str) -> Result<Grade, String> {
+        let named = Grade::ALL.into_iter().find(|grade| grade.as_str() == text);
+        named.ok_or_else(|| format!("unknown grade `{text}`; the grades are `code`, `line` and `rejected`"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_better_grade_suffices_where_a_worse_one_is_needed_and_not_the_other_way_round() {
+        assert!(Grade::Code.suffices(Grade::Rejected));
+        assert!(Grade::Line.suffices(Grade::Line));
+        assert!(!Grade::Rejected.suffices(Grade::Line));
+    }
+
+    #[test]
+    fn grades_have_one_spelling() {
+        for grade in Grade::ALL {
+            assert_eq!(serde_json::to_string(&grade).unwrap(), format!("\"{grade}\""));
+            assert_eq!(grade.to_string().parse(), Ok(grade));
+        }
+        assert!("lines".parse::<Grade>().unwrap_err().contains("`line`"));
+    }
+}
