@@ -56,6 +56,18 @@ pub enum Outcome {
     },
 }
 
+impl Outcome {
+    /// A limit of time as messages tell it: `300 ms`, `60 s`, `1.5 s`.
+    #[must_use]
+    pub fn limit(milliseconds: u64) -> String {
+        match (milliseconds / 1000, milliseconds % 1000) {
+            (0, rest) => format!("{rest} ms"),
+            (seconds, 0) => format!("{seconds} s"),
+            (seconds, rest) => format!("{seconds}.{rest:03}").trim_end_matches('0').to_owned() + " s",
+        }
+    }
+}
+
 /// Something that an engine finds wrong with a program. Only the message is sure to be there in a foreign
 /// engine's answer.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -74,4 +86,23 @@ pub struct Diagnostic {
     pub message: String,
     /// Text that replaces exactly the span and makes the program acceptable.
     pub suggestion: Option<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Outcome;
+
+    #[test]
+    fn a_limit_is_told_in_seconds_where_there_are_any() {
+        for (milliseconds, told) in [
+            (0, "0 ms"),
+            (300, "300 ms"),
+            (1000, "1 s"),
+            (1500, "1.5 s"),
+            (2050, "2.05 s"),
+            (60_000, "60 s"),
+        ] {
+            assert_eq!(Outcome::limit(milliseconds), told);
+        }
+    }
 }

@@ -103,7 +103,10 @@ fn unanswered(outcome: &Outcome) -> Option<(Verdict, String)> {
     match outcome {
         Outcome::Unsupported { reason } => Some((Verdict::Unsupported, format!("unsupported: {reason}"))),
         Outcome::Crashed { reason } => Some((Verdict::Crash, format!("crashed: {reason}"))),
-        Outcome::TimedOut { after_ms } => Some((Verdict::Timeout, format!("no answer within {after_ms} ms"))),
+        Outcome::TimedOut { after_ms } => Some((
+            Verdict::Timeout,
+            format!("no answer within {}", Outcome::limit(*after_ms)),
+        )),
         Outcome::Error { message } => Some((Verdict::Error, format!("error: {message}"))),
         Outcome::Accepted
         | Outcome::Executed { .. }

@@ -30,7 +30,7 @@ pub(crate) fn told(engine: Asked, outcome: &Outcome) -> Said {
         Outcome::Rendered { .. } => ("rendered", Vec::new()),
         Outcome::Unsupported { reason } => ("unsupported", vec![reason.clone()]),
         Outcome::Crashed { reason } => ("crashed", vec![reason.clone()]),
-        Outcome::TimedOut { after_ms } => ("timed out", vec![format!("after {after_ms} ms")]),
+        Outcome::TimedOut { after_ms } => ("timed out", vec![format!("after {}", Outcome::limit(*after_ms))]),
         Outcome::Error { message } => ("error", vec![message.clone()]),
     };
     Said {

@@ -106,9 +106,10 @@ impl<'e> Asker<'e> {
             Outcome::Faulted { fault, .. } => Got::none("faulted", fault.as_str()),
             Outcome::Unsupported { reason } => Got::none(UNSUPPORTED, reason),
             Outcome::Crashed { reason } => Got::none("crashed", reason),
-            Outcome::TimedOut { after_ms } => {
-                Got::none("timed out", format!("no answer within {after_ms} ms"))
-            }
+            Outcome::TimedOut { after_ms } => Got::none(
+                "timed out",
+                format!("no answer within {}", Outcome::limit(after_ms)),
+            ),
             Outcome::Error { message } => Got::none("error", message),
             Outcome::Rendered { .. } => Got::none("error", "the engine rendered what it was to run"),
         })

@@ -43,7 +43,7 @@ pub(super) fn failed(message: String) -> Outcome {
 /// Why a program did not do what it was started for; a fragment.
 pub(super) fn reason(outcome: &Outcome) -> String {
     match outcome {
-        Outcome::TimedOut { after_ms } => format!("did not end within {after_ms} ms"),
+        Outcome::TimedOut { after_ms } => format!("did not end within {}", Outcome::limit(*after_ms)),
         Outcome::Crashed { reason } => format!("crashed: {reason}"),
         Outcome::Error { message } => message.clone(),
         other => format!("answered {other:?}"),

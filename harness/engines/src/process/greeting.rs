@@ -5,7 +5,7 @@ use super::command_line::CommandLine;
 use super::connection::{Connection, Failure};
 use super::message;
 use crate::protocol::{HelloReply, HelloRequest, PROTOCOL, Reply, Request};
-use crate::{Ability, EngineError, Grade, Identity};
+use crate::{Ability, EngineError, Grade, Identity, Outcome};
 use serde_json::Value as Json;
 use stickler_types::DialectName;
 
@@ -36,7 +36,8 @@ fn unanswered(failure: Failure, connection: Connection, limits: &ProcessLimits) 
     match failure {
         Failure::Ended => format!("it did not answer `hello`: {}", connection.end()),
         Failure::TimedOut => {
-            let within = format!("it did not answer `hello` within {} ms", limits.hello.as_millis());
+            let limit = u64::try_from(limits.hello.as_millis()).unwrap_or(u64::MAX);
+            let within = format!("it did not answer `hello` within {}", Outcome::limit(limit));
             with_words(within, &connection.kill())
         }
         Failure::Flood => {

@@ -179,7 +179,7 @@ impl Reply {
             Outcome::Unsupported { reason } => Reply::Unsupported(UnsupportedReply { id, reason }),
             Outcome::Crashed { reason } => Reply::error(Some(id), format!("the engine crashed: {reason}")),
             Outcome::TimedOut { after_ms } => {
-                Reply::error(Some(id), format!("no answer within {after_ms} ms"))
+                Reply::error(Some(id), format!("no answer within {}", Outcome::limit(after_ms)))
             }
             Outcome::Error { message } => Reply::error(Some(id), message),
         }

@@ -137,7 +137,9 @@ fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
         }
         Outcome::Faulted { fault, .. } => (Faulted, fault.as_str().to_owned()),
         Outcome::Crashed { reason } => (Crashed, reason),
-        Outcome::TimedOut { after_ms } => (TimedOut, format!("no answer within {after_ms} ms")),
+        Outcome::TimedOut { after_ms } => {
+            (TimedOut, format!("no answer within {}", Outcome::limit(after_ms)))
+        }
         Outcome::Error { message } => (Nonsense, message),
         Outcome::Rendered { .. } => (Nonsense, "it rendered what it was to run".to_owned()),
     };
