@@ -1,6 +1,9 @@
 //! Campaigns from the outside: engines that are processes and have a defect, folders that cannot be used, Ctrl-C.
 #![cfg(unix)]
 
+mod common;
+
+use common::interrupt;
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -25,6 +28,22 @@ fn stickler(arguments: &[&str]) -> (Option<i32>, String) {
         .expect("the command runs");
     let shown = [output.stdout, output.stderr].concat();
     (output.status.code(), String::from_utf8_lossy(&shown).into_owned())
+}
+
+/// A campaign with an engine, of 120 programs among which MOD comes.
+fn campaign(engine: &str, folder: &str, more: &[&str]) -> (Option<i32>, String) {
+    let line = [
+        "fuzz",
+        "--seed",
+        "11",
+        "--count",
+        "120",
+        "--engine",
+        engine,
+        "--findings",
+        folder,
+    ];
+    stickler(&[&line[..], more].concat())
 }
 
 fn text(path: &Path) -> &str {
@@ -53,19 +72,7 @@ fn a_defect_is_found_judged_again_merged_and_promoted() {
     let [one, two, all] = ["1", "2", "all"].map(|name| folder.path().join(name));
     let engine = defective("");
     for (part, own) in [("1/2", &one), ("2/2", &two)] {
-        let (code, shown) = stickler(&[
-            "fuzz",
-            "--engine",
-            &engine,
-            "--seed",
-            "11",
-            "--count",
-            "120",
-            "--shard",
-            part,
-            "--findings",
-            text(own),
-        ]);
+        let (code, shown) = campaign(&engine, text(own), &["--shard", part]);
         assert!(code == Some(1) || code == Some(0), "{shown}");
         assert!(shown.contains("60 programs in "), "{shown}");
     }
@@ -112,19 +119,7 @@ fn what_cannot_be_saved_any_more_is_shown_at_the_end() {
     // At its fifth request the engine puts a file in the place of the folder.
     let place = text(&findings);
     let engine = defective(&format!("5e rm -r {place}; touch {place}\n"));
-    let (code, shown) = stickler(&[
-        "fuzz",
-        "--engine",
-        &engine,
-        "--seed",
-        "11",
-        "--count",
-        "120",
-        "--findings",
-        place,
-        "--jobs",
-        "1",
-    ]);
+    let (code, shown) = campaign(&engine, place, &["--jobs", "1"]);
     assert_eq!(code, Some(2), "{shown}");
     assert!(
         shown.contains("the campaign goes on, and what cannot be saved is shown at its end"),
@@ -254,11 +249,7 @@ fn ctrl_c_ends_a_campaign_with_what_it_has() {
     while !folder.path().join("campaign.json").exists() {
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
-    let killed = Command::new("kill")
-        .args(["-INT", &campaign.id().to_string()])
-        .status()
-        .expect("kill");
-    assert!(killed.success());
+    interrupt(&campaign);
     out.read_to_string(&mut shown).expect("the rest");
     assert_eq!(campaign.wait().expect("an end").code(), Some(130), "{shown}");
     assert!(

@@ -1,6 +1,9 @@
 //! Reductions from the outside, where a printed page is not enough: an engine with a wrong value, and Ctrl-C.
 #![cfg(unix)]
 
+mod common;
+
+use common::interrupt;
 use std::fs;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
@@ -98,11 +101,7 @@ done
     while !folder.path().join("under-way").exists() {
         std::thread::sleep(Duration::from_millis(20));
     }
-    let killed = Command::new("kill")
-        .args(["-INT", &run.id().to_string()])
-        .status()
-        .expect("kill");
-    assert!(killed.success());
+    interrupt(&run);
     let output = run.wait_with_output().expect("an end");
     let text = shown(&output);
     assert_eq!(output.status.code(), Some(130), "{text}");

@@ -1,5 +1,8 @@
 //! What a run leaves behind: reports, exit codes, and a readable log when it is cut short.
 
+mod common;
+
+use common::interrupt;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -218,11 +221,7 @@ fn ctrl_c_leaves_a_readable_log_that_is_marked_as_cut_short() {
         .expect("the command starts");
     let log = folder.path().join("reports/latest/events.jsonl");
     wait_for_header(&mut run, &log);
-    let killed = Command::new("kill")
-        .args(["-INT", &run.id().to_string()])
-        .status()
-        .expect("kill");
-    assert!(killed.success());
+    interrupt(&run);
     let end = run.wait_with_output().expect("the run ends");
     assert_eq!(end.status.code(), Some(130), "{}", text(&end.stderr));
     let (_, completeness) = read_log(&log);
@@ -296,11 +295,7 @@ fn interrupt_with_engine(command: &str, engine: &str) {
         .expect("the command starts");
     // The pipe opens when the engine does so, and ends when nobody holds it any more.
     let mut pipe = fs::File::open(&witness).expect("the witness");
-    let killed = Command::new("kill")
-        .args(["-INT", &ask.id().to_string()])
-        .status()
-        .expect("kill");
-    assert!(killed.success());
+    interrupt(&ask);
     let mut told = Vec::new();
     std::io::Read::read_to_end(&mut pipe, &mut told).expect("the end of the pipe");
     assert_eq!(ask.wait().expect("the command ends").code(), Some(130));
@@ -339,12 +334,6 @@ fn ctrl_c_says_at_once_that_a_run_waits_for_its_engine_and_how_to_end_it() {
     .stderr(Stdio::piped())
     .spawn()
     .expect("the command starts");
-    let interrupt = |run: &Child| {
-        let killed = Command::new("kill")
-            .args(["-INT", &run.id().to_string()])
-            .status();
-        assert!(killed.expect("kill").success());
-    };
     // Opens when the engine has its first request, which it never answers.
     let pipe = fs::File::open(&witness).expect("the witness");
     interrupt(&run);

@@ -1,6 +1,9 @@
 //! A sweep that is interrupted, and sweeps of engines that are processes.
 #![cfg(unix)]
 
+mod common;
+
+use common::interrupt;
 use std::io::{BufRead, BufReader, Read};
 use std::process::{Command, Stdio};
 
@@ -22,11 +25,7 @@ fn ctrl_c_tells_how_far_a_sweep_came() {
         out.read_line(&mut lines).expect("a line");
     }
     assert!(lines.contains("4 294 967 296 inputs: every DINT"), "{lines}");
-    let killed = Command::new("kill")
-        .args(["-INT", &sweep.id().to_string()])
-        .status()
-        .expect("kill");
-    assert!(killed.success());
+    interrupt(&sweep);
     out.read_to_string(&mut lines).expect("the rest");
     assert_eq!(sweep.wait().expect("an end").code(), Some(130), "{lines}");
     assert!(lines.contains("  stopped by Ctrl-C after "), "{lines}");
