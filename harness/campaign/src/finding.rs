@@ -72,7 +72,7 @@ pub struct Asked {
 pub enum Standing {
     /// The reduced program was run once more, and did the same.
     Confirmed,
-    /// When it was run once more, it did something else. It is kept as it was found.
+    /// When it was run once more, it did something else; or the engine was gone. It is kept as it was found.
     Flaky,
 }
 

@@ -125,8 +125,7 @@ fn case_file(finding: &Finding, words: &Words<'_>) -> Result<(String, String), P
     };
     if finding.standing == Standing::Flaky {
         return Err(refused(
-            "it is flaky: when it was run again it did something else, so a case would say nothing"
-                .to_owned(),
+            "it is flaky: it was not seen again, so a case would say nothing".to_owned(),
         ));
     }
     if !finding.is_as_found() {

@@ -1,6 +1,6 @@
 //! An engine of a campaign.
 
-use super::comparison::Question;
+use super::comparison::{Agreement, Disagreement, Question, compare};
 use crate::finding::Asked;
 use stickler_engines::{Engine, Identity, Observation, Outcome, RunRequest, Session};
 use stickler_types::DialectName;
@@ -54,24 +54,33 @@ pub(crate) fn ask(session: &mut dyn Session, question: Question<'_>) -> Outcome 
     })
 }
 
-/// Whether an engine that has died over a program still answers at all.
-pub(super) fn lives(session: &mut dyn Session, dialect: DialectName) -> bool {
+/// Asks an engine that has died over a program whether it still answers at all.
+///
+/// # Errors
+/// What became of it over the smallest program that there is.
+pub(super) fn lives(session: &mut dyn Session, dialect: DialectName) -> Result<(), String> {
     /// As small as a program can be that every dialect has.
     const PROGRAM: &str = "PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := 1;\nEND_PROGRAM\n";
     /// A machine that is short of memory may need a moment.
     const ATTEMPTS: usize = 3;
-    let request = RunRequest {
+    let question = Question {
         dialect,
-        source: PROGRAM,
-        scans: 1,
-        observe: &[],
-        clock: &[],
-        set: &[],
+        text: PROGRAM,
+        values: &[],
+        binds: false,
     };
-    (0..ATTEMPTS).any(|_| {
-        !matches!(
-            session.run(&request),
-            Outcome::Crashed { .. } | Outcome::TimedOut { .. }
-        )
-    })
+    let mut reason = String::new();
+    for _ in 0..ATTEMPTS {
+        let outcome = ask(session, question);
+        match compare(question, &outcome) {
+            Agreement::Disagrees(Disagreement { message, .. }) if has_died(&outcome) => reason = message,
+            _ => return Ok(()),
+        }
+    }
+    Err(reason)
+}
+
+/// Whether the engine is no longer what it was before the question.
+pub(super) const fn has_died(outcome: &Outcome) -> bool {
+    matches!(outcome, Outcome::Crashed { .. } | Outcome::TimedOut { .. })
 }

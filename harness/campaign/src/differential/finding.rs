@@ -1,6 +1,7 @@
 //! A suspicion made small, run once more, and written down.
 
 use super::comparison::{Agreement, Disagreement};
+use super::entrant::has_died;
 use super::subject::Subject;
 use super::told::told;
 use super::worker::Asking;
@@ -60,7 +61,7 @@ impl Asking<'_> {
             seed: bench.inputs.seed(),
             place: suspicion.place,
             open: bench.open,
-            smallest: reduced.ended == Ended::Smallest,
+            smallest: reduced.ended == Ended::Smallest && self.gone(index).is_none(),
             tries: reduced.tries,
             size_found: 0,
             size: 0,
@@ -77,7 +78,13 @@ impl Asking<'_> {
     }
 
     /// Whether the engine shows the symptom on this program.
+    ///
+    /// An engine that is gone seems to die over every program. So one that has died is asked whether it lives, before the
+    /// program is blamed.
     fn shows(&mut self, index: usize, suspicion: &Suspicion, candidate: &Program, opened: bool) -> Answer {
+        if self.gone(index).is_some() {
+            return Answer::Refused;
+        }
         // Some compilers reject a program without variables or statements for itself, whatever else was wrong with it.
         if candidate.main.variables.is_empty() || candidate.main.body.is_empty() {
             return Answer::Refused;
@@ -89,7 +96,10 @@ impl Asking<'_> {
         if !opened && !subject.opened.is_empty() {
             return Answer::Refused;
         }
-        let (_, agreement) = self.hold(index, &subject);
+        let (outcome, agreement) = self.hold(index, &subject);
+        if has_died(&outcome) && !self.lives(index, candidate.dialect) {
+            return Answer::Refused;
+        }
         Answer::from(agreement.symptom() == Some(&suspicion.symptom))
     }
 
@@ -110,7 +120,7 @@ impl Asking<'_> {
         let dialect = program.dialect;
         let (text, expected, outcomes, message) = match Subject::new(program) {
             Ok(subject) => {
-                let (outcomes, message) = self.outcomes(index, &subject);
+                let (outcomes, message) = self.outcomes(index, suspicion, &subject);
                 (subject.text.clone(), expected(&subject, basis), outcomes, message)
             }
             // What was evaluated before can be evaluated again; if not, the original says all that is known.
@@ -138,8 +148,7 @@ impl Asking<'_> {
                 size: lines(&text),
                 ..origin
             },
-            message: message
-                .unwrap_or_else(|| format!("{}, but not when it was run again", suspicion.symptom)),
+            message: message.unwrap_or_else(|| self.unseen(index, suspicion)),
             expected,
             outcomes,
             reproduce: Vec::new(),
@@ -155,25 +164,43 @@ impl Asking<'_> {
         }
     }
 
-    /// What every engine does with the program, and what is wrong with what the one in question does.
-    fn outcomes(&mut self, index: usize, subject: &Subject) -> (Vec<Said>, Option<String>) {
+    /// What every engine that lives does with the program; and how the one in question shows the symptom, if it does.
+    fn outcomes(
+        &mut self,
+        index: usize,
+        suspicion: &Suspicion,
+        subject: &Subject,
+    ) -> (Vec<Said>, Option<String>) {
         let mut said = Vec::new();
         let mut message = None;
         for other in 0..self.bench.entrants.len() {
             let entrant = &self.bench.entrants[other];
-            if !entrant.identity().speaks(subject.program.dialect) {
+            if self.gone(other).is_some() || !entrant.identity().speaks(subject.program.dialect) {
                 continue;
             }
             let asked = entrant.asked();
             let (outcome, agreement) = self.hold(other, subject);
             said.push(told(asked, &outcome));
-            if let (true, Agreement::Disagrees(Disagreement { message: text, .. })) =
-                (other == index, agreement)
-            {
-                message = Some(text);
+            match agreement {
+                Agreement::Disagrees(Disagreement {
+                    symptom,
+                    message: text,
+                }) if other == index && symptom == suspicion.symptom => {
+                    message = Some(text);
+                }
+                _ => {}
             }
         }
         (said, message)
+    }
+
+    /// What can be said of a symptom that was seen once and not again.
+    fn unseen(&self, index: usize, suspicion: &Suspicion) -> String {
+        let symptom = &suspicion.symptom;
+        match self.gone(index) {
+            Some(reason) => format!("{symptom}, and it could not be run again; {reason}"),
+            None => format!("{symptom}, but not when it was run again"),
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Differential;
 use super::comparison::{Agreement, compare};
-use super::entrant::{ask, lives};
+use super::entrant::{ask, has_died, lives};
 use super::pace::Pace;
 use super::pack::{Pack, packs};
 use super::subject::Subject;
@@ -17,8 +17,8 @@ pub(super) struct Asking<'b> {
     pub(super) bench: &'b Differential<'b>,
     sessions: Vec<Box<dyn Session + 'b>>,
     paces: Vec<Pace>,
-    /// The engine that does not answer any more.
-    lost: Option<String>,
+    /// Why an engine does not answer any more, by its number; `None` where it does.
+    lost: Vec<Option<String>>,
 }
 
 /// A place, and its program where there is one.
@@ -40,7 +40,7 @@ impl<'b> Asking<'b> {
             bench,
             sessions: sessions.collect::<Result<_, _>>()?,
             paces: vec![Pace::new(bench.packs); bench.entrants.len()],
-            lost: None,
+            lost: vec![None; bench.entrants.len()],
         })
     }
 
@@ -178,21 +178,20 @@ impl<'b> Asking<'b> {
     }
 
     /// Whether an engine that has died can be started again; if not, the campaign is at its end.
-    fn lives(&mut self, index: usize, dialect: DialectName) -> bool {
-        let lives = lives(&mut *self.sessions[index], dialect);
-        if !lives {
+    pub(super) fn lives(&mut self, index: usize, dialect: DialectName) -> bool {
+        if self.lost[index].is_none() {
             let name = &self.bench.entrants[index].identity().name;
-            self.lost.get_or_insert_with(|| {
-                format!("engine {name} died over a program, and since then over the smallest program that there is")
+            self.lost[index] = lives(&mut *self.sessions[index], dialect).err().map(|reason| {
+                format!("engine {name} is lost: over the smallest program that there is it {reason}")
             });
         }
-        lives
+        self.lost[index].is_none()
     }
-}
 
-/// Whether the engine is no longer what it was before the question.
-const fn has_died(outcome: &Outcome) -> bool {
-    matches!(outcome, Outcome::Crashed { .. } | Outcome::TimedOut { .. })
+    /// Why an engine is asked no more; `None` where it lives, as far as anybody knows.
+    pub(super) fn gone(&self, index: usize) -> Option<&str> {
+        self.lost[index].as_deref()
+    }
 }
 
 impl Input {
@@ -211,7 +210,7 @@ impl Input {
 
 impl Worker for Asking<'_> {
     fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict> {
-        if self.lost.is_some() || !going() {
+        if self.lost().is_some() || !going() {
             return Vec::new();
         }
         let mut inputs: Vec<Input> = places.iter().map(|&place| self.input(place)).collect();
@@ -230,6 +229,6 @@ impl Worker for Asking<'_> {
     }
 
     fn lost(&self) -> Option<String> {
-        self.lost.clone()
+        self.lost.iter().flatten().next().cloned()
     }
 }

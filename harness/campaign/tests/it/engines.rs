@@ -13,8 +13,10 @@ pub enum Defect {
     DiesOver(&'static str),
     /// It dies over every so-manieth request, whatever it is.
     DiesEvery(u64),
-    /// After so many requests it dies over everything.
-    DiesAfter(u64),
+    /// From the first program with this word on it dies over everything.
+    DiesForEverOver(&'static str),
+    /// Nothing.
+    None,
 }
 
 /// An engine with a defect.
@@ -23,11 +25,18 @@ pub struct Defective {
     identity: Identity,
     defect: Defect,
     requests: AtomicU64,
+    /// How many requests it answers before it dies over everything.
+    life: AtomicU64,
 }
 
 impl Defective {
     /// The reference with this defect, under the name `defective`.
     pub fn new(defect: Defect) -> Defective {
+        Defective::dying(defect, u64::MAX)
+    }
+
+    /// The same, which after so many requests dies over everything.
+    pub fn dying(defect: Defect, life: u64) -> Defective {
         let inner = Reference::default();
         let identity = Identity {
             name: "defective".to_owned(),
@@ -38,6 +47,7 @@ impl Defective {
             identity,
             defect,
             requests: AtomicU64::new(0),
+            life: AtomicU64::new(life),
         }
     }
 
@@ -68,12 +78,20 @@ struct DefectiveSession<'e> {
 impl Session for DefectiveSession<'_> {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         let number = self.engine.requests.fetch_add(1, Ordering::Relaxed) + 1;
-        let (source, dies) = match self.engine.defect {
-            Defect::Mistakes(word, other) => (request.source.replace(word, other), false),
-            Defect::DiesOver(word) => (request.source.to_owned(), request.source.contains(word)),
-            Defect::DiesEvery(every) => (request.source.to_owned(), number.is_multiple_of(every)),
-            Defect::DiesAfter(most) => (request.source.to_owned(), number > most),
+        let source = match self.engine.defect {
+            Defect::Mistakes(word, other) => request.source.replace(word, other),
+            _ => request.source.to_owned(),
         };
+        let dies = match self.engine.defect {
+            Defect::DiesOver(word) => source.contains(word),
+            Defect::DiesEvery(every) => number.is_multiple_of(every),
+            Defect::DiesForEverOver(word) if source.contains(word) => {
+                self.engine.life.store(0, Ordering::Relaxed);
+                true
+            }
+            Defect::DiesForEverOver(_) | Defect::Mistakes(..) | Defect::None => false,
+        };
+        let dies = dies || number > self.engine.life.load(Ordering::Relaxed);
         if dies {
             return Outcome::Crashed {
                 reason: "it was made to".to_owned(),

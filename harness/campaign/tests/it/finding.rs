@@ -72,12 +72,63 @@ fn an_engine_that_dies_now_and_then_is_started_again_and_what_is_not_seen_again_
 
 #[test]
 fn an_engine_that_does_not_live_any_more_ends_the_campaign_in_words() {
-    let summary = whole(&Defective::new(Defect::DiesAfter(60)), 1000);
+    let summary = whole(&Defective::dying(Defect::None, 60), 1000);
     let Ended::Lost(reason) = &summary.ended else {
         panic!("{:?}", summary.ended)
     };
-    assert!(reason.contains("engine defective died"), "{reason}");
+    assert!(reason.contains("engine defective is lost"), "{reason}");
     assert!(summary.programs < 200);
+}
+
+#[test]
+fn a_program_is_not_blamed_for_the_deaths_of_an_engine_that_is_gone() {
+    let summary = whole(&Defective::new(Defect::DiesForEverOver(" MOD ")), 1000);
+    let Ended::Lost(reason) = &summary.ended else {
+        panic!("{:?}", summary.ended)
+    };
+    assert!(reason.ends_with("it died: it was made to"), "{reason}");
+    let finding = summary.findings.values().find(|finding| {
+        let program = finding.program.as_deref().unwrap_or_default();
+        program.contains(" MOD ")
+    });
+    let finding = finding.expect("the program over which it died first, as it was");
+    assert_eq!(finding.standing, Standing::Flaky);
+    assert_eq!(finding.program, finding.original);
+    assert!(!finding.origin.smallest);
+    assert!(
+        finding
+            .message
+            .starts_with("crash, and it could not be run again; engine defective is lost"),
+        "{}",
+        finding.message
+    );
+    assert!(
+        summary
+            .findings
+            .values()
+            .all(|finding| finding.standing == Standing::Flaky)
+    );
+}
+
+#[test]
+fn an_engine_that_is_lost_while_a_finding_is_made_small_ends_the_campaign() {
+    // The last of these programs has the defect: what the engine is asked last is asked to make that one small.
+    let defect = Defect::Mistakes(" MOD ", " / ");
+    let of = |engine: &Defective| campaign(engine, Part::WHOLE, 51, 1);
+    let lasting = Defective::new(defect);
+    assert_eq!(of(&lasting).ended, Ended::Done);
+    let summary = of(&Defective::dying(defect, lasting.requests() - 2));
+    assert!(matches!(summary.ended, Ended::Lost(_)), "{:?}", summary.ended);
+    assert_eq!(summary.programs, 51);
+    let cut_short = |finding: &Finding| finding.message.contains(", and it could not be run again; ");
+    assert_eq!(
+        summary
+            .findings
+            .values()
+            .filter(|finding| cut_short(finding))
+            .count(),
+        1
+    );
 }
 
 #[test]
