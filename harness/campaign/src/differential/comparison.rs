@@ -1,7 +1,8 @@
 //! What an engine did, held against what the evaluator gives.
 
 use stickler_engines::{Diagnostic, Outcome};
-use stickler_types::{Code, DialectName, Value};
+use stickler_generate::reduce::Symptom;
+use stickler_types::{DialectName, Value};
 
 /// What an engine is asked about a program.
 #[derive(Clone, Copy, Debug)]
@@ -30,16 +31,16 @@ pub(crate) enum Agreement {
 /// How an engine did something else.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Disagreement {
-    /// In a word that stays the same when the program is made smaller.
+    /// In the words of [`Symptom`], which stay the same when the program is made smaller.
     pub(crate) symptom: String,
     /// For a person.
     pub(crate) message: String,
 }
 
 impl Agreement {
-    fn disagrees(symptom: impl Into<String>, message: impl Into<String>) -> Agreement {
+    fn disagrees(symptom: Symptom, message: impl Into<String>) -> Agreement {
         Agreement::Disagrees(Disagreement {
-            symptom: symptom.into(),
+            symptom: symptom.to_string(),
             message: message.into(),
         })
     }
@@ -69,63 +70,29 @@ pub(crate) fn compare(question: Question<'_>, outcome: &Outcome) -> Agreement {
         Outcome::Faulted { fault, line, .. } if binds => {
             let line = line.map(|line| format!(" on line {line}")).unwrap_or_default();
             Agreement::disagrees(
-                format!("fault:{fault}"),
+                Symptom::Fault(*fault),
                 format!("expected to run to its end, got the fault {fault}{line}"),
             )
         }
         Outcome::Executed { .. } | Outcome::Rejected { .. } | Outcome::Faulted { .. } => Agreement::Agrees,
-        Outcome::Rendered { .. } => Agreement::disagrees("error", "answered `rendered` where it was to run"),
-        Outcome::Crashed { reason } => Agreement::disagrees("crash", format!("died: {reason}")),
-        Outcome::TimedOut { after_ms } => {
-            Agreement::disagrees("hang", format!("gave no answer within {after_ms} ms"))
+        Outcome::Rendered { .. } => {
+            Agreement::disagrees(Symptom::Error, "answered `rendered` where it was to run")
         }
-        Outcome::Error { message } => Agreement::disagrees("error", message.as_str()),
+        Outcome::Crashed { reason } => Agreement::disagrees(Symptom::Crash, format!("died: {reason}")),
+        Outcome::TimedOut { after_ms } => Agreement::disagrees(
+            Symptom::Hang,
+            format!("gave no answer within {}", Outcome::limit(*after_ms)),
+        ),
+        Outcome::Error { message } => Agreement::disagrees(Symptom::Error, message.as_str()),
     }
 }
 
 fn rejected(diagnostics: &[Diagnostic]) -> Agreement {
-    let first = diagnostics.first();
-    let told = first.map(|first| match &first.code {
-        // A parser has one code for all that it does not understand, and says what that is in its own words.
-        Some(code) if code == Code::SyntaxError.as_str() => {
-            format!("{code} {}", gist(&first.message)).trim_end().to_owned()
-        }
-        Some(code) => code.clone(),
-        None => gist(&first.message),
-    });
-    let symptom = match told.filter(|told| !told.is_empty()) {
-        Some(told) => format!("rejected:{told}"),
-        None => "rejected".to_owned(),
-    };
-    let message = match first {
+    let message = match diagnostics.first() {
         Some(first) => format!("expected to be accepted, rejected: {}", diagnostic(first)),
         None => "expected to be accepted, rejected without a reason".to_owned(),
     };
-    Agreement::disagrees(symptom, message)
-}
-
-/// What is left of the message of a compiler without codes when a program gets smaller: the first of its words, without what
-/// it quotes, without names and numbers that a generator made.
-fn gist(message: &str) -> String {
-    const WORDS: usize = 6;
-    let quote = |character: char| "'\"`".contains(character);
-    // Every other piece stands between quotation marks.
-    let said = message.lines().next().unwrap_or_default().split(quote).step_by(2);
-    let words = said.flat_map(str::split_whitespace);
-    let plain = |word: &&str| {
-        word.bytes()
-            .all(|byte| byte.is_ascii_alphabetic() || b",.:;()-".contains(&byte))
-    };
-    let words: Vec<String> = words
-        .filter(plain)
-        .map(|word| {
-            word.trim_matches(|end: char| !end.is_ascii_alphabetic())
-                .to_ascii_lowercase()
-        })
-        .filter(|word| !word.is_empty())
-        .take(WORDS)
-        .collect();
-    words.join(" ")
+    Agreement::disagrees(Symptom::rejected(diagnostics), message)
 }
 
 /// One diagnostic in one line.
@@ -150,11 +117,11 @@ fn values_agree(expected: &[(String, Value)], got: &[(String, Value)]) -> Agreem
     let ty = value.type_name();
     match find(got, name) {
         Some(other) => Agreement::disagrees(
-            format!("value:{ty}"),
+            Symptom::Value(ty.to_owned()),
             format!("{name}: expected {value}, got {other}"),
         ),
         None => Agreement::disagrees(
-            format!("missing:{ty}"),
+            Symptom::Missing(ty.to_owned()),
             format!("{name}: expected {value}, got no value"),
         ),
     }
@@ -170,23 +137,4 @@ fn find<'v>(values: &'v [(String, Value)], name: &str) -> Option<&'v Value> {
 /// Whether the generator computes it from everything else.
 fn is_checksum(name: &str) -> bool {
     name.starts_with("checksum")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::gist;
-
-    #[test]
-    fn the_gist_of_a_message_has_no_names_and_no_numbers() {
-        assert_eq!(
-            gist("Variable v17 of type 'INT' is not declared (line 5)."),
-            "variable of type is not declared"
-        );
-        assert_eq!(
-            gist("unknown error in program declaration."),
-            "unknown error in program declaration"
-        );
-        assert_eq!(gist("\"x\": 5"), "");
-        assert_eq!(gist(""), "");
-    }
 }

@@ -126,7 +126,7 @@ fn shown(
     for &dialect in &dialects {
         let symptoms = subject.symptoms(dialect, text)?;
         let wanted = match &arguments.symptom {
-            Some(wanted) => symptoms.iter().find(|symptom| *symptom == wanted),
+            Some(wanted) => symptoms.iter().find(|symptom| symptom.is_meant_by(wanted)),
             None => symptoms.first(),
         };
         if let Some(symptom) = wanted {

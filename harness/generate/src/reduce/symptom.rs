@@ -2,13 +2,14 @@
 
 use std::fmt;
 use std::str::FromStr;
-use stickler_engines::Outcome;
-use stickler_types::Fault;
+use stickler_engines::{Diagnostic, Outcome};
+use stickler_types::{Code, Fault};
 
 /// A way in which an engine does not do what it must.
 ///
 /// `Display` writes the word that `FromStr` reads: `crash`, `hang`, `error`, `rejected:P4035`, `not-rejected:P4026`,
-/// `value:INT`, `missing:INT`, `fault:subscript-range`, `no-fault:division-by-zero`.
+/// `value:INT`, `missing:INT`, `fault:subscript-range`, `no-fault:division-by-zero`; of a compiler that tells no codes
+/// `rejected:` and the first words of its message.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Symptom {
     /// It died.
@@ -17,7 +18,7 @@ pub enum Symptom {
     Hang,
     /// It answered nonsense, or found a defect of its own.
     Error,
-    /// It rejects an acceptable program, with this code; empty where it tells none.
+    /// It rejects an acceptable program, with this code, or for this reason; empty where it tells neither.
     Rejected(String),
     /// It accepts a program that must be rejected with this code.
     NotRejected(String),
@@ -43,8 +44,18 @@ impl Symptom {
             (_, Outcome::Error { .. }) => Symptom::Error,
             (_, Outcome::Unsupported { .. }) => return Vec::new(),
             (Outcome::Rejected { .. }, Outcome::Rejected { .. }) => return Vec::new(),
-            (_, Outcome::Rejected { .. }) => return rejections(got).map(Symptom::Rejected).collect(),
-            (Outcome::Rejected { .. }, _) => return rejections(expected).map(Symptom::NotRejected).collect(),
+            (_, Outcome::Rejected { .. }) => {
+                return rejections(got, code_or_gist)
+                    .into_iter()
+                    .map(Symptom::Rejected)
+                    .collect();
+            }
+            (Outcome::Rejected { .. }, _) => {
+                return rejections(expected, code)
+                    .into_iter()
+                    .map(Symptom::NotRejected)
+                    .collect();
+            }
             (Outcome::Faulted { fault, .. }, Outcome::Faulted { fault: other, .. }) if fault == other => {
                 return Vec::new();
             }
@@ -64,6 +75,27 @@ impl Symptom {
         Symptom::all(expected, got).into_iter().next()
     }
 
+    /// How an engine rejects a program that it must accept, by the first of its diagnostics.
+    #[must_use]
+    pub fn rejected(diagnostics: &[Diagnostic]) -> Symptom {
+        Symptom::Rejected(diagnostics.first().map(code_or_gist).unwrap_or_default())
+    }
+
+    /// Whether a person who names `wanted` means this symptom: it is the same, or `wanted` is the code in front of its
+    /// reason, as `rejected:P0002` is of `rejected:P0002 expected a type`.
+    #[must_use]
+    pub fn is_meant_by(&self, wanted: &Symptom) -> bool {
+        match (self, wanted) {
+            (Symptom::Rejected(own), Symptom::Rejected(code)) => {
+                own == code
+                    || own
+                        .strip_prefix(code.as_str())
+                        .is_some_and(|reason| reason.starts_with(' '))
+            }
+            _ => self == wanted,
+        }
+    }
+
     /// Whether an outcome shows this symptom, among others perhaps.
     #[must_use]
     pub fn shows(&self, expected: &Outcome, got: &Outcome) -> bool {
@@ -71,29 +103,64 @@ impl Symptom {
     }
 }
 
-/// The codes of a rejection, each once; one empty code where none is told.
-fn rejections(outcome: &Outcome) -> impl Iterator<Item = String> {
-    let mut codes: Vec<String> = match outcome {
-        Outcome::Rejected { diagnostics } => {
-            let told = diagnostics
-                .iter()
-                .filter_map(|diagnostic| diagnostic.code.clone());
-            told.collect()
-        }
-        _ => Vec::new(),
+/// What the diagnostics of a rejection are called, each name once; one empty name where there is no diagnostic.
+fn rejections(outcome: &Outcome, name: fn(&Diagnostic) -> String) -> Vec<String> {
+    let diagnostics = match outcome {
+        Outcome::Rejected { diagnostics } => &diagnostics[..],
+        _ => &[],
     };
-    let mut seen = Vec::new();
-    codes.retain(|code| {
-        let new = !seen.contains(code);
-        seen.push(code.clone());
-        new
-    });
-    if codes.is_empty() {
-        codes.push(String::new());
+    let mut names = Vec::new();
+    for name in diagnostics.iter().map(name).filter(|name| !name.is_empty()) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
     }
-    codes.into_iter()
+    if names.is_empty() {
+        names.push(String::new());
+    }
+    names
 }
 
+/// The code of a diagnostic; empty where it has none.
+fn code(diagnostic: &Diagnostic) -> String {
+    diagnostic.code.clone().unwrap_or_default()
+}
+
+/// The code of a diagnostic. Where there is none, the gist of its message; behind the code of a parser both, for that has one
+/// code for all that it does not understand, and says what that is in its own words.
+fn code_or_gist(diagnostic: &Diagnostic) -> String {
+    match &diagnostic.code {
+        Some(code) if code == Code::SyntaxError.as_str() => format!("{code} {}", gist(&diagnostic.message))
+            .trim_end()
+            .to_owned(),
+        Some(code) => code.clone(),
+        None => gist(&diagnostic.message),
+    }
+}
+
+/// What is left of the message of a compiler without codes when a program gets smaller: the first of its words, without what
+/// it quotes, without names and numbers that a generator made.
+fn gist(message: &str) -> String {
+    const WORDS: usize = 6;
+    let quote = |character: char| "'\"`".contains(character);
+    // Every other piece stands between quotation marks.
+    let said = message.lines().next().unwrap_or_default().split(quote).step_by(2);
+    let words = said.flat_map(str::split_whitespace);
+    let plain = |word: &&str| {
+        word.bytes()
+            .all(|byte| byte.is_ascii_alphabetic() || b",.:;()-".contains(&byte))
+    };
+    let words: Vec<String> = words
+        .filter(plain)
+        .map(|word| {
+            word.trim_matches(|end: char| !end.is_ascii_alphabetic())
+                .to_ascii_lowercase()
+        })
+        .filter(|word| !word.is_empty())
+        .take(WORDS)
+        .collect();
+    words.join(" ")
+}
 fn values(
     expected: &[(String, stickler_types::Value)],
     got: &[(String, stickler_types::Value)],
@@ -166,5 +233,66 @@ impl FromStr for Symptom {
             "no-fault" => Symptom::NotFaulted(fault()?),
             _ => return Err(unknown()),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gist_of_a_message_has_no_names_and_no_numbers() {
+        assert_eq!(
+            gist("Variable v17 of type 'INT' is not declared (line 5)."),
+            "variable of type is not declared"
+        );
+        assert_eq!(
+            gist("unknown error in program declaration."),
+            "unknown error in program declaration"
+        );
+        assert_eq!(gist("\"x\": 5"), "");
+        assert_eq!(gist(""), "");
+    }
+
+    #[test]
+    fn a_rejection_is_named_by_its_code_or_by_what_it_says() {
+        let diagnostic = |code: Option<&str>, message: &str| Diagnostic {
+            code: code.map(str::to_owned),
+            line: None,
+            column: None,
+            end_line: None,
+            end_column: None,
+            message: message.to_owned(),
+            suggestion: None,
+        };
+        let rejected = Outcome::Rejected {
+            diagnostics: vec![
+                diagnostic(Some("P0002"), "expected 'END_IF', found v5"),
+                diagnostic(Some("P4035"), "no INT"),
+                diagnostic(None, "invalid operand"),
+            ],
+        };
+        let all: Vec<String> = Symptom::all(&Outcome::Accepted, &rejected)
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+        let names = [
+            "rejected:P0002 expected found",
+            "rejected:P4035",
+            "rejected:invalid operand",
+        ];
+        assert_eq!(all, names);
+        let first: Symptom = names[0].parse().unwrap();
+        for (wanted, meant) in [
+            ("rejected:P0002 expected found", true),
+            ("rejected:P0002", true),
+            ("rejected:P000", false),
+            ("rejected:P4035", false),
+            ("not-rejected:P0002", false),
+        ] {
+            assert_eq!(first.is_meant_by(&wanted.parse().unwrap()), meant, "{wanted}");
+        }
+        let must = Symptom::all(&rejected, &Outcome::Accepted);
+        assert_eq!(must[0].to_string(), "not-rejected:P0002");
     }
 }
