@@ -1,6 +1,7 @@
 //! The command line as clap reads it: commands, options and the help that teaches them by example.
 
 mod fuzz;
+mod numbers;
 mod reduce;
 
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
@@ -9,6 +10,7 @@ pub use reduce::ReduceArguments;
 use crate::exit::Listing;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
+use numbers::whole;
 use std::path::PathBuf;
 use stickler_run::{Grade, Shard};
 use stickler_types::DialectName;
@@ -112,7 +114,7 @@ pub struct RunArguments {
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
     /// Run N cases at a time [default: one a processor]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
     pub jobs: Option<u16>,
     /// Write the reports to DIR [default: reports/latest beside the folder of the cases]
     #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
@@ -184,7 +186,7 @@ pub struct EvalArguments {
     #[command(flatten)]
     pub source: SourceArguments,
     /// Run N scans
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(0, u32::MAX.into()), allow_negative_numbers = true)]
     pub scans: u32,
     /// Print only this variable; may be repeated, may be a path [default: all elementary variables of the program]
     #[arg(long, value_name = "NAME")]
@@ -253,13 +255,13 @@ pub struct SweepArguments {
     pub engine: String,
     /// Take N inputs at random, beside the boundaries, instead of every one; sources of more than 32 bits and
     /// texts are always sampled [default: 1000000, or 10000 of an engine that is not the reference]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(0..1 << 48))]
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(0, (1 << 48) - 1), allow_negative_numbers = true)]
     pub sample: Option<u64>,
     /// Where the random inputs come from: the same N gives the same inputs
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u64>(0, u64::MAX), allow_negative_numbers = true)]
     pub seed: u64,
     /// Use N threads [default: one a processor]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
     pub jobs: Option<u16>,
 }
 

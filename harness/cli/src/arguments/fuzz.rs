@@ -1,8 +1,9 @@
 //! The command lines of campaigns: `fuzz`, `promote`, `merge`.
 
 use super::dialects;
+use super::numbers::whole;
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 use std::time::Duration;
 use stickler_generate::oracles::Target;
@@ -24,19 +25,19 @@ pub struct FuzzArguments {
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
     /// Where inputs come from: the same N gives the same inputs
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u64>(0, u64::MAX), allow_negative_numbers = true)]
     pub seed: u64,
     /// Begin with input N of the seed
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole::<u64>(0, u64::MAX), allow_negative_numbers = true)]
     pub first: u64,
     /// Go on for so long: 90s, 10m, 2h [default: 60s]
-    #[arg(long, value_name = "TIME", value_parser = time, conflicts_with = "count")]
+    #[arg(long, value_name = "TIME", value_parser = time, allow_negative_numbers = true, conflicts_with = "count")]
     pub time: Option<Duration>,
     /// Judge N inputs; what is found then depends on nothing but the seed
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(0, u64::MAX), allow_negative_numbers = true)]
     pub count: Option<u64>,
     /// Judge N inputs at a time [default: one a processor]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
     pub jobs: Option<u16>,
     /// Judge part I of N of the inputs; `stickler merge` puts the findings of all parts together
     #[arg(long, value_name = "I/N")]
@@ -68,7 +69,7 @@ pub struct PromoteArguments {
     #[arg(long, value_name = "BASIS")]
     pub basis: Option<String>,
     /// What holds, in a line, for whoever meets the case [default: what the program uses, and the symptom]
-    #[arg(long, value_name = "TITLE")]
+    #[arg(long, value_name = "TITLE", value_parser = NonEmptyStringValueParser::new())]
     pub title: Option<String>,
     /// The name of the case, found/NAME [default: the finding's]
     #[arg(long, value_name = "NAME")]

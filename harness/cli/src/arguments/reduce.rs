@@ -1,6 +1,7 @@
 //! The command line of `reduce`.
 
 use super::dialects;
+use super::numbers::whole;
 use clap::Args;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -28,7 +29,7 @@ pub struct ReduceArguments {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Ask the engine about at most N smaller programs
-    #[arg(long, value_name = "N", default_value_t = 2000)]
+    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = whole::<u64>(0, u64::MAX), allow_negative_numbers = true)]
     pub tries: u64,
     /// Take a `cmd:` engine that does not answer within TIME for one that hangs: 500ms, 10s [default: 60s]
     #[arg(long, value_name = "TIME", value_parser = super::fuzz::time)]
