@@ -22,7 +22,7 @@ use stickler_sweep::{Detail, Findings, Progress as Reached, Sampling, Sweep, Thr
 pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let function = arguments.function.to_ascii_uppercase();
     let present = conversions::present(&function, &arguments.dialect)
-        .map_err(|error| names::with_list(&function, error))?;
+        .inspect_err(|_| names::tell_unless_known(&function))?;
     let engine = engines::by_name(&arguments.engine)?;
     if arguments.engine != engines::REFERENCE {
         return programs::execute(&function, &present, engine.as_ref(), arguments, out);

@@ -2,17 +2,21 @@
 
 use crate::conversions;
 use crate::output;
+use std::io::Write;
 
-/// The error with the list of all conversion functions behind it, where the name is one of no dialect.
-pub fn with_list(function: &str, error: anyhow::Error) -> anyhow::Error {
+/// Lists all conversion functions on stderr, where the name is one of no dialect. It is so long a list that what was wrong
+/// with the name belongs behind it.
+pub fn tell_unless_known(function: &str) {
     let names = conversions::all();
     if names.iter().any(|name| name == function) {
-        return error;
+        return;
     }
-    anyhow::anyhow!(
-        "{error}\n\nConversion functions, `…` standing for each of the types behind it:\n{}",
+    // Where stderr is closed there is nobody to tell.
+    let _ = writeln!(
+        output::stderr(),
+        "Conversion functions, `…` standing for each of the types behind it:\n{}\n",
         list(&names)
-    )
+    );
 }
 
 /// All names, those with the same beginning in one paragraph.
