@@ -189,6 +189,15 @@ impl Finding {
         }
     }
 
+    /// What its sizes count: lines of a program, or bytes where the input is none.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        match self.program {
+            Some(_) => "lines",
+            None => "bytes",
+        }
+    }
+
     /// The target, if this version of Stickler has it.
     #[must_use]
     pub fn target(&self) -> Option<Target> {

@@ -48,12 +48,6 @@ impl Without {
         let unwanted = |word: &String| self.0.iter().any(|other| other.eq_ignore_ascii_case(word));
         !has.iter().any(unwanted)
     }
-
-    /// The words, as they were given.
-    #[must_use]
-    pub fn words(&self) -> &[String] {
-        &self.0
-    }
 }
 
 fn is_known(word: &str) -> bool {

@@ -46,9 +46,10 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
     for finding in findings.values() {
         writeln!(
             out,
-            "  {}  {} lines: {}",
+            "  {}  {} {}: {}",
             finding.id,
             finding.origin.size,
+            finding.unit(),
             first_line(&finding.message)
         )?;
     }

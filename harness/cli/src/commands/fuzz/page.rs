@@ -15,6 +15,8 @@ const GREEN: Style = AnsiColor::Green.on_default().bold();
 
 /// How many findings are shown with their programs; the folder has all.
 const SHOWN: usize = 10;
+/// How many words of a rule are shown; what could not be made small has very many.
+const WORDS: usize = 12;
 /// How many lines a program may have to be shown.
 const LINES: usize = 25;
 
@@ -72,8 +74,7 @@ impl<'o> Page<'o> {
                 "\nprobably the same, with more of the language around it:"
             )?;
             for finding in std::iter::once(first).chain(rest).take(SHOWN) {
-                let rule = finding.rule.join(", ");
-                writeln!(self.out, "  {}  {DIM}{rule}{DIM:#}", finding.id)?;
+                writeln!(self.out, "  {}  {DIM}{}{DIM:#}", finding.id, rule(finding))?;
             }
         }
         let more = different.len().saturating_sub(SHOWN) + alike.len().saturating_sub(SHOWN);
@@ -143,11 +144,6 @@ impl<'o> Page<'o> {
 
     fn finding(&mut self, finding: &Finding, times: u64) -> io::Result<()> {
         writeln!(self.out, "\n{BOLD}{}{BOLD:#}", finding.id)?;
-        let unit = if finding.program.is_some() {
-            "lines"
-        } else {
-            "bytes"
-        };
         let flaky = match finding.standing {
             Standing::Confirmed => "",
             Standing::Flaky => ", flaky: not seen again",
@@ -159,11 +155,13 @@ impl<'o> Page<'o> {
             .unwrap_or_default();
         writeln!(
             self.out,
-            "  {dialect}{} {unit} of {}, found {times}x{flaky}",
-            finding.origin.size, finding.origin.size_found
+            "  {dialect}{} {} of {}, found {times}x{flaky}",
+            finding.origin.size,
+            finding.unit(),
+            finding.origin.size_found
         )?;
         if !finding.rule.is_empty() {
-            writeln!(self.out, "  {DIM}{}{DIM:#}", finding.rule.join(", "))?;
+            writeln!(self.out, "  {DIM}{}{DIM:#}", rule(finding))?;
         }
         for line in finding.message.lines().take(LINES) {
             writeln!(self.out, "  {line}")?;
@@ -217,6 +215,15 @@ fn told_apart(summary: &Summary) -> (Vec<&Finding>, Vec<&Finding>) {
     findings.sort_by_key(|finding| (finding.standing, finding.origin.size, finding.id.as_str()));
     let alike = |finding: &&Finding| summary.findings.values().any(|simpler| finding.is_like(simpler));
     findings.into_iter().partition(|finding| !alike(finding))
+}
+
+/// What a program uses, in a line.
+fn rule(finding: &Finding) -> String {
+    let (shown, more) = finding.rule.split_at(finding.rule.len().min(WORDS));
+    match more.len() {
+        0 => shown.join(", "),
+        number => format!("{} and {number} more", shown.join(", ")),
+    }
 }
 
 /// A line that does nothing to a terminal.
