@@ -89,7 +89,16 @@ fn a_defect_is_found_judged_again_merged_and_promoted() {
         shown.contains("reference-2 0.1.0: executed v") && shown.contains("it is still there"),
         "{shown}"
     );
-    let (code, shown) = stickler(&["fuzz", "--replay", &found, "--engine", "reference"]);
+    let name = found.rsplit('/').next().expect("the name of the finding");
+    let (code, shown) = stickler(&[
+        "fuzz",
+        "--replay",
+        name,
+        "--findings",
+        text(&all),
+        "--engine",
+        "reference",
+    ]);
     assert_eq!(code, Some(0), "{shown}");
     assert!(shown.contains("it is not there any more"), "{shown}");
     let cases = folder.path().join("cases");
@@ -197,6 +206,13 @@ fn what_cannot_be_used_is_said_before_the_first_program() {
         ),
         (&["fuzz", "--without", "MUX"], 2, "--engine <ENGINE>"),
         (&["fuzz", "--time", "soon"], 2, "write it as 90s, 10m or 2h"),
+        (&["fuzz", "--time", "-1"], 2, "`-1` is no time"),
+        (&["fuzz", "--count", "-1"], 2, "write a whole number, 0 or more"),
+        (
+            &["fuzz", "--replay", "nowhere"],
+            2,
+            "nowhere is neither a finding nor a file",
+        ),
         (
             &["promote", "nothing-of-this-name"],
             2,

@@ -54,7 +54,7 @@ pub struct FuzzArguments {
     /// Keep findings in DIR [default: reports/findings beside the folder of the cases]
     #[arg(long, value_name = "DIR")]
     pub findings: Option<PathBuf>,
-    /// Judge a finding again, or, with --target, the bytes of any file
+    /// Judge a finding again, its folder or its name in the folder of findings, or, with --target, the bytes of any file
     #[arg(long, value_name = "PATH", conflicts_with_all = ["seed", "first", "time", "count", "shard", "open", "dialect", "without"])]
     pub replay: Option<PathBuf>,
 }

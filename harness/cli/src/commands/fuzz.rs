@@ -15,7 +15,7 @@ use bar::Bar;
 use keeper::Keeper;
 use page::Page;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 use stickler_campaign::{
     Bench, Commands, Differential, Ended, Entrant, Event, Inputs, Oracles, Packs, Part, Plan, Request, Store,
@@ -178,8 +178,17 @@ fn part(shard: Option<Shard>) -> Part {
         .unwrap_or(Part::WHOLE)
 }
 
+/// The path that was given, or the finding of this name in the folder of findings.
+pub fn finding_place(given: &Path, folder: Option<&PathBuf>) -> PathBuf {
+    let known = findings_folder(folder).join(given);
+    if !given.exists() && known.is_dir() {
+        return known;
+    }
+    given.to_owned()
+}
+
 /// The folder that was named, or `reports/findings` beside the cases, or here where there are none.
-pub fn findings_folder(named: Option<&PathBuf>) -> PathBuf {
+fn findings_folder(named: Option<&PathBuf>) -> PathBuf {
     let default = || {
         let root = CaseFolder::locate(None)
             .map(|folder| folder.root)

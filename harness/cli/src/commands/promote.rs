@@ -1,12 +1,11 @@
 //! `stickler promote`: a finding becomes a case.
 
-use super::fuzz::findings_folder;
+use super::fuzz::finding_place;
 use crate::arguments::PromoteArguments;
 use crate::case_folder::CaseFolder;
 use crate::exit::Exit;
 use crate::{output, shell};
 use std::io::Write;
-use std::path::PathBuf;
 use stickler_campaign::{FOUND, Words, load, promote};
 
 /// Writes the case, and says how to run it.
@@ -14,7 +13,7 @@ use stickler_campaign::{FOUND, Words, load, promote};
 /// # Errors
 /// No finding, no folder of cases, or a finding that says nothing a case could say.
 pub fn execute(arguments: &PromoteArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let finding = load(&place(arguments))?;
+    let finding = load(&finding_place(&arguments.finding, None))?;
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
     let words = Words {
         name: arguments.name.as_deref(),
@@ -38,14 +37,4 @@ pub fn execute(arguments: &PromoteArguments, out: &mut dyn Write) -> anyhow::Res
         )?;
     }
     Ok(Exit::AsExpected)
-}
-
-/// The folder that was named, or the finding of this name.
-fn place(arguments: &PromoteArguments) -> PathBuf {
-    let named = &arguments.finding;
-    let known = findings_folder(None).join(named);
-    if !named.exists() && known.is_dir() {
-        return known;
-    }
-    named.clone()
 }

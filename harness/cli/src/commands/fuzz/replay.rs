@@ -1,6 +1,6 @@
 //! One input, or one finding, judged again.
 
-use super::{engines_of, entrant};
+use super::{engines_of, entrant, finding_place};
 use crate::arguments::FuzzArguments;
 use crate::exit::Exit;
 use crate::{engines, output, source_file};
@@ -16,16 +16,20 @@ use stickler_generate::oracles::{Failure, Target, Tried};
 /// # Errors
 /// What cannot be read; an engine that cannot be run.
 pub fn execute(path: &Path, arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let path = finding_place(path, arguments.findings.as_ref());
     if path.is_dir() {
-        return finding(path, arguments, out);
+        return finding(&path, arguments, out);
     }
     if arguments.target.is_empty() {
+        if !path.exists() {
+            bail!("{} is neither a finding nor a file", path.display());
+        }
         bail!(
             "{} is no folder of a finding; to judge the bytes of a file, say by which oracle: --target parse",
             path.display()
         );
     }
-    let (bytes, name) = source_file::read(path)?;
+    let (bytes, name) = source_file::read(&path)?;
     let mut exit = Exit::AsExpected;
     for target in &arguments.target {
         let judged = target.judge(&bytes);
