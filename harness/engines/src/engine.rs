@@ -18,6 +18,11 @@ pub trait Engine: Send + Sync {
     /// # Errors
     /// [`EngineError`] where the engine cannot be started (exit code 3 of the command line).
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError>;
+
+    /// How many programs [`Session::run_pack`] is best given at a time; 1 where it gains nothing.
+    fn pack_size(&self) -> usize {
+        1
+    }
 }
 
 /// One conversation with an engine. Requests are independent: none may see what an earlier one left behind.
@@ -25,6 +30,13 @@ pub trait Session {
     /// Executes a program and gives the values asked for: [`Outcome::Executed`], `Rejected`, `Faulted`, or,
     /// from an engine that can only check, [`Outcome::Accepted`].
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome;
+
+    /// Executes several programs of one dialect with less work than one after the other, and gives for each what
+    /// [`Session::run`] would give, or `None` where the pack as a whole tells nothing about it: such a program is asked about
+    /// again, in a smaller pack or alone. The order is that of the requests.
+    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Option<Outcome>> {
+        vec![None; requests.len()]
+    }
 
     /// Checks a program without executing it: [`Outcome::Accepted`] or `Rejected`.
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome;

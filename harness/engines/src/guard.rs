@@ -8,7 +8,15 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 /// thrown away: that is what makes the unwind safe.
 #[must_use]
 pub fn guard(ask: impl FnOnce() -> Outcome) -> Outcome {
-    catch_unwind(AssertUnwindSafe(ask)).unwrap_or_else(|payload| Outcome::Crashed {
+    guarded(ask).unwrap_or_else(|crashed| crashed)
+}
+
+/// Asks an engine anything, and tells its panic apart from all that it answers.
+///
+/// # Errors
+/// [`Outcome::Crashed`] where it panicked; then, as after [`guard`], the session must be thrown away.
+pub fn guarded<T>(ask: impl FnOnce() -> T) -> Result<T, Outcome> {
+    catch_unwind(AssertUnwindSafe(ask)).map_err(|payload| Outcome::Crashed {
         reason: panic_text(payload.as_ref()),
     })
 }

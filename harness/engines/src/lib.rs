@@ -18,7 +18,7 @@ pub use engine::{
     Ability, ClockStep, Engine, EngineError, Identity, Observation, RunRequest, Session, Setting,
 };
 pub use grade::Grade;
-pub use guard::guard;
+pub use guard::{guard, guarded};
 pub use outcome::{Diagnostic, NamedValue, Outcome};
 pub use process::{ProcessEngine, ProcessLimits, kill_all_processes};
 pub use reference::Reference;

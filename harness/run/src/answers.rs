@@ -1,7 +1,7 @@
 //! Asking an engine all that a case needs.
 
 use stickler_engines::{
-    ClockStep, Engine, EngineError, Observation, Outcome, RunRequest, Session, Setting, guard,
+    ClockStep, Engine, EngineError, Observation, Outcome, RunRequest, Session, Setting, guard, guarded,
 };
 use stickler_suite::{Case, ClockSetting};
 use stickler_types::Value;
@@ -74,48 +74,89 @@ impl<'e> Desk<'e> {
     /// # Errors
     /// Where no session can be opened. A panic of the engine is no error but [`Outcome::Crashed`].
     pub fn ask(&mut self, case: &Case) -> Result<Answers, EngineError> {
-        let session = match &mut self.session {
-            Some(session) => session,
-            closed => closed.insert(self.engine.session()?),
-        };
-        let answers = ask_session(session.as_mut(), case);
+        let answers = ask_session(self.session()?, &Question::of(case));
         if answers.crashed() {
             self.session = None;
         }
         Ok(answers)
     }
+
+    /// Asks the engine to run several programs at a time; `None` where it has to be asked again about fewer. Of the
+    /// cases, none may need more than a run.
+    ///
+    /// # Errors
+    /// As [`Desk::ask`]. An engine that panics has told nothing about any of them.
+    pub(crate) fn ask_pack(&mut self, cases: &[&Case]) -> Result<Vec<Option<Answers>>, EngineError> {
+        let questions: Vec<Question<'_>> = cases.iter().map(|case| Question::of(case)).collect();
+        let requests: Vec<RunRequest<'_>> = questions.iter().map(Question::request).collect();
+        let session = self.session()?;
+        let mut outcomes = match guarded(|| session.run_pack(&requests)) {
+            Ok(outcomes) => outcomes,
+            Err(_) => {
+                self.session = None;
+                Vec::new()
+            }
+        };
+        // Whatever an engine gives, it is one answer a case.
+        outcomes.resize(cases.len(), None);
+        let answers = |outcome: Option<Outcome>| outcome.map(Answers::of_run);
+        Ok(outcomes.into_iter().map(answers).collect())
+    }
+
+    fn session(&mut self) -> Result<&mut (dyn Session + 'e), EngineError> {
+        let session = match &mut self.session {
+            Some(session) => session,
+            closed => closed.insert(self.engine.session()?),
+        };
+        Ok(session.as_mut())
+    }
 }
 
-fn ask_session(session: &mut dyn Session, case: &Case) -> Answers {
-    let observe: Vec<Observation<'_>> = case
-        .observe
-        .iter()
-        .map(|asked| Observation {
+/// What an engine is asked about a case, in its own words.
+struct Question<'c> {
+    case: &'c Case,
+    observe: Vec<Observation<'c>>,
+    clock: Vec<ClockStep>,
+    set: Vec<Setting<'c>>,
+}
+
+impl<'c> Question<'c> {
+    fn of(case: &'c Case) -> Question<'c> {
+        let observe = case.observe.iter().map(|asked| Observation {
             name: &asked.name,
             type_name: &asked.ty,
             after: asked.after,
-        })
-        .collect();
-    let clock: Vec<ClockStep> = case.clock.iter().map(clock_step).collect();
-    let set: Vec<Setting<'_>> = case
-        .set
-        .iter()
-        .map(|setting| Setting {
+        });
+        let set = case.set.iter().map(|setting| Setting {
             before: setting.before,
             name: &setting.name,
             value: &setting.value,
-        })
-        .collect();
-    let request = RunRequest {
-        dialect: case.dialect,
-        source: &case.source,
-        scans: case.scans,
-        observe: &observe,
-        clock: &clock,
-        set: &set,
-    };
+        });
+        Question {
+            case,
+            observe: observe.collect(),
+            clock: case.clock.iter().map(clock_step).collect(),
+            set: set.collect(),
+        }
+    }
+
+    fn request(&self) -> RunRequest<'_> {
+        RunRequest {
+            dialect: self.case.dialect,
+            source: &self.case.source,
+            scans: self.case.scans,
+            observe: &self.observe,
+            clock: &self.clock,
+            set: &self.set,
+        }
+    }
+}
+
+fn ask_session(session: &mut dyn Session, question: &Question<'_>) -> Answers {
+    let request = question.request();
     let run = guard(|| session.run(&request));
-    let wants_rendering = case.expectation.rendered.is_some() && !matches!(run, Outcome::Crashed { .. });
+    let wants_rendering =
+        question.case.expectation.rendered.is_some() && !matches!(run, Outcome::Crashed { .. });
     let rendering = wants_rendering.then(|| ask_rendering(session, &request));
     Answers { run, rendering }
 }

@@ -9,6 +9,7 @@ mod answers;
 mod event;
 mod filter;
 mod judge;
+mod pack;
 mod plan;
 mod reorder;
 mod schedule;

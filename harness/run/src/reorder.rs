@@ -8,11 +8,15 @@ use std::time::Duration;
 /// How many cases the fastest worker may be ahead of the slowest; it bounds what waits to be given on.
 const WINDOW: usize = 4096;
 
+/// So many batches of each worker lie within the window, however large they are.
+const BATCHES: usize = 4;
+
 /// Hands out cases to workers and keeps the fast ones from running away from the slow ones.
 pub(crate) struct Dispenser {
     state: Mutex<State>,
     room: Condvar,
     total: usize,
+    workers: usize,
 }
 
 struct State {
@@ -21,20 +25,23 @@ struct State {
 }
 
 impl Dispenser {
-    /// A dispenser of `total` cases.
-    pub(crate) fn new(total: usize) -> Dispenser {
+    /// A dispenser of `total` cases to so many workers.
+    pub(crate) fn new(total: usize, workers: usize) -> Dispenser {
         Dispenser {
             state: Mutex::new(State { next: 0, given_on: 0 }),
             room: Condvar::new(),
             total,
+            workers,
         }
     }
 
-    /// The next `size` cases (fewer at the end), once they are near enough to what was given on last; `None`
-    /// at the end or when the run stops. The worker with the lowest case never waits, so waiting ends.
+    /// The next `size` cases (fewer towards the end, so that no worker is left alone with many), once they are near enough to
+    /// what was given on last; `None` at the end or when the run stops. The worker with the lowest case never waits, so
+    /// waiting ends.
     pub(crate) fn claim(&self, size: usize, stop: &AtomicBool) -> Option<std::ops::Range<usize>> {
+        let window = WINDOW.max(size * self.workers * BATCHES);
         let mut state = self.lock();
-        while state.next < self.total && state.next >= state.given_on + WINDOW {
+        while state.next < self.total && state.next >= state.given_on + window {
             if stop.load(Ordering::Relaxed) {
                 return None;
             }
@@ -46,7 +53,8 @@ impl Dispenser {
             return None;
         }
         let start = state.next;
-        state.next = self.total.min(start + size);
+        let share = (self.total - start).div_ceil(self.workers * 2);
+        state.next = start + size.min(share);
         Some(start..state.next)
     }
 
@@ -112,14 +120,30 @@ mod tests {
     #[test]
     fn cases_are_handed_out_once_each_and_no_further_than_the_window() {
         let stop = AtomicBool::new(false);
-        let dispenser = Dispenser::new(WINDOW + 10);
-        assert_eq!(dispenser.claim(WINDOW, &stop), Some(0..WINDOW));
+        let dispenser = Dispenser::new(WINDOW * 3, 1);
+        assert_eq!(dispenser.claim(WINDOW / 4, &stop), Some(0..WINDOW / 4));
+        for batch in 1..4 {
+            let start = batch * WINDOW / 4;
+            assert_eq!(
+                dispenser.claim(WINDOW / 4, &stop),
+                Some(start..start + WINDOW / 4)
+            );
+        }
         stop.store(true, Ordering::Relaxed);
         assert_eq!(dispenser.claim(1, &stop), None, "stopped while it waits for room");
         stop.store(false, Ordering::Relaxed);
         dispenser.given_on(1);
-        assert_eq!(dispenser.claim(100, &stop), Some(WINDOW..WINDOW + 10));
-        dispenser.given_on(WINDOW + 10);
-        assert_eq!(dispenser.claim(1, &stop), None);
+        assert_eq!(dispenser.claim(100, &stop), Some(WINDOW..WINDOW + 100));
+    }
+
+    #[test]
+    fn towards_the_end_workers_get_ever_fewer_cases_until_all_are_handed_out() {
+        let stop = AtomicBool::new(false);
+        let dispenser = Dispenser::new(100, 2);
+        let sizes: Vec<usize> =
+            std::iter::from_fn(|| dispenser.claim(40, &stop).map(|range| range.len())).collect();
+        assert_eq!(sizes[..3], [25, 19, 14]);
+        assert_eq!(sizes.last(), Some(&1));
+        assert_eq!(sizes.iter().sum::<usize>(), 100);
     }
 }

@@ -1,8 +1,9 @@
 //! Running cases on workers, and giving their events on in order from the caller's own thread.
 
-use crate::answers::Desk;
+use crate::answers::{Answers, Desk};
 use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header};
 use crate::judge::{is_open, judge};
+use crate::pack::{packs, settle};
 use crate::reorder::{Dispenser, Reorder};
 use crate::{Plan, RunError, Summary, Totals, select};
 use std::sync::Mutex;
@@ -45,6 +46,7 @@ pub fn run(
         plan,
         jobs: &jobs,
         engines,
+        pack_sizes: engines.iter().map(|engine| engine.pack_size()).collect(),
         cancel,
         stop: AtomicBool::new(false),
         broken: Mutex::new(None),
@@ -82,6 +84,9 @@ const QUICK: Duration = Duration::from_micros(500);
 
 const LARGEST_BATCH: usize = 64;
 
+/// A batch for engines that pack holds so many packs of each, for cases of several kinds alternate.
+const PACKS: usize = 2;
+
 /// One case on one engine.
 #[derive(Clone, Copy)]
 struct Job<'s> {
@@ -106,6 +111,7 @@ struct Floor<'r> {
     plan: &'r Plan,
     jobs: &'r [Job<'r>],
     engines: &'r [&'r dyn Engine],
+    pack_sizes: Vec<usize>,
     cancel: &'r AtomicBool,
     stop: AtomicBool,
     broken: Mutex<Option<EngineError>>,
@@ -116,7 +122,7 @@ type Batch = (usize, Vec<CaseEvent>);
 impl Floor<'_> {
     /// Runs all jobs; `give` gets each event with its job's index, in order.
     fn work(&self, pool: &rayon::ThreadPool, give: &mut dyn FnMut(usize, CaseEvent)) {
-        let dispenser = Dispenser::new(self.jobs.len());
+        let dispenser = Dispenser::new(self.jobs.len(), pool.current_num_threads());
         let (sender, receiver) = mpsc::channel::<Batch>();
         pool.in_place_scope(|scope| {
             for _ in 0..pool.current_num_threads() {
@@ -142,8 +148,9 @@ impl Floor<'_> {
     fn worker(&self, dispenser: &Dispenser, sender: &mpsc::Sender<Batch>) {
         let _alarm = Alarm(&self.stop);
         let mut desks: Vec<Desk<'_>> = self.engines.iter().map(|&engine| Desk::new(engine)).collect();
+        let for_packs = self.size_for_packs();
         let mut size = 1;
-        while let Some(range) = dispenser.claim(size, &self.stop) {
+        while let Some(range) = dispenser.claim(for_packs.unwrap_or(size), &self.stop) {
             let begun = Instant::now();
             let start = range.start;
             let batch = self.batch(&self.jobs[range], &mut desks);
@@ -158,23 +165,48 @@ impl Floor<'_> {
         }
     }
 
+    /// How many jobs make a batch where an engine packs.
+    fn size_for_packs(&self) -> Option<usize> {
+        let largest = self.pack_sizes.iter().copied().max().filter(|&size| size > 1);
+        largest.map(|size| size * PACKS * self.engines.len())
+    }
+
     /// The events of these jobs; fewer where the run stops.
     fn batch(&self, jobs: &[Job<'_>], desks: &mut [Desk<'_>]) -> Vec<CaseEvent> {
-        let mut events = Vec::with_capacity(jobs.len());
-        for job in jobs {
+        let cases: Vec<(&Case, usize)> = jobs.iter().map(|job| (job.case, job.engine)).collect();
+        let mut events: Vec<Option<CaseEvent>> = jobs.iter().map(|_| None).collect();
+        for pack in packs(&cases, &self.pack_sizes) {
             if self.stopping() {
                 break;
             }
-            match self.event(job, &mut desks[job.engine]) {
-                Ok(event) => events.push(event),
-                Err(error) => {
-                    self.stop.store(true, Ordering::Relaxed);
-                    *self.broken.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
-                    break;
-                }
+            if let Err(error) = self.ask(jobs, &pack, desks, &mut events) {
+                self.stop.store(true, Ordering::Relaxed);
+                *self.broken.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+                break;
             }
         }
-        events
+        // What stands behind a gap would never be given on.
+        events.into_iter().map_while(|event| event).collect()
+    }
+
+    /// Asks about the jobs at these places, which are one pack, and writes their events down.
+    fn ask(
+        &self,
+        jobs: &[Job<'_>],
+        pack: &[usize],
+        desks: &mut [Desk<'_>],
+        events: &mut [Option<CaseEvent>],
+    ) -> Result<(), EngineError> {
+        let Some(first) = pack.first() else {
+            return Ok(());
+        };
+        let desk = &mut desks[jobs[*first].engine];
+        let cases: Vec<&Case> = pack.iter().map(|&place| jobs[place].case).collect();
+        let settled = settle(desk, &cases, &|| self.stopping())?;
+        for (&place, settled) in pack.iter().zip(settled) {
+            events[place] = settled.map(|(answers, time)| self.event(&jobs[place], &answers, time));
+        }
+        Ok(())
     }
 
     fn stopping(&self) -> bool {
@@ -184,15 +216,13 @@ impl Floor<'_> {
         self.stop.load(Ordering::Relaxed)
     }
 
-    fn event(&self, job: &Job<'_>, desk: &mut Desk<'_>) -> Result<CaseEvent, EngineError> {
+    fn event(&self, job: &Job<'_>, answers: &Answers, time: Duration) -> CaseEvent {
         let Job { case, engine } = *job;
-        let begun = Instant::now();
-        let answers = desk.ask(case)?;
-        let duration_us = u64::try_from(begun.elapsed().as_micros()).unwrap_or(u64::MAX);
+        let duration_us = u64::try_from(time.as_micros()).unwrap_or(u64::MAX);
         let identity = self.engines[engine].identity();
-        let judgement = judge(case, &answers, self.plan.strict(identity));
+        let judgement = judge(case, answers, self.plan.strict(identity));
         let engine = &identity.name;
-        Ok(CaseEvent {
+        CaseEvent {
             id: case.id.to_string(),
             dialect: case.dialect.as_str().to_owned(),
             engine: engine.clone(),
@@ -209,7 +239,7 @@ impl Floor<'_> {
             duration_us,
             rerun: self.plan.rerun(case, engine),
             observations: judgement.observations,
-        })
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod fixtures;
 mod judging;
+mod packing;
 mod rendering;
 mod scheduling;
 mod selecting;

@@ -1,0 +1,140 @@
+//! Which cases are asked about together, and what becomes of those about which a pack told nothing.
+//!
+//! An engine that takes long to start is given several programs at a time. It gets together only what is likely to pass
+//! together: programs that must be accepted, or programs whose mistakes all lie behind reading them. About whatever it is
+//! not sure of it is asked again in packs of half the size, until the culprit stands alone; so packing changes no outcome.
+//!
+//! Basis: design, section 6.
+
+use crate::answers::{Answers, Desk};
+use std::time::{Duration, Instant};
+use stickler_engines::EngineError;
+use stickler_suite::{Acceptance, Case};
+use stickler_types::{Code, DialectName};
+
+/// What is expected of the cases of a pack.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Company {
+    /// Their programs may well be accepted.
+    Accepted,
+    /// Their programs are read without mistakes, and rejected.
+    Rejected,
+}
+
+/// The company in which a case may be; `None` where it stands alone.
+fn company(case: &Case) -> Option<Company> {
+    let expectation = &*case.expectation;
+    match expectation.accepted {
+        // More is asked about it than to run it.
+        _ if expectation.rendered.is_some() => None,
+        Acceptance::Required | Acceptance::Observed => Some(Company::Accepted),
+        Acceptance::Rejected => {
+            let readable = |code: Code| !breaks_reading(code);
+            let readable = expectation.diagnostics.iter().all(|told| readable(told.code));
+            readable.then_some(Company::Rejected)
+        }
+    }
+}
+
+/// Whether a program with this mistake cannot be read, at least by a compiler that lacks what the mistake is about: it may
+/// then take what stands behind for part of it.
+fn breaks_reading(code: Code) -> bool {
+    // The registry numbers first what is found while reading.
+    code.as_str().starts_with("P0")
+        || matches!(
+            code,
+            Code::PartialAccessSyntaxDisabled | Code::BitAccessOutOfRange | Code::BitAccessTypeInvalid
+        )
+}
+
+/// The packs in which to ask about these cases, each with the places of its cases, by the pack size of the engine of each
+/// place. A case that stands alone is a pack of one.
+pub(crate) fn packs(cases: &[(&Case, usize)], sizes: &[usize]) -> Vec<Vec<usize>> {
+    let mut packs = Vec::new();
+    let mut groups: Vec<((usize, DialectName, Company), Vec<usize>)> = Vec::new();
+    for (place, &(case, engine)) in cases.iter().enumerate() {
+        let company = if sizes[engine] > 1 { company(case) } else { None };
+        let Some(company) = company else {
+            packs.push(vec![place]);
+            continue;
+        };
+        let key = (engine, case.dialect, company);
+        match groups.iter_mut().find(|(of, _)| *of == key) {
+            Some((_, group)) => group.push(place),
+            None => groups.push((key, vec![place])),
+        }
+    }
+    for ((engine, ..), group) in groups {
+        let pieces = group.len().div_ceil(sizes[engine]);
+        // Packs of like sizes: a small one at the end would cost as much as a large one.
+        packs.extend(group.chunks(group.len().div_ceil(pieces)).map(<[usize]>::to_vec));
+    }
+    packs
+}
+
+/// What an engine answered about a case, and how much of its time that took.
+pub(crate) type Settled = Option<(Answers, Duration)>;
+
+/// Asks about all cases of a pack; `None` for those that were not reached before `stopping`.
+///
+/// # Errors
+/// As [`Desk::ask`].
+pub(crate) fn settle(
+    desk: &mut Desk<'_>,
+    cases: &[&Case],
+    stopping: &dyn Fn() -> bool,
+) -> Result<Vec<Settled>, EngineError> {
+    let mut settled: Vec<Settled> = cases.iter().map(|_| None).collect();
+    let mut spent = vec![Duration::ZERO; cases.len()];
+    let mut open: Vec<Vec<usize>> = vec![(0..cases.len()).collect()];
+    while let Some(pack) = open.pop() {
+        if stopping() {
+            break;
+        }
+        let begun = Instant::now();
+        let asked: Vec<&Case> = pack.iter().map(|&place| cases[place]).collect();
+        let answers = match asked[..] {
+            [case] => vec![Some(desk.ask(case)?)],
+            _ => desk.ask_pack(&asked)?,
+        };
+        let share = begun.elapsed() / u32::try_from(pack.len()).unwrap_or(u32::MAX);
+        let mut unsettled = Vec::new();
+        for (&place, answers) in pack.iter().zip(answers) {
+            spent[place] += share;
+            match answers {
+                Some(answers) => settled[place] = Some((answers, spent[place])),
+                None => unsettled.push(place),
+            }
+        }
+        halve(unsettled, pack.len(), &mut open);
+    }
+    Ok(settled)
+}
+
+/// Makes packs of what a pack of this size left over: two, unless it is much smaller already.
+fn halve(unsettled: Vec<usize>, size: usize, open: &mut Vec<Vec<usize>>) {
+    let pieces = if unsettled.len() * 2 > size { 2 } else { 1 };
+    let most = unsettled.len().div_ceil(pieces).max(1);
+    // The last is asked first: the front of the suite.
+    open.extend(unsettled.chunks(most).rev().map(<[usize]>::to_vec));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_of_a_pack_makes_smaller_packs() {
+        let halves = |count: usize, size| {
+            let mut open = Vec::new();
+            halve((0..count).collect(), size, &mut open);
+            open.iter().map(Vec::len).collect::<Vec<_>>()
+        };
+        assert_eq!(halves(8, 8), [4, 4]);
+        assert_eq!(halves(7, 8), [3, 4]);
+        assert_eq!(halves(4, 8), [4]);
+        assert_eq!(halves(2, 2), [1, 1]);
+        assert_eq!(halves(1, 2), [1]);
+        assert_eq!(halves(0, 8), [0; 0]);
+    }
+}

@@ -1,0 +1,274 @@
+//! Runs in which an engine is given several programs at a time: only the time that they take may change.
+
+use crate::fixtures::{Puppet, case, executed, rejected, rejection, suite};
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use stickler_engines::{Engine, EngineError, Identity, Outcome, Reference, RunRequest, Session};
+use stickler_run::{Event, Plan, run};
+use stickler_suite::{Case, Suite};
+use stickler_types::DialectName;
+
+/// What an engine makes of a pack, by what it makes of each of its programs.
+type Sure = fn(&[Outcome]) -> Vec<bool>;
+
+/// As a compiler that stops at its first error: it is sure of a pack only where every program runs to its end.
+fn of_all_or_none(outcomes: &[Outcome]) -> Vec<bool> {
+    let all = outcomes
+        .iter()
+        .all(|outcome| matches!(outcome, Outcome::Executed { .. }));
+    vec![all; outcomes.len()]
+}
+
+/// As a compiler that tells every error: where there are any, it is sure of the programs that have one.
+fn of_what_is_told(outcomes: &[Outcome]) -> Vec<bool> {
+    let told = |outcome: &Outcome| matches!(outcome, Outcome::Rejected { .. });
+    match outcomes.iter().any(told) {
+        true => outcomes.iter().map(told).collect(),
+        false => of_all_or_none(outcomes),
+    }
+}
+
+/// Another engine, which is asked about every program alone and says as little as one that compiles them together.
+struct Packing<E> {
+    engine: E,
+    size: usize,
+    sure: Sure,
+    packs: AtomicUsize,
+    largest: AtomicUsize,
+    alone: AtomicUsize,
+}
+
+impl<E: Engine> Packing<E> {
+    fn new(engine: E, size: usize, sure: Sure) -> Packing<E> {
+        Packing {
+            engine,
+            size,
+            sure,
+            packs: AtomicUsize::new(0),
+            largest: AtomicUsize::new(0),
+            alone: AtomicUsize::new(0),
+        }
+    }
+
+    /// How many packs it was given, the size of the largest, and how many programs it was given alone.
+    fn asked(&self) -> (usize, usize, usize) {
+        let of = |count: &AtomicUsize| count.load(Ordering::Relaxed);
+        (of(&self.packs), of(&self.largest), of(&self.alone))
+    }
+}
+
+impl<E: Engine> Engine for Packing<E> {
+    fn identity(&self) -> &Identity {
+        self.engine.identity()
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        let session = self.engine.session()?;
+        Ok(Box::new(PackingSession {
+            engine: self,
+            session,
+        }))
+    }
+
+    fn pack_size(&self) -> usize {
+        self.size
+    }
+}
+
+struct PackingSession<'e, E> {
+    engine: &'e Packing<E>,
+    session: Box<dyn Session + 'e>,
+}
+
+impl<E> Session for PackingSession<'_, E> {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        self.engine.alone.fetch_add(1, Ordering::Relaxed);
+        self.session.run(request)
+    }
+
+    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Option<Outcome>> {
+        assert!(
+            requests
+                .iter()
+                .all(|request| request.dialect == requests[0].dialect)
+        );
+        self.engine.packs.fetch_add(1, Ordering::Relaxed);
+        self.engine.largest.fetch_max(requests.len(), Ordering::Relaxed);
+        let outcomes: Vec<Outcome> = requests.iter().map(|request| self.session.run(request)).collect();
+        let sure = (self.engine.sure)(&outcomes);
+        let told = |(outcome, sure): (Outcome, bool)| sure.then_some(outcome);
+        outcomes.into_iter().zip(sure).map(told).collect()
+    }
+
+    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        self.session.check(dialect, source)
+    }
+
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        self.session.render(dialect, source)
+    }
+}
+
+/// The events of a run, without what the clock says.
+fn events(suite: &Suite, engines: &[&dyn Engine], jobs: usize) -> Vec<Event> {
+    let plan = Plan {
+        jobs,
+        ..Plan::default()
+    };
+    let mut events = Vec::new();
+    let mut sink = |mut event: Event| {
+        match &mut event {
+            Event::Header(_) => {}
+            Event::Case(case) => case.duration_us = 0,
+            Event::Footer(footer) => footer.duration_ms = 0,
+        }
+        events.push(event);
+    };
+    run(&plan, suite, engines, &mut sink, &AtomicBool::new(false)).unwrap();
+    events
+}
+
+/// The number at the end of a case's id, which is the program that the puppets get.
+fn number(request: &RunRequest<'_>) -> usize {
+    request.source.rsplit('/').next().unwrap().parse().unwrap()
+}
+
+fn numbered(count: usize, make: impl Fn(usize, Case) -> Case) -> Suite {
+    let case = |number| make(number, case(&format!("area/{number}")));
+    suite((0..count).map(case).collect())
+}
+
+#[test]
+fn packed_and_unpacked_runs_of_the_suite_are_the_same() {
+    let suite = Suite::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases"));
+    let unpacked = events(&suite, &[&Reference::new()], 0);
+    for sure in [of_all_or_none as Sure, of_what_is_told] {
+        let packing = Packing::new(Reference::new(), 64, sure);
+        let packed = events(&suite, &[&packing], 0);
+        assert_eq!(unpacked.len(), packed.len());
+        for (unpacked, packed) in unpacked.iter().zip(&packed) {
+            assert_eq!(unpacked, packed);
+        }
+        let (packs, largest, alone) = packing.asked();
+        assert!(packs > 500 && largest == 64, "{packs} packs of up to {largest}");
+        assert!(alone > 0, "nothing stands alone");
+    }
+}
+
+#[test]
+fn a_culprit_is_found_in_few_packs_and_asked_alone() {
+    let puppet = Puppet::new("puppet", |request| match number(request) {
+        77 => rejected(&["1 P4035"]),
+        _ => executed(&[]),
+    });
+    let packing = Packing::new(puppet, 128, of_all_or_none);
+    let events = events(&numbered(4096, |_, case| case), &[&packing], 1);
+    let (_, _, alone) = packing.asked();
+    // The culprit, its neighbour of the last pack, and those at the end, where batches are small.
+    assert!((2..30).contains(&alone), "{alone} alone");
+    let Some(Event::Footer(footer)) = events.last() else {
+        panic!("no footer")
+    };
+    assert_eq!((footer.totals.pass, footer.totals.fail), (4095, 1));
+}
+
+#[test]
+fn accepted_and_rejected_programs_do_not_meet_and_unreadable_ones_stand_alone() {
+    let rejected_by = |code: &str| rejection(&[&format!("1 {code}")]);
+    let make = |number: usize, case: Case| Case {
+        expectation: match number % 4 {
+            0 | 1 => case.expectation.clone(),
+            2 => Arc::new(rejected_by("P4035")),
+            _ => Arc::new(rejected_by("P0002")),
+        },
+        ..case
+    };
+    let puppet = Puppet::new("puppet", |request| match number(request) % 4 {
+        0 | 1 => executed(&[]),
+        2 => rejected(&["1 P4035"]),
+        _ => rejected(&["1 P0002"]),
+    });
+    let packing = Packing::new(puppet, 8, |outcomes| {
+        let rejected = |outcome: &Outcome| matches!(outcome, Outcome::Rejected { .. });
+        let first = rejected(&outcomes[0]);
+        assert!(outcomes.iter().all(|outcome| rejected(outcome) == first));
+        vec![true; outcomes.len()]
+    });
+    let suite = numbered(64, make);
+    let events = events(&suite, &[&packing], 1);
+    let (packs, largest, alone) = packing.asked();
+    assert!(packs >= 6 && largest == 8, "{packs} packs of up to {largest}");
+    assert!((16..24).contains(&alone), "{alone} alone");
+    let ids: Vec<&str> = events
+        .iter()
+        .filter_map(|event| match event {
+            Event::Case(case) => Some(&*case.id),
+            _ => None,
+        })
+        .collect();
+    assert!(ids.iter().copied().eq(suite.cases.iter().map(|case| &*case.id)));
+}
+
+#[test]
+fn an_engine_that_panics_over_a_pack_or_answers_too_little_is_asked_alone() {
+    for sure in [(|_| panic!("broken")) as Sure, |_| Vec::new(), |_| vec![true]] {
+        let packing = Packing::new(Puppet::new("puppet", |_| executed(&[])), 16, sure);
+        let events = events(&numbered(64, |_, case| case), &[&packing], 2);
+        let Some(Event::Footer(footer)) = events.last() else {
+            panic!("no footer")
+        };
+        assert_eq!(footer.totals.pass, 64);
+    }
+}
+
+#[test]
+fn an_engine_that_packs_and_one_that_does_not_share_a_run() {
+    let packing = Packing::new(Puppet::new("packs", |_| executed(&[])), 16, of_all_or_none);
+    let single = Puppet::new("single", |_| executed(&[]));
+    let events = events(&numbered(200, |_, case| case), &[&packing, &single], 2);
+    let engines: Vec<&str> = events
+        .iter()
+        .filter_map(|event| match event {
+            Event::Case(case) => Some(&*case.engine),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(engines.len(), 400);
+    assert!(engines.chunks(2).all(|pair| pair == ["packs", "single"]));
+    assert!(packing.asked().1 == 16);
+}
+
+#[test]
+fn a_run_that_is_cancelled_within_a_pack_gives_a_prefix() {
+    let cancel = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&cancel);
+    let puppet = Puppet::new("puppet", move |request| {
+        // In the midst of halving, so that some of the pack are settled and others are not.
+        flag.fetch_or(number(request) == 900, Ordering::Relaxed);
+        match number(request) % 7 {
+            0 => rejected(&["1 P4035"]),
+            _ => executed(&[]),
+        }
+    });
+    let packing = Packing::new(puppet, 64, of_all_or_none);
+    let cases = numbered(5000, |_, case| case);
+    let plan = Plan {
+        jobs: 2,
+        ..Plan::default()
+    };
+    let mut ids = Vec::new();
+    let mut sink = |event: Event| match event {
+        Event::Case(case) => ids.push(case.id),
+        Event::Header(_) => {}
+        Event::Footer(_) => panic!("complete"),
+    };
+    let summary = run(&plan, &cases, &[&packing], &mut sink, &cancel).unwrap();
+    assert!(summary.cancelled && summary.cases == ids.len() as u64);
+    assert!(ids.len() < 2000, "{} cases", ids.len());
+    assert!(
+        ids.iter()
+            .map(|id| &**id)
+            .eq(cases.cases.iter().map(|case| &*case.id).take(ids.len()))
+    );
+}
