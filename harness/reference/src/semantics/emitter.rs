@@ -24,11 +24,14 @@ pub(super) const SHORT_TEXT: usize = 255;
 pub(super) struct Jump(usize);
 
 impl Emitter {
-    /// No code, and room for the labels of this many routines.
-    pub(super) fn new(routines: RoutineId) -> Emitter {
+    /// No code, and room for the labels of this many routines and for the instructions that this many expressions
+    /// ordinarily take.
+    pub(super) fn new(routines: RoutineId, expressions: usize) -> Emitter {
+        // Each routine ends with a return, and so do start-up and scan, which begin with a little more.
+        let instructions = expressions + routines as usize + 8;
         Emitter {
-            code: Vec::new(),
-            lines: Vec::new(),
+            code: Vec::with_capacity(instructions),
+            lines: Vec::with_capacity(instructions),
             line: 0,
             routines: vec![0; routines as usize],
             text_constants: Vec::new(),

@@ -74,7 +74,7 @@ impl<'m> Lowering<'m> {
         Lowering {
             model,
             reporter,
-            emitter: Emitter::new(model.routines),
+            emitter: Emitter::new(model.routines, model.source.unit.expressions.len()),
             memory,
             inferred: vec![Inferred::Pending; model.source.unit.expressions.len()],
             pou: None,
@@ -107,9 +107,7 @@ impl<'m> Lowering<'m> {
 
     /// The line of what follows.
     pub(super) fn set_line(&mut self, span: Span) {
-        let source = self.model.source;
-        self.emitter
-            .set_line(source.lines.position(source.text, span.start).line);
+        self.emitter.set_line(self.model.source.lines.line(span.start));
     }
 
     /// The rules of operators.
