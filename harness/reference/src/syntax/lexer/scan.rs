@@ -6,10 +6,14 @@ use crate::dialect::Dialect;
 use crate::source::{MAXIMUM_LENGTH, NO_TEXT, Span};
 use crate::syntax::keyword;
 use crate::syntax::token::{Token, TokenKind};
+use std::fmt::Write as _;
 use stickler_types::Code;
 
 /// The most tokens that are read of one text, which bounds the memory that its tree takes.
 const MAXIMUM_TOKENS: usize = 16 << 20;
+
+/// A token and the blanks before it take at least about so many bytes of an ordinary text.
+const BYTES_A_TOKEN: usize = 3;
 
 /// The lexer, which reads tokens a chunk at a time: as many as the parser asks for, and no more, so that they are
 /// still in the cache when the parser gets to them. Takes time in proportion to the text.
@@ -68,6 +72,9 @@ impl<'s, 'd> Lexer<'s, 'd> {
         if self.ended {
             return;
         }
+        let left = self.bytes.len().saturating_sub(self.at);
+        let wanted = count.saturating_sub(self.tokens.len());
+        self.tokens.reserve(wanted.min(left / BYTES_A_TOKEN + 1));
         self.scan(count);
         if !self.truncated && self.dropped + self.tokens.len() > MAXIMUM_TOKENS {
             self.give_up(|| format!("a source text has more than {MAXIMUM_TOKENS} tokens"));
@@ -226,26 +233,28 @@ impl<'s, 'd> Lexer<'s, 'd> {
             .all(|character| character == char::REPLACEMENT_CHARACTER);
         self.report(Code::UnexpectedToken, start, || match replaced {
             true => NO_TEXT.to_owned(),
-            false => format!("{} begins no token", describe(text)),
+            false => no_token(text),
         });
         self.push(TokenKind::Unknown, start);
     }
 }
 
-/// At most a few characters, with those spelled out that a terminal would not show.
-fn describe(text: &str) -> String {
-    let mut shown = String::from("`");
-    for character in text.chars().take(8) {
+/// Says that a text begins no token: at most a few of its characters, with those spelled out that a terminal would not show.
+fn no_token(text: &str) -> String {
+    const LONGEST: usize = 8;
+    // Enough for the most that is shown of each character.
+    let mut said = String::with_capacity("`…` begins no token".len() + LONGEST * "U+10FFFF".len());
+    said.push('`');
+    let mut characters = text.chars();
+    for character in characters.by_ref().take(LONGEST) {
         if character.is_control() || matches!(character, '\u{FEFF}' | '\u{200B}' | '\u{A0}' | '\u{FFFD}') {
-            shown += &format!("U+{:04X}", u32::from(character));
+            // Writing to a string does not fail.
+            let _ = write!(said, "U+{:04X}", u32::from(character));
         } else {
-            shown.push(character);
+            said.push(character);
         }
     }
-    shown
-        + if text.chars().nth(8).is_some() {
-            "…`"
-        } else {
-            "`"
-        }
+    said.push_str(if characters.next().is_some() { "…`" } else { "`" });
+    said.push_str(" begins no token");
+    said
 }

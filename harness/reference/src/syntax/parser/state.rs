@@ -187,8 +187,15 @@ impl<'s, 'd> Parser<'s, 'd> {
     /// The same at a place of the caller's choice.
     #[cold]
     pub(super) fn expected_at(&mut self, span: Span, what: &str) -> Broken {
-        let found = self.describe();
-        self.syntax_error(span, || format!("expected {what}, found {found}"))
+        let (kind, word) = (self.kind(), self.word());
+        self.syntax_error(span, || {
+            let found = match kind {
+                TokenKind::End => "the end of the text".to_owned(),
+                kind if kind.is_keyword() => format!("the keyword `{}`", kind.text()),
+                _ => quoted(word),
+            };
+            ["expected ", what, ", found ", &found].concat()
+        })
     }
 
     /// Reports a syntax error, unless the next token or the one before it has been complained about before.
@@ -204,22 +211,13 @@ impl<'s, 'd> Parser<'s, 'd> {
         self.reported = Some(self.position());
         Broken
     }
-
-    /// The next token in words.
-    fn describe(&self) -> String {
-        match self.kind() {
-            TokenKind::End => "the end of the text".to_owned(),
-            kind if kind.is_keyword() => format!("the keyword `{}`", kind.text()),
-            _ => quoted(self.word()),
-        }
-    }
 }
 
 /// A piece of source text in a message, cut where it is long.
 pub(super) fn quoted(text: &str) -> String {
     const LONGEST: usize = 40;
     match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("`{}…`", text.get(..end).unwrap_or_default()),
-        None => format!("`{text}`"),
+        Some((end, _)) => ["`", text.get(..end).unwrap_or_default(), "…`"].concat(),
+        None => ["`", text, "`"].concat(),
     }
 }
