@@ -4,6 +4,7 @@ use super::scope::Named;
 use crate::instruction::RoutineId;
 use crate::syntax::tree::VariableKind;
 use rustc_hash::FxHashMap;
+use std::sync::LazyLock;
 use stickler_types::ElementaryType;
 
 /// A type in the [`TypeTable`].
@@ -195,37 +196,52 @@ pub(super) const DEFAULT_CAPACITY: u32 = 254;
 /// Every type of a source text.
 #[derive(Debug)]
 pub(super) struct TypeTable {
-    entries: Vec<Entry>,
+    /// Those that are declared; before them come the [`BUILT_IN`].
+    declared: Vec<Entry>,
     texts: FxHashMap<(ElementaryType, u32), TypeId>,
     subranges: FxHashMap<Subrange, TypeId>,
     arrays: FxHashMap<(TypeId, Box<[Dimension]>), TypeId>,
 }
 
+/// The elementary types, and behind them [`TypeId::ERROR`]: the same in every source text.
+static BUILT_IN: LazyLock<[Entry; ElementaryType::ALL.len() + 1]> = LazyLock::new(|| {
+    std::array::from_fn(|index| {
+        let (kind, text_units) = match ElementaryType::ALL.get(index) {
+            Some(&ty) if ty.is_text() => {
+                let capacity = DEFAULT_CAPACITY;
+                (Kind::Text { ty, capacity }, capacity.into())
+            }
+            Some(&ty) => (Kind::Elementary(ty), 0),
+            None => (Kind::Error, 0),
+        };
+        Entry {
+            kind,
+            root: TypeId(index as u32),
+            extent: Extent {
+                text_units,
+                ..Extent::PLAIN
+            },
+            name: None,
+        }
+    })
+});
+
 impl TypeTable {
     /// The table with the elementary types in it.
     pub(super) fn new() -> TypeTable {
-        let mut table = TypeTable {
-            entries: Vec::with_capacity(ElementaryType::ALL.len() + 8),
+        TypeTable {
+            declared: Vec::new(),
             texts: FxHashMap::default(),
             subranges: FxHashMap::default(),
             arrays: FxHashMap::default(),
-        };
-        for ty in ElementaryType::ALL {
-            if ty.is_text() {
-                table.add_text(ty, DEFAULT_CAPACITY);
-            } else {
-                table.add(Kind::Elementary(ty), Extent::PLAIN);
-            }
         }
-        table.add(Kind::Error, Extent::PLAIN);
-        table
     }
 
     /// Adds a type that is equal to no other.
     pub(super) fn add(&mut self, kind: Kind, extent: Extent) -> TypeId {
         // A source text of 64 MiB cannot declare 2^32 types.
-        let id = TypeId(u32::try_from(self.entries.len()).unwrap_or(u32::MAX));
-        self.entries.push(Entry {
+        let id = TypeId(u32::try_from(BUILT_IN.len() + self.declared.len()).unwrap_or(u32::MAX));
+        self.declared.push(Entry {
             kind,
             root: id,
             extent,
@@ -242,9 +258,10 @@ impl TypeTable {
         };
         let root = self.root(base);
         let id = self.add(Kind::Alias, extent);
-        let entry = &mut self.entries[id.0 as usize];
-        entry.root = root;
-        entry.name = Some(name.into());
+        if let Some(entry) = self.declared.last_mut() {
+            entry.root = root;
+            entry.name = Some(name.into());
+        }
         id
     }
 
@@ -253,23 +270,16 @@ impl TypeTable {
         match self.texts.get(&(ty, capacity)) {
             Some(&id) => id,
             None if capacity == DEFAULT_CAPACITY => TypeId::of(ty),
-            None => self.add_text(ty, capacity),
+            None => {
+                let extent = Extent {
+                    text_units: capacity.into(),
+                    ..Extent::PLAIN
+                };
+                let id = self.add(Kind::Text { ty, capacity }, extent);
+                self.texts.insert((ty, capacity), id);
+                id
+            }
         }
-    }
-
-    fn add_text(&mut self, ty: ElementaryType, capacity: u32) -> TypeId {
-        let text_units = u64::from(capacity);
-        let id = self.add(
-            Kind::Text { ty, capacity },
-            Extent {
-                text_units,
-                ..Extent::PLAIN
-            },
-        );
-        if capacity != DEFAULT_CAPACITY {
-            self.texts.insert((ty, capacity), id);
-        }
-        id
     }
 
     /// The subrange with these limits.
@@ -307,8 +317,11 @@ impl TypeTable {
     }
 
     fn entry(&self, id: TypeId) -> &Entry {
-        let error = &self.entries[TypeId::ERROR.0 as usize];
-        self.entries.get(id.0 as usize).unwrap_or(error)
+        let index = id.0 as usize;
+        BUILT_IN
+            .get(index)
+            .or_else(|| self.declared.get(index - BUILT_IN.len()))
+            .unwrap_or(&BUILT_IN[TypeId::ERROR.0 as usize])
     }
 
     /// What a type in the end is: never an alias.
