@@ -33,6 +33,7 @@ mod loops;
 mod lowering;
 mod model;
 mod named_constants;
+mod near;
 mod observation;
 mod operators;
 mod order;

@@ -5,6 +5,7 @@ use super::contexts::Context;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::model::Model;
+use super::near::{Candidate, MOST_CHANGES, distance};
 use super::types::{TypeId, TypeTable};
 use crate::conversion::{self, conversion_function_name};
 use crate::diagnostic::Diagnostic;
@@ -132,39 +133,28 @@ pub(super) fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32)
             || conversion::function(name, dialect).is_some()
             || conversion::concatenation(name, dialect).is_some()
     };
-    similar(name, STANDARD.iter().copied().chain(declared), exists, guesses)
+    similar(
+        name,
+        standard_of_about(name.len()).iter().copied().chain(declared),
+        exists,
+        guesses,
+    )
 }
 
-/// Every standard function and type conversion function.
-static STANDARD: LazyLock<Vec<Candidate<'static>>> = LazyLock::new(|| {
+/// Every standard function and type conversion function, the shortest names first.
+pub(super) static STANDARD: LazyLock<Vec<Candidate<'static>>> = LazyLock::new(|| {
     let standard = super::standard::NAMES.iter().map(|(name, _)| *name);
     let conversions = conversion::catalogue_names().iter().map(String::as_str);
-    standard.chain(conversions).map(Candidate::new).collect()
+    let mut all: Vec<_> = standard.chain(conversions).map(Candidate::new).collect();
+    all.sort_by_key(|candidate| candidate.name.len());
+    all
 });
 
-/// A name that may be near another, and the letters in it.
-#[derive(Clone, Copy)]
-struct Candidate<'n> {
-    name: &'n str,
-    letters: u64,
-}
-
-impl<'n> Candidate<'n> {
-    fn new(name: &'n str) -> Candidate<'n> {
-        // Letters count without regard to case. That some digits share the bit of a letter hides no near name.
-        let bit = |byte: &u8| 1_u64 << (byte.to_ascii_lowercase() & 63);
-        Candidate {
-            name,
-            letters: name.as_bytes().iter().map(bit).fold(0, |all, bit| all | bit),
-        }
-    }
-
-    /// Whether so few changes can make one name of the other at all. A change takes at most one letter away and brings
-    /// at most one, which turns nearly all names away without looking at the order of their letters.
-    fn may_be_near(self, other: Candidate<'_>, changes: usize) -> bool {
-        (self.letters ^ other.letters).count_ones() as usize <= 2 * changes
-            && self.name.len().abs_diff(other.name.len()) <= changes
-    }
+/// Those that a few changes can make as long as this.
+fn standard_of_about(length: usize) -> &'static [Candidate<'static>] {
+    let first = STANDARD.partition_point(|candidate| candidate.name.len() + MOST_CHANGES < length);
+    let end = STANDARD.partition_point(|candidate| candidate.name.len() <= length + MOST_CHANGES);
+    &STANDARD[first..end]
 }
 
 /// `; did you mean …?` with the nearest of some names, if any is near; of near ones those that exist.
@@ -180,10 +170,10 @@ fn similar<'n>(
     }
     *guesses -= 1;
     let wanted = Candidate::new(name);
-    let allowed = if name.len() < 6 { 1 } else { 2 };
+    let allowed = if name.len() < 6 { 1 } else { MOST_CHANGES };
     let mut near: Vec<_> = known
         .filter(|other| other.may_be_near(wanted, allowed))
-        .map(|other| (distance(name, other.name), other.name))
+        .filter_map(|other| Some((distance(name, other.name)?, other.name)))
         .filter(|&(changes, other)| changes <= allowed && exists(other))
         .collect();
     near.sort_unstable();
@@ -213,78 +203,5 @@ fn rounding_idiom(name: &str) -> Option<&'static str> {
             "; the standard library has none: write TRUNC_DINT(x), less 1 for a negative x with a fraction",
         ),
         _ => None,
-    }
-}
-
-/// How many characters must be changed, added, left out, or exchanged with their neighbour to make one name of
-/// another. Case does not count.
-fn distance(left: &str, right: &str) -> usize {
-    let (left, right) = without_common_ends(left.as_bytes(), right.as_bytes());
-    if left.is_empty() || right.is_empty() {
-        return left.len() + right.len();
-    }
-    let width = right.len() + 1;
-    let (mut before, mut above, mut row) = (vec![0; width], (0..width).collect::<Vec<_>>(), vec![0; width]);
-    for (line, byte) in left.iter().enumerate() {
-        row[0] = line + 1;
-        for (column, other) in right.iter().enumerate() {
-            let replaced = above[column] + usize::from(!byte.eq_ignore_ascii_case(other));
-            let mut least = replaced.min(above[column + 1] + 1).min(row[column] + 1);
-            let exchanged = line > 0
-                && column > 0
-                && byte.eq_ignore_ascii_case(&right[column - 1])
-                && other.eq_ignore_ascii_case(&left[line - 1]);
-            if exchanged {
-                least = least.min(before[column - 1] + 1);
-            }
-            row[column + 1] = least;
-        }
-        std::mem::swap(&mut before, &mut above);
-        std::mem::swap(&mut above, &mut row);
-    }
-    above[right.len()]
-}
-
-/// Two names without what they begin and end with alike, which takes no change: nearly all of two near names.
-fn without_common_ends<'n>(left: &'n [u8], right: &'n [u8]) -> (&'n [u8], &'n [u8]) {
-    let same = |(one, other): &(&u8, &u8)| one.eq_ignore_ascii_case(other);
-    let front = left.iter().zip(right).take_while(same).count();
-    let (left, right) = (&left[front..], &right[front..]);
-    let back = left.iter().rev().zip(right.iter().rev()).take_while(same).count();
-    (&left[..left.len() - back], &right[..right.len() - back])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Candidate, STANDARD, distance};
-
-    #[test]
-    fn no_near_name_is_turned_away_by_its_letters() {
-        for (index, one) in STANDARD.iter().enumerate().step_by(7) {
-            for other in STANDARD.iter().skip(index % 5).step_by(5) {
-                let changes = distance(one.name, other.name);
-                assert!(
-                    one.may_be_near(*other, changes),
-                    "{} and {}",
-                    one.name,
-                    other.name
-                );
-            }
-        }
-        assert!(!Candidate::new("frobnicate").may_be_near(Candidate::new("INT_TO_REAL"), 2));
-    }
-
-    #[test]
-    fn distance_counts_changes() {
-        assert_eq!(distance("limit", "limit"), 0);
-        assert_eq!(distance("limt", "limit"), 1);
-        assert_eq!(distance("sle", "sel"), 1);
-        assert_eq!(distance("int_to_dnit", "int_to_dint"), 1);
-        assert_eq!(distance("INT_to_dnit", "int_TO_dint"), 1);
-        assert_eq!(distance("abcd", "badc"), 2);
-        assert_eq!(distance("aab", "ab"), 1);
-        assert_eq!(distance("abab", "ab"), 2);
-        assert_eq!(distance("xay", "xbcy"), 2);
-        assert_eq!(distance("", "abs"), 3);
     }
 }
