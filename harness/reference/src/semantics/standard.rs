@@ -2,7 +2,7 @@
 //!
 //! Basis: iec-61131-3: the tables of the numeric, bit shift, selection and string functions.
 
-use super::common::settle;
+use super::common::{Rules, settle};
 use super::contexts::Context;
 use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
@@ -193,6 +193,18 @@ pub(super) fn ordered_by(
     }
 }
 
+/// The type that arguments are held to: the one that [`Rules::common_of_all`] finds. Where that does not go with all, it is
+/// rather the one that is wanted of the result, if one of them has it and no more of them would be wrong.
+///
+/// Basis: stickler-design: §7 (a suggestion makes the program acceptable; what the call gives has to fit, too).
+fn held_to(rules: Rules<'_>, arguments: &[Inferred], common: TypeId, wanted: Option<TypeId>) -> TypeId {
+    let wrong = |ty| arguments.iter().filter(|&&one| !rules.goes_with(one, ty)).count();
+    let agreed = wrong(common);
+    wanted
+        .filter(|&ty| agreed > 0 && arguments.contains(&Inferred::Known(ty)) && wrong(ty) <= agreed)
+        .unwrap_or(common)
+}
+
 /// Arguments by name and by position in one call.
 pub(super) fn mixed(call: Span) -> Fault {
     let message = "arguments are given all by name or all by position";
@@ -314,7 +326,7 @@ impl Lowering<'_> {
         }
         let common = rules.common_of_all(&inferred);
         let ty = match common {
-            Inferred::Known(ty) => Some(ty),
+            Inferred::Known(ty) => Some(held_to(rules, &inferred, ty, wanted)),
             Inferred::Text { wide, .. } => Some(TypeId::of(super::literals::text_type(wide))),
             Inferred::Enumerated => wanted,
             Inferred::Integer(_) | Inferred::Real => self.settle_for(function, common, wanted),

@@ -1,6 +1,6 @@
 //! Applying a suggestion makes the program acceptable.
 
-use super::{ED3, diagnose};
+use super::{ED3, RUSTY, diagnose};
 use crate::dialect::Dialect;
 use stickler_types::{DialectName, ElementaryType};
 
@@ -135,6 +135,27 @@ fn an_argument_of_a_standard_function_is_converted_to_what_is_wanted_of_the_resu
         ("i := i + ABS(w);", None),
     ] {
         assert_eq!(suggested(statement).as_deref(), suggestion, "{statement}");
+    }
+}
+
+#[test]
+fn of_arguments_without_a_common_type_the_one_that_is_not_what_is_wanted_is_to_be_converted() {
+    for (statement, suggestion) in [
+        ("u := MIN(x, u);", "LDT_TO_USINT(x)"),
+        ("u := MAX(u, x);", "LDT_TO_USINT(x)"),
+        ("u := LIMIT(x, u, 5);", "LDT_TO_USINT(x)"),
+        ("u := SEL(b, x, u);", "LDT_TO_USINT(x)"),
+        ("u := MUX(1, x, u, 5);", "LDT_TO_USINT(x)"),
+        ("x := MUX(1, x, u);", "USINT_TO_LDT(u)"),
+    ] {
+        let text = format!("PROGRAM main VAR u : USINT; x : LDT; b : BOOL; END_VAR {statement} END_PROGRAM");
+        let diagnostics = diagnose(RUSTY, &text);
+        let suggested: Vec<_> = diagnostics
+            .iter()
+            .map(|said| said.suggestion.as_deref())
+            .collect();
+        assert_eq!(suggested, [Some(suggestion)], "{statement}");
+        assert_eq!(repaired(RUSTY, &text), Some(vec![]), "{statement}");
     }
 }
 
