@@ -33,3 +33,43 @@ macro_rules! target {
         }
     };
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Target;
+    use std::collections::BTreeSet;
+    use std::fs;
+    use std::path::Path;
+
+    /// The names of what lies in a folder, which a path from this crate leads to, hidden files aside.
+    fn names_in(folder: &str) -> BTreeSet<String> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+        let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+        let names = entries.map(|entry| entry.expect("a readable folder").file_name());
+        let names = names.map(|name| name.to_string_lossy().into_owned());
+        names.filter(|name| !name.starts_with('.')).collect()
+    }
+
+    #[test]
+    fn every_target_has_its_glue_and_its_corpus_and_nothing_else_has() {
+        let named = |ending| Target::ALL.map(|target| format!("{}{ending}", target.name()));
+        assert_eq!(names_in("fuzz_targets"), named(".rs").into());
+        let mut folders = names_in("../corpus");
+        assert!(folders.remove("README.md"), "the corpora are described");
+        assert_eq!(folders, named("").into());
+    }
+
+    #[test]
+    fn every_target_is_built_and_its_corpus_replayed() {
+        let (manifest, replays) = (include_str!("../Cargo.toml"), include_str!("../tests/corpus.rs"));
+        for name in Target::ALL.map(Target::name) {
+            let glue = format!("path = \"fuzz_targets/{name}.rs\"");
+            assert!(manifest.contains(&glue), "Cargo.toml builds no `{name}`");
+            let replay = format!("in \"../corpus/{name}\",");
+            assert!(
+                replays.contains(&replay),
+                "tests/corpus.rs does not replay `{name}`"
+            );
+        }
+    }
+}
