@@ -3,13 +3,18 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use std::path::Path;
+use std::{fs, io};
 use stickler_fuzz::Target;
 
 fn corpora(criterion: &mut Criterion) {
     for target in Target::ALL {
         let folder = Path::new("../corpus").join(target.name());
-        let files = std::fs::read_dir(&folder).into_iter().flatten().flatten();
-        let inputs: Vec<Vec<u8>> = files.filter_map(|file| std::fs::read(file.path()).ok()).collect();
+        let inputs = inputs(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+        assert!(
+            !inputs.is_empty(),
+            "{}: the folder holds no input",
+            folder.display()
+        );
         let mut group = criterion.benchmark_group("corpus");
         group
             .throughput(Throughput::Elements(inputs.len() as u64))
@@ -23,6 +28,11 @@ fn corpora(criterion: &mut Criterion) {
         });
         group.finish();
     }
+}
+
+/// The contents of the files in a folder.
+fn inputs(folder: &Path) -> io::Result<Vec<Vec<u8>>> {
+    fs::read_dir(folder)?.map(|file| fs::read(file?.path())).collect()
 }
 
 criterion_group!(benches, corpora);
