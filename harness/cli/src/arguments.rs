@@ -1,9 +1,11 @@
 //! The command line as clap reads it: commands, options and the help that teaches them by example.
 
+mod engines;
 mod fuzz;
 mod numbers;
 mod reduce;
 
+pub use engines::EnginesArguments;
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use reduce::ReduceArguments;
 
@@ -26,6 +28,9 @@ pub struct Arguments {
     /// What to do; `run` where nothing is said.
     #[command(subcommand)]
     pub command: Option<Command>,
+    /// Read FILE, which names engines [default: stickler.toml here or in a folder above]
+    #[arg(long, value_name = "FILE", global = true)]
+    pub config: Option<PathBuf>,
 }
 
 /// The commands.
@@ -55,6 +60,9 @@ pub enum Command {
     /// Serve the reference over the wire protocol on stdin and stdout
     #[command(after_help = ENGINE_EXAMPLES)]
     Engine,
+    /// List the engines: what was found where, what each can do, and what is missing
+    #[command(after_help = engines::ENGINES_EXAMPLES)]
+    Engines(EnginesArguments),
     /// Explain a diagnostic code, or list all of them
     #[command(after_help = EXPLAIN_EXAMPLES)]
     Explain(ExplainArguments),

@@ -1,7 +1,14 @@
 //! Engines by the names that people give them on the command line.
 
 use crate::exit::{NoSuchEngine, SpeaksNone};
-use stickler_engines::{Compiler, Engine, Identity, ProcessEngine, ProcessLimits, Reference};
+use anyhow::Context;
+use std::env;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use stickler_configuration::{Configuration, Kind};
+use stickler_engines::{
+    Compiler, Engine, EngineError, Identity, Places, ProcessEngine, ProcessLimits, Reference, Sought,
+};
 use stickler_types::DialectName;
 
 /// The name of the engine that is always there.
@@ -10,14 +17,35 @@ pub const REFERENCE: &str = "reference";
 /// What stands in front of the command line of an engine that is a process.
 pub const COMMAND: &str = "cmd:";
 
-/// The engine of this name: `reference`, a compiler for which there is an adapter, or `cmd:COMMAND LINE` for a program
-/// that speaks the wire protocol.
+/// The file that `--config` names.
+static FILE: OnceLock<PathBuf> = OnceLock::new();
+
+/// Has every engine sought by this file from now on, in place of the `stickler.toml` here or above. To be said once, before
+/// the first engine is sought.
+pub fn read_from(file: PathBuf) {
+    // A second file would be a mistake of this program; the first one stays.
+    let _ = FILE.set(file);
+}
+
+/// What `stickler.toml` says.
 ///
 /// # Errors
-/// [`NoSuchEngine`] where nothing is called so; an [`EngineError`](stickler_engines::EngineError) where the compiler is
-/// not on this machine, or the program cannot be started or says no `hello`.
+/// A [`ConfigurationError`](stickler_configuration::ConfigurationError) where it cannot be used; no working directory.
+pub fn configuration() -> anyhow::Result<Configuration> {
+    Ok(match FILE.get() {
+        Some(file) => Configuration::read(file)?,
+        None => Configuration::find(&env::current_dir().context("there is no working directory")?)?,
+    })
+}
+
+/// The engine of this name: `reference`, one that `stickler.toml` names, a compiler for which there is an adapter, or
+/// `cmd:COMMAND LINE` for a program that speaks the wire protocol.
+///
+/// # Errors
+/// [`NoSuchEngine`] where nothing is called so; an [`EngineError`] where the compiler is not on this machine, or the program
+/// cannot be started or says no `hello`; a file `stickler.toml` that cannot be used.
 pub fn by_name(name: &str) -> anyhow::Result<Box<dyn Engine>> {
-    distinct(name, &[])
+    distinct(name, &[], &configuration()?)
 }
 
 /// An engine, and the name by which it was asked for.
@@ -43,6 +71,7 @@ impl Named {
 pub fn by_names(names: &[String]) -> anyhow::Result<Vec<Named>> {
     let reference = [REFERENCE.to_owned()];
     let names = if names.is_empty() { &reference[..] } else { names };
+    let configuration = configuration()?;
     let mut engines: Vec<Named> = Vec::with_capacity(names.len());
     for (index, name) in names.iter().enumerate() {
         if names[..index].contains(name) {
@@ -55,7 +84,7 @@ pub fn by_names(names: &[String]) -> anyhow::Result<Vec<Named>> {
             .filter(|name| *name == REFERENCE)
             .chain(engines.iter().map(|named| named.identity().name.as_str()))
             .collect();
-        let engine = distinct(name, &taken)?;
+        let engine = distinct(name, &taken, &configuration)?;
         engines.push(Named {
             engine,
             asked_for: name.clone(),
@@ -87,23 +116,64 @@ pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<
 }
 
 /// The engine of this name, under an identity that none of the others has.
-fn distinct(name: &str, taken: &[&str]) -> anyhow::Result<Box<dyn Engine>> {
+fn distinct(name: &str, taken: &[&str], configuration: &Configuration) -> anyhow::Result<Box<dyn Engine>> {
+    if let Some(line) = name.strip_prefix(COMMAND) {
+        let engine = ProcessEngine::start(line, ProcessLimits::default())?;
+        let own = engine.identity().name.clone();
+        return Ok(match free(&own, taken) {
+            free if free == own => Box::new(engine),
+            free => Box::new(engine.named(free)),
+        });
+    }
+    let sought = seek(name, &free(name, taken), configuration).ok_or_else(|| no_such(name, configuration))?;
+    Ok(sought.engine?)
+}
+
+/// Looks for an engine that has a name of its own, to be called `called`; `None` where nothing has the name.
+pub fn seek(name: &str, called: &str, configuration: &Configuration) -> Option<Sought> {
     if name == REFERENCE {
-        return Ok(Box::new(Reference::default()));
+        return Some(Sought {
+            located: Vec::new(),
+            engine: Ok(Box::new(Reference::default())),
+        });
     }
-    if let Some(compiler) = Compiler::from_name(name) {
-        return Ok(compiler.engine(&free(compiler.name(), taken))?);
+    Some(match configuration.engine(name).map(|entry| &entry.kind) {
+        Some(Kind::Compiler { compiler, places }) => compiler.seek(called, name, places),
+        Some(Kind::Command { line }) => Sought {
+            located: Vec::new(),
+            engine: start(line, called, configuration),
+        },
+        None => Compiler::from_name(name)?.seek(called, name, &Places::default()),
+    })
+}
+
+/// Starts the program of a command line in the folder of the file that names it.
+fn start(line: &str, called: &str, configuration: &Configuration) -> Result<Box<dyn Engine>, EngineError> {
+    let folder = configuration.folder().unwrap_or(Path::new(""));
+    let engine = ProcessEngine::start_in(folder, line, ProcessLimits::default())?;
+    Ok(Box::new(engine.named(called.to_owned())))
+}
+
+/// Every name by which an engine can be asked for: `reference`, the compilers with an adapter, and those of the file.
+pub fn names(configuration: &Configuration) -> Vec<&str> {
+    let mut names = vec![REFERENCE];
+    names.extend(Compiler::ALL.map(Compiler::name));
+    let others = configuration
+        .engines()
+        .map(|(name, _)| name)
+        .filter(|name| Compiler::from_name(name).is_none());
+    names.extend(others);
+    names
+}
+
+/// The error that nothing is called so.
+pub fn no_such(name: &str, configuration: &Configuration) -> NoSuchEngine {
+    let names = names(configuration);
+    NoSuchEngine {
+        name: name.to_owned(),
+        meant: stickler_configuration::nearest(name, names.iter().copied()).map(str::to_owned),
+        known: stickler_configuration::list(names),
     }
-    let Some(line) = name.strip_prefix(COMMAND) else {
-        return Err(NoSuchEngine(name.to_owned()).into());
-    };
-    let engine = ProcessEngine::start(line, ProcessLimits::default())?;
-    let own = engine.identity().name.clone();
-    let engine = match free(&own, taken) {
-        free if free == own => engine,
-        free => engine.named(free),
-    };
-    Ok(Box::new(engine))
 }
 
 fn free(own: &str, taken: &[&str]) -> String {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::process::ExitCode;
-use stickler_engines::{Compiler, EngineError};
+use stickler_engines::EngineError;
 use stickler_run::RunError;
 
 /// How a command ended, as its caller sees it.
@@ -100,19 +100,20 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
     }
 }
 
-/// An engine that this version cannot run.
+/// A name that no engine has.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
-    "there is no engine `{0}`; there is `reference`, there are the compilers {compilers}, and there is `cmd:COMMAND \
-     LINE` for any program that speaks the wire protocol, such as `cmd:stickler engine`",
-    compilers = compilers()
+    "there is no engine `{name}`{}; there are {known}, and there is `cmd:COMMAND LINE` for any program that speaks the wire \
+     protocol, such as `cmd:stickler engine`; stickler.toml can name others",
+    meant.as_ref().map(|meant| format!("; did you mean `{meant}`?")).unwrap_or_default()
 )]
-pub struct NoSuchEngine(pub String);
-
-/// The compilers for which there are adapters, in a list.
-fn compilers() -> String {
-    let names = Compiler::ALL.map(|compiler| format!("`{}`", compiler.name()));
-    names.join(", ")
+pub struct NoSuchEngine {
+    /// The name.
+    pub name: String,
+    /// The one that it nearly is.
+    pub meant: Option<String>,
+    /// All that there are, in a list.
+    pub known: String,
 }
 
 /// An engine that speaks none of the dialects at hand.

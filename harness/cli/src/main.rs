@@ -23,7 +23,10 @@ use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let mut arguments = Arguments::parse();
+    if let Some(file) = arguments.config.take() {
+        engines::read_from(file);
+    }
     let mut out = output::stdout();
     let result = commands::execute(arguments, &mut out).and_then(|exit| {
         out.flush()?;

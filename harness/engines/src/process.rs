@@ -20,6 +20,7 @@ pub(crate) use command_line::CommandLine;
 pub(crate) use connection::{Connection, Failure};
 pub(crate) use folder::Folder;
 use session::ProcessSession;
+use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 pub(crate) use tool::{Ended, ToolLimits, run as run_tool};
@@ -72,7 +73,22 @@ impl ProcessEngine {
     /// [`EngineError`] where the line cannot be split, nothing can be started, or `hello` is not answered as the
     /// protocol has it, with the end of what the process wrote to stderr.
     pub fn start(command_line: &str, limits: ProcessLimits) -> Result<ProcessEngine, EngineError> {
-        let command = CommandLine::split(command_line)?;
+        ProcessEngine::of(CommandLine::split(command_line)?, limits)
+    }
+
+    /// The same, started in a folder, from which a program with a path is sought.
+    ///
+    /// # Errors
+    /// As [`ProcessEngine::start`].
+    pub fn start_in(
+        folder: &Path,
+        command_line: &str,
+        limits: ProcessLimits,
+    ) -> Result<ProcessEngine, EngineError> {
+        ProcessEngine::of(CommandLine::split(command_line)?.inside(folder), limits)
+    }
+
+    fn of(command: CommandLine, limits: ProcessLimits) -> Result<ProcessEngine, EngineError> {
         let (connection, identity) = command.greet(&limits)?;
         Ok(ProcessEngine {
             identity,

@@ -3,6 +3,7 @@
 mod check;
 mod conversions;
 mod engine;
+mod engines;
 mod eval;
 mod explain;
 mod fuzz;
@@ -38,6 +39,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Eval(arguments) => eval::execute(&arguments, out),
         Command::Render(arguments) => render::execute(&arguments, out),
         Command::Engine => engine::execute(),
+        Command::Engines(arguments) => engines::execute(&arguments, out),
         Command::Explain(arguments) => explain::execute(&arguments, out),
         Command::Matrix(arguments) => matrix::execute(&arguments, out),
         Command::Conversions(arguments) => conversions::execute(&arguments, out),

@@ -38,6 +38,9 @@ impl Child {
                 .stdin(Stdio::piped())
                 .stdout(Stdio::piped())
                 .stderr(Stdio::piped());
+            if let Some(folder) = &command.folder {
+                start.current_dir(folder);
+            }
         })?;
         match pipes {
             Pipes {

@@ -1,6 +1,7 @@
 //! The command line that starts an engine.
 
 use crate::EngineError;
+use std::path::{Path, PathBuf};
 
 /// A program and its arguments, and how they were written.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -11,6 +12,8 @@ pub(crate) struct CommandLine {
     pub(super) program: String,
     /// Its arguments.
     pub(super) arguments: Vec<String>,
+    /// The folder in which it is started; otherwise the one in which this program is.
+    pub(super) folder: Option<PathBuf>,
 }
 
 impl CommandLine {
@@ -36,7 +39,18 @@ impl CommandLine {
             written: line.to_owned(),
             program,
             arguments: words.collect(),
+            folder: None,
         })
+    }
+
+    /// The same command, started in a folder. A program that is named with a path is sought from there, and one that is
+    /// named alone on PATH.
+    pub(super) fn inside(mut self, folder: &Path) -> CommandLine {
+        if self.program.contains(std::path::is_separator) {
+            self.program = folder.join(&self.program).to_string_lossy().into_owned();
+        }
+        self.folder = Some(folder.to_owned());
+        self
     }
 
     /// A program and its arguments that nobody wrote in a line.
@@ -45,6 +59,7 @@ impl CommandLine {
             written: program.clone(),
             program,
             arguments,
+            folder: None,
         }
     }
 
@@ -60,6 +75,7 @@ impl CommandLine {
 #[cfg(test)]
 mod tests {
     use super::CommandLine;
+    use std::path::Path;
 
     #[test]
     fn quotes_and_backslashes_keep_blanks_inside_a_word() {
@@ -70,6 +86,15 @@ mod tests {
             line.arguments,
             ["--name", "two words", "three words", "$HOME", "*"]
         );
+    }
+
+    #[test]
+    fn a_program_with_a_path_is_sought_from_the_folder_and_one_without_is_not() {
+        let inside = |line: &str| CommandLine::split(line).unwrap().inside(Path::new("/here"));
+        assert_eq!(inside("bin/adapter x/y").program, "/here/bin/adapter");
+        assert_eq!(inside("bin/adapter x/y").arguments, ["x/y"]);
+        assert_eq!(inside("/opt/adapter").program, "/opt/adapter");
+        assert_eq!(inside("python3 adapter.py").program, "python3");
     }
 
     #[test]

@@ -1,0 +1,180 @@
+//! `stickler engines`: which engines there are, where each was found, what it can do, and what is missing.
+
+use crate::arguments::EnginesArguments;
+use crate::exit::Exit;
+use crate::{engines, interrupt, output};
+use anstyle::Style;
+use serde::Serialize;
+use std::io::{self, Write};
+use std::thread;
+use stickler_configuration::{Configuration, Kind};
+use stickler_engines::{Compiler, EngineError, Located, Sought};
+
+const BOLD: Style = Style::new().bold();
+
+/// Lists the engines that have names of their own, or those that were named. Compilers that are not on this machine are no
+/// failure where nobody named them.
+///
+/// # Errors
+/// A name that no engine has; a `stickler.toml` that cannot be used.
+pub fn execute(arguments: &EnginesArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    interrupt::at_once()?;
+    let configuration = engines::configuration()?;
+    let names: Vec<&str> = match &arguments.engine[..] {
+        [] => engines::names(&configuration),
+        named => named.iter().map(String::as_str).collect(),
+    };
+    let listed = seek_all(&names, &configuration)?;
+    for (number, engine) in listed.iter().enumerate() {
+        match arguments.json {
+            true => write_json(engine, out)?,
+            false => write_entry(engine, number > 0, out)?,
+        }
+    }
+    let missing = listed.iter().any(|engine| engine.problem.is_some());
+    Ok(match missing && !arguments.engine.is_empty() {
+        true => Exit::EngineNotRun,
+        false => Exit::AsExpected,
+    })
+}
+
+/// Looks for all at once: each asks a compiler for its version, and some of them take a second to answer.
+fn seek_all<'n>(names: &[&'n str], configuration: &'n Configuration) -> anyhow::Result<Vec<Listed<'n>>> {
+    thread::scope(|scope| {
+        let seekers: Vec<_> = names
+            .iter()
+            .map(|&name| scope.spawn(move || engines::seek(name, name, configuration)))
+            .collect();
+        let mut listed = Vec::with_capacity(names.len());
+        for (&name, seeker) in names.iter().zip(seekers) {
+            let sought = seeker
+                .join()
+                .map_err(|_| anyhow::anyhow!("the search for {name} broke off"))?
+                .ok_or_else(|| engines::no_such(name, configuration))?;
+            listed.push(Listed::new(name, sought, configuration));
+        }
+        Ok(listed)
+    })
+}
+
+/// What is told of one engine; in JSON by these names.
+#[derive(Serialize)]
+struct Listed<'n> {
+    name: &'n str,
+    /// Whether it can be used.
+    here: bool,
+    /// The adapter of Stickler's own that it has.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    adapter: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    version: Option<String>,
+    dialects: Vec<&'static str>,
+    abilities: Vec<String>,
+    /// Where `stickler.toml` names it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    named_in: Option<&'n str>,
+    places: Vec<FoundPlace>,
+    /// What is missing or does not work.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    problem: Option<String>,
+    /// Where its project is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    project: Option<&'static str>,
+}
+
+/// A program or folder of an engine.
+#[derive(Serialize)]
+struct FoundPlace {
+    key: &'static str,
+    path: String,
+    found_by: String,
+}
+
+impl From<Located> for FoundPlace {
+    fn from(located: Located) -> FoundPlace {
+        FoundPlace {
+            key: located.key,
+            path: located.path.display().to_string(),
+            found_by: located.by.to_string(),
+        }
+    }
+}
+
+impl<'n> Listed<'n> {
+    fn new(name: &'n str, sought: Sought, configuration: &'n Configuration) -> Listed<'n> {
+        let entry = configuration.engine(name);
+        let compiler = match entry.map(|entry| &entry.kind) {
+            Some(Kind::Compiler { compiler, .. }) => Some(*compiler),
+            Some(Kind::Command { .. }) => None,
+            None => Compiler::from_name(name),
+        };
+        let identity = sought.engine.as_ref().ok().map(|engine| engine.identity());
+        let dialects = identity
+            .map(|identity| &identity.dialects[..])
+            .unwrap_or_default();
+        let abilities = identity
+            .map(|identity| &identity.abilities[..])
+            .unwrap_or_default();
+        Listed {
+            name,
+            here: identity.is_some(),
+            adapter: compiler.map(Compiler::name),
+            version: identity.map(|identity| identity.version.clone()),
+            dialects: dialects.iter().map(|dialect| dialect.as_str()).collect(),
+            abilities: abilities.iter().map(ToString::to_string).collect(),
+            named_in: entry.map(|entry| entry.written.as_str()),
+            problem: sought.engine.as_ref().err().map(problem),
+            places: sought.located.into_iter().map(FoundPlace::from).collect(),
+            project: compiler.map(Compiler::project),
+        }
+    }
+}
+
+/// What is missing, without the name that stands above it.
+fn problem(error: &EngineError) -> String {
+    match error {
+        EngineError::NotStarted { reason, .. } => reason.clone(),
+        EngineError::SpeaksNone { .. } => error.to_string(),
+    }
+}
+
+fn write_json(engine: &Listed<'_>, out: &mut dyn Write) -> io::Result<()> {
+    serde_json::to_writer(&mut *out, engine)?;
+    writeln!(out)
+}
+
+/// How wide the column of labels is.
+const LABEL: usize = 10;
+
+fn write_entry(engine: &Listed<'_>, gap: bool, out: &mut dyn Write) -> io::Result<()> {
+    if gap {
+        writeln!(out)?;
+    }
+    let state = match &engine.version {
+        None => "not here",
+        Some(version) if version.is_empty() => "of a version that it does not tell",
+        Some(version) => version,
+    };
+    writeln!(out, "{BOLD}{}{BOLD:#}  {state}", engine.name)?;
+    let mut row = |label: &str, text: &str| writeln!(out, "  {label:LABEL$}  {text}");
+    if let Some(named_in) = engine.named_in {
+        row("named in", named_in)?;
+    }
+    for place in &engine.places {
+        row(place.key, &format!("{} ({})", place.path, place.found_by))?;
+    }
+    if engine.here {
+        row("dialects", &engine.dialects.join(", "))?;
+        row("can", &engine.abilities.join(", "))?;
+    }
+    if let Some(problem) = &engine.problem {
+        let text = output::wrap(problem);
+        for (number, line) in text.lines().enumerate() {
+            row(if number == 0 { "problem" } else { "" }, line)?;
+        }
+        if let Some(project) = engine.project {
+            row("install", project)?;
+        }
+    }
+    Ok(())
+}
