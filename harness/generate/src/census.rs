@@ -272,8 +272,12 @@ impl Census<'_> {
                 self.count(format!("convert {}", signature.function));
                 self.expression(operand);
             }
-            ExpressionKind::Call(_, arguments) => {
+            ExpressionKind::Call(function, arguments) => {
                 self.count("call of a function");
+                let called = self.program.functions.get(*function);
+                if called.is_some_and(|called| arguments.len() < called.inputs().count()) {
+                    self.count("call of a function that leaves inputs out");
+                }
                 arguments
                     .iter()
                     .for_each(|argument| self.expression(&argument.value));

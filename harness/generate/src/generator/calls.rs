@@ -5,9 +5,7 @@ use super::features::Feature;
 use super::language::{Offer, Settled};
 use super::literals;
 use super::maker::Maker;
-use crate::model::{
-    Argument, Expression, ExpressionKind, LiteralForm, Section, StandardFunction, Type, VariableId,
-};
+use crate::model::{Argument, Expression, ExpressionKind, LiteralForm, StandardFunction, Type, VariableId};
 use stickler_exact::{Operation, Signature, expected};
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -147,13 +145,14 @@ impl Maker<'_, '_> {
             .map(|(place, _)| place)
             .collect();
         let &called = self.random.pick(&suits)?;
-        let parameters: Vec<(VariableId, Type)> = self.program.functions[called]
-            .variables
-            .iter()
-            .enumerate()
-            .filter(|(_, variable)| variable.section == Section::Input)
-            .map(|(place, variable)| (VariableId(place), variable.ty.clone()))
+        let mut parameters: Vec<(VariableId, Type)> = self.program.functions[called]
+            .inputs()
+            .map(|(parameter, variable)| (parameter, variable.ty.clone()))
             .collect();
+        // One stays, for a call without arguments has none by name.
+        if parameters.len() > 1 && self.language.leaves_inputs_out(self.open) && self.random.chance(1, 3) {
+            parameters.remove(self.random.below(parameters.len()));
+        }
         self.spend(self.function_costs[called]);
         let arguments = parameters.into_iter().map(|(parameter, ty)| Argument {
             parameter,

@@ -81,6 +81,17 @@ impl Language {
         }
     }
 
+    /// Whether a call of a function may leave out inputs, which then have their initial values.
+    ///
+    /// Basis: iec-61131-3: 6.6.1 (formal calls); ironplc-problem-codes: P4018 speaks of the number of arguments and makes no
+    /// difference for calls by names, and its compiler refuses them, so that it is open there.
+    pub fn leaves_inputs_out(&self, open: bool) -> bool {
+        match self.dialect {
+            DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty => open,
+            DialectName::Matiec | DialectName::Plcnext => true,
+        }
+    }
+
     /// Whether a literal without its prefix stands for a value of this type, in that context. Where the spelling without the
     /// prefix has the type by itself (`TRUE`, `T#5ms`, `'text'`), it does everywhere.
     ///

@@ -27,7 +27,8 @@ impl Maker<'_, '_> {
             self.begin(Kind::Function(result.clone()), most);
             for _ in 0..=self.random.below(3) {
                 let ty = self.small_type();
-                self.declare_variable("in", ty, Section::Input, None);
+                let initial = self.initial(&ty);
+                self.declare_variable("in", ty, Section::Input, initial);
             }
             for _ in 0..self.random.below(3) {
                 let ty = self.variable_type();

@@ -33,7 +33,7 @@ pub enum ExpressionKind {
     Widen(Box<Expression>),
     /// A call of a type conversion function; the result of the signature is the type of this expression.
     Convert(Signature, Box<Expression>),
-    /// A call of a function of the program, by its place, with one argument an input.
+    /// A call of a function of the program, by its place, with an argument for each input; what has none has its initial value.
     Call(usize, Vec<Argument>),
     /// A call of a standard function, positional.
     Standard(StandardFunction, Vec<Expression>),

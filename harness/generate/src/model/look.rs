@@ -1,6 +1,6 @@
 //! Questions that every reader of a program asks: what an alias stands for, which fields a structure has, what is observed.
 
-use super::{ArrayType, Declared, Expression, Program, Section, Type};
+use super::{ArrayType, Declared, Expression, Function, Program, Section, Type, Variable, VariableId};
 use stickler_types::ElementaryType;
 
 impl Program {
@@ -73,6 +73,16 @@ impl Program {
                 }
             }
         }
+    }
+}
+
+impl Function {
+    /// The inputs with their places, in the order of a positional call.
+    pub fn inputs(&self) -> impl Iterator<Item = (VariableId, &Variable)> {
+        let variables = self.variables.iter().enumerate();
+        variables
+            .filter(|(_, variable)| variable.section == Section::Input)
+            .map(|(place, variable)| (VariableId(place), variable))
     }
 }
 

@@ -129,13 +129,15 @@ impl Sheet<'_> {
         let Some(called) = self.program.functions.get(function) else {
             return;
         };
+        // Only a call by names can leave inputs out.
+        let named = self.style.arguments == Arguments::Named || arguments.len() < called.inputs().count();
         self.put(&called.name);
         self.put("(");
         for (number, argument) in arguments.iter().enumerate() {
             if number > 0 {
                 self.comma();
             }
-            if self.style.arguments == Arguments::Named {
+            if named {
                 self.parameter(&called.variables, argument);
             }
             self.expression(&argument.value, variables);

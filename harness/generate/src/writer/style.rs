@@ -71,7 +71,7 @@ pub enum Widening {
 /// The arguments of a function's call.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Arguments {
-    /// `f(1, 2)`
+    /// `f(1, 2)`; a call that leaves out inputs has names all the same.
     #[default]
     Positional,
     /// `f(a := 1, b := 2)`

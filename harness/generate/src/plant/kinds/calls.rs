@@ -15,7 +15,15 @@ use stickler_types::ElementaryType;
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn argument_too_many(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let (number, ..) = plot.site(|_, expression| matches!(expression.kind, ExpressionKind::Call(..)))?;
+    // A call that leaves inputs out has its arguments by names.
+    let functions = &plot.original.functions;
+    let gives_all = |function: usize, arguments: &[Argument]| {
+        let called = functions.get(function);
+        called.is_some_and(|called| called.inputs().count() == arguments.len())
+    };
+    let (number, ..) = plot.site(|_, expression| {
+        matches!(&expression.kind, ExpressionKind::Call(function, arguments) if gives_all(*function, arguments))
+    })?;
     plot.change(number, |call| {
         if let ExpressionKind::Call(_, arguments) = &mut call.kind {
             arguments.push(Argument {
@@ -27,19 +35,22 @@ pub(super) fn argument_too_many(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// One argument less than the function has inputs; the style of writing must be positional.
+/// One argument less than the function has inputs, by position.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn argument_too_few(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let (number, ..) = plot.site(|_, expression| {
-        matches!(&expression.kind, ExpressionKind::Call(_, arguments) if !arguments.is_empty())
-    })?;
-    plot.change(number, |call| {
-        if let ExpressionKind::Call(_, arguments) = &mut call.kind {
+    call(
+        plot,
+        |_| true,
+        |function| {
+            let mut arguments: Vec<_> = inputs(function)
+                .into_iter()
+                .map(|(_, ty)| literal_text(ty))
+                .collect();
             arguments.pop();
-        }
-    });
-    Some(())
+            arguments.join(", ")
+        },
+    )
 }
 
 /// A standard function with one argument more or less than it has parameters.
@@ -98,12 +109,9 @@ pub(super) fn conversion_argument(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 
 /// The inputs of a function.
 fn inputs(function: &Function) -> Vec<(&Variable, ElementaryType)> {
-    let inputs = function
-        .variables
-        .iter()
-        .filter(|variable| variable.section == Section::Input);
+    let inputs = function.inputs();
     inputs
-        .filter_map(|variable| match variable.ty {
+        .filter_map(|(_, variable)| match variable.ty {
             Type::Elementary(ty) => Some((variable, ty)),
             _ => None,
         })
@@ -223,12 +231,10 @@ pub(super) fn recursive_function(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
     let number = plot.choose(numbers.collect())?;
     let function = plot.program.functions.get_mut(number)?;
     let arguments = function
-        .variables
-        .iter()
-        .enumerate()
-        .filter_map(|(id, variable)| match variable.ty {
-            Type::Elementary(ty) if variable.section == Section::Input => Some(Argument {
-                parameter: VariableId(id),
+        .inputs()
+        .filter_map(|(parameter, variable)| match variable.ty {
+            Type::Elementary(ty) => Some(Argument {
+                parameter,
                 value: literal(ty),
             }),
             _ => None,

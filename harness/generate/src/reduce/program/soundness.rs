@@ -174,6 +174,11 @@ impl Visitor for Counter<'_> {
                 self.count(!has_own_type(operand))
             }
             ExpressionKind::Convert(_, operand) => self.count(is_bare(operand)),
+            // A call with nothing in its parentheses gives its arguments by position: all of them, that is.
+            ExpressionKind::Call(function, arguments) if arguments.is_empty() => {
+                let called = self.program.functions.get(*function);
+                self.count(called.is_some_and(|called| called.inputs().next().is_some()));
+            }
             ExpressionKind::Binary(_, left, right) => self.count(!has_own_type(left) && !has_own_type(right)),
             ExpressionKind::Standard(_, arguments) => {
                 let breaches = arguments
