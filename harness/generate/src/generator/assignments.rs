@@ -25,6 +25,7 @@ impl Maker<'_, '_> {
         if matches!(&value.kind, ExpressionKind::Read(read) if *read == place) {
             value = self.assigned(&ty, place.variable.0)?;
         }
+        self.pou.hold(place.variable, &value);
         Some(StatementKind::Assign(Target::Place(place), value))
     }
 

@@ -167,7 +167,7 @@ impl Maker<'_, '_> {
         let ty = *self.random.pick_where(&self.palette, seen)?;
         let operator = self.comparison_operator(ty);
         let left = self.read(&Type::Elementary(ty), true)?;
-        let right = self.literal(ty, Wanted::Operand);
+        let right = self.compared(&left, ty, 0);
         Some(binary(operator, left, right, ElementaryType::Bool))
     }
 

@@ -99,8 +99,8 @@ fn integers(ty: ElementaryType) -> Vec<Value> {
         .collect()
 }
 
-/// Numbers with and without fractions, halves, both zeros, the limits of the integers, and where a REAL ends to hold every one
-/// of them. What is huge or tiny is left out: a few products of such are no finite numbers any more.
+/// Numbers with and without fractions, halves, both zeros, the limits of the integers, where a REAL ends to hold every one of
+/// them, and what is tiny. What is huge is left out: a few products of such are no finite numbers any more.
 fn reals(ty: ElementaryType) -> Vec<Value> {
     const NUMBERS: [f64; 30] = [
         0.0,
@@ -138,5 +138,36 @@ fn reals(ty: ElementaryType) -> Vec<Value> {
         ElementaryType::Real => u64::from((number as f32).to_bits()),
         _ => number.to_bits(),
     };
-    NUMBERS.map(|number| Value::plain(ty, raw(number))).into()
+    let mut values = NUMBERS.map(|number| Value::plain(ty, raw(number))).to_vec();
+    values.extend(tiny(ty).iter().map(|&raw| Value::plain(ty, raw)));
+    values
+}
+
+/// The least and the greatest subnormal number, the least normal one, numbers whose products are subnormal, and for LREAL what
+/// a REAL just still holds and what it has to round to an even neighbour: once, from the number itself.
+///
+/// Basis: stickler-design: §8 (IEC 60559).
+pub(super) fn tiny(ty: ElementaryType) -> &'static [u64] {
+    const POWER: i64 = 1 << 52;
+    const SINGLE: [u64; 5] = [
+        1,
+        0x007F_FFFF,
+        0x0080_0000,
+        1.0e-20_f32.to_bits() as u64,
+        (-1.0e-25_f32).to_bits() as u64,
+    ];
+    const DOUBLE: [u64; 7] = [
+        1,
+        0x000F_FFFF_FFFF_FFFF,
+        0x0010_0000_0000_0000,
+        1.0e-160_f64.to_bits(),
+        (-1.0e-170_f64).to_bits(),
+        // 2 to the power of -149 and of -150.
+        (POWER * (1023 - 149)).cast_unsigned(),
+        (POWER * (1023 - 150)).cast_unsigned(),
+    ];
+    match ty {
+        ElementaryType::Real => &SINGLE,
+        _ => &DOUBLE,
+    }
 }

@@ -53,6 +53,8 @@ impl Maker<'_, '_> {
         let Range { from, to, by } = self.range(ty);
         let bounds = self.bounds(ty, from, to, by);
         let variable = self.reserved(ty);
+        self.pou.hold(variable, &bounds.from);
+        self.pou.hold(variable, &bounds.to);
         let turns = ((to - from) / by + 1).max(1) as u32;
         self.pou.loops.push((variable, ty, from.min(to), from.max(to)));
         let locked = self.pou.locked.len();

@@ -4,7 +4,7 @@ use super::expressions::{Wanted, elementary};
 use super::features::Feature;
 use super::literals;
 use super::maker::Maker;
-use super::scope::Seen;
+use super::scope::{Held, Seen};
 use crate::model::{
     BinaryOperator as Operator, Expression, ExpressionKind, LiteralForm, StandardFunction as Function, Type,
     UnaryOperator,
@@ -22,11 +22,22 @@ impl Maker<'_, '_> {
         let left = self.varying(ty, depth)?;
         // Products of reals soon are no finite numbers any more, so mostly a variable meets a literal there.
         let right = if ty.is_real() && operator == Operator::Multiply && !self.random.chance(1, 4) {
-            self.literal(ty, Wanted::Operand)
+            self.factor(ty)
         } else {
             self.value(ty, Wanted::Operand, depth)
         };
         Some(self.in_some_order(operator, left, right, ty))
+    }
+
+    /// What a real is multiplied by: often something tiny, for only there do products stop to be normal numbers.
+    fn factor(&mut self, ty: ElementaryType) -> Expression {
+        if !self.random.chance(1, 3) {
+            return self.literal(ty, Wanted::Operand);
+        }
+        let tiny = literals::tiny(ty);
+        let raw = tiny[self.random.below(tiny.len())];
+        let form = self.form(ty, Wanted::Operand);
+        elementary(ty, ExpressionKind::Literal(Value::plain(ty, raw), form))
     }
 
     /// Durations grow by literals only, so that none of them leaves the range that every system has.
@@ -52,7 +63,7 @@ impl Maker<'_, '_> {
         }
     }
 
-    /// `/` or MOD, by something that is neither 0 nor -1.
+    /// `/` or MOD, by something that is neither 0 nor -1 nor tiny.
     pub fn division(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         let modulo = !ty.is_real() && self.random.chance(1, 2);
         let operator = if modulo {
@@ -116,8 +127,29 @@ impl Maker<'_, '_> {
             Some(left) => left,
             None => self.value(ty, Wanted::Exact, depth),
         };
-        let right = self.value(ty, Wanted::Operand, depth);
+        let right = self.compared(&left, ty, depth);
         self.in_some_order(operator, left, right, ElementaryType::Bool)
+    }
+
+    /// What an operand is compared with: of a variable as often as not a value that it holds at some time, for only there
+    /// does `<` differ from `<=`.
+    pub fn compared(&mut self, with: &Expression, ty: ElementaryType, depth: usize) -> Expression {
+        let held = if let ExpressionKind::Read(place) = &with.kind
+            && self.random.chance(1, 2)
+        {
+            let pou = &self.pou;
+            let suits = |held: &Held| held.variable == place.variable && held.ty == ty;
+            self.random.pick_where(&pou.held, suits).cloned()
+        } else {
+            None
+        };
+        match held {
+            Some(held) => {
+                let form = self.form(ty, Wanted::Operand);
+                elementary(ty, ExpressionKind::Literal(held.value, form))
+            }
+            None => self.value(ty, Wanted::Operand, depth),
+        }
     }
 
     /// Only equality where no document says what comes first.
@@ -216,13 +248,14 @@ fn one(ty: ElementaryType) -> Value {
     )
 }
 
-/// Whether an integer or real is neither zero nor, of an integer, -1, by which the least number cannot be divided.
+/// Whether a real is neither zero nor tiny, an integer neither zero nor -1, by which the least number cannot be divided.
 fn divides(value: &Value) -> bool {
     let &Value::Plain { ty, raw } = value else {
         return false;
     };
     match real(ty, raw) {
-        Some(number) => number != 0.0,
+        // By what is tiny, a quotient is soon no finite number.
+        Some(number) => number.abs() >= 0.001,
         None => !(-1..=0).contains(&ty.integer_value(raw)),
     }
 }

@@ -1,7 +1,10 @@
 //! The POU in hand: its variables, everything that can be read or written in it, and how often what stands here is executed.
 
-use crate::model::{Declared, Program, Section, Type, Variable, VariableId};
-use stickler_types::ElementaryType;
+use super::literals;
+use crate::model::{
+    Declared, Expression, ExpressionKind, Initial, Program, Section, Type, Variable, VariableId,
+};
+use stickler_types::{ElementaryType, Value};
 
 /// Which kind of POU it is.
 #[derive(Clone, PartialEq, Debug)]
@@ -20,6 +23,8 @@ pub(super) struct Pou {
     pub variables: Vec<Variable>,
     /// Every variable, element and part that can be read.
     pub places: Vec<Seen>,
+    /// Values that variables, or parts of them, hold at some time.
+    pub held: Vec<Held>,
     /// The control variables of the FOR loops around, with the values that they take.
     pub loops: Vec<(VariableId, ElementaryType, i64, i64)>,
     /// The control variables that no loop uses at the moment.
@@ -46,6 +51,14 @@ pub(super) struct Seen {
     pub constant: bool,
 }
 
+/// A value that a variable, or an elementary part of it, is given where a literal says so: at the start, or by an assignment.
+#[derive(Clone, Debug)]
+pub(super) struct Held {
+    pub variable: VariableId,
+    pub ty: ElementaryType,
+    pub value: Value,
+}
+
 /// One step into a variable, before its subscripts are chosen.
 #[derive(Clone, Debug)]
 pub(super) enum Step {
@@ -60,6 +73,7 @@ impl Pou {
             kind,
             variables: Vec::new(),
             places: Vec::new(),
+            held: Vec::new(),
             loops: Vec::new(),
             idle: Vec::new(),
             locked: Vec::new(),
@@ -87,8 +101,36 @@ impl Pou {
             },
             program,
         );
+        self.hold_initial(id, &variable);
         self.variables.push(variable);
         id
+    }
+
+    fn hold_initial(&mut self, id: VariableId, variable: &Variable) {
+        match (&variable.initial, &variable.ty) {
+            (Some(Initial::Expression(value)), _) => self.hold(id, value),
+            (Some(Initial::Array(values)), _) => values.iter().for_each(|value| self.hold(id, value)),
+            (Some(Initial::Structure(values)), _) => {
+                values.iter().for_each(|(_, value)| self.hold(id, value))
+            }
+            (None, Type::Elementary(ty)) => {
+                self.held
+                    .extend(literals::boundaries(*ty).first().map(|zero| Held {
+                        variable: id,
+                        ty: *ty,
+                        value: zero.clone(),
+                    }))
+            }
+            (None, _) => {}
+        }
+    }
+
+    /// Notes that a variable, or a part of it, is given the value of an expression; of literals that is known.
+    pub fn hold(&mut self, variable: VariableId, value: &Expression) {
+        if let (ExpressionKind::Literal(value, _), &Type::Elementary(ty)) = (&value.kind, &value.ty) {
+            let value = value.clone();
+            self.held.push(Held { variable, ty, value });
+        }
     }
 
     /// Declares a variable that statements may read but not write, because the generator needs it for itself.

@@ -96,8 +96,18 @@ impl Maker<'_, '_> {
         let function = functions[self.random.below(functions.len())];
         let operand = self.value(ty, Wanted::Exact, depth);
         // Where what is open is wanted, a shift may be longer than its operand.
-        let most = i64::from(ty.bits()) - 1 + if self.open { 2 } else { 0 };
-        let count = self.selector(most);
+        let last = i64::from(ty.bits()) - 1;
+        let most = last + if self.open { 2 } else { 0 };
+        let count = if self.random.chance(1, 2) {
+            let edges = [0, 1, last, most];
+            integer(
+                ElementaryType::Int,
+                edges[self.random.below(edges.len())],
+                LiteralForm::Typed,
+            )
+        } else {
+            self.selector(most)
+        };
         elementary(ty, ExpressionKind::Standard(function, vec![operand, count]))
     }
 
