@@ -1,0 +1,169 @@
+//! What programs tell apart: a compiler that gets one of these wrong gives other values for some of them.
+
+use arbitrary::Unstructured;
+use stickler_generate::evaluate::evaluate;
+use stickler_generate::generator::{Settings, program};
+use stickler_generate::model::walk::{Visitor, walk_expression, walk_program};
+use stickler_generate::model::{
+    Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Program, StandardFunction, Type,
+};
+use stickler_generate::random::bytes;
+use stickler_types::{DialectName, ElementaryType, Value};
+
+/// Few enough that a campaign has made as many after some seconds.
+const PROGRAMS: u64 = 6000;
+
+fn made(seed: u64) -> Program {
+    let bytes = bytes(seed, (seed * 7 % 3000) as usize);
+    program(&mut Unstructured::new(&bytes), &Settings::default())
+}
+
+/// A wrong reading of every expression, the parts before the whole.
+struct Misread<F>(F);
+
+impl<F: FnMut(&mut Expression)> Visitor for Misread<F> {
+    fn expression(&mut self, expression: &mut Expression) {
+        walk_expression(self, expression);
+        (self.0)(expression);
+    }
+}
+
+/// Of so many programs, how many give other values when every expression is read like this.
+fn told_apart(misread: impl Fn(&Program, &mut Expression)) -> usize {
+    let differs = |seed: &u64| {
+        let right = made(*seed);
+        let mut wrong = right.clone();
+        walk_program(
+            &mut Misread(|expression: &mut Expression| misread(&right, expression)),
+            &mut wrong,
+        );
+        let values = |program| evaluate(program, 1).map(|evaluation| evaluation.values);
+        wrong != right && values(&wrong) != values(&right)
+    };
+    (0..PROGRAMS).filter(differs).count()
+}
+
+fn literal(value: Value, ty: &Type) -> Expression {
+    Expression {
+        ty: ty.clone(),
+        kind: ExpressionKind::Literal(value, LiteralForm::Typed),
+    }
+}
+
+#[test]
+fn a_literal_that_is_less_from_one_that_is_equal() {
+    let found = told_apart(|_, expression| {
+        if let ExpressionKind::Binary(operator @ BinaryOperator::Less, left, _) = &mut expression.kind
+            && matches!(left.kind, ExpressionKind::Literal(..))
+        {
+            *operator = BinaryOperator::LessOrEqual;
+        }
+    });
+    assert!(found > 5, "{found}");
+}
+
+#[test]
+fn an_input_that_is_left_out_from_one_that_is_not_its_initial_value() {
+    let found = told_apart(|program, expression| {
+        let ExpressionKind::Call(function, arguments) = &mut expression.kind else {
+            return;
+        };
+        let given: Vec<_> = arguments.iter().map(|argument| argument.parameter).collect();
+        for (parameter, variable) in program.functions[*function].inputs() {
+            if let (false, Type::Elementary(ty)) = (given.contains(&parameter), &variable.ty)
+                && ty.is_integer()
+            {
+                let value = literal(Value::plain(*ty, 77), &variable.ty);
+                arguments.push(Argument { parameter, value });
+            }
+        }
+    });
+    assert!(found > 5, "{found}");
+}
+
+#[test]
+fn the_longest_shifts_from_those_that_leave_nothing() {
+    for function in [
+        StandardFunction::Shl,
+        StandardFunction::Shr,
+        StandardFunction::Rol,
+        StandardFunction::Ror,
+    ] {
+        let found = told_apart(|_, expression| {
+            let (ExpressionKind::Standard(called, arguments), Type::Elementary(ty)) =
+                (&expression.kind, &expression.ty)
+            else {
+                return;
+            };
+            let last = Value::plain(ElementaryType::Int, u64::from(ty.bits().saturating_sub(1)));
+            if *called == function
+                && matches!(&arguments[1].kind, ExpressionKind::Literal(count, _) if *count == last)
+            {
+                *expression = literal(Value::plain(*ty, 0), &expression.ty);
+            }
+        });
+        assert!(found > 5, "{function:?}: {found}");
+    }
+}
+
+#[test]
+fn products_that_are_subnormal_from_zero() {
+    let is_subnormal = |value: &Value| match *value {
+        Value::Plain {
+            ty: ElementaryType::Real,
+            raw,
+        } => f32::from_bits(raw as u32).is_subnormal(),
+        Value::Plain {
+            ty: ElementaryType::Lreal,
+            raw,
+        } => f64::from_bits(raw).is_subnormal(),
+        _ => false,
+    };
+    let subnormal = |seed: &u64| {
+        let right = made(*seed);
+        let mut wrong = right.clone();
+        walk_program(&mut Misread(without_products), &mut wrong);
+        let subnormals = |program| {
+            let values = evaluate(program, 1).map(|evaluation| evaluation.values);
+            values
+                .unwrap_or_default()
+                .iter()
+                .filter(|(_, value)| is_subnormal(value))
+                .count()
+        };
+        subnormals(&wrong) < subnormals(&right)
+    };
+    let found = (0..PROGRAMS).filter(subnormal).count();
+    assert!(found > 5, "{found}");
+}
+
+/// Zero for a product of reals.
+fn without_products(expression: &mut Expression) {
+    if let (ExpressionKind::Binary(BinaryOperator::Multiply, ..), Type::Elementary(ty)) =
+        (&expression.kind, &expression.ty)
+        && ty.is_real()
+    {
+        *expression = literal(Value::plain(*ty, 0), &expression.ty);
+    }
+}
+
+#[test]
+fn calls_leave_inputs_out_only_where_documents_say_what_they_are_then() {
+    let leaves_out = |open, dialect| {
+        let settings = Settings {
+            dialect: Some(dialect),
+            open,
+            ..Settings::default()
+        };
+        (0..300).any(|seed| {
+            let program = program(&mut Unstructured::new(&bytes(seed, 2000)), &settings);
+            let census = stickler_generate::census::census(&program);
+            census.contains_key("call of a function that leaves inputs out")
+        })
+    };
+    for dialect in DialectName::ALL {
+        let settled = matches!(dialect, DialectName::Matiec | DialectName::Plcnext);
+        assert_eq!(leaves_out(false, dialect), settled, "{dialect}");
+        assert!(leaves_out(true, dialect), "{dialect}");
+    }
+}
