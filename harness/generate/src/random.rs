@@ -90,7 +90,7 @@ pub const fn next(state: &mut u64) -> u64 {
     mixed ^ (mixed >> 31)
 }
 
-/// So many bytes that look random, always the same for a seed: for tests and measurements. Campaigns have bytes of their own.
+/// So many bytes that look random, always the same for a seed.
 #[must_use]
 pub fn bytes(seed: u64, length: usize) -> Vec<u8> {
     let mut state = seed;

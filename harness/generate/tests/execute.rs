@@ -5,17 +5,7 @@ use stickler_generate::oracles::{Tried, execute};
 
 /// So many bytes that look random, for the seed.
 fn bytes(seed: u64) -> Vec<u8> {
-    let length = (seed * 11 % 2000) as usize;
-    let mut state = seed ^ 0x5EED;
-    let mut bytes = Vec::with_capacity(length + 8);
-    while bytes.len() < length {
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        bytes.extend((mixed ^ (mixed >> 31)).to_le_bytes());
-    }
-    bytes.truncate(length);
-    bytes
+    stickler_generate::random::bytes(seed ^ 0x5EED, (seed * 11 % 2000) as usize)
 }
 
 /// How many programs are judged: `SEEDS` of the environment, or few.

@@ -5,7 +5,7 @@ use super::{Failure, Tried};
 use crate::evaluate::{Evaluation, Refusal, evaluate};
 use crate::generator::{Settings, program};
 use crate::model::Program;
-use crate::random::Random;
+use crate::random::{Random, bytes};
 use crate::variants::Variant;
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
@@ -201,18 +201,10 @@ pub(super) fn compare(expected: &[(String, Value)], given: &[(String, Value)]) -
 fn scattered(input: &[u8]) -> Vec<u8> {
     const LENGTH: usize = 512;
     // FNV-1a takes the input in, and splitmix64 spreads it out.
-    let mut state = input.iter().fold(0xCBF2_9CE4_8422_2325_u64, |hash, &byte| {
+    let seed = input.iter().fold(0xCBF2_9CE4_8422_2325_u64, |hash, &byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3)
     });
-    let mut bytes = Vec::with_capacity(LENGTH);
-    while bytes.len() < LENGTH {
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut word = state;
-        word = (word ^ (word >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        word = (word ^ (word >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        bytes.extend((word ^ (word >> 31)).to_le_bytes());
-    }
-    bytes
+    bytes(seed, LENGTH)
 }
 
 #[cfg(test)]

@@ -9,14 +9,7 @@ use stickler_types::DialectName;
 
 /// Bytes that choose something else for every number.
 fn choices(number: u64) -> Vec<u8> {
-    let mut state = number;
-    let mut next = || {
-        // splitmix64.
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        (mixed ^ (mixed >> 27)).to_le_bytes()
-    };
-    (0..12).flat_map(|_| next()).collect()
+    crate::random::bytes(number, 96)
 }
 
 #[test]

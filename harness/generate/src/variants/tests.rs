@@ -13,14 +13,7 @@ use stickler_types::Value;
 
 /// Bytes that look random, of a length that makes a program of some size.
 fn bytes(seed: u64) -> Vec<u8> {
-    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
-    let mut next = || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        state as u8
-    };
-    (0..600).map(|_| next()).collect()
+    crate::random::bytes(seed, 600)
 }
 
 fn made(seed: u64) -> Program {

@@ -7,6 +7,7 @@ use crate::model::{
     BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, LiteralForm, Program, Section,
     StandardFunction, Statement, StatementKind, Target, Type, Variable,
 };
+use crate::random::bytes;
 use crate::reduce::{Answer, Budget, Ended, Minimised, Symptom, program};
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
@@ -317,19 +318,6 @@ const BUGS: [(&str, Bug); 16] = [
         }),
     ),
 ];
-
-/// So many bytes that look random, for the seed.
-fn bytes(seed: u64, length: usize) -> Vec<u8> {
-    let mut state = seed;
-    let mut bytes = Vec::with_capacity(length);
-    while bytes.len() < length {
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        bytes.extend((mixed ^ (mixed >> 31)).to_le_bytes());
-    }
-    bytes
-}
 
 /// The first program that shows a bug, of as many as a campaign makes in a few seconds, and how it shows.
 fn shown(bug: &Bug, seeds: std::ops::Range<u64>) -> Option<(Program, Symptom)> {
