@@ -12,7 +12,7 @@ mod search;
 mod symptom;
 mod text;
 
-pub use program::{METHOD, program};
+pub use program::program;
 pub use search::{Answer, Budget, Ended, Method, Minimised, Pass, Sites, minimise};
 pub use symptom::{Symptom, UnknownSymptom};
 pub use text::text;

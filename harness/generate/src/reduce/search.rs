@@ -42,6 +42,11 @@ pub struct Pass<T> {
     pub edit: fn(&mut T, &mut Sites),
 }
 
+/// A pass of this name that makes this edit.
+pub(super) const fn pass<T>(name: &'static str, edit: fn(&mut T, &mut Sites)) -> Pass<T> {
+    Pass { name, edit }
+}
+
 /// The places that a pass could change, numbered as it comes to them.
 #[derive(Debug)]
 pub struct Sites {

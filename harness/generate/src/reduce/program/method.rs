@@ -3,10 +3,11 @@
 use super::soundness::breaches;
 use super::{declarations, expressions, forget, lift, promote, shapes, statements, unwrap, values, weight};
 use crate::model::Program;
-use crate::reduce::{Answer, Budget, Method, Minimised, Pass, Sites, minimise};
+use crate::reduce::search::pass;
+use crate::reduce::{Answer, Budget, Method, Minimised, minimise};
 
 /// How programs are reduced: first what makes many lines go at once, last what makes one literal nicer.
-pub const METHOD: Method<Program> = Method {
+const METHOD: Method<Program> = Method {
     passes: &[
         pass("drop statements of main and what they used", |program, sites| {
             declarations::with_variables(program, sites, statements::drop_of_main);
@@ -87,8 +88,4 @@ pub fn program(
         }
     };
     minimise(start.clone(), &METHOD, &mut ask, budget)
-}
-
-const fn pass(name: &'static str, edit: fn(&mut Program, &mut Sites)) -> Pass<Program> {
-    Pass { name, edit }
 }

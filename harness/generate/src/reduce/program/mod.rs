@@ -23,4 +23,4 @@ mod weight;
 
 use crate::model::walk;
 
-pub use method::{METHOD, program};
+pub use method::program;

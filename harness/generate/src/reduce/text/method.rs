@@ -2,7 +2,8 @@
 
 use super::draft::{self, Draft};
 use super::{chunks, declarations, expressions, statements, values};
-use crate::reduce::{Answer, Budget, Ended, Method, Minimised, Pass, Sites, minimise};
+use crate::reduce::search::pass;
+use crate::reduce::{Answer, Budget, Ended, Method, Minimised, minimise};
 use stickler_types::DialectName;
 
 /// How texts are reduced: first what makes many lines go at once, last what makes one literal nicer.
@@ -56,10 +57,6 @@ const METHOD: Method<Draft> = Method {
     weight: draft::weight,
     key: draft::key,
 };
-
-const fn pass(name: &'static str, edit: fn(&mut Draft, &mut Sites)) -> Pass<Draft> {
-    Pass { name, edit }
-}
 
 /// Makes a source text as small as it can be while it stays interesting.
 ///
