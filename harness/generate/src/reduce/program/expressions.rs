@@ -108,17 +108,22 @@ impl<F: FnMut(&Expression, &Program) -> Option<Expression>> Visitor for Replacer
     fn literal(&mut self, _: &mut Expression) {}
 
     fn input(&mut self, instance: VariableId, argument: &mut Argument) {
-        if is_in_out(self.before, self.unit, instance, argument.parameter) {
-            keep_place(self, &mut argument.value);
-        } else {
-            self.expression(&mut argument.value);
-        }
+        let before = self.before;
+        walk_input(self, before, self.unit, instance, argument);
     }
 }
 
-/// What stands behind an in-out stays a variable; only its subscripts may change.
-pub(super) fn keep_place(visitor: &mut impl Visitor, value: &mut Expression) {
-    if let ExpressionKind::Read(place) = &mut value.kind {
+/// An argument of a call of a function block: what stands behind an in-out stays a variable, and only its subscripts may change.
+pub(super) fn walk_input(
+    visitor: &mut impl Visitor,
+    program: &Program,
+    unit: Unit,
+    instance: VariableId,
+    argument: &mut Argument,
+) {
+    if !is_in_out(program, unit, instance, argument.parameter) {
+        visitor.expression(&mut argument.value);
+    } else if let ExpressionKind::Read(place) = &mut argument.value.kind {
         walk_place(visitor, place);
     }
 }

@@ -3,7 +3,7 @@
 //! That cuts a program off from all that led to a value: of `y := f(a[i] + b)` remains `y := f(INT#70)`, and the statements that
 //! computed `a`, `i` and `b` can go.
 
-use super::expressions::{is_in_out, keep_place};
+use super::expressions::walk_input;
 use super::plain::literal_kind;
 use super::walk::{Unit, Visitor, walk_expression, walk_program};
 use crate::evaluate::evaluate;
@@ -127,11 +127,8 @@ impl Visitor for Walk<'_> {
     fn literal(&mut self, _: &mut Expression) {}
 
     fn input(&mut self, instance: VariableId, argument: &mut Argument) {
-        if is_in_out(self.before, self.unit, instance, argument.parameter) {
-            keep_place(self, &mut argument.value);
-        } else {
-            self.expression(&mut argument.value);
-        }
+        let before = self.before;
+        walk_input(self, before, self.unit, instance, argument);
     }
 
     fn variable(&mut self, _: &mut Variable) {}
