@@ -20,12 +20,11 @@ use super::expressions::elementary;
 use super::literals;
 use super::maker::Maker;
 use super::operations::binary;
-use super::places::{integer, whole, whole_place};
+use super::places::{assign, integer, whole};
 use super::scope::Step;
-use crate::model::ArrayType;
 use crate::model::{
-    BinaryOperator, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Place, Selector,
-    StandardFunction, Statement, StatementKind, Target, Type, VariableId, subscripts,
+    ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Place,
+    Selector, StandardFunction, Statement, StatementKind, Type, VariableId, subscripts,
 };
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -235,10 +234,4 @@ fn number(number: i64) -> Expression {
 fn mix(checksum: VariableId, added: Expression) -> Statement {
     let product = binary(BinaryOperator::Multiply, whole(checksum, LINT), number(31), LINT);
     assign(checksum, LINT, binary(BinaryOperator::Add, product, added, LINT))
-}
-
-fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
-    Statement {
-        kind: StatementKind::Assign(Target::Place(whole_place(variable, ty)), value),
-    }
 }

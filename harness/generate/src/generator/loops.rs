@@ -3,11 +3,11 @@
 use super::expressions::{Wanted, elementary};
 use super::maker::Maker;
 use super::operations::binary;
-use super::places::{integer, whole, whole_place};
+use super::places::{assign, integer, whole};
 use super::scope::{Seen, Step};
 use crate::model::{
     BinaryOperator, Expression, ExpressionKind, LiteralForm, StandardFunction, Statement, StatementKind,
-    Target, Type, VariableId,
+    Type, VariableId,
 };
 use stickler_types::ElementaryType;
 
@@ -245,12 +245,6 @@ fn counted(counter: VariableId) -> Statement {
         ty,
         binary(BinaryOperator::Add, whole(counter, ty), one, ty),
     )
-}
-
-fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
-    Statement {
-        kind: StatementKind::Assign(Target::Place(whole_place(variable, ty)), value),
-    }
 }
 
 /// The limits of an integer type, as far as 64 signed bits hold them.

@@ -4,7 +4,8 @@ use super::expressions::elementary;
 use super::maker::Maker;
 use super::scope::{Seen, Step, contains_text};
 use crate::model::{
-    Expression, ExpressionKind, LiteralForm, Place, Selector, StandardFunction, Type, VariableId,
+    Expression, ExpressionKind, LiteralForm, Place, Selector, StandardFunction, Statement, StatementKind,
+    Target, Type, VariableId,
 };
 use stickler_types::{ElementaryType, Value};
 
@@ -124,15 +125,17 @@ impl Maker<'_, '_> {
 
 /// The value of a whole variable of an elementary type.
 pub(super) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
-    elementary(ty, ExpressionKind::Read(whole_place(variable, ty)))
+    elementary(
+        ty,
+        ExpressionKind::Read(Place::whole(variable, Type::Elementary(ty))),
+    )
 }
 
-/// A whole variable of an elementary type.
-pub(super) fn whole_place(variable: VariableId, ty: ElementaryType) -> Place {
-    Place {
-        variable,
-        path: Vec::new(),
-        ty: Type::Elementary(ty),
+/// An assignment to a whole variable of an elementary type.
+pub(super) fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
+    let place = Place::whole(variable, Type::Elementary(ty));
+    Statement {
+        kind: StatementKind::Assign(Target::Place(place), value),
     }
 }
 

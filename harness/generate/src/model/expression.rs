@@ -70,6 +70,18 @@ pub struct Place {
     pub ty: Type,
 }
 
+impl Place {
+    /// A whole variable of this type.
+    #[must_use]
+    pub const fn whole(variable: VariableId, ty: Type) -> Place {
+        Place {
+            variable,
+            path: Vec::new(),
+            ty,
+        }
+    }
+}
+
 /// One step into a variable.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Selector {

@@ -181,11 +181,7 @@ pub(super) fn places(program: &Program, unit: Unit) -> Vec<Named> {
     let controlled = controlled(program, unit);
     for (number, variable) in unit.variables(program).iter().enumerate() {
         let id = VariableId(number);
-        let place = Place {
-            variable: id,
-            path: Vec::new(),
-            ty: variable.ty.clone(),
-        };
+        let place = Place::whole(id, variable.ty.clone());
         let writable = match variable.section {
             Section::Local | Section::Output | Section::InOut => !controlled.contains(&id),
             Section::Constant | Section::Input => false,

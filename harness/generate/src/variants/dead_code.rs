@@ -1,8 +1,8 @@
 //! Statements that are never reached, or that change nothing, and variables that nobody reads.
 
-use super::walk::{FreeNames, bodies, has_loose_exit, lists, variable, whole};
+use super::walk::{FreeNames, bodies, has_loose_exit, lists, variable};
 use crate::model::{
-    Expression, ExpressionKind, LiteralForm, Program, Section, Statement, StatementKind, Target, Type,
+    Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement, StatementKind, Target, Type,
     Variable, VariableId,
 };
 use crate::random::Random;
@@ -96,7 +96,7 @@ fn dead(
 
 /// `a := a;`
 fn onto_itself(id: VariableId, ty: ElementaryType) -> Statement {
-    let place = whole(id, Type::Elementary(ty));
+    let place = Place::whole(id, Type::Elementary(ty));
     let value = Expression {
         ty: Type::Elementary(ty),
         kind: ExpressionKind::Read(place.clone()),

@@ -1,8 +1,8 @@
 //! Literals: their values in variables and constants, or their types in front of them.
 
-use super::walk::{FreeNames, bodies, expressions, variable, whole};
+use super::walk::{FreeNames, bodies, expressions, variable};
 use crate::model::{
-    Expression, ExpressionKind, Initial, LiteralForm, Program, Section, Variable, VariableId,
+    Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Variable, VariableId,
 };
 use crate::random::Random;
 
@@ -30,7 +30,7 @@ pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize
                 Section::Local
             };
             let ty = expression.ty.clone();
-            let hoisted = whole(VariableId(first + added.len()), ty.clone());
+            let hoisted = Place::whole(VariableId(first + added.len()), ty.clone());
             let value = std::mem::replace(&mut expression.kind, ExpressionKind::Read(hoisted));
             added.push(Variable {
                 initial: Some(Initial::Expression(Expression {

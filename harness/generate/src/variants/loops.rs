@@ -1,9 +1,9 @@
 //! Loops: FOR turn after turn, and the first turn of the others in front of them.
 
-use super::walk::{bodies, has_loose_exit, lists, whole};
+use super::walk::{bodies, has_loose_exit, lists};
 use crate::model::{
-    Expression, ExpressionKind, LiteralForm, Program, Statement, StatementKind, Target, Type, UnaryOperator,
-    Variable, VariableId,
+    Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind, Target, Type,
+    UnaryOperator, Variable, VariableId,
 };
 use crate::random::Random;
 use stickler_types::{ElementaryType, Value};
@@ -109,7 +109,7 @@ fn assigned(variable: VariableId, ty: ElementaryType, value: i128) -> Statement 
         kind: ExpressionKind::Literal(Value::plain(ty, ty.wrap(value)), LiteralForm::Typed),
     };
     of_kind(StatementKind::Assign(
-        Target::Place(whole(variable, Type::Elementary(ty))),
+        Target::Place(Place::whole(variable, Type::Elementary(ty))),
         literal,
     ))
 }

@@ -1,8 +1,8 @@
 //! Operands: the other way round, or in variables of their own.
 
-use super::walk::{Body, FreeNames, bodies, expressions, lists, variable, whole};
+use super::walk::{Body, FreeNames, bodies, expressions, lists, variable};
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, Program, Section, Statement, StatementKind, Target,
+    BinaryOperator, Expression, ExpressionKind, Place, Program, Section, Statement, StatementKind, Target,
     VariableId,
 };
 use crate::random::Random;
@@ -98,10 +98,10 @@ fn separate(operand: &mut Expression, body: &mut Body<'_>, names: &mut FreeNames
     let id: VariableId = body.add(variable(names.next("part"), ty.clone(), Section::Local));
     let read = Expression {
         ty: ty.clone(),
-        kind: ExpressionKind::Read(whole(id, ty.clone())),
+        kind: ExpressionKind::Read(Place::whole(id, ty.clone())),
     };
     let value = mem::replace(operand, read);
     Statement {
-        kind: StatementKind::Assign(Target::Place(whole(id, ty)), value),
+        kind: StatementKind::Assign(Target::Place(Place::whole(id, ty)), value),
     }
 }

@@ -91,15 +91,6 @@ pub(super) fn variable(name: String, ty: Type, section: Section) -> Variable {
     }
 }
 
-/// A whole variable.
-pub(super) fn whole(variable: VariableId, ty: Type) -> Place {
-    Place {
-        variable,
-        path: Vec::new(),
-        ty,
-    }
-}
-
 /// Shows every expression of some statements, the parts before the whole. CASE labels, and what stands behind BY, are left out:
 /// there only literals may stand.
 pub(super) fn expressions(statements: &mut [Statement], visit: &mut dyn FnMut(&mut Expression)) {

@@ -34,11 +34,7 @@ struct Hoist<'p> {
 impl Hoist<'_> {
     /// `new := value;`, of a variable that there was not before.
     fn assignment(&mut self, value: Expression) -> Statement {
-        let place = Place {
-            variable: VariableId(self.variables.len()),
-            path: Vec::new(),
-            ty: value.ty.clone(),
-        };
+        let place = Place::whole(VariableId(self.variables.len()), value.ty.clone());
         let name = (0..=self.variables.len())
             .map(|number| format!("value{number}"))
             .find(|name| self.variables.iter().all(|variable| variable.name != *name));

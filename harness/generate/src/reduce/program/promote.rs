@@ -55,11 +55,7 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
         }
         program.main.body = body;
         if let Some((name, ty)) = result {
-            let place = Place {
-                variable: VariableId(variables.len()),
-                path: Vec::new(),
-                ty: ty.clone(),
-            };
+            let place = Place::whole(VariableId(variables.len()), ty.clone());
             variables.push(Variable {
                 name,
                 ty,

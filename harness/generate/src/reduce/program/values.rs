@@ -70,11 +70,8 @@ impl<'w> Walk<'w> {
     fn chosen(&mut self, expression: &mut Expression, ty: ElementaryType) {
         match &mut self.work {
             Work::Probe(probes) => {
-                let place = Place {
-                    variable: VariableId(self.before.main.variables.len() + probes.len()),
-                    path: Vec::new(),
-                    ty: Type::Elementary(ty),
-                };
+                let probe = VariableId(self.before.main.variables.len() + probes.len());
+                let place = Place::whole(probe, Type::Elementary(ty));
                 probes.push(Variable {
                     name: format!("probe {}", probes.len()),
                     ty: Type::Elementary(ty),
