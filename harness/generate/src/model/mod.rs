@@ -9,6 +9,7 @@ mod look;
 mod program;
 mod statement;
 mod types;
+mod unit;
 pub mod walk;
 
 pub use expression::{
@@ -19,3 +20,4 @@ pub use look::subscripts;
 pub use program::{Block, Function, Initial, Main, Program, Section, Variable, VariableId};
 pub use statement::{CaseBranch, CaseLabel, Statement, StatementKind, Target};
 pub use types::{ArrayType, Declared, Type, TypeDeclaration};
+pub use unit::Unit;

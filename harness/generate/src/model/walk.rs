@@ -3,23 +3,11 @@
 //! A [`Visitor`] overrides what it is interested in and calls the function of the same name here to go deeper. `PROGRAM
 //! main` comes first, for it is what a reduction works on longest.
 
+pub use super::Unit;
 use super::{
     Argument, CaseBranch, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program, Selector,
     Statement, StatementKind, Target, Type, Variable, VariableId,
 };
-
-/// Which program organization unit something stands in.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Unit {
-    /// `PROGRAM main`.
-    Main,
-    /// A function, by its place.
-    Function(usize),
-    /// A function block, by its place.
-    Block(usize),
-    /// None: the initial values of fields in TYPE … END_TYPE.
-    Types,
-}
 
 /// What is called at each part of a program; by default it goes deeper and changes nothing.
 pub trait Visitor {

@@ -1,10 +1,10 @@
 //! The piece of ground on which a kind plants its error: a program, a copy to change, and the bytes that choose.
 
-use super::scope::{Unit, elementary, places};
+use super::scope::{elementary, places};
 use super::walk::{self, Site};
 use crate::model::{
     BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement,
-    StatementKind, Type, UnaryOperator, Variable,
+    StatementKind, Type, UnaryOperator, Unit, Variable,
 };
 use arbitrary::Unstructured;
 use stickler_exact::signatures;

@@ -2,57 +2,9 @@
 
 use crate::model::{
     ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Selector,
-    StandardFunction, StatementKind, Type, Variable, VariableId,
+    StandardFunction, StatementKind, Type, Unit, VariableId,
 };
 use stickler_types::{DialectName, ElementaryType, Value};
-
-/// A part of a program with names of its own.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Unit {
-    /// TYPE … END_TYPE.
-    Types,
-    /// A function, by its place.
-    Function(usize),
-    /// A function block, by its place.
-    Block(usize),
-    /// `PROGRAM main`.
-    Main,
-}
-
-impl Unit {
-    /// Its variables; none where the program has no such unit.
-    pub fn variables(self, program: &Program) -> &[Variable] {
-        match self {
-            Unit::Types => &[],
-            Unit::Function(number) => program
-                .functions
-                .get(number)
-                .map_or(&[], |function| &function.variables),
-            Unit::Block(number) => program.blocks.get(number).map_or(&[], |block| &block.variables),
-            Unit::Main => &program.main.variables,
-        }
-    }
-
-    /// The same, to declare more in.
-    pub fn variables_mut(self, program: &mut Program) -> Option<&mut Vec<Variable>> {
-        match self {
-            Unit::Types => None,
-            Unit::Function(number) => program
-                .functions
-                .get_mut(number)
-                .map(|function| &mut function.variables),
-            Unit::Block(number) => program.blocks.get_mut(number).map(|block| &mut block.variables),
-            Unit::Main => Some(&mut program.main.variables),
-        }
-    }
-
-    /// Every unit that has variables.
-    pub fn all(program: &Program) -> Vec<Unit> {
-        let functions = (0..program.functions.len()).map(Unit::Function);
-        let blocks = (0..program.blocks.len()).map(Unit::Block);
-        functions.chain(blocks).chain([Unit::Main]).collect()
-    }
-}
 
 /// The elementary type that a type is, or stands for.
 pub(super) fn elementary(program: &Program, ty: &Type) -> Option<ElementaryType> {

@@ -1,11 +1,11 @@
 //! The places of a program where something can be planted: every expression with what is expected of it, and every list of
 //! statements.
 
-use super::scope::{Unit, element_and_limits, selected_type, written};
+use super::scope::{element_and_limits, selected_type, written};
 use crate::model::{
     Argument, BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program,
-    Section, Selector, StandardFunction, Statement, StatementKind, Target, Type, UnaryOperator, Variable,
-    VariableId,
+    Section, Selector, StandardFunction, Statement, StatementKind, Target, Type, UnaryOperator, Unit,
+    Variable, VariableId,
 };
 use stickler_types::ElementaryType;
 

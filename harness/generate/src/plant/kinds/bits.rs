@@ -3,9 +3,9 @@
 //! Basis: ironplc-bit-access, which is why most of it is for IronPLC's dialects only; where another stands, the kind names it.
 
 use super::super::plot::{Plot, literal};
-use super::super::scope::{Unit, elementary, has_bits};
+use super::super::scope::{elementary, has_bits};
 use super::operands::stands_for_any_value;
-use crate::model::{Expression, ExpressionKind, Place, Program, StatementKind, Target, Type};
+use crate::model::{Expression, ExpressionKind, Place, Program, StatementKind, Target, Type, Unit};
 use stickler_types::{DialectName, ElementaryType};
 
 /// The number of bits of a type that has bits.

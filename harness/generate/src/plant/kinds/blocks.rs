@@ -1,12 +1,12 @@
 //! Calls of function blocks, and arguments of VAR_IN_OUT.
 
 use super::super::plot::{PLANTED, Plot, literal, literal_text};
-use super::super::scope::{Unit, elementary, places, types};
+use super::super::scope::{elementary, places, types};
 use super::super::walk::Context;
 use super::misfits::never;
 use crate::model::{
     Argument, BinaryOperator, Block, Expression, ExpressionKind, Initial, Program, Section, StatementKind,
-    Type, Variable, VariableId,
+    Type, Unit, Variable, VariableId,
 };
 use stickler_exact::{Word, implicit};
 use stickler_types::ElementaryType;

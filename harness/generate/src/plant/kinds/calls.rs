@@ -1,13 +1,13 @@
 //! Calls of functions: arguments too many, too few, twice, or by names that nothing has; and calls that never end.
 
 use super::super::plot::{PLANTED, Plot, literal, literal_text};
-use super::super::scope::{Unit, elementary, types, written};
+use super::super::scope::{elementary, types, written};
 use super::super::walk::Site;
 use super::misfits::converts;
 use super::operands::stands_for_any_value;
 use crate::model::{
     Argument, Expression, ExpressionKind, Function, Program, Section, StandardFunction, Statement,
-    StatementKind, Target, Type, Variable, VariableId,
+    StatementKind, Target, Type, Unit, Variable, VariableId,
 };
 use stickler_types::ElementaryType;
 

@@ -1,8 +1,7 @@
 //! Declarations of what cannot be.
 
 use super::super::plot::{PLANTED, Plot};
-use super::super::scope::Unit;
-use crate::model::Section;
+use crate::model::{Section, Unit};
 use stickler_types::DialectName;
 
 /// Declares one of these, of a name of its own.

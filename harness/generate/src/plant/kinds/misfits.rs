@@ -4,9 +4,9 @@
 //! nor the bare result of a call: *all else P4035*, widening/contexts.toml.
 
 use super::super::plot::{Plot, literal};
-use super::super::scope::{Unit, elementary, types};
+use super::super::scope::{elementary, types};
 use super::super::walk::Context;
-use crate::model::{ExpressionKind, StandardFunction};
+use crate::model::{ExpressionKind, StandardFunction, Unit};
 use stickler_exact::{Word, implicit, signatures};
 use stickler_types::{DialectName, ElementaryType, Family};
 

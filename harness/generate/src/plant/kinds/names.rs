@@ -1,10 +1,10 @@
 //! Names that nothing has, that two things have, or that stand for something else.
 
 use super::super::plot::{PLANTED, Plot};
-use super::super::scope::{Unit, elementary};
+use super::super::scope::elementary;
 use super::super::walk::Context;
 use super::operands::stands_for_any_value;
-use crate::model::{Declared, Expression, ExpressionKind, Program, Section, Type, TypeDeclaration};
+use crate::model::{Declared, Expression, ExpressionKind, Program, Section, Type, TypeDeclaration, Unit};
 use stickler_types::ElementaryType;
 
 /// A variable that is not declared, somewhere in the place of a value.

@@ -3,10 +3,10 @@
 //! Basis: ironplc-problem-codes: P4049; stickler-design: §8 (*mixed operands*).
 
 use super::super::plot::{Plot, of};
-use super::super::scope::{Unit, types};
+use super::super::scope::types;
 use super::super::walk::{Context, Site};
 use super::misfits::{ALL_SHAPES, Shape, foreign, never, value};
-use crate::model::{BinaryOperator, Expression, ExpressionKind, Type, UnaryOperator};
+use crate::model::{BinaryOperator, Expression, ExpressionKind, Type, UnaryOperator, Unit};
 use stickler_types::{ElementaryType, Family};
 
 /// An operand of a type that has nothing in common with the other's.

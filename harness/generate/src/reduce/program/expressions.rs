@@ -2,10 +2,10 @@
 
 use super::plain::{Step, literal_kind, plainest};
 use super::usage::instance_of;
-use super::walk::{Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_variable};
+use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_variable};
 use crate::model::{
     Argument, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Statement,
-    StatementKind, Target, Type, Variable, VariableId,
+    StatementKind, Target, Type, Unit, Variable, VariableId,
 };
 use crate::reduce::Sites;
 use stickler_types::Value;

@@ -4,11 +4,9 @@ use super::expressions::is_in_out;
 use super::plain::plainest;
 use super::statements::drop_exits;
 use super::usage::{Usage, instance_of};
-use super::walk::{
-    Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_statements,
-};
+use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_statements};
 use crate::model::{
-    Argument, Expression, ExpressionKind, Place, Program, Statement, StatementKind, Target, VariableId,
+    Argument, Expression, ExpressionKind, Place, Program, Statement, StatementKind, Target, Unit, VariableId,
 };
 use crate::reduce::Sites;
 use std::mem;

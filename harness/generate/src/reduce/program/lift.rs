@@ -1,11 +1,9 @@
 //! Values taken out of where they stand: of conditions into variables of their own, of variables into what reads them.
 
-use super::walk::{
-    Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_statements,
-};
+use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_statements};
 use crate::model::{
     Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement, StatementKind, Target, Type,
-    Variable, VariableId,
+    Unit, Variable, VariableId,
 };
 use crate::reduce::Sites;
 use std::collections::HashMap;

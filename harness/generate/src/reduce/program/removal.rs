@@ -1,9 +1,9 @@
 //! Declarations taken out of a program, and every reference to those behind them renumbered.
 
 use super::usage::{Usage, instance_of};
-use super::walk::{Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
+use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
 use crate::model::{
-    Argument, Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type,
+    Argument, Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type, Unit,
     VariableId,
 };
 

@@ -9,10 +9,10 @@
 
 use super::unwrap::{Head, inside};
 use super::usage::{instance_of, variable_of, variable_type};
-use super::walk::{Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement};
+use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement};
 use crate::model::{
     BinaryOperator, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Selector,
-    Statement, StatementKind, Type, UnaryOperator, VariableId,
+    Statement, StatementKind, Type, UnaryOperator, Unit, VariableId,
 };
 use stickler_types::{Family, Value};
 

@@ -1,9 +1,9 @@
 //! Variables that are arrays or structures, replaced by one element or one field; fields that nothing reads, dropped.
 
 use super::usage::{instance_of, variable_type};
-use super::walk::{Unit, Visitor, walk_place, walk_program, walk_statement, walk_variable};
+use super::walk::{Visitor, walk_place, walk_program, walk_statement, walk_variable};
 use crate::model::{
-    Declared, Initial, Place, Program, Section, Selector, Statement, StatementKind, Type, Variable,
+    Declared, Initial, Place, Program, Section, Selector, Statement, StatementKind, Type, Unit, Variable,
     VariableId,
 };
 use crate::reduce::Sites;

@@ -1,8 +1,8 @@
 //! What of a program's declarations anything refers to.
 
-use super::walk::{Unit, Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
+use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
 use crate::model::{
-    Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type, Variable,
+    Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type, Unit, Variable,
     VariableId,
 };
 
@@ -61,13 +61,7 @@ impl Usage {
 
 /// A variable of a unit.
 pub(super) fn variable_of(program: &Program, unit: Unit, variable: VariableId) -> Option<&Variable> {
-    let variables = match unit {
-        Unit::Main => &program.main.variables,
-        Unit::Function(index) => &program.functions.get(index)?.variables,
-        Unit::Block(index) => &program.blocks.get(index)?.variables,
-        Unit::Types => return None,
-    };
-    variables.get(variable.0)
+    unit.variables(program).get(variable.0)
 }
 
 /// The type of a variable of a unit.

@@ -5,11 +5,11 @@
 
 use super::expressions::walk_input;
 use super::plain::literal_kind;
-use super::walk::{Unit, Visitor, walk_expression, walk_program};
+use super::walk::{Visitor, walk_expression, walk_program};
 use crate::evaluate::evaluate;
 use crate::model::{
     Argument, Expression, ExpressionKind, Place, Program, Section, Statement, StatementKind, Target, Type,
-    Variable, VariableId,
+    Unit, Variable, VariableId,
 };
 use crate::reduce::Sites;
 use std::mem;
