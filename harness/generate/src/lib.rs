@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 pub mod census;
+mod dialect;
 pub mod evaluate;
 pub mod generator;
 pub mod model;

@@ -2,6 +2,7 @@
 
 use super::expressions::Wanted;
 use super::literals;
+use crate::dialect::{has_bits, has_third_edition};
 use std::sync::LazyLock;
 use stickler_exact::{Signature, Word, expected, functions, implicit, signatures};
 use stickler_types::{DialectName, ElementaryType, Family};
@@ -70,15 +71,9 @@ impl Language {
         found.map(|offer| &offer.signature)
     }
 
-    /// Whether the bits of integers and bit strings can be named.
-    ///
-    /// Basis: ironplc-bit-access: Valid Base Types; stickler-design: §8 (syntax error in matiec, open in PLCnext).
+    /// Whether the bits of integers and bit strings can be named; in PLCnext that is open.
     pub fn has_bits(&self, open: bool) -> bool {
-        match self.dialect {
-            DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty => true,
-            DialectName::Matiec => false,
-            DialectName::Plcnext => open,
-        }
+        has_bits(self.dialect) || open && self.dialect == DialectName::Plcnext
     }
 
     /// Whether a call of a function may leave out inputs, which then have their initial values.
@@ -162,10 +157,9 @@ fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<Offer>> {
 
 /// The elementary types of a dialect; those that its documents or its compiler name.
 ///
-/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); stickler-design: §8; that matiec
-/// has twenty types and no WSTRING is measured.
+/// Basis: see [`has_third_edition`]; that matiec has twenty types and no WSTRING is measured.
 fn types(dialect: DialectName) -> Vec<ElementaryType> {
-    let third_edition = !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec);
+    let third_edition = has_third_edition(dialect);
     let has = |ty: &ElementaryType| {
         (third_edition || !ty.is_third_edition())
             && !(dialect == DialectName::Matiec && *ty == ElementaryType::Wstring)

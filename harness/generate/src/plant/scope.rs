@@ -1,5 +1,6 @@
 //! What can be said where: the units of a program, the variables that they see, and the types of what is written there.
 
+use crate::dialect::has_third_edition;
 use crate::model::{
     ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Selector,
     StandardFunction, StatementKind, Type, Unit, VariableId,
@@ -102,20 +103,10 @@ pub(super) const fn compares(operator: BinaryOperator) -> bool {
 ///
 /// Basis: ironplc-problem-codes: P0010 (the types of the third edition need it); stickler-design: §8.
 pub(super) fn types(dialect: DialectName) -> impl Iterator<Item = ElementaryType> {
-    let third = !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec);
+    let third = has_third_edition(dialect);
     ElementaryType::ALL
         .into_iter()
         .filter(move |ty| third || !ty.is_third_edition())
-}
-
-/// Whether a dialect's documents know access to single bits.
-///
-/// Basis: ironplc-bit-access; the others' documents are silent, and matiec's grammar does not have it.
-pub(super) const fn has_bits(dialect: DialectName) -> bool {
-    matches!(
-        dialect,
-        DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty
-    )
 }
 
 /// A part of a variable that a unit can name.

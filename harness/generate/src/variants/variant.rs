@@ -1,12 +1,12 @@
 //! The variants by name.
 
 use super::{branches, capitals, dead_code, literals, loops, operands, spelling};
+use crate::dialect::has_partial_access;
 use crate::model::Program;
 use crate::random::Random;
 use crate::writer::{Arguments, Bits, Keywords, LineEnds, Notation, Style, Widening, write};
 use arbitrary::Unstructured;
 use stickler_reference::render;
-use stickler_types::DialectName;
 
 /// A way to write a program differently and mean the same.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -175,13 +175,6 @@ fn changed(
 ) -> Option<String> {
     let mut program = program.clone();
     (change(&mut program, random) > 0).then(|| write(&program, &Style::default()).text)
-}
-
-/// Whether a dialect knows `.%Xn`.
-///
-/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax; stickler-design: §8.
-const fn has_partial_access(dialect: DialectName) -> bool {
-    matches!(dialect, DialectName::IronplcEd3 | DialectName::IronplcRusty)
 }
 
 /// What the reference's renderer gives for the text in one notation or the other. Where it refuses, that is no text of a program,

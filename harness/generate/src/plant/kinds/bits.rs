@@ -3,8 +3,9 @@
 //! Basis: ironplc-bit-access, which is why most of it is for IronPLC's dialects only; where another stands, the kind names it.
 
 use super::super::plot::{Plot, literal};
-use super::super::scope::{elementary, has_bits};
+use super::super::scope::elementary;
 use super::operands::stands_for_any_value;
+use crate::dialect::{has_bits, has_partial_access};
 use crate::model::{Expression, ExpressionKind, Place, Program, StatementKind, Target, Type, Unit};
 use stickler_types::{DialectName, ElementaryType};
 
@@ -112,8 +113,7 @@ pub(super) fn wider_disabled(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 ///
 /// Basis: bit-access/wider-forms-unsupported.toml.
 pub(super) fn wider_unsupported(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let dialects = [DialectName::IronplcEd3, DialectName::IronplcRusty];
-    if !dialects.contains(&plot.original.dialect) {
+    if !has_partial_access(plot.original.dialect) {
         return None;
     }
     by_text(plot, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])

@@ -1,8 +1,8 @@
 //! Declarations of what cannot be.
 
 use super::super::plot::{PLANTED, Plot};
+use crate::dialect::has_third_edition;
 use crate::model::{Section, Unit};
-use stickler_types::DialectName;
 
 /// Declares one of these, of a name of its own.
 fn declared(plot: &mut Plot<'_, '_, '_>, section: Section, texts: &[&str]) -> Option<()> {
@@ -15,8 +15,7 @@ fn declared(plot: &mut Plot<'_, '_, '_>, section: Section, texts: &[&str]) -> Op
 ///
 /// Basis: language/third-edition-types.st.
 pub(super) fn third_edition(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let second = [DialectName::IronplcEd2, DialectName::Matiec];
-    if !second.contains(&plot.original.dialect) {
+    if has_third_edition(plot.original.dialect) {
         return None;
     }
     let types = [
