@@ -5,8 +5,8 @@
 
 use super::super::plot::{Plot, literal};
 use super::super::scope::{elementary, types};
-use super::super::walk::Context;
-use crate::model::{ExpressionKind, StandardFunction, Unit};
+use super::super::walk::{Context, Site};
+use crate::model::{Expression, ExpressionKind, Program, StandardFunction, Unit};
 use stickler_exact::{Word, implicit, signatures};
 use stickler_types::{DialectName, ElementaryType, Family};
 
@@ -209,6 +209,64 @@ pub(super) fn standard(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
     let kind = plot.variable(site.unit, from)?;
     plot.replace(number, kind);
     Some(())
+}
+
+/// The same where the call is all that is assigned or passed: then the type that is wanted of it is known, and with that the
+/// conversion to suggest.
+pub(super) fn of_call_alone(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+    let original = plot.original;
+    let dialect = original.dialect;
+    let alone = |site: Site, call: &Expression| {
+        let wanted = matches!(
+            site.context,
+            Context::Assigned | Context::Result | Context::Argument | Context::Input
+        );
+        match &call.kind {
+            ExpressionKind::Standard(function, arguments) if wanted => {
+                of_one_type(original, *function, arguments)
+            }
+            _ => Vec::new(),
+        }
+    };
+    let (number, site, call) = plot.site(|site, expression| !alone(site, expression).is_empty())?;
+    let (context, target) = plot.choose(alone(site, &call))?;
+    let Context::Standard(_, place) = context else {
+        return None;
+    };
+    let wrong = types(dialect).filter(|&ty| takes(context, ty) == Some(false));
+    let from = plot.choose(wrong.collect())?;
+    let kind = plot.variable(site.unit, from)?;
+    plot.change(number, |call| {
+        if let ExpressionKind::Standard(_, arguments) = &mut call.kind
+            && let Some(argument) = arguments.get_mut(place)
+        {
+            argument.kind = kind;
+        }
+    });
+    plot.suggested = converts(from, target, dialect);
+    Some(())
+}
+
+/// The arguments for which a call of a standard function takes only one type, with that type. A number that counts may be of any
+/// integer type, so that no conversion is the one that was meant.
+fn of_one_type(
+    program: &Program,
+    function: StandardFunction,
+    arguments: &[Expression],
+) -> Vec<(Context, ElementaryType)> {
+    let contexts = (0..arguments.len()).map(|number| Context::Standard(function, number));
+    let types = arguments.iter().map(|argument| elementary(program, &argument.ty));
+    let found = contexts
+        .zip(types)
+        .filter_map(|(context, ty)| Some((context, ty?)));
+    found
+        .filter(|&(context, ty)| takes(context, ElementaryType::Date) == Some(false) && !counts(context, ty))
+        .collect()
+}
+
+/// Whether it is the selector of MUX, or by how much is shifted.
+fn counts(context: Context, ty: ElementaryType) -> bool {
+    matches!(context, Context::Standard(function, _) if function != StandardFunction::Abs && ty.is_integer())
 }
 
 /// Whether a parameter of a standard function takes a type; nothing where the type has to be that of another argument, or

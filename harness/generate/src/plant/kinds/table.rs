@@ -33,6 +33,7 @@ pub(in super::super) const KINDS: &[Kind] = kinds! {
     FunctionCallArgTypeMismatch "an input of another type" misfits::input;
     FunctionCallArgTypeMismatch "an argument of another type than the conversion's" misfits::converted;
     FunctionCallArgTypeMismatch "an argument of another type than the standard function's" misfits::standard;
+    FunctionCallArgTypeMismatch "an argument of another type in the call of a standard function alone" misfits::of_call_alone;
     ConditionTypeInvalid "an IF whose condition is no BOOL" misfits::condition_of_if;
     ConditionTypeInvalid "an ELSIF whose condition is no BOOL" misfits::condition_of_elsif;
     ConditionTypeInvalid "a WHILE whose condition is no BOOL" misfits::condition_of_while;
