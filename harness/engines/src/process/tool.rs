@@ -2,12 +2,12 @@
 
 use super::child::told;
 use super::group::{Group, Pipes};
-use super::memory;
+use super::usage;
 use crate::Outcome;
 use std::ffi::OsStr;
 use std::io::Read;
 use std::path::Path;
-use std::process::{ExitStatus, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -20,6 +20,8 @@ const LOOK: Duration = Duration::from_millis(100);
 pub(crate) struct ToolLimits {
     /// How long it may run.
     pub(crate) time: Duration,
+    /// How much processor time it and all that it starts may take; only looked after on Linux.
+    pub(crate) cpu: Duration,
     /// How much it may write to stdout, and to stderr, in bytes.
     pub(crate) output: u64,
     /// How much memory it and all that it starts may hold, in bytes; only looked after on Linux.
@@ -27,11 +29,12 @@ pub(crate) struct ToolLimits {
 }
 
 impl Default for ToolLimits {
-    /// One minute, 16 MiB of output and 2 GiB of memory: many times what compilers of small programs take, also on a busy
-    /// machine.
+    /// One minute, two of processor time, 16 MiB of output and 2 GiB of memory: many times what compilers of small programs
+    /// take, also on a busy machine.
     fn default() -> ToolLimits {
         ToolLimits {
             time: Duration::from_secs(60),
+            cpu: Duration::from_secs(120),
             output: 16 << 20,
             memory: 2 << 30,
         }
@@ -107,6 +110,20 @@ pub(crate) fn run<A: AsRef<OsStr>>(
     folder: &Path,
     limits: &ToolLimits,
 ) -> Result<Ended, Outcome> {
+    run_with(program, arguments, folder, limits, |_| {})
+}
+
+/// The same, with what `prepare` does to the command before it is started.
+///
+/// # Errors
+/// As [`run`].
+pub(crate) fn run_with<A: AsRef<OsStr>>(
+    program: &Path,
+    arguments: &[A],
+    folder: &Path,
+    limits: &ToolLimits,
+    prepare: impl FnOnce(&mut Command),
+) -> Result<Ended, Outcome> {
     let deadline = Instant::now() + limits.time;
     let (mut group, pipes) = Group::start(program.as_os_str(), |start| {
         start
@@ -115,13 +132,14 @@ pub(crate) fn run<A: AsRef<OsStr>>(
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
+        prepare(start);
     })
     .map_err(|reason| Outcome::Error {
         message: format!("`{}` could not be started: {reason}", program.display()),
     })?;
     let streams = collect(pipes, limits.output);
     let (stdout, stderr) = gather(&mut group, &streams, deadline, limits)?;
-    let status = group.wait_until(deadline).ok_or_else(|| timed_out(limits))?;
+    let status = end(&mut group, deadline, limits)?;
     Ok(Ended {
         status,
         stdout,
@@ -171,7 +189,7 @@ fn gather(
                 orphaned = true;
                 group.kill();
             }
-            Err(RecvTimeoutError::Timeout) if left > LOOK => within_memory(group, limits)?,
+            Err(RecvTimeoutError::Timeout) if left > LOOK => within(group, limits)?,
             Err(_) => return Err(timed_out(limits)),
         }
     }
@@ -194,12 +212,31 @@ fn flooded(limits: &ToolLimits) -> Outcome {
     }
 }
 
-fn within_memory(group: &Group, limits: &ToolLimits) -> Result<(), Outcome> {
-    match memory::resident(group.number()) {
-        Some(held) if held > limits.memory => Err(Outcome::Crashed {
-            reason: format!("it held more than {} MiB of memory", limits.memory >> 20),
-        }),
+fn within(group: &Group, limits: &ToolLimits) -> Result<(), Outcome> {
+    let crashed = |reason: String| Err(Outcome::Crashed { reason });
+    match usage::of_group(group.number()) {
+        Some(usage) if usage.memory > limits.memory => {
+            crashed(format!("it held more than {} MiB of memory", limits.memory >> 20))
+        }
+        Some(usage) if usage.cpu > limits.cpu => crashed(format!(
+            "it took more than {} seconds of processor time",
+            limits.cpu.as_secs_f64()
+        )),
         _ => Ok(()),
+    }
+}
+
+/// Waits for the end of a process that has closed its output, and looks after it meanwhile.
+fn end(group: &mut Group, deadline: Instant, limits: &ToolLimits) -> Result<ExitStatus, Outcome> {
+    loop {
+        let look = deadline.min(Instant::now() + LOOK);
+        if let Some(status) = group.wait_until(look) {
+            return Ok(status);
+        }
+        if look == deadline {
+            return Err(timed_out(limits));
+        }
+        within(group, limits)?;
     }
 }
 
@@ -209,6 +246,7 @@ mod tests {
 
     const LIMITS: ToolLimits = ToolLimits {
         time: Duration::from_secs(60),
+        cpu: Duration::from_secs(60),
         output: 1 << 16,
         memory: 1 << 30,
     };
@@ -267,8 +305,60 @@ mod tests {
             memory: 1 << 10,
             ..LIMITS
         };
-        let outcome = shell("tail -f /dev/null", limits).unwrap_err();
-        assert!(matches!(outcome, Outcome::Crashed { .. }), "{outcome:?}");
+        for script in ["tail -f /dev/null", "exec >/dev/null 2>&1; tail -f /dev/null"] {
+            let outcome = shell(script, limits).unwrap_err();
+            let reason = "it held more than 0 MiB of memory".to_owned();
+            assert_eq!(outcome, Outcome::Crashed { reason }, "{script}");
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn the_memory_of_what_a_process_started_counts_with_its_own() {
+        // Each shell alone holds less than it may.
+        let limits = ToolLimits {
+            memory: 8 << 20,
+            ..LIMITS
+        };
+        let outcome = shell(
+            "for each in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16; do sh -c 'tail -f /dev/null; :' & done; wait",
+            limits,
+        );
+        assert!(matches!(outcome, Err(Outcome::Crashed { .. })), "{outcome:?}");
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_computes_for_too_long_is_killed_although_its_children_did_it() {
+        let limits = ToolLimits {
+            cpu: Duration::from_millis(100),
+            ..LIMITS
+        };
+        for script in ["while :; do :; done", "sh -c 'while :; do :; done' & wait"] {
+            let outcome = shell(script, limits).unwrap_err();
+            let reason = "it took more than 0.1 seconds of processor time".to_owned();
+            assert_eq!(outcome, Outcome::Crashed { reason }, "{script}");
+        }
+    }
+
+    #[test]
+    fn what_ignores_the_signal_to_end_is_killed_all_the_same() {
+        let time = Duration::from_millis(300);
+        let stubborn = "trap '' TERM INT HUP; while :; do tail -f /dev/null; done";
+        let outcome = shell(stubborn, ToolLimits { time, ..LIMITS });
+        assert_eq!(outcome.unwrap_err(), Outcome::TimedOut { after_ms: 300 });
+    }
+
+    #[test]
+    fn what_is_not_executable_is_an_error_that_says_so() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("compiler");
+        std::fs::write(&file, "#!/bin/sh\n").unwrap();
+        let nothing: [&str; 0] = [];
+        let Outcome::Error { message } = run(&file, &nothing, folder.path(), &LIMITS).unwrap_err() else {
+            panic!("no error")
+        };
+        assert!(message.contains("ermission denied"), "{message}");
     }
 
     #[test]
