@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use stickler_configuration::{Configuration, Kind};
 use stickler_engines::{
-    Compiler, Engine, EngineError, Identity, Places, ProcessEngine, ProcessLimits, Reference, Sought,
+    Compiler, DescribedEngine, Description, Engine, EngineError, Identity, Places, ProcessEngine,
+    ProcessLimits, Reference, Sought,
 };
 use stickler_types::DialectName;
 
@@ -143,6 +144,7 @@ pub fn seek(name: &str, called: &str, configuration: &Configuration) -> Option<S
             located: Vec::new(),
             engine: start(line, called, configuration),
         },
+        Some(Kind::Described(description)) => described(called, description, configuration),
         None => Compiler::from_name(name)?.seek(called, name, &Places::default()),
     })
 }
@@ -152,6 +154,16 @@ fn start(line: &str, called: &str, configuration: &Configuration) -> Result<Box<
     let folder = configuration.folder().unwrap_or(Path::new(""));
     let engine = ProcessEngine::start_in(folder, line, ProcessLimits::default())?;
     Ok(Box::new(engine.named(called.to_owned())))
+}
+
+/// Makes an engine of a description; what of its programs is here is told in any case.
+fn described(called: &str, description: &Description, configuration: &Configuration) -> Sought {
+    let folder = configuration.folder().unwrap_or(Path::new(""));
+    let engine = DescribedEngine::start(called, description.clone(), folder);
+    Sought {
+        located: DescribedEngine::programs(description, folder),
+        engine: engine.map(|engine| Box::new(engine) as Box<dyn Engine>),
+    }
 }
 
 /// Every name by which an engine can be asked for: `reference`, the compilers with an adapter, and those of the file.

@@ -90,6 +90,48 @@ fn an_engine_of_the_file_runs_under_its_name_there() {
 }
 
 #[test]
+fn a_described_compiler_is_listed_and_runs() {
+    // The reference's own command line serves as the compiler.
+    let folder = folder(
+        "[engines.described]\ncheck = \"'STICKLER' check {file} --dialect {dialect}\"\n\
+         run = \"'STICKLER' eval {file} --dialect {dialect} --scans {scans}\"\n\
+         diagnostic = '^error\\[(?<code>\\w+)\\]: (?<message>.*)$(?:\\s+-->\\s+(?<file>\\S+):(?<line>\\d+):(?<column>\\d+))?'\n\
+         value = '^(?<name>\\S+) = (?<value>.*)$'\nproject = \"https://example.org\"\n\
+         [engines.described.dialects]\nmatiec = \"matiec\"\n\
+         [engines.absent]\ncheck = \"no-such-compiler {file}\"\nproject = \"https://example.org\"\ndialects.matiec = \"\"\n",
+    );
+    let output = stickler(folder.path(), &["engines", "described", "absent"]);
+    assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+    let list = shown(&output);
+    for part in [
+        "described  unknown\n  named in    stickler.toml:1\n  run         ",
+        "\n  dialects    matiec\n  can         check, execute, scans\n",
+        "\nabsent  not here\n",
+        "there is no `no-such-compiler` on PATH, which `check` names\n  install     https://example.org\n",
+    ] {
+        assert!(list.contains(part), "{part}\nin\n{list}");
+    }
+    let arguments = [
+        "conversions",
+        "DINT_TO_INT",
+        "100000",
+        "--engine",
+        "described",
+        "--dialect",
+        "matiec",
+    ];
+    let output = stickler(folder.path(), &arguments);
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{}{}",
+        shown(&output),
+        told(&output)
+    );
+    assert!(shown(&output).contains("-31072"), "{}", shown(&output));
+}
+
+#[test]
 fn a_file_with_a_mistake_stops_what_would_need_it() {
     let folder = folder("[engines.matiec]\nic2c = \"/x\"\n");
     let output = stickler(folder.path(), &["engines"]);

@@ -5,7 +5,7 @@ use crate::table::{Mistake, read, table, text};
 use serde::Deserialize;
 use std::ops::Range;
 use std::path::Path;
-use stickler_engines::{Compiler, Places};
+use stickler_engines::{Compiler, Description, Places};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -33,6 +33,8 @@ pub enum Kind {
         /// Its command line, as it is written.
         line: String,
     },
+    /// A compiler that is described by data.
+    Described(Box<Description>),
 }
 
 /// The name of the engine that is always there.
@@ -66,10 +68,11 @@ pub(crate) fn entry(
             places: places(name, compiler, keys, place)?,
         },
         (None, Some(_)) => {
-            let keys: CommandKeys = read(keys, value.span(), &format!("of `[engines.{name}]`"))?;
+            let keys: CommandKeys = read(keys, value.span(), &format!("of `[engines.{name}]`"), &[])?;
             Kind::Command { line: keys.command }
         }
-        (None, None) => return Err(says_nothing(name, span)),
+        (None, None) if keys.is_empty() => return Err(says_nothing(name, span)),
+        (None, None) => Kind::Described(Box::new(description(name, keys, value.span())?)),
     };
     let written = (place.written)(&span);
     Ok((name.to_owned(), Entry { written, kind }))
@@ -141,10 +144,25 @@ struct CommandKeys {
     command: String,
 }
 
+/// A compiler that is described by data.
+fn description(name: &str, keys: &DeTable<'_>, span: Range<usize>) -> Result<Description, Mistake> {
+    let whose = format!("of `[engines.{name}]`");
+    // These two would have made it another kind of engine.
+    let description: Description = read(keys, span.clone(), &whose, &["command", "adapter"])?;
+    description.check().map_err(|(key, message)| {
+        let at = keys.iter().find(|(other, _)| other.get_ref() == key);
+        Mistake::at(
+            at.map_or(span, |(key, _)| key.span()),
+            format!("{message} ({whose})"),
+        )
+    })?;
+    Ok(description)
+}
+
 fn says_nothing(name: &str, span: Range<usize>) -> Mistake {
     let message = format!(
         "`[engines.{name}]` does not say what the engine is: by `command = \"…\"` a program that speaks the wire protocol, \
-         or by `adapter = \"…\"` one of {}",
+         by `adapter = \"…\"` one of {}, or by `check = \"…\"` and further keys a compiler that is described here",
         list(Compiler::ALL.map(Compiler::name))
     );
     Mistake::at(span, message)

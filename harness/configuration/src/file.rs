@@ -101,7 +101,7 @@ impl Configuration {
 }
 
 fn engines(text: &str, folder: &Path, shown: &Path) -> Result<BTreeMap<String, Entry>, Mistake> {
-    let document = DeTable::parse(text).map_err(|error| mistake(&error, 0..0, "of the file"))?;
+    let document = DeTable::parse(text).map_err(|error| mistake(&error, 0..0, "of the file", &[]))?;
     let mut engines = BTreeMap::new();
     let written = |span: &Range<usize>| format!("{}:{}", shown.display(), position(text, span.start).0);
     let place = Place {

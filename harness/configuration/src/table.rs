@@ -57,7 +57,7 @@ pub(crate) fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Result<&'v
     })
 }
 
-/// A table as `T`, whose keys `whose` names in messages.
+/// A table as `T`, whose keys `whose` names in messages; `further` are keys that stand in such a table as well, for advice.
 ///
 /// # Errors
 /// Where `T` finds something wrong with it.
@@ -65,17 +65,26 @@ pub(crate) fn read<T: DeserializeOwned>(
     table: &DeTable<'_>,
     span: Range<usize>,
     whose: &str,
+    further: &[&str],
 ) -> Result<T, Mistake> {
     let spanned = Spanned::new(span.clone(), table.clone());
-    T::deserialize(spanned.into_deserializer()).map_err(|error| mistake(&error, span, whose))
+    T::deserialize(spanned.into_deserializer()).map_err(|error| mistake(&error, span, whose, further))
 }
 
 /// The first line of what a deserialiser says, where it says that something is wrong.
-pub(crate) fn mistake(error: &toml::de::Error, otherwise: Range<usize>, whose: &str) -> Mistake {
+pub(crate) fn mistake(
+    error: &toml::de::Error,
+    otherwise: Range<usize>,
+    whose: &str,
+    further: &[&str],
+) -> Mistake {
     let span = error.span().unwrap_or(otherwise);
     let message = error.message().trim_end().replace('\n', "; ");
     match unknown_field(&message) {
-        Some((key, known)) => Mistake::unknown_key(span, key, whose, &known),
+        Some((key, mut known)) => {
+            known.extend(further);
+            Mistake::unknown_key(span, key, whose, &known)
+        }
         None => Mistake::at(span, message),
     }
 }
@@ -107,7 +116,7 @@ mod tests {
 
     fn mistake_in(text: &str) -> (String, String) {
         let document = DeTable::parse(text).unwrap();
-        let mistake = read::<Keys>(document.get_ref(), 0..text.len(), "of it").unwrap_err();
+        let mistake = read::<Keys>(document.get_ref(), 0..text.len(), "of it", &[]).unwrap_err();
         (text[mistake.span].to_owned(), mistake.message)
     }
 

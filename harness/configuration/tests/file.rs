@@ -110,6 +110,24 @@ fn a_mistake_is_told_with_its_place_and_what_was_meant() {
             "stickler.toml:3:1: unknown key `commands` of `[engines.mine]`; did you mean `command`?",
         ),
         (
+            "[engines.mine]\ncomand = \"x\"\n",
+            "stickler.toml:2:1: unknown key `comand` of `[engines.mine]`; did you mean `command`?",
+        ),
+        (
+            "[engines.mine]\ncheck = \"st {fiel}\"\n",
+            "stickler.toml:2:9: `{fiel}` stands for nothing; there are `{file}`, `{dialect}`, `{folder}`, `{scans}`, `{here}`",
+        ),
+        (
+            "[engines.mine]\ncheck = \"st\"\n[engines.mine.dialects]\nmatic = \"\"\n",
+            "stickler.toml:4:1: unknown dialect `matic`; the dialects are `ironplc-ed2`, `ironplc-ed3`, `ironplc-rusty`, \
+             `matiec` and `plcnext`",
+        ),
+        (
+            "[engines.mine]\ncheck = \"st\"\ndialects.matiec = \"\"\nrun = \"st\"\n",
+            "stickler.toml:4:1: `run` needs a `value`: how a value is printed, as in '^(?<name>\\w+) = (?<value>.*)$' (of \
+             `[engines.mine]`)",
+        ),
+        (
             "[engines.reference]\n",
             "stickler.toml:1:10: `reference` is the engine that is always there; give this one another name",
         ),
@@ -135,4 +153,14 @@ fn a_file_that_cannot_be_read_is_named() {
     let path = folder.path().join("stickler.toml");
     fs::write(&path, b"\xff\xfe").unwrap();
     assert!(Configuration::read(&path).is_err());
+}
+
+#[test]
+fn a_compiler_can_be_described() {
+    let readme = include_str!("../../engines/README.md");
+    let (_, example) = readme.split_once("```toml\n[engines.described]").unwrap();
+    let (example, _) = example.split_once("```").unwrap();
+    let configuration = read(&format!("[engines.described]{example}")).unwrap();
+    let kind = configuration.engine("described").map(|entry| &entry.kind);
+    assert!(matches!(kind, Some(Kind::Described(_))), "{kind:?}");
 }

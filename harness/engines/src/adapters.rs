@@ -6,17 +6,20 @@
 //! adapter mends nothing.
 
 mod builder;
+mod described;
 mod driver;
 mod ironplc;
 mod locate;
 mod matiec;
 mod places;
+mod plain;
 mod printed;
 mod source;
 mod strucpp;
 mod witness;
 
 use crate::{Engine, EngineError};
+pub use described::{DescribedEngine, Description};
 use ironplc::Ironplc;
 use matiec::Matiec;
 use places::Search;

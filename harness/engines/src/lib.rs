@@ -13,7 +13,7 @@ mod process;
 pub mod protocol;
 mod reference;
 
-pub use adapters::{Compiler, FoundBy, Located, Place, Places, Sought};
+pub use adapters::{Compiler, DescribedEngine, Description, FoundBy, Located, Place, Places, Sought};
 pub use engine::{
     Ability, ClockStep, Engine, EngineError, Identity, Observation, RunRequest, Session, Setting,
 };

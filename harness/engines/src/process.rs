@@ -10,10 +10,10 @@ mod connection;
 mod folder;
 mod greeting;
 mod group;
-mod memory;
 mod message;
 mod session;
 mod tool;
+mod usage;
 
 use crate::{Engine, EngineError, Identity, Session};
 pub(crate) use command_line::CommandLine;
@@ -23,7 +23,7 @@ use session::ProcessSession;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
-pub(crate) use tool::{Ended, ToolLimits, run as run_tool};
+pub(crate) use tool::{Ended, ToolLimits, run as run_tool, run_with as run_tool_with};
 
 /// Kills every process that an engine of this program has started, with all that they started, and removes the folders
 /// in which they worked. For a program that is about to end without ending its sessions, as at Ctrl-C: the processes

@@ -79,7 +79,7 @@ struct Listed<'n> {
     problem: Option<String>,
     /// Where its project is.
     #[serde(skip_serializing_if = "Option::is_none")]
-    project: Option<&'static str>,
+    project: Option<&'n str>,
 }
 
 /// A program or folder of an engine.
@@ -103,10 +103,14 @@ impl From<Located> for FoundPlace {
 impl<'n> Listed<'n> {
     fn new(name: &'n str, sought: Sought, configuration: &'n Configuration) -> Listed<'n> {
         let entry = configuration.engine(name);
-        let compiler = match entry.map(|entry| &entry.kind) {
-            Some(Kind::Compiler { compiler, .. }) => Some(*compiler),
-            Some(Kind::Command { .. }) => None,
-            None => Compiler::from_name(name),
+        let (compiler, project) = match entry.map(|entry| &entry.kind) {
+            Some(Kind::Compiler { compiler, .. }) => (Some(*compiler), Some(compiler.project())),
+            Some(Kind::Described(description)) => (None, description.project()),
+            Some(Kind::Command { .. }) => (None, None),
+            None => {
+                let compiler = Compiler::from_name(name);
+                (compiler, compiler.map(Compiler::project))
+            }
         };
         let identity = sought.engine.as_ref().ok().map(|engine| engine.identity());
         let dialects = identity
@@ -125,7 +129,7 @@ impl<'n> Listed<'n> {
             named_in: entry.map(|entry| entry.written.as_str()),
             problem: sought.engine.as_ref().err().map(problem),
             places: sought.located.into_iter().map(FoundPlace::from).collect(),
-            project: compiler.map(Compiler::project),
+            project,
         }
     }
 }

@@ -288,4 +288,4 @@ fn fault(stderr: &str) -> Option<Fault> {
 }
 
 #[cfg(all(test, unix))]
-mod tests;
+pub(super) mod tests;

@@ -16,7 +16,8 @@ pub(super) fn version(program: &Path, arguments: &[&str], folder: &Folder) -> Re
     said(&ended).ok_or_else(|| format!("`{}` does not say its version", program.display()))
 }
 
-fn said(ended: &Ended) -> Option<String> {
+/// The first line of what a program wrote that is not blank.
+pub(super) fn said(ended: &Ended) -> Option<String> {
     let lines = ended.stdout.lines().chain(ended.stderr.lines());
     lines
         .map(str::trim)
@@ -85,7 +86,7 @@ pub(super) fn call<A: AsRef<OsStr>>(
 
 /// How long a program that was compiled may run. Those of cases and campaigns are done in milliseconds, so that one which is
 /// still at work has a loop that does not end.
-const EXECUTION: Duration = Duration::from_secs(10);
+pub(super) const EXECUTION: Duration = Duration::from_secs(10);
 
 /// Runs what was compiled, under the limits that every execution gets.
 ///

@@ -3,6 +3,7 @@
 //! Basis: ironplc: measured on version 0.239; each begins `error[P4035]: message`, and a later line `┌─ file:line:column`
 //! says where.
 
+use crate::adapters::plain::without_colours;
 use crate::{Diagnostic, Outcome};
 
 /// All diagnostics of a text, sorted by line, column and code, each once.
@@ -21,19 +22,6 @@ pub(super) fn read(stderr: &str) -> Vec<Diagnostic> {
     diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
     diagnostics.dedup();
     diagnostics
-}
-
-/// The text without the sequences that steer a terminal.
-fn without_colours(text: &str) -> String {
-    let mut plain = String::with_capacity(text.len());
-    let mut pieces = text.split("\u{1b}[");
-    plain.extend(pieces.next());
-    for piece in pieces {
-        // A sequence ends with its first letter.
-        let end = piece.find(|character: char| character.is_ascii_alphabetic());
-        plain.push_str(end.map_or("", |end| &piece[end + 1..]));
-    }
-    plain
 }
 
 /// `error[P4035]: message`.
@@ -94,18 +82,19 @@ fn described(diagnostic: &Diagnostic) -> String {
     format!("{code}: {}", diagnostic.message)
 }
 
+/// Of `ironplcc compile` 0.239, on the program `a := b; c := a; q := 1;` of three types.
+#[cfg(test)]
+pub(super) const RECORDED: &str = "\u{1b}[0m\u{1b}[1m\u{1b}[38;5;9merror[P4035]\u{1b}[0m\u{1b}[1m: Assignment value type does not match \
+    assignment target type (target=a, target_type=int, value_type=dint)\u{1b}[0m\n  \
+    \u{1b}[0m\u{1b}[36m┌─\u{1b}[0m program.st:5:7\n  \u{1b}[0m\u{1b}[36m│\u{1b}[0m\n\
+    \u{1b}[0m\u{1b}[36m5\u{1b}[0m \u{1b}[0m\u{1b}[36m│\u{1b}[0m  a := \u{1b}[0m\u{1b}[31mb\u{1b}[0m; \n  \
+    \u{1b}[0m\u{1b}[36m=\u{1b}[0m Learn more: https://www.ironplc.com/reference/P4035.html\n\n\
+    \u{1b}[0m\u{1b}[1m\u{1b}[38;5;9merror[P4007]\u{1b}[0m\u{1b}[1m: Variable not defined before used (variable=q)\u{1b}[0m\n  \
+    \u{1b}[0m\u{1b}[36m┌─\u{1b}[0m C:\\x\\program.st:3:2\n\nError: \"Compile failed with 2 problem(s)\"\n";
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Of `ironplcc compile` 0.239, on the program `a := b; c := a; q := 1;` of three types.
-    const RECORDED: &str = "\u{1b}[0m\u{1b}[1m\u{1b}[38;5;9merror[P4035]\u{1b}[0m\u{1b}[1m: Assignment value type does not match \
-        assignment target type (target=a, target_type=int, value_type=dint)\u{1b}[0m\n  \
-        \u{1b}[0m\u{1b}[36m┌─\u{1b}[0m program.st:5:7\n  \u{1b}[0m\u{1b}[36m│\u{1b}[0m\n\
-        \u{1b}[0m\u{1b}[36m5\u{1b}[0m \u{1b}[0m\u{1b}[36m│\u{1b}[0m  a := \u{1b}[0m\u{1b}[31mb\u{1b}[0m; \n  \
-        \u{1b}[0m\u{1b}[36m=\u{1b}[0m Learn more: https://www.ironplc.com/reference/P4035.html\n\n\
-        \u{1b}[0m\u{1b}[1m\u{1b}[38;5;9merror[P4007]\u{1b}[0m\u{1b}[1m: Variable not defined before used (variable=q)\u{1b}[0m\n  \
-        \u{1b}[0m\u{1b}[36m┌─\u{1b}[0m C:\\x\\program.st:3:2\n\nError: \"Compile failed with 2 problem(s)\"\n";
 
     #[test]
     fn code_place_and_message_are_read_without_the_colours() {

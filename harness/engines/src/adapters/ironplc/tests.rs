@@ -10,6 +10,8 @@ case $(cat program.st) in
 *'please: reject'*)
     printf '\033[0m\033[1merror[P4035]\033[0m: does not fit\n  \342\224\214\342\224\200 program.st:3:7\n' >&2
     exit 1 ;;
+*'please: say what was recorded'*) cat "$(dirname "$0")/recorded" >&2; exit 1 ;;
+*'please: go wrong'*) printf 'error[P9998]: internal\n' >&2; exit 1 ;;
 *'please: be unfinished'*) printf 'error[P9999]: not yet\n' >&2; exit 1 ;;
 *'please: panic'*) echo "thread 'main' panicked at src/x.rs" >&2; exit 101 ;;
 *'please: die'*) kill -ABRT $$ ;;
@@ -28,20 +30,25 @@ case $(cat "$2") in
 esac
 "#;
 
-/// The adapter with its stand-ins, and the folder that holds them.
-fn stand_in() -> (Ironplc, Folder) {
+/// Programs in a folder of their own: names and shell scripts.
+pub(in crate::adapters) fn scripts(programs: &[(&str, &str)]) -> Folder {
     let folder = Folder::new().unwrap();
-    // Written by another process: a file that this one still had open for writing, in a child that another test is just
-    // starting, could not be run.
-    let program = |name: &str, text: &str| {
-        let path = folder.path().join(name);
+    for (name, text) in programs {
+        // Written by another process: a file that this one still had open for writing, in a child that another test is just
+        // starting, could not be run.
         let written = Command::new("sh")
             .args(["-c", r#"printf %s "$1" >"$2" && chmod 700 "$2""#, "sh", text])
-            .arg(&path)
+            .arg(folder.path().join(name))
             .status();
         assert!(written.unwrap().success());
-        path
-    };
+    }
+    folder
+}
+
+/// The adapter with its stand-ins, and the folder that holds them.
+pub(in crate::adapters) fn stand_in() -> (Ironplc, Folder) {
+    let folder = scripts(&[("ironplcc", COMPILER), ("ironplcvm", MACHINE)]);
+    folder.write("recorded", diagnostics::RECORDED).unwrap();
     let ironplc = Ironplc {
         identity: Identity {
             name: "ironplc".to_owned(),
@@ -50,8 +57,8 @@ fn stand_in() -> (Ironplc, Folder) {
             abilities: Vec::new(),
             grade: Grade::Code,
         },
-        compiler: program("ironplcc", COMPILER),
-        machine: program("ironplcvm", MACHINE),
+        compiler: folder.path().join("ironplcc"),
+        machine: folder.path().join("ironplcvm"),
     };
     (ironplc, folder)
 }

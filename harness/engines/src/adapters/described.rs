@@ -1,0 +1,300 @@
+//! A compiler that is described by data: commands, what their exit codes mean, and how they write diagnostics and values.
+//!
+//! Such an engine does what the adapters of this crate do, as far as a table can say it: it writes a program into a private
+//! folder, calls the compiler as a person would, and reads what it says.
+
+mod call;
+mod description;
+mod pattern;
+mod template;
+mod values;
+
+use super::locate;
+use super::places::{FoundBy, Located, may_be_executed, on_path};
+use super::source::main_program;
+use super::witness::{Copies, translate_with};
+use crate::process::Folder;
+use crate::{Ability, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session};
+use call::{Call, Execution, unsupported};
+pub use description::Description;
+use regex::Regex;
+use std::collections::{BTreeMap, BTreeSet};
+use std::env;
+use std::path::{Path, PathBuf};
+use stickler_types::DialectName;
+use template::{Placeholder, Template};
+use values::Printed;
+
+/// An engine that is a description.
+pub struct DescribedEngine {
+    identity: Identity,
+    description: Description,
+    /// The folder of `stickler.toml`.
+    here: PathBuf,
+}
+
+impl DescribedEngine {
+    /// Makes an engine of a description, to be called `called`; `here` is the folder from which its paths lead.
+    ///
+    /// # Errors
+    /// [`EngineError`] where one of its programs is not there, or it does not say its version.
+    pub fn start(
+        called: &str,
+        description: Description,
+        here: &Path,
+    ) -> Result<DescribedEngine, EngineError> {
+        let not_started = |reason| EngineError::NotStarted {
+            engine: format!("`{called}`"),
+            reason,
+        };
+        for (key, template) in description.commands() {
+            located(key, template, here).map_err(not_started)?;
+        }
+        let mut engine = DescribedEngine {
+            identity: Identity {
+                name: called.to_owned(),
+                version: "unknown".to_owned(),
+                dialects: description.dialects.keys().map(|dialect| dialect.0).collect(),
+                abilities: abilities(&description),
+                grade: description.grade.unwrap_or_else(|| best_grade(&description)),
+            },
+            description,
+            here: here.to_owned(),
+        };
+        if let Some(version) = engine.version().map_err(not_started)? {
+            engine.identity.version = version;
+        }
+        Ok(engine)
+    }
+
+    /// The programs of its commands that are on this machine.
+    #[must_use]
+    pub fn programs(description: &Description, here: &Path) -> Vec<Located> {
+        let commands = description.commands().into_iter();
+        commands
+            .filter_map(|(key, template)| located(key, template, here).ok().flatten())
+            .collect()
+    }
+
+    /// What its command `version` says: the first number with a point in it, or otherwise the first line.
+    fn version(&self) -> Result<Option<String>, String> {
+        let Some(template) = &self.description.version else {
+            return Ok(None);
+        };
+        let folder = Folder::new()?;
+        let call = Call {
+            engine: self,
+            folder: &folder,
+            dialect: "",
+        };
+        let ended = call
+            .run(&template.0, 0)
+            .map_err(|outcome| format!("`version`: {}", locate::reason(&outcome)))?;
+        let said = locate::said(&ended).ok_or("`version` prints nothing")?;
+        // The expression is a constant that a test reads; without it the whole line is the version.
+        let number = Regex::new(r"\d+(\.\d+)+[0-9A-Za-z.+-]*").ok();
+        let number = number.and_then(|number| Some(number.find(&said)?.as_str().to_owned()));
+        Ok(Some(number.unwrap_or(said)))
+    }
+}
+
+/// Where the program of a command is; `None` for what a call of it makes itself.
+fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option<Located>, String> {
+    let Some(program) = template.program(here) else {
+        return Ok(None);
+    };
+    let (path, by) = match program.components().count() {
+        1 if !program.has_root() => {
+            let name = program.to_string_lossy();
+            let found = on_path(&name, env::var_os("PATH").as_deref());
+            let found = found.ok_or_else(|| format!("there is no `{name}` on PATH, which `{key}` names"))?;
+            (found, FoundBy::Path)
+        }
+        _ if !program.is_file() => {
+            return Err(format!(
+                "there is no `{}`, which `{key}` names",
+                program.display()
+            ));
+        }
+        _ if !may_be_executed(&program) => {
+            let shown = program.display();
+            return Err(format!("`{shown}` is not executable; allow it by `chmod +x`"));
+        }
+        _ => (program, FoundBy::Configuration(key.to_owned())),
+    };
+    Ok(Some(Located { key, path, by }))
+}
+
+fn abilities(description: &Description) -> Vec<Ability> {
+    let mut abilities = vec![Ability::Check];
+    if let Some(run) = &description.run {
+        abilities.push(Ability::Execute);
+        if run.0.has(Placeholder::Scans) {
+            abilities.push(Ability::Scans);
+        }
+    }
+    if description.render.is_some() {
+        abilities.push(Ability::Render);
+    }
+    abilities
+}
+
+/// What the pattern of its diagnostics can tell.
+fn best_grade(description: &Description) -> Grade {
+    match &description.diagnostic {
+        Some(pattern) if pattern.0.tells("line") && pattern.0.tells("code") => Grade::Code,
+        Some(pattern) if pattern.0.tells("line") => Grade::Line,
+        _ => Grade::Rejected,
+    }
+}
+
+impl Engine for DescribedEngine {
+    fn identity(&self) -> &Identity {
+        &self.identity
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        let folder = locate::session_folder(&self.identity)?;
+        Ok(Box::new(DescribedSession { engine: self, folder }))
+    }
+}
+
+/// A folder in which one program at a time is compiled and run.
+struct DescribedSession<'e> {
+    engine: &'e DescribedEngine,
+    folder: Folder,
+}
+
+impl Session for DescribedSession<'_> {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        self.try_run(request).unwrap_or_else(|outcome| outcome)
+    }
+
+    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        match self.try_check(dialect, source) {
+            Ok(()) => Outcome::Accepted,
+            Err(outcome) => outcome,
+        }
+    }
+
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        self.try_render(dialect, source).unwrap_or_else(|outcome| outcome)
+    }
+}
+
+impl DescribedSession<'_> {
+    fn try_check(&self, dialect: DialectName, source: &str) -> Result<(), Outcome> {
+        let description = &self.engine.description;
+        let call = self.call(dialect)?;
+        call.write(source)?;
+        match (
+            description.check.as_ref().or(description.compile.as_ref()),
+            &description.run,
+        ) {
+            (Some(commands), _) => call.all(commands),
+            // What only runs programs accepts one by running it.
+            (None, Some(run)) => call.execute(&run.0, 1).map(|_| ()),
+            (None, None) => Ok(()),
+        }
+    }
+
+    fn try_render(&self, dialect: DialectName, source: &str) -> Result<Outcome, Outcome> {
+        let Some(render) = &self.engine.description.render else {
+            return Err(unsupported("it gives no normalised source"));
+        };
+        let call = self.call(dialect)?;
+        call.write(source)?;
+        let ended = call.run(&render.0, 0)?;
+        call.accepted(&ended)?;
+        Ok(Outcome::Rendered { text: ended.stdout })
+    }
+
+    /// Executes a program, with copies of what is no variable of its own.
+    fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
+        let description = &self.engine.description;
+        let (Some(run), Some(main)) = (&description.run, main_program(request.source)) else {
+            return self
+                .try_check(request.dialect, request.source)
+                .map(|()| Outcome::Accepted);
+        };
+        if !(request.clock.is_empty() && request.set.is_empty()) {
+            return Err(unsupported(
+                "its commands take neither a clock nor values between scans",
+            ));
+        }
+        if request.needs_scans() && !run.0.has(Placeholder::Scans) {
+            return Err(unsupported("its command `run` takes no number of scans"));
+        }
+        let call = self.call(request.dialect)?;
+        let copies = Copies::of(request);
+        let executions = translate_with(request, &main, copies.witnesses(), |text| {
+            call.write(text)?;
+            if let Some(compile) = &description.compile {
+                call.all(compile)?;
+            }
+            scans(request)
+                .into_iter()
+                .map(|scan| Ok((scan, call.execute(&run.0, scan)?)))
+                .collect()
+        })?;
+        self.outcome(request, &copies, &executions)
+    }
+
+    /// What came of the executions, one for each scan after which somebody wants to look.
+    fn outcome(
+        &self,
+        request: &RunRequest<'_>,
+        copies: &Copies,
+        executions: &BTreeMap<u32, Execution>,
+    ) -> Result<Outcome, Outcome> {
+        let Some(pattern) = &self.engine.description.value else {
+            return Ok(Outcome::Accepted);
+        };
+        let printed: BTreeMap<u32, Printed<'_>> = executions
+            .iter()
+            .map(|(&scan, execution)| (scan, Printed::read(&pattern.0, &execution.text)))
+            .collect();
+        let fault = executions.get(&request.scans).and_then(|last| last.fault);
+        let mut values: Vec<NamedValue> = Vec::with_capacity(request.observe.len());
+        for asked in request.observe {
+            let shown = printed
+                .get(&asked.after.unwrap_or(request.scans))
+                .ok_or("there was no such scan".to_owned())
+                .and_then(|printed| printed.value(copies.variable(asked), asked, request.source));
+            match (shown, fault) {
+                (Ok(value), _) => values.push((asked.key(), value)),
+                (Err(reason), None) => return Err(Outcome::Unsupported { reason }),
+                // A fault may have come before it.
+                (Err(_), Some(_)) => {}
+            }
+        }
+        Ok(match fault {
+            None => Outcome::Executed { values },
+            Some(fault) => Outcome::Faulted {
+                fault,
+                line: None,
+                values,
+            },
+        })
+    }
+
+    fn call(&self, dialect: DialectName) -> Result<Call<'_>, Outcome> {
+        let dialects = &self.engine.description.dialects;
+        let found = dialects.iter().find(|(name, _)| name.0 == dialect);
+        let (_, word) = found.ok_or_else(|| unsupported(&format!("it does not speak {dialect}")))?;
+        Ok(Call {
+            engine: self.engine,
+            folder: &self.folder,
+            dialect: word,
+        })
+    }
+}
+
+/// The scans after which somebody wants to look.
+fn scans(request: &RunRequest<'_>) -> BTreeSet<u32> {
+    let asked = request.observe.iter().filter_map(|asked| asked.after);
+    asked.chain([request.scans]).collect()
+}
+
+#[cfg(all(test, unix))]
+mod tests;

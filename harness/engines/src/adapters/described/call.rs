@@ -1,0 +1,248 @@
+//! One call of a command of a described compiler, and what the way it ended means.
+
+use super::DescribedEngine;
+use super::description::{CodeMeaning, Commands, Description, Meaning, Parsed};
+use super::template::{Filling, Template};
+use crate::adapters::locate::{self, failed};
+use crate::adapters::plain::without_colours;
+use crate::adapters::source::main_program;
+use crate::process::{Ended, Folder, ToolLimits, run_tool_with};
+use crate::{Diagnostic, Outcome};
+use std::time::Duration;
+use stickler_types::Fault;
+
+/// What one execution wrote, and the fault at which it stopped.
+pub(super) struct Execution {
+    pub(super) text: String,
+    pub(super) fault: Option<Fault>,
+}
+
+/// Calls of the commands of an engine on one program.
+pub(super) struct Call<'c> {
+    pub(super) engine: &'c DescribedEngine,
+    pub(super) folder: &'c Folder,
+    /// The compiler's own word for the dialect.
+    pub(super) dialect: &'c str,
+}
+
+impl Call<'_> {
+    fn description(&self) -> &Description {
+        &self.engine.description
+    }
+
+    /// Writes the file of the program.
+    pub(super) fn write(&self, source: &str) -> Result<(), Outcome> {
+        let description = self.description();
+        let mut text = source.to_owned();
+        if let (Some(append), Some(main)) = (&description.append, main_program(source)) {
+            text.push('\n');
+            text.push_str(&append.replace("{program}", &main.name));
+        }
+        self.folder.write(&description.file.0, &text).map_err(failed)?;
+        Ok(())
+    }
+
+    /// Runs a command.
+    pub(super) fn run(&self, template: &Template, scans: u32) -> Result<Ended, Outcome> {
+        self.run_for(template, scans, self.limits(None))
+    }
+
+    fn run_for(&self, template: &Template, scans: u32, limits: ToolLimits) -> Result<Ended, Outcome> {
+        let (program, arguments) = template.filled(&Filling {
+            file: &self.description().file.0,
+            dialect: self.dialect,
+            folder: self.folder.path(),
+            scans,
+            here: &self.engine.here,
+        });
+        run_tool_with(&program, &arguments, self.folder.path(), &limits, |start| {
+            start.envs(&self.description().environment);
+        })
+    }
+
+    /// Runs commands one after the other, until one does not accept the program.
+    pub(super) fn all(&self, commands: &Commands) -> Result<(), Outcome> {
+        for template in &commands.0 {
+            let ended = self.run(&template.0, 0)?;
+            self.accepted(&ended)?;
+        }
+        Ok(())
+    }
+
+    /// Runs the program for so many scans.
+    pub(super) fn execute(&self, template: &Template, scans: u32) -> Result<Execution, Outcome> {
+        let description = self.description();
+        let limits = self.limits(Some(locate::EXECUTION));
+        let ended = self.run_for(template, scans, limits)?;
+        let text = without_colours(&ended.stdout);
+        if ended.stopped_by_arithmetic() {
+            let fault = Some(Fault::DivisionByZero);
+            return Ok(Execution { text, fault });
+        }
+        let code = ended.code()?;
+        let meaning = match (&description.run_exit, &description.exit) {
+            (Some(meanings), _) => told(meanings.get(&code)),
+            // What only runs programs says with the same codes that it rejects one.
+            (None, Some(meanings)) if description.compile.is_none() => told(meanings.get(&code)),
+            (None, None) if description.compile.is_none() => usual(code),
+            (None, _) if code == 0 => Meaning::Accepted,
+            (None, _) => Meaning::Crashed,
+        };
+        let words = |(words, _): &(&String, _)| {
+            text.contains(words.as_str()) || ended.stderr.contains(words.as_str())
+        };
+        match meaning {
+            Meaning::Accepted => Ok(Execution { text, fault: None }),
+            Meaning::Faulted(fault) => Ok(Execution {
+                text,
+                fault: Some(fault),
+            }),
+            other => match description.faults.iter().find(words) {
+                Some((_, fault)) => Ok(Execution {
+                    text,
+                    fault: Some(fault.0),
+                }),
+                None => self
+                    .meant(other, &ended)
+                    .map(|()| Execution { text, fault: None }),
+            },
+        }
+    }
+
+    /// Whether a command of the compiler says that it accepts the program.
+    pub(super) fn accepted(&self, ended: &Ended) -> Result<(), Outcome> {
+        let code = ended.code()?;
+        let meaning = match &self.description().exit {
+            Some(meanings) => told(meanings.get(&code)),
+            None => usual(code),
+        };
+        self.meant(meaning, ended)
+    }
+
+    /// What a command that ended so did with the program.
+    fn meant(&self, meaning: Meaning, ended: &Ended) -> Result<(), Outcome> {
+        match meaning {
+            Meaning::Accepted => Ok(()),
+            Meaning::Crashed | Meaning::Faulted(_) => Err(ended.crashed()),
+            Meaning::Unsupported => Err(unsupported(&locate::first_error(ended))),
+            Meaning::Rejected => Err(self.rejected(ended)),
+            Meaning::Diagnosed if self.diagnostics(ended).is_empty() => Ok(()),
+            Meaning::Diagnosed => Err(self.rejected(ended)),
+        }
+    }
+
+    fn diagnostics(&self, ended: &Ended) -> Vec<Diagnostic> {
+        let Some(pattern) = &self.description().diagnostic else {
+            return Vec::new();
+        };
+        let text = without_colours(&format!("{}\n{}", ended.stderr, ended.stdout));
+        let mut diagnostics = pattern.0.diagnostics(&text, &self.description().file.0);
+        diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
+        diagnostics.dedup();
+        diagnostics
+    }
+
+    /// The outcome of a command that says by its exit code that it rejects the program.
+    fn rejected(&self, ended: &Ended) -> Outcome {
+        if self.description().diagnostic.is_none() {
+            let message = locate::first_error(ended);
+            let diagnostics = vec![Diagnostic {
+                message,
+                ..Diagnostic::default()
+            }];
+            return Outcome::Rejected { diagnostics };
+        }
+        let diagnostics = self.diagnostics(ended);
+        if diagnostics.is_empty() {
+            return match ended.crashed() {
+                Outcome::Crashed { reason } => Outcome::Crashed {
+                    reason: format!("{reason}; nothing that it wrote fits its `diagnostic`"),
+                },
+                other => other,
+            };
+        }
+        self.about_the_program(diagnostics)
+    }
+
+    /// A rejection where one of them is about the program; otherwise a compiler that says of itself that it went wrong has
+    /// crashed, and one that says that it cannot do this is asked too much.
+    fn about_the_program(&self, diagnostics: Vec<Diagnostic>) -> Outcome {
+        let meaning = |diagnostic: &Diagnostic| {
+            let meaning = self.description().codes.get(diagnostic.code.as_ref()?)?;
+            Some(&meaning.0)
+        };
+        let of_itself = |meant: &CodeMeaning| {
+            let found = diagnostics
+                .iter()
+                .find(|diagnostic| meaning(diagnostic) == Some(meant));
+            found.map(described)
+        };
+        let own = [CodeMeaning::Crashed, CodeMeaning::Unsupported];
+        if diagnostics
+            .iter()
+            .all(|diagnostic| meaning(diagnostic).is_some_and(|meant| own.contains(meant)))
+        {
+            return match of_itself(&CodeMeaning::Crashed) {
+                Some(reason) => Outcome::Crashed { reason },
+                None => Outcome::Unsupported {
+                    reason: of_itself(&CodeMeaning::Unsupported).unwrap_or_default(),
+                },
+            };
+        }
+        let translated = |diagnostic: Diagnostic| match meaning(&diagnostic) {
+            Some(CodeMeaning::Code(code)) => Diagnostic {
+                code: Some(code.as_str().to_owned()),
+                message: described(&diagnostic),
+                ..diagnostic
+            },
+            _ => diagnostic,
+        };
+        let diagnostics = diagnostics.iter().cloned().map(translated).collect();
+        Outcome::Rejected { diagnostics }
+    }
+
+    /// What a command may take; `time` is how long where the description does not say.
+    fn limits(&self, time: Option<Duration>) -> ToolLimits {
+        let said = self.description().limits;
+        let usual = ToolLimits::default();
+        let seconds = |seconds: u32| Duration::from_secs(u64::from(seconds));
+        let own = match time {
+            Some(_) => said.run_seconds,
+            None => said.seconds,
+        };
+        ToolLimits {
+            time: own.map(seconds).or(time).unwrap_or(usual.time),
+            cpu: said.cpu_seconds.map(seconds).unwrap_or(usual.cpu),
+            output: said.output_mib.map_or(usual.output, |size| u64::from(size) << 20),
+            memory: said.memory_mib.map_or(usual.memory, |size| u64::from(size) << 20),
+        }
+    }
+}
+
+fn told(meaning: Option<&Parsed<Meaning>>) -> Meaning {
+    meaning.map_or(Meaning::Crashed, |meaning| meaning.0)
+}
+
+/// What an exit code means where nobody says it.
+fn usual(code: i32) -> Meaning {
+    match code {
+        0 => Meaning::Accepted,
+        1 => Meaning::Rejected,
+        _ => Meaning::Crashed,
+    }
+}
+
+/// A diagnostic in one line, with the compiler's own code.
+fn described(diagnostic: &Diagnostic) -> String {
+    match &diagnostic.code {
+        Some(code) => format!("{code}: {}", diagnostic.message),
+        None => diagnostic.message.clone(),
+    }
+}
+
+/// The outcome that it cannot do this.
+pub(super) fn unsupported(reason: &str) -> Outcome {
+    Outcome::Unsupported {
+        reason: reason.to_owned(),
+    }
+}

@@ -1,0 +1,154 @@
+//! Regular expressions with named groups: how a compiler writes diagnostics and values.
+
+use crate::Diagnostic;
+use regex::{Captures, Regex, RegexBuilder};
+use std::str::FromStr;
+
+/// How a compiler writes a diagnostic. Groups: `code`, `line`, `column`, `end_line`, `end_column`, `message` and `file`.
+#[derive(Clone, Debug)]
+pub struct DiagnosticPattern(Regex);
+
+/// How a program writes the value of a variable. Groups: `name` and `value`.
+#[derive(Clone, Debug)]
+pub struct ValuePattern(Regex);
+
+impl FromStr for DiagnosticPattern {
+    type Err = String;
+
+    /// `^` and `$` fit at line ends, of whatever kind.
+    fn from_str(text: &str) -> Result<DiagnosticPattern, String> {
+        let known = [
+            "code",
+            "line",
+            "column",
+            "end_line",
+            "end_column",
+            "message",
+            "file",
+        ];
+        Ok(DiagnosticPattern(compiled(text, &known)?))
+    }
+}
+
+impl FromStr for ValuePattern {
+    type Err = String;
+
+    /// As that of [`DiagnosticPattern`]; both groups must be there.
+    fn from_str(text: &str) -> Result<ValuePattern, String> {
+        let regex = compiled(text, &["name", "value"])?;
+        match regex.capture_names().flatten().count() {
+            2 => Ok(ValuePattern(regex)),
+            _ => Err("it needs both groups, `(?<name>…)` and `(?<value>…)`".to_owned()),
+        }
+    }
+}
+
+fn compiled(text: &str, known: &[&str]) -> Result<Regex, String> {
+    let regex = RegexBuilder::new(text)
+        .multi_line(true)
+        .crlf(true)
+        .build()
+        .map_err(|error| error.to_string())?;
+    for name in regex.capture_names().flatten() {
+        if !known.contains(&name) {
+            let known: Vec<String> = known.iter().map(|name| format!("`{name}`")).collect();
+            return Err(format!(
+                "the group `{name}` means nothing; there are {}",
+                known.join(", ")
+            ));
+        }
+    }
+    Ok(regex)
+}
+
+impl DiagnosticPattern {
+    /// Whether it has this group.
+    pub(super) fn tells(&self, group: &str) -> bool {
+        self.0.capture_names().flatten().any(|name| name == group)
+    }
+
+    /// The diagnostics of a text about the file `program`, in the order in which they stand there. Of one about another file
+    /// the place is left out: it says nothing about a line of the program.
+    pub(super) fn diagnostics(&self, text: &str, program: &str) -> Vec<Diagnostic> {
+        let read = |captures: Captures<'_>| diagnostic(&captures, program);
+        self.0.captures_iter(text).map(read).collect()
+    }
+}
+
+fn diagnostic(captures: &Captures<'_>, program: &str) -> Diagnostic {
+    let group = |name: &str| captures.name(name).map(|group| group.as_str().trim());
+    let here = group("file").is_none_or(|file| file.rsplit(['/', '\\']).next() == Some(program));
+    // Line 0 is how some compilers say that they do not know.
+    let number = |name: &str| {
+        let number = group(name).filter(|_| here)?.parse().ok();
+        number.filter(|&number: &u32| number > 0)
+    };
+    let whole = captures.get_match().as_str().trim();
+    Diagnostic {
+        code: group("code").map(str::to_owned),
+        line: number("line"),
+        column: number("column"),
+        end_line: number("end_line"),
+        end_column: number("end_column"),
+        message: group("message").unwrap_or(whole).to_owned(),
+        suggestion: None,
+    }
+}
+
+impl ValuePattern {
+    /// The names and values of a text, in the order in which they stand there.
+    pub(super) fn values<'t>(&self, text: &'t str) -> Vec<(&'t str, &'t str)> {
+        let both = |captures: Captures<'t>| {
+            Some((captures.name("name")?.as_str(), captures.name("value")?.as_str()))
+        };
+        self.0.captures_iter(text).filter_map(both).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pattern(text: &str) -> DiagnosticPattern {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn groups_become_the_parts_of_a_diagnostic() {
+        let pattern =
+            pattern(r"^(?<file>\S+):(?<line>\d+):(?<column>\d+): error\[(?<code>\w+)\]: (?<message>.*)$");
+        let text = "a/program.st:6:5: error[E037]: no way\r\nwarning: none\nlib.st:9:9: error[E1]: theirs\n";
+        let found = pattern.diagnostics(text, "program.st");
+        assert_eq!(found.len(), 2);
+        assert_eq!((found[0].line, found[0].column), (Some(6), Some(5)));
+        assert_eq!(
+            (found[0].code.as_deref(), found[0].message.as_str()),
+            (Some("E037"), "no way")
+        );
+        // A line of a library is none of the program.
+        assert_eq!((found[1].line, found[1].code.as_deref()), (None, Some("E1")));
+        assert!(pattern.tells("code") && !pattern.tells("end_line"));
+    }
+
+    #[test]
+    fn what_is_not_told_is_left_out() {
+        let found = pattern(r"^error.*? line (?<line>\d+)").diagnostics("error in line 0\n", "program.st");
+        assert_eq!(
+            (found[0].line, found[0].message.as_str()),
+            (None, "error in line 0")
+        );
+    }
+
+    #[test]
+    fn a_group_that_means_nothing_is_told() {
+        let error = "(?<lines>.)".parse::<DiagnosticPattern>().unwrap_err();
+        assert!(
+            error.contains("`lines` means nothing; there are `code`"),
+            "{error}"
+        );
+        assert!("(".parse::<DiagnosticPattern>().is_err());
+        let error = "(?<name>.)".parse::<ValuePattern>().unwrap_err();
+        assert!(error.contains("both groups"), "{error}");
+        assert!("(?<name>.)(?<line>.)".parse::<ValuePattern>().is_err());
+    }
+}

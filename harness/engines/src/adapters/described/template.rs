@@ -1,0 +1,222 @@
+//! Command lines with places for what differs from program to program, such as `st --check {file}`.
+
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+/// What a `{word}` in a command stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Placeholder {
+    /// The file of the program.
+    File,
+    /// The compiler's own word for the dialect.
+    Dialect,
+    /// The private folder in which the command works.
+    Folder,
+    /// The number of scans.
+    Scans,
+    /// The folder of `stickler.toml`.
+    Here,
+}
+
+impl Placeholder {
+    const ALL: [(&'static str, Placeholder); 5] = [
+        ("file", Placeholder::File),
+        ("dialect", Placeholder::Dialect),
+        ("folder", Placeholder::Folder),
+        ("scans", Placeholder::Scans),
+        ("here", Placeholder::Here),
+    ];
+
+    fn named(word: &str) -> Option<Placeholder> {
+        let found = Placeholder::ALL.iter().find(|(name, _)| *name == word);
+        found.map(|(_, placeholder)| *placeholder)
+    }
+}
+
+/// A piece of a word.
+#[derive(Clone, PartialEq, Eq, Debug)]
+enum Piece {
+    Text(String),
+    Place(Placeholder),
+}
+
+/// A command: words, each of pieces. The first is the program.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Template {
+    words: Vec<Vec<Piece>>,
+}
+
+/// What the placeholders stand for in one call.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Filling<'f> {
+    pub(super) file: &'f str,
+    pub(super) dialect: &'f str,
+    pub(super) folder: &'f Path,
+    pub(super) scans: u32,
+    pub(super) here: &'f Path,
+}
+
+impl FromStr for Template {
+    type Err = String;
+
+    /// Splits a line into words as a POSIX shell does; no shell takes part, and nothing is expanded but `{file}` and its
+    /// like. `{{` and `}}` stand for braces.
+    fn from_str(line: &str) -> Result<Template, String> {
+        let words = shlex::split(line).ok_or("a quote or a backslash has no end")?;
+        if words.first().is_none_or(String::is_empty) {
+            return Err("the command is empty".to_owned());
+        }
+        let words = words.iter().map(|word| pieces(word)).collect::<Result<_, _>>()?;
+        Ok(Template { words })
+    }
+}
+
+/// The pieces of one word.
+fn pieces(word: &str) -> Result<Vec<Piece>, String> {
+    let mut pieces = Vec::new();
+    let mut text = String::new();
+    let mut rest = word;
+    while let Some(at) = rest.find(['{', '}']) {
+        text.push_str(&rest[..at]);
+        let brace = &rest[at..=at];
+        rest = &rest[at + 1..];
+        if let Some(behind) = rest.strip_prefix(brace) {
+            text.push_str(brace);
+            rest = behind;
+            continue;
+        }
+        let (name, behind) = rest
+            .split_once('}')
+            .filter(|_| brace == "{")
+            .ok_or_else(|| format!("a `{brace}` in `{word}` stands alone; write it twice for itself"))?;
+        let placeholder = Placeholder::named(name).ok_or_else(|| {
+            let known = Placeholder::ALL.map(|(name, _)| format!("`{{{name}}}`"));
+            format!("`{{{name}}}` stands for nothing; there are {}", known.join(", "))
+        })?;
+        pieces.push(Piece::Text(std::mem::take(&mut text)));
+        pieces.push(Piece::Place(placeholder));
+        rest = behind;
+    }
+    text.push_str(rest);
+    pieces.push(Piece::Text(text));
+    Ok(pieces)
+}
+
+impl Template {
+    /// Whether something in it stands for this.
+    pub(super) fn has(&self, placeholder: Placeholder) -> bool {
+        let place = Piece::Place(placeholder);
+        self.words.iter().any(|pieces| pieces.contains(&place))
+    }
+
+    /// The program and its arguments. A program that is named with a path is sought from the folder of `stickler.toml`.
+    pub(super) fn filled(&self, filling: &Filling<'_>) -> (PathBuf, Vec<String>) {
+        let mut words = self.words.iter().map(|pieces| word(pieces, filling));
+        let program = words.next().unwrap_or_default();
+        let program = match program.contains(std::path::is_separator) {
+            true => filling.here.join(program),
+            false => PathBuf::from(program),
+        };
+        (program, words.collect())
+    }
+
+    /// The program, where no placeholder of one call is part of it.
+    pub(super) fn program(&self, here: &Path) -> Option<PathBuf> {
+        let fixed = |piece: &Piece| matches!(piece, Piece::Text(_) | Piece::Place(Placeholder::Here));
+        if !self.words.first()?.iter().all(fixed) {
+            return None;
+        }
+        let filling = Filling {
+            file: "",
+            dialect: "",
+            folder: Path::new(""),
+            scans: 0,
+            here,
+        };
+        Some(self.filled(&filling).0)
+    }
+}
+
+fn word(pieces: &[Piece], filling: &Filling<'_>) -> String {
+    let mut word = String::new();
+    for piece in pieces {
+        match piece {
+            Piece::Text(text) => word.push_str(text),
+            Piece::Place(Placeholder::File) => word.push_str(filling.file),
+            Piece::Place(Placeholder::Dialect) => word.push_str(filling.dialect),
+            Piece::Place(Placeholder::Folder) => word.push_str(&filling.folder.to_string_lossy()),
+            Piece::Place(Placeholder::Scans) => word.push_str(&filling.scans.to_string()),
+            Piece::Place(Placeholder::Here) => word.push_str(&filling.here.to_string_lossy()),
+        }
+    }
+    word
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn template(line: &str) -> Result<Template, String> {
+        line.parse()
+    }
+
+    fn filled(line: &str) -> (PathBuf, Vec<String>) {
+        template(line).unwrap().filled(&Filling {
+            file: "program.st",
+            dialect: "ed 2",
+            folder: Path::new("/private"),
+            scans: 3,
+            here: Path::new("/ours"),
+        })
+    }
+
+    #[test]
+    fn placeholders_are_filled_inside_words_and_never_split_them() {
+        let (program, arguments) =
+            filled("st '--dialect={dialect}' {file} -o {folder}/out -n{scans} {{{here}}} ''");
+        assert_eq!(program, Path::new("st"));
+        let expected = [
+            "--dialect=ed 2",
+            "program.st",
+            "-o",
+            "/private/out",
+            "-n3",
+            "{/ours}",
+            "",
+        ];
+        assert_eq!(arguments, expected);
+    }
+
+    #[test]
+    fn a_program_with_a_path_is_sought_from_the_folder_of_the_file() {
+        assert_eq!(filled("bin/st").0, Path::new("/ours/bin/st"));
+        assert_eq!(filled("/opt/st").0, Path::new("/opt/st"));
+        assert_eq!(filled("{folder}/program").0, Path::new("/private/program"));
+        let here = Path::new("/ours");
+        assert_eq!(
+            template("bin/st {file}").unwrap().program(here),
+            Some("/ours/bin/st".into())
+        );
+        assert_eq!(template("{folder}/program").unwrap().program(here), None);
+    }
+
+    #[test]
+    fn what_stands_for_nothing_is_told() {
+        for (line, part) in [
+            (
+                "st {fiel}",
+                "`{fiel}` stands for nothing; there are `{file}`, `{dialect}`",
+            ),
+            ("st {file", "stands alone"),
+            ("st file}", "stands alone"),
+            ("st 'file", "no end"),
+            ("", "empty"),
+            ("'' x", "empty"),
+        ] {
+            let error = template(line).unwrap_err();
+            assert!(error.contains(part), "{error}");
+        }
+        assert!(template("st -n{scans}").unwrap().has(Placeholder::Scans));
+        assert!(!template("st scans").unwrap().has(Placeholder::Scans));
+    }
+}
