@@ -1,5 +1,5 @@
 //! `junit.xml`: the run for continuous integration. The first test suite is the claims, one test a claim; where case files
-//! are broken, the next is those; then comes one test suite an engine, dialect and area, one test a case.
+//! are broken, the next is those, and where entries of baselines are out of date, the next is those; then comes one test suite an engine, dialect and area, one test a case.
 //!
 //! The document is quick-junit's, which knows what XML and JUnit's readers take.
 
@@ -10,6 +10,7 @@ use crate::ReportError;
 use crate::claims::{Claim, Standing};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
+use crate::text::outdated;
 use quick_junit::Report;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -65,6 +66,7 @@ impl Junit {
         report.set_time(Duration::from_millis(footer.duration_ms));
         report.add_test_suite(claims(overview).finish());
         report.add_test_suites(broken_files(overview).map(Suite::finish));
+        report.add_test_suites(outdated_entries(overview).map(Suite::finish));
         report.add_test_suites(self.suites.into_values().map(Suite::finish));
         report
             .serialize(&mut self.file)
@@ -122,6 +124,25 @@ fn broken_files(overview: &Overview) -> Option<Suite> {
     Some(suite)
 }
 
+/// The entries of baselines that are out of date as a test suite, where there are any: each of them fails.
+fn outdated_entries(overview: &Overview) -> Option<Suite> {
+    let mut suite = overview.outdated().next().map(|_| Suite::new("baselines"))?;
+    for entry in overview.outdated() {
+        let text = outdated(entry);
+        suite.add(Test {
+            name: &entry.at,
+            problem: Some(Problem {
+                kind: Kind::Failure,
+                type_name: "baseline",
+                message: text.clone(),
+                text,
+            }),
+            ..Test::default()
+        });
+    }
+    Some(suite)
+}
+
 fn claim_name(claim: &Claim<'_>, name_engine: bool) -> String {
     let mut name = claim.source.to_owned();
     // Writing to a String cannot fail.
@@ -167,6 +188,21 @@ mod tests {
             panic!("one suite: {report:?}")
         };
         suite
+    }
+
+    #[test]
+    fn what_a_baseline_says_is_told_and_what_of_it_is_out_of_date_fails() {
+        let report = document_of(&sample::run_with_baseline().0);
+        let [_claims, baselines, suite] = &report.test_suites[..] else {
+            panic!("three suites: {report:?}")
+        };
+        assert_eq!((baselines.name.as_str(), baselines.failures), ("baselines", 1));
+        assert_eq!((suite.failures, suite.skipped), (1, 1));
+        let TestCaseStatus::Skipped { message, .. } = &suite.test_cases[1].status else {
+            panic!("expected to fail: {suite:?}")
+        };
+        let message = message.as_ref().expect("a message").to_string();
+        assert!(message.contains("(rounds)"), "{message}");
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::claims::Claims;
 use crate::text::clip;
 use std::collections::BTreeMap;
-use stickler_run::{CaseEvent, Event, Footer, Header, Totals};
+use stickler_run::{CaseEvent, Event, Footer, Header, OutdatedEntry, Totals};
 
 /// How many failing cases are kept whole. The rest is counted; the event log has them all.
 pub const KEPT_FAILURES: usize = 500;
@@ -53,6 +53,12 @@ impl Overview {
                 self.failures.push(kept(case));
             }
         }
+    }
+
+    /// The entries of baselines that are out of date; a run with any of them is not as expected.
+    pub fn outdated(&self) -> impl Iterator<Item = &OutdatedEntry> {
+        let baselines = self.header.iter().flat_map(|header| &header.baselines);
+        baselines.flat_map(|baseline| &baseline.outdated)
     }
 
     /// Every area of the run, sorted.

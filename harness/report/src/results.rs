@@ -91,6 +91,7 @@ impl Results {
         key(out, "engines", &engines(header, footer))?;
         key(out, "shard", &header.shard)?;
         key(out, "broken_files", &header.broken_files)?;
+        key(out, "baselines", &header.baselines)?;
         let mut list = List::default();
         for claim in claims.iter() {
             list.push(&ClaimResult {

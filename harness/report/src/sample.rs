@@ -1,7 +1,8 @@
 //! A small run for the tests of this crate.
 
 use stickler_run::{
-    CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Grade, Header, Observed, Totals, Verdict,
+    BaselineHeader, BaselineNote, CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Grade,
+    Header, Observed, OutdatedEntry, Totals, Verdict,
 };
 
 /// A case with this id and verdict.
@@ -28,6 +29,7 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
         duration_us: 12,
         rerun: format!("stickler run --filter 'widening/{id}@ironplc-ed2'"),
         observations: Vec::new(),
+        baseline: None,
     }
 }
 
@@ -55,6 +57,38 @@ pub(crate) fn run() -> Vec<Event> {
     ])
 }
 
+/// A run of an unexpected pass and an expected failure, with a baseline of which one entry is out of date; and the note of
+/// both cases.
+pub(crate) fn run_with_baseline() -> (Vec<Event>, BaselineNote) {
+    let note = BaselineNote {
+        at: "b/reference.toml:7".to_owned(),
+        verdict: Verdict::Fail,
+        reason: "rounds".to_owned(),
+        link: Some("https://example.org/1".to_owned()),
+    };
+    let noted = |id, verdict| CaseEvent {
+        baseline: Some(note.clone()),
+        ..case(id, verdict)
+    };
+    let mut events = run_of(vec![
+        noted("mended", Verdict::Xpass),
+        noted("known", Verdict::Xfail),
+    ]);
+    if let Event::Header(header) = &mut events[0] {
+        header.baselines = vec![BaselineHeader {
+            engine: "reference".to_owned(),
+            file: "b/reference.toml".to_owned(),
+            entries: 2,
+            outdated: vec![OutdatedEntry {
+                at: "b/reference.toml:12".to_owned(),
+                case: "widening/gone*".to_owned(),
+                why: "fits no case".to_owned(),
+            }],
+        }];
+    }
+    (events, note)
+}
+
 /// A whole run of these cases.
 pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
     let mut totals = Totals::default();
@@ -74,6 +108,7 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
         cases: cases.len() as u64,
         shard: None,
         broken_files: Vec::new(),
+        baselines: Vec::new(),
     };
     let engines = vec![EngineTotals {
         name: "reference".to_owned(),

@@ -3,7 +3,7 @@
 use crate::claims::{Claim, Standing};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
-use crate::text::{clip, counted, duration, judged, visible};
+use crate::text::{clip, counted, duration, judged, noted, outdated, outdated_entries, visible};
 use crate::{ReportError, diff};
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -82,7 +82,10 @@ impl Page {
 fn heading(overview: &Overview) -> String {
     let cases = counted(overview.sum().all(), "case", "cases");
     let verdict = match overview.failed {
-        0 => format!("{cases}, all as expected"),
+        0 => match overview.outdated().count() {
+            0 => format!("{cases}, all as expected"),
+            number => format!("{cases}, all as expected, but {}", outdated_entries(number)),
+        },
         failed => format!("{failed} of {cases} not as expected"),
     };
     let mut text = format!("# Stickler: {verdict}\n\n");
@@ -115,6 +118,9 @@ fn heading(overview: &Overview) -> String {
         .take(50)
     {
         let _ = writeln!(text, "- **broken case file** {}", inline(broken));
+    }
+    for entry in overview.outdated().take(50) {
+        let _ = writeln!(text, "- **out of date** {}", inline(&outdated(entry)));
     }
     text
 }
@@ -222,9 +228,12 @@ fn failure(case: &CaseEvent) -> String {
     let got = clip(&visible(&case.got), SHOWN_LINES, SHOWN_CHARACTERS);
     let difference = diff::text(&expected, &got);
     let fence = fence(&difference);
+    let baseline = case.baseline.as_ref().map_or(String::new(), |note| {
+        format!("- baseline: {}\n", inline(&noted(note)))
+    });
     format!(
         "\n### {verdict}: {id}@{dialect} on {engine}\n\n{title}\n\n- basis: {basis}\n- at: {file}:{line}\n\
-         - rerun: {rerun}\n\n{fence}diff\n{difference}{fence}\n",
+         {baseline}- rerun: {rerun}\n\n{fence}diff\n{difference}{fence}\n",
         verdict = case.verdict,
         id = inline(&case.id),
         dialect = inline(&case.dialect),
@@ -293,6 +302,24 @@ mod tests {
         assert!(
             at("### fail: widening/broken@ironplc-ed2 on reference")
                 < at("- into = INT#-128\n+ into = INT#128\n")
+        );
+    }
+
+    #[test]
+    fn what_a_baseline_says_is_on_the_page() {
+        let (mut events, _) = sample::run_with_baseline();
+        let text = page(&events);
+        assert!(
+            text.contains("- baseline: b/reference.toml:7 expects fail: rounds (https://example.org/1)\n"),
+            "{text}"
+        );
+        let outdated = "- **out of date** b/reference.toml:12: widening/gone\\* fits no case\n";
+        assert!(text.contains(outdated), "{text}");
+        events.remove(1);
+        assert!(
+            page(&events).starts_with(
+                "# Stickler: 1 case, all as expected, but 1 entry of a baseline is out of date\n"
+            )
         );
     }
 

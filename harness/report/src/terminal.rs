@@ -8,7 +8,7 @@ mod failure;
 
 use crate::overview::Overview;
 use crate::table::{Cell, Table};
-use crate::text::{clip, counted, duration, judged, visible};
+use crate::text::{clip, counted, duration, judged, outdated, outdated_entries, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use stickler_run::{EngineHeader, Totals, Verdict};
@@ -20,6 +20,9 @@ const BAD: Style = AnsiColor::Red.on_default();
 
 /// How many failures are shown whole.
 const SHOWN_FAILURES: usize = 40;
+
+/// How many entries of baselines that are out of date are named.
+const SHOWN_OUTDATED: usize = 20;
 
 /// What the summary needs to know beside the run.
 #[derive(Clone, Copy, Debug, Default)]
@@ -173,6 +176,7 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             "{BAD}{mistakes} in case files: some cases were not run.{BAD:#}"
         )?;
     }
+    let out_of_date = write_outdated(out, overview)?;
     let cases = counted(sum.all(), "case", "cases");
     let Some(footer) = &overview.footer else {
         return writeln!(out, "{BAD}Cut short after {cases}.{BAD:#}");
@@ -186,10 +190,14 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
     }
     match overview.failed {
         0 => {
-            let style = if broken > 0 { BAD } else { GOOD };
+            let style = if broken > 0 || out_of_date > 0 { BAD } else { GOOD };
+            let but = match out_of_date {
+                0 => String::new(),
+                number => format!(", but {}", outdated_entries(number)),
+            };
             writeln!(
                 out,
-                "{style}{cases} in {time}: all as expected{}.{style:#}",
+                "{style}{cases} in {time}: all as expected{}{but}.{style:#}",
                 kinds(&sum, true)
             )
         }
@@ -201,6 +209,18 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             )
         }
     }
+}
+
+/// Names the entries of baselines that are out of date, and gives their number.
+fn write_outdated(out: &mut dyn Write, overview: &Overview) -> io::Result<usize> {
+    let number = overview.outdated().count();
+    for entry in overview.outdated().take(SHOWN_OUTDATED) {
+        writeln!(out, "{BAD}OUTDATED{BAD:#} {}", outdated(entry))?;
+    }
+    if number > SHOWN_OUTDATED {
+        writeln!(out, "{BAD}... and {} more.{BAD:#}", number - SHOWN_OUTDATED)?;
+    }
+    Ok(number)
 }
 
 /// An engine by its name and version, and how it was judged where that was not by code and line.
@@ -317,6 +337,23 @@ Reports: reports/latest/summary.md; every case is in results.json beside it.
             unsupported("b"),
         ]));
         assert!(text.ends_with("all as expected (1 unsupported).\n"), "{text}");
+    }
+
+    #[test]
+    fn what_a_baseline_says_stands_with_the_case_and_what_is_out_of_date_with_the_end() {
+        let (mut events, _) = sample::run_with_baseline();
+        let text = shown(&events);
+        let note = "     baseline b/reference.toml:7 expects fail: rounds (https://example.org/1)\n";
+        assert!(text.contains(note), "{text}");
+        let outdated = "OUTDATED b/reference.toml:12: widening/gone* fits no case\n1 of 2 cases";
+        assert!(text.contains(outdated), "{text}");
+        // What is expected is not shown, and yet not all is well.
+        events.remove(1);
+        let text = shown(&events);
+        assert!(
+            text.ends_with("all as expected (1 xfail), but 1 entry of a baseline is out of date.\n"),
+            "{text}"
+        );
     }
 
     #[test]

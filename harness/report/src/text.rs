@@ -1,7 +1,7 @@
 //! Making texts of unknown origin fit to be shown: foreign engines print what they like.
 
 use std::fmt::Write;
-use stickler_run::Grade;
+use stickler_run::{BaselineNote, Grade, OutdatedEntry};
 
 /// The text with control characters spelled out (`\u{1b}`), but for line ends and tabs: what an engine says must not
 /// move the cursor of whoever reads it.
@@ -49,6 +49,32 @@ pub(crate) fn judged(strict: Grade) -> &'static str {
         Grade::Line => " (rejections judged by line)",
         Grade::Rejected => " (rejections judged without their place)",
     }
+}
+
+/// What a baseline says of a case, on one line.
+pub(crate) fn noted(note: &BaselineNote) -> String {
+    let link = note
+        .link
+        .as_ref()
+        .map_or(String::new(), |link| format!(" ({link})"));
+    let text = format!("{} expects {}: {}{link}", note.at, note.verdict, note.reason);
+    visible(&text).replace(['\n', '\t'], " ")
+}
+
+/// An entry of a baseline that is out of date, on one line.
+pub(crate) fn outdated(entry: &OutdatedEntry) -> String {
+    let text = format!("{}: {} {}", entry.at, entry.case, entry.why);
+    visible(&text).replace(['\n', '\t'], " ")
+}
+
+/// How many entries are out of date, as a sentence without its point.
+pub(crate) fn outdated_entries(number: usize) -> String {
+    let entries = counted(
+        number as u64,
+        "entry of a baseline is",
+        "entries of baselines are",
+    );
+    format!("{entries} out of date")
 }
 
 /// `1 case`, `2 cases`.

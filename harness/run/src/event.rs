@@ -1,9 +1,11 @@
 //! The events of a run: a header, one event a case, a footer. Every report is a projection of them and has no
 //! facts of its own; a stream without its footer is a truncated run. Basis: design, section 5.
 
+mod baseline;
 mod totals;
 mod verdict;
 
+pub use baseline::{BaselineHeader, BaselineNote, OutdatedEntry};
 pub use totals::Totals;
 pub use verdict::Verdict;
 
@@ -48,6 +50,9 @@ pub struct Header {
     /// The case files that could not be read: file, line, key and what is wrong.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub broken_files: Vec<String>,
+    /// The baselines that take part, in the order of their engines.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub baselines: Vec<BaselineHeader>,
 }
 
 /// An engine that takes part in a run.
@@ -104,6 +109,9 @@ pub struct CaseEvent {
     /// What was recorded and not judged.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub observations: Vec<Observed>,
+    /// What the engine's baseline says of the case, where it says something.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub baseline: Option<BaselineNote>,
 }
 
 /// Something recorded and not judged.

@@ -28,6 +28,12 @@ impl Filter {
         &self.text
     }
 
+    /// Whether it is read as a pattern, unless it is the id of a case: it contains a `*`.
+    #[must_use]
+    pub fn is_pattern(&self) -> bool {
+        self.text.contains('*')
+    }
+
     /// Whether the filter is this case's id or key, letter by letter.
     #[must_use]
     pub fn names(&self, id: &str, dialect: &str) -> bool {
@@ -37,7 +43,7 @@ impl Filter {
     /// Whether the filter, as a pattern or as a part, fits this case.
     #[must_use]
     pub fn fits(&self, id: &str, dialect: &str) -> bool {
-        if self.text.contains('*') {
+        if self.is_pattern() {
             return pattern_fits(&self.text, id) || pattern_fits(&self.text, &format!("{id}@{dialect}"));
         }
         if self.text.contains('@') {

@@ -1,11 +1,12 @@
 //! Runs cases on engines, judges what they answer, and emits one stream of [`Event`]s.
 //!
 //! The way of a case: [`select`](select()) picks it, a worker of the [`schedule`](run()) asks an engine and
-//! gets [`Answers`], [`judge`](judge()) holds them against the expectation, and the [`Judgement`] goes out as
-//! a [`CaseEvent`]. This crate does not know how events are shown.
+//! gets [`Answers`], [`judge`](judge()) holds them against the expectation, the engine's [`Baseline`] says whether that was
+//! known, and the [`Judgement`] goes out as a [`CaseEvent`]. This crate does not know how events are shown.
 #![forbid(unsafe_code)]
 
 mod answers;
+mod baseline;
 mod event;
 mod filter;
 mod judge;
@@ -17,6 +18,10 @@ mod select;
 mod shard;
 
 pub use answers::{Answers, Desk, Rendering};
+pub use baseline::{
+    Baseline, BaselineError, Blessing, Change, ChangeKind, EngineRun, Entry, Held, bless, hold,
+};
+pub use event::{BaselineHeader, BaselineNote, OutdatedEntry};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed};
 pub use event::{Totals, Verdict};
 pub use filter::Filter;

@@ -1,17 +1,14 @@
 //! What to run and how, and what can keep a run from being one.
 
-use crate::{Filter, Grade, Shard, Totals};
+use crate::{Baseline, Filter, Grade, Held, Shard, Totals, hold};
+use jiff::civil::Date;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use stickler_engines::{EngineError, Identity, Reference};
-use stickler_suite::Case;
+use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
 
 /// What to run and how. The default runs every case of the suite, each engine judged by the best grade that it claims.
-///
-/// A baseline, when there is one, belongs here: a list that [`run`](crate::run()) holds against each
-/// [`Judgement`](crate::Judgement), turning `fail` into `xfail` and `pass` into `xpass` before the event goes
-/// out.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// How many workers; 0 is one a processor.
@@ -24,7 +21,11 @@ pub struct Plan {
     pub shard: Option<Shard>,
     /// How exact a rejection or a fault must be to pass; `None` is the best grade that each engine claims.
     pub strict: Option<Grade>,
-    /// When the run began, for the header; this crate reads no calendar.
+    /// What is known of engines; of each engine the first that names it counts.
+    pub baselines: Vec<Baseline>,
+    /// The day on which entries of baselines must hold; this crate reads no calendar.
+    pub today: Date,
+    /// When the run began, for the header.
     pub started: String,
     /// The command that was typed, for the header.
     pub command: String,
@@ -43,6 +44,8 @@ impl Default for Plan {
             dialects: Vec::new(),
             shard: None,
             strict: None,
+            baselines: Vec::new(),
+            today: Date::default(),
             started: String::new(),
             command: String::new(),
             rerun_prefix: "cargo run --release -- run".to_owned(),
@@ -58,6 +61,8 @@ pub struct Summary {
     pub totals: Totals,
     /// How many case events were given.
     pub cases: u64,
+    /// How many entries of baselines are out of date.
+    pub outdated: u64,
     /// The run was cut short: there was no footer.
     pub cancelled: bool,
 }
@@ -85,6 +90,16 @@ impl Plan {
             Reference::NAME => Grade::Code,
             _ => self.strict.unwrap_or(engine.grade),
         }
+    }
+
+    /// The baseline of this engine, held against the suite; `None` where there is none.
+    #[must_use]
+    pub fn hold<'s>(&self, suite: &'s Suite, engine: &Identity) -> Option<Held<'s>> {
+        let baseline = self
+            .baselines
+            .iter()
+            .find(|baseline| baseline.engine == engine.name)?;
+        Some(hold(baseline, suite, engine, self.today))
     }
 
     /// The command that runs this case again on this engine, to be pasted into a shell.

@@ -5,7 +5,7 @@ use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer,
 use crate::judge::{is_open, judge};
 use crate::pack::{packs, settle};
 use crate::reorder::{Dispenser, Reorder};
-use crate::{Plan, RunError, Summary, Totals, select};
+use crate::{Held, Plan, RunError, Summary, Totals, select};
 use std::sync::Mutex;
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -41,12 +41,26 @@ pub fn run(
         .stack_size(STACK)
         .thread_name(|index| format!("stickler-{index}"))
         .build()?;
-    sink(Event::Header(header(plan, suite, engines, jobs.len())));
+    let held: Vec<Option<Held<'_>>> = engines
+        .iter()
+        .map(|engine| plan.hold(suite, engine.identity()))
+        .collect();
+    let header = Header {
+        baselines: held.iter().flatten().map(|held| held.header().clone()).collect(),
+        ..header(plan, suite, engines, jobs.len())
+    };
+    let outdated = header
+        .baselines
+        .iter()
+        .map(|held| held.outdated.len() as u64)
+        .sum();
+    sink(Event::Header(header));
     let floor = Floor {
         plan,
         jobs: &jobs,
         engines,
         pack_sizes: engines.iter().map(|engine| engine.pack_size()).collect(),
+        held: &held,
         cancel,
         stop: AtomicBool::new(false),
         broken: Mutex::new(None),
@@ -71,6 +85,7 @@ pub fn run(
     Ok(Summary {
         totals: tally.totals,
         cases: tally.cases,
+        outdated,
         cancelled,
     })
 }
@@ -112,6 +127,8 @@ struct Floor<'r> {
     jobs: &'r [Job<'r>],
     engines: &'r [&'r dyn Engine],
     pack_sizes: Vec<usize>,
+    /// By engine.
+    held: &'r [Option<Held<'r>>],
     cancel: &'r AtomicBool,
     stop: AtomicBool,
     broken: Mutex<Option<EngineError>>,
@@ -221,6 +238,10 @@ impl Floor<'_> {
         let duration_us = u64::try_from(time.as_micros()).unwrap_or(u64::MAX);
         let identity = self.engines[engine].identity();
         let judgement = judge(case, answers, self.plan.strict(identity));
+        let (judgement, baseline) = match &self.held[engine] {
+            Some(held) => held.apply(&case.id, case.dialect, judgement),
+            None => (judgement, None),
+        };
         let engine = &identity.name;
         CaseEvent {
             id: case.id.to_string(),
@@ -239,6 +260,7 @@ impl Floor<'_> {
             duration_us,
             rerun: self.plan.rerun(case, engine),
             observations: judgement.observations,
+            baseline,
         }
     }
 }
@@ -296,6 +318,7 @@ fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> 
         cases: cases as u64,
         shard: plan.shard.map(|shard| shard.to_string()),
         broken_files: suite.errors.iter().map(ToString::to_string).collect(),
+        baselines: Vec::new(),
     }
 }
 

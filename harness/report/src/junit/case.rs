@@ -2,6 +2,7 @@
 
 use super::suite::{Kind, Problem, Test};
 use crate::diff;
+use crate::text::noted;
 use std::fmt::Write;
 use stickler_run::{CaseEvent, Verdict};
 
@@ -10,7 +11,11 @@ pub(super) fn test(case: &CaseEvent) -> Test<'_> {
     let problem = kind(case.verdict).map(|(kind, message)| Problem {
         kind,
         type_name: case.verdict.as_str(),
-        message: format!("{message}: {}", case.title),
+        message: match &case.baseline {
+            // A test that is skipped is shown with its message and no more.
+            Some(note) => format!("{message} ({}): {}", note.reason, case.title),
+            None => format!("{message}: {}", case.title),
+        },
         text: description(case),
     });
     Test {
@@ -47,8 +52,12 @@ fn kind(verdict: Verdict) -> Option<(Kind, &'static str)> {
 }
 
 fn description(case: &CaseEvent) -> String {
+    let baseline = case
+        .baseline
+        .as_ref()
+        .map_or(String::new(), |note| format!("baseline: {}\n", noted(note)));
     format!(
-        "{file}:{line}\nbasis: {basis}\nexpected: {expected}\ngot: {got}\n{diff}rerun: {rerun}\n",
+        "{file}:{line}\nbasis: {basis}\n{baseline}expected: {expected}\ngot: {got}\n{diff}rerun: {rerun}\n",
         file = case.file,
         line = case.line,
         basis = case.basis,

@@ -2,10 +2,10 @@
 
 use super::{BAD, BOLD, DIM, GOOD};
 use crate::diff::{self, DiffLine, Side};
-use crate::text::{clip, visible};
+use crate::text::{clip, noted, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
-use stickler_run::{CaseEvent, Verdict};
+use stickler_run::CaseEvent;
 
 const BAD_PIECE: Style = AnsiColor::Red.on_default().bold().underline();
 const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
@@ -31,8 +31,8 @@ pub fn write(out: &mut dyn Write, case: &CaseEvent, name_engine: bool) -> io::Re
     writeln!(out, "\n     {}", visible(&case.title))?;
     writeln!(out, "     {DIM}basis   {DIM:#} {}", visible(&case.basis))?;
     writeln!(out, "     {DIM}at      {DIM:#} {}:{}", case.file, case.line)?;
-    if case.verdict == Verdict::Xpass {
-        writeln!(out, "     {DIM}passes, but its baseline expects it not to{DIM:#}")?;
+    if let Some(note) = &case.baseline {
+        writeln!(out, "     {DIM}baseline{DIM:#} {}", noted(note))?;
     }
     write_comparison(out, case)?;
     writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&case.rerun))

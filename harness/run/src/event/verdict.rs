@@ -11,9 +11,9 @@ pub enum Verdict {
     Pass,
     /// Something else happened.
     Fail,
-    /// It failed, and a baseline says so.
+    /// It did not pass, and a baseline says so.
     Xfail,
-    /// It passed, and a baseline says that it fails.
+    /// It passed, and a baseline says that it does not.
     Xpass,
     /// The engine says that it cannot do this.
     Unsupported,

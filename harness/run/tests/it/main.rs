@@ -1,5 +1,7 @@
 //! The crate from outside: cases made by hand, engines that only pretend.
 
+mod baselines;
+mod blessing;
 mod fixtures;
 mod judging;
 mod packing;

@@ -1,0 +1,200 @@
+//! Many cases in few entries of a baseline: a pattern where all that it fits is meant, an id where not.
+//!
+//! The ids of a table's cases are `file::probe(A,B,C)`. A whole probe becomes `file::probe(*`, a part of one
+//! `file::probe(A,*`; nothing wider, so that no entry spreads over what a table does not hold together.
+
+use std::collections::{BTreeMap, HashSet};
+use stickler_types::DialectName;
+
+/// A case: its id and its dialect.
+pub(super) type Key<'a> = (&'a str, DialectName);
+
+/// An entry for several cases.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Folded {
+    /// The id or the pattern.
+    pub(super) case: String,
+    /// How many cases it is about.
+    pub(super) cases: usize,
+}
+
+/// All cases that an engine can be asked: the dialects of each id.
+pub(super) struct Universe<'a> {
+    ids: BTreeMap<&'a str, Vec<DialectName>>,
+}
+
+impl<'a> Universe<'a> {
+    pub(super) fn new(cases: impl Iterator<Item = Key<'a>>) -> Universe<'a> {
+        let mut ids: BTreeMap<&str, Vec<DialectName>> = BTreeMap::new();
+        for (id, dialect) in cases {
+            ids.entry(id).or_default().push(dialect);
+        }
+        Universe { ids }
+    }
+
+    /// The fewest entries that this finds for exactly these cases, sorted by id. Cases that are not of the universe are left
+    /// out.
+    pub(super) fn fold(&self, wanted: &HashSet<Key<'_>>) -> Vec<Folded> {
+        let ids: Vec<&str> = self.ids.keys().copied().collect();
+        let probes = ids.chunk_by(|a, b| a[..probe(a)] == b[..probe(b)]);
+        let folding = Folding {
+            universe: self,
+            wanted,
+        };
+        probes
+            .flat_map(|probe_ids| folding.all_dialects(probe_ids, probe(probe_ids[0])))
+            .collect()
+    }
+}
+
+/// The length of the part of an id that all cases of its probe share: all of it where it is of no table.
+fn probe(id: &str) -> usize {
+    id.find('(').map_or(id.len(), |at| at + 1)
+}
+
+/// The length of the part of an id that is longer by one cell.
+fn longer(id: &str, prefix: usize) -> usize {
+    id[prefix..].find(',').map_or(id.len(), |at| prefix + at + 1)
+}
+
+struct Folding<'f> {
+    universe: &'f Universe<'f>,
+    wanted: &'f HashSet<Key<'f>>,
+}
+
+impl Folding<'_> {
+    /// Entries for ids that share their beginning: in all dialects at once, in each by itself, or of longer beginnings,
+    /// whichever are the fewest.
+    fn all_dialects(&self, ids: &[&str], prefix: usize) -> Vec<Folded> {
+        let (mut wanted, mut all) = (0, 0);
+        for id in ids {
+            for dialect in self.dialects(id) {
+                all += 1;
+                wanted += usize::from(self.wanted.contains(&(*id, *dialect)));
+            }
+        }
+        if wanted == 0 {
+            return Vec::new();
+        }
+        if wanted == all {
+            return vec![Folded {
+                case: name(ids, prefix),
+                cases: all,
+            }];
+        }
+        let apart: Vec<Folded> = DialectName::ALL
+            .into_iter()
+            .flat_map(|dialect| self.one_dialect(ids, prefix, dialect))
+            .collect();
+        if ids.len() == 1 {
+            return apart;
+        }
+        let deeper: Vec<Folded> = parts(ids, prefix)
+            .flat_map(|(part, prefix)| self.all_dialects(part, prefix))
+            .collect();
+        if apart.len() < deeper.len() { apart } else { deeper }
+    }
+
+    fn one_dialect(&self, ids: &[&str], prefix: usize, dialect: DialectName) -> Vec<Folded> {
+        let spoken = ids
+            .iter()
+            .copied()
+            .filter(|id| self.dialects(id).contains(&dialect));
+        let spoken: Vec<&str> = spoken.collect();
+        let wanted = spoken.iter().filter(|id| self.wanted.contains(&(**id, dialect)));
+        match wanted.count() {
+            0 => Vec::new(),
+            all if all == spoken.len() => vec![Folded {
+                case: format!("{}@{dialect}", name(&spoken, prefix)),
+                cases: all,
+            }],
+            _ => parts(&spoken, prefix)
+                .flat_map(|(part, prefix)| self.one_dialect(part, prefix, dialect))
+                .collect(),
+        }
+    }
+
+    fn dialects(&self, id: &str) -> &[DialectName] {
+        self.universe.ids.get(id).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// The id where there is one, otherwise the pattern for all that begin so.
+fn name(ids: &[&str], prefix: usize) -> String {
+    match ids {
+        [id] => (*id).to_owned(),
+        _ => format!("{}*", &ids[0][..prefix]),
+    }
+}
+
+/// The ids by their next cell; what shares a beginning stands together, since they are sorted.
+fn parts<'s, 'i>(ids: &'s [&'i str], prefix: usize) -> impl Iterator<Item = (&'s [&'i str], usize)> {
+    let parts = ids.chunk_by(move |a, b| a[..longer(a, prefix)] == b[..longer(b, prefix)]);
+    parts.map(move |part| (part, longer(part[0], prefix)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use DialectName::{IronplcEd2, IronplcEd3};
+
+    const IDS: [&str; 6] = [
+        "a/single",
+        "a/t::one(INT,1)",
+        "a/t::one(INT,2)",
+        "a/t::one(SINT,1)",
+        "a/t::two(INT,1)",
+        "a/t::two(INT,2)",
+    ];
+
+    fn universe() -> Universe<'static> {
+        Universe::new(
+            IDS.into_iter()
+                .flat_map(|id| [(id, IronplcEd2), (id, IronplcEd3)]),
+        )
+    }
+
+    fn folded(wanted: &[Key<'_>]) -> Vec<String> {
+        let folded = universe().fold(&wanted.iter().copied().collect());
+        let cases: usize = folded.iter().map(|entry| entry.cases).sum();
+        assert_eq!(cases, wanted.len());
+        folded.into_iter().map(|entry| entry.case).collect()
+    }
+
+    fn both(ids: &[&'static str]) -> Vec<Key<'static>> {
+        let keys = ids.iter().flat_map(|&id| [(id, IronplcEd2), (id, IronplcEd3)]);
+        keys.collect()
+    }
+
+    #[test]
+    fn a_whole_probe_is_one_pattern_and_two_probes_are_two() {
+        assert_eq!(folded(&both(&IDS[1..4])), ["a/t::one(*"]);
+        assert_eq!(folded(&both(&IDS[1..])), ["a/t::one(*", "a/t::two(*"]);
+        assert_eq!(folded(&both(&IDS[..1])), ["a/single"]);
+    }
+
+    #[test]
+    fn a_part_of_a_probe_is_no_wider_than_it_is() {
+        assert_eq!(folded(&both(&IDS[1..3])), ["a/t::one(INT,*"]);
+        assert_eq!(folded(&both(&IDS[2..4])), ["a/t::one(INT,2)", "a/t::one(SINT,1)"]);
+    }
+
+    #[test]
+    fn what_is_so_in_one_dialect_says_which() {
+        let in_one: Vec<Key<'_>> = IDS[1..4].iter().map(|&id| (id, IronplcEd3)).collect();
+        assert_eq!(folded(&in_one), ["a/t::one(*@ironplc-ed3"]);
+        assert_eq!(folded(&[("a/single", IronplcEd2)]), ["a/single@ironplc-ed2"]);
+        // All in one dialect and one case of the other: two entries, not three.
+        let and_one = [&in_one[..], &[(IDS[3], IronplcEd2)]].concat();
+        assert_eq!(
+            folded(&and_one),
+            ["a/t::one(INT,*@ironplc-ed3", "a/t::one(SINT,1)"]
+        );
+    }
+
+    #[test]
+    fn a_case_that_is_not_of_the_universe_is_left_out() {
+        let wanted = HashSet::from([("z/gone", IronplcEd2)]);
+        assert_eq!(universe().fold(&wanted), []);
+    }
+}

@@ -1,0 +1,229 @@
+//! A baseline held against the cases of a suite and the judgements of a run.
+
+use super::{Baseline, Entry};
+use crate::event::{BaselineHeader, BaselineNote, OutdatedEntry};
+use crate::{Judgement, Verdict};
+use jiff::civil::Date;
+use semver::Version;
+use std::collections::HashMap;
+use stickler_engines::Identity;
+use stickler_suite::Suite;
+use stickler_types::DialectName;
+
+/// What is known of each case on one engine.
+#[derive(Debug)]
+pub struct Held<'a> {
+    header: BaselineHeader,
+    known: HashMap<(&'a str, DialectName), BaselineNote>,
+}
+
+/// Holds the baseline of an engine against the suite: which cases each entry is about, and which entries are out of date on
+/// this day.
+///
+/// An entry that is a case's id goes before one that is a pattern; of two patterns the first of the file counts. Of a suite
+/// with broken files nobody can say that an entry fits no case, so nobody does.
+#[must_use]
+pub fn hold<'a>(baseline: &Baseline, suite: &'a Suite, engine: &Identity, today: Date) -> Held<'a> {
+    let standings: Vec<Standing> = baseline
+        .entries
+        .iter()
+        .map(|entry| Standing::of(entry, &engine.version, today))
+        .collect();
+    let spoken = suite.cases.iter().filter(|case| engine.speaks(case.dialect));
+    let cases: Vec<(&str, DialectName)> = spoken.map(|case| (&*case.id, case.dialect)).collect();
+    let owned = Owned::of(&baseline.entries, &cases, |index| {
+        standings[index] == Standing::Holds
+    });
+    let outdated = baseline.entries.iter().zip(&standings).enumerate();
+    let outdated = outdated.filter_map(|(index, (entry, standing))| {
+        let fits = owned.fits[index] || !suite.errors.is_empty();
+        Some(OutdatedEntry {
+            at: baseline.place(entry),
+            case: entry.case.as_str().to_owned(),
+            why: standing.outdated(entry, fits)?,
+        })
+    });
+    let known = owned.owners.iter().map(|(&key, &index)| {
+        let entry = &baseline.entries[index];
+        (key, note(baseline, entry))
+    });
+    Held {
+        header: BaselineHeader {
+            engine: engine.name.clone(),
+            file: baseline.file.clone(),
+            entries: baseline.entries.len() as u64,
+            outdated: outdated.collect(),
+        },
+        known: known.collect(),
+    }
+}
+
+impl Held<'_> {
+    /// What is to be said of the baseline before the first case.
+    #[must_use]
+    pub fn header(&self) -> &BaselineHeader {
+        &self.header
+    }
+
+    /// The judgement of a case with what is known of it: what is expected to come becomes `xfail`, a pass that is not
+    /// expected becomes `xpass`. A case that is expected to be unsupported stays `unsupported`, and whatever else comes than
+    /// what is expected stays what it is.
+    #[must_use]
+    pub fn apply(
+        &self,
+        id: &str,
+        dialect: DialectName,
+        judgement: Judgement,
+    ) -> (Judgement, Option<BaselineNote>) {
+        let Some(note) = self.known.get(&(id, dialect)) else {
+            return (judgement, None);
+        };
+        let verdict = match judgement.verdict {
+            Verdict::Pass => Verdict::Xpass,
+            Verdict::Unsupported => Verdict::Unsupported,
+            verdict if verdict == note.verdict => Verdict::Xfail,
+            verdict => verdict,
+        };
+        (Judgement { verdict, ..judgement }, Some(note.clone()))
+    }
+}
+
+fn note(baseline: &Baseline, entry: &Entry) -> BaselineNote {
+    BaselineNote {
+        at: baseline.place(entry),
+        verdict: entry.verdict,
+        reason: entry.reason.clone(),
+        link: entry.link.clone(),
+    }
+}
+
+/// Which entry each case belongs to.
+pub(super) struct Owned<'a> {
+    /// The index of the entry, by id and dialect.
+    pub(super) owners: HashMap<(&'a str, DialectName), usize>,
+    /// Whether each entry is about any case at all, also where a more exact one takes all of them.
+    pub(super) fits: Vec<bool>,
+}
+
+impl<'a> Owned<'a> {
+    /// Gives each case to the entry that it belongs to, among those that `holds` lets take part.
+    pub(super) fn of(
+        entries: &[Entry],
+        cases: &[(&'a str, DialectName)],
+        holds: impl Fn(usize) -> bool,
+    ) -> Owned<'a> {
+        let mut owned = Owned {
+            owners: HashMap::new(),
+            fits: vec![false; entries.len()],
+        };
+        for &(id, dialect) in cases {
+            let mut owner: Option<(bool, usize)> = None;
+            for (index, entry) in entries.iter().enumerate() {
+                if !entry.covers(id, dialect.as_str()) {
+                    continue;
+                }
+                owned.fits[index] = true;
+                let exact = entry.names(id, dialect.as_str());
+                let first = owner.is_none_or(|(owner_is_exact, _)| exact && !owner_is_exact);
+                if first && holds(index) {
+                    owner = Some((exact, index));
+                }
+            }
+            if let Some((_, index)) = owner {
+                owned.owners.insert((id, dialect), index);
+            }
+        }
+        owned
+    }
+}
+
+/// How an entry stands to a version of the engine on a day.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum Standing {
+    /// It holds.
+    Holds,
+    /// It is about other versions.
+    OtherVersions,
+    /// It names versions, and the engine's own words hold none.
+    UnknownVersion(String),
+    /// Its day is past.
+    Expired(Date),
+}
+
+impl Standing {
+    pub(super) fn of(entry: &Entry, version: &str, today: Date) -> Standing {
+        if let Some(range) = &entry.versions {
+            match numbers(version) {
+                None => return Standing::UnknownVersion(version.to_owned()),
+                Some(version) if !range.matches(&version) => return Standing::OtherVersions,
+                Some(_) => {}
+            }
+        }
+        match entry.until {
+            Some(until) if until < today => Standing::Expired(until),
+            _ => Standing::Holds,
+        }
+    }
+
+    /// Why the entry is out of date, if it is.
+    fn outdated(&self, entry: &Entry, fits: bool) -> Option<String> {
+        match self {
+            _ if !fits => Some(match entry.case.is_pattern() {
+                true => "fits no case that the engine could be asked".to_owned(),
+                false => "is no case that the engine could be asked; a pattern has a `*`".to_owned(),
+            }),
+            Standing::UnknownVersion(version) => Some(format!(
+                "names versions, and `{version}`, which the engine says of itself, is none"
+            )),
+            Standing::Expired(until) => Some(format!("was to hold until {until}")),
+            Standing::Holds | Standing::OtherVersions => None,
+        }
+    }
+}
+
+/// The numbers of a version in the words of an engine: up to three, the first of which begins a word. What stands behind them
+/// (`-beta`, `+build`) is no matter of a range.
+fn numbers(version: &str) -> Option<Version> {
+    let word = version
+        .split(|character: char| character.is_whitespace() || character == ',')
+        .map(|word| word.trim_start_matches(['v', 'V']))
+        .find(|word| word.starts_with(|character: char| character.is_ascii_digit()))?;
+    let digits = word.split(|character: char| !character.is_ascii_digit() && character != '.');
+    let mut numbers = digits.into_iter().next()?.split('.');
+    let mut next = || match numbers.next() {
+        None | Some("") => Some(0),
+        Some(number) => number.parse().ok(),
+    };
+    Some(Version::new(next()?, next()?, next()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_numbers_of_a_version_are_found_in_the_words_of_an_engine() {
+        for (words, version) in [
+            ("0.239.0", "0.239.0"),
+            ("0.1", "0.1.0"),
+            ("v2", "2.0.0"),
+            ("iec2c 0.6.1-dirty, 2026", "0.6.1"),
+            ("1.2.3.4", "1.2.3"),
+        ] {
+            assert_eq!(numbers(words).unwrap().to_string(), version, "{words}");
+        }
+        for words in ["", "unknown", "git abc"] {
+            assert_eq!(numbers(words), None, "{words}");
+        }
+    }
+
+    #[test]
+    fn an_entry_that_names_versions_says_so_where_the_engine_has_none() {
+        let text = "[[expected]]\ncase = \"x\"\nverdict = \"fail\"\nreason = \"r\"\nversions = \"<1\"\n";
+        let baseline = Baseline::read(text, "b.toml", "b").unwrap();
+        let standing = Standing::of(&baseline.entries[0], "nightly", Date::default());
+        assert_eq!(standing, Standing::UnknownVersion("nightly".to_owned()));
+        let why = standing.outdated(&baseline.entries[0], true).unwrap();
+        assert!(why.contains("`nightly`"), "{why}");
+    }
+}

@@ -1,0 +1,242 @@
+//! Reading the file of a baseline. Each mistake has its line.
+
+use super::{Baseline, Entry};
+use crate::{Filter, Verdict};
+use jiff::civil::Date;
+use semver::VersionReq;
+use serde::Deserialize;
+use toml::{Spanned, Value};
+
+/// The verdicts that may be expected of an engine.
+const EXPECTED: [Verdict; 5] = [
+    Verdict::Fail,
+    Verdict::Crash,
+    Verdict::Timeout,
+    Verdict::Error,
+    Verdict::Unsupported,
+];
+
+/// A baseline that cannot be read.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error("{file}:{line}: {message}")]
+pub struct BaselineError {
+    /// The file, as people are told of it.
+    pub file: String,
+    /// The line, from 1.
+    pub line: u32,
+    /// What is wrong there.
+    pub message: String,
+}
+
+/// What is wrong, and the byte at which.
+type Mistake = (usize, String);
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    engine: Option<Spanned<String>>,
+    #[serde(default)]
+    expected: Vec<Spanned<Table>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Table {
+    case: Spanned<String>,
+    verdict: Spanned<String>,
+    reason: Spanned<String>,
+    link: Option<Spanned<String>>,
+    versions: Option<Spanned<String>>,
+    until: Option<Spanned<Value>>,
+}
+
+pub(super) fn baseline(text: &str, file: &str, stem: &str) -> Result<Baseline, BaselineError> {
+    read(text, stem)
+        .map(|(engine, entries)| Baseline {
+            engine,
+            file: file.to_owned(),
+            entries,
+        })
+        .map_err(|(at, message)| BaselineError {
+            file: file.to_owned(),
+            line: line(text, at),
+            message,
+        })
+}
+
+fn read(text: &str, stem: &str) -> Result<(String, Vec<Entry>), Mistake> {
+    let file: File = toml::from_str(text).map_err(|error| {
+        let at = error.span().map_or(0, |span| span.start);
+        (at, error.message().trim_end().replace('\n', "; "))
+    })?;
+    let engine = match file.engine {
+        Some(engine) => said(engine, "engine")?,
+        None => stem.to_owned(),
+    };
+    let entries = file.expected.into_iter().map(|table| {
+        let line = line(text, table.span().start);
+        entry(table.into_inner(), line)
+    });
+    Ok((engine, entries.collect::<Result<_, _>>()?))
+}
+
+fn entry(table: Table, line: u32) -> Result<Entry, Mistake> {
+    Ok(Entry {
+        case: Filter::new(said(table.case, "case")?),
+        verdict: verdict(&table.verdict)?,
+        reason: said(table.reason, "reason")?,
+        link: table.link.map(|link| said(link, "link")).transpose()?,
+        versions: table.versions.as_ref().map(versions).transpose()?,
+        until: table.until.as_ref().map(until).transpose()?,
+        line,
+    })
+}
+
+/// The text of a key that must say something.
+fn said(text: Spanned<String>, key: &str) -> Result<String, Mistake> {
+    match text.get_ref().trim() {
+        "" => Err((text.span().start, format!("`{key}` is empty"))),
+        _ => Ok(text.into_inner()),
+    }
+}
+
+fn verdict(text: &Spanned<String>) -> Result<Verdict, Mistake> {
+    let named = EXPECTED
+        .into_iter()
+        .find(|verdict| verdict.as_str() == text.get_ref());
+    named.ok_or_else(|| {
+        let names = EXPECTED.map(|verdict| format!("`{verdict}`"));
+        let message = format!(
+            "`{}` is no verdict that a baseline expects; it may be {}",
+            text.get_ref(),
+            names.join(", ")
+        );
+        (text.span().start, message)
+    })
+}
+
+fn versions(text: &Spanned<String>) -> Result<VersionReq, Mistake> {
+    text.get_ref().parse().map_err(|error| {
+        let message = format!(
+            "`{}` is no range of versions, such as `<0.240` or `>=0.6, <0.8`: {error}",
+            text.get_ref()
+        );
+        (text.span().start, message)
+    })
+}
+
+/// A date, with or without quotes around it.
+fn until(value: &Spanned<Value>) -> Result<Date, Mistake> {
+    let written = match value.get_ref() {
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    };
+    // What jiff would take beside a date, such as a date and a time, is no day.
+    let day = (written.len() == "2027-01-31".len())
+        .then(|| written.parse().ok())
+        .flatten();
+    day.ok_or_else(|| {
+        let message = format!("{written} is no day, such as 2027-01-31");
+        (value.span().start, message)
+    })
+}
+
+fn line(text: &str, at: usize) -> u32 {
+    let before = &text.as_bytes()[..at.min(text.len())];
+    let breaks = before.iter().filter(|&&byte| byte == b'\n').count();
+    u32::try_from(breaks).map_or(u32::MAX, |breaks| breaks.saturating_add(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WHOLE: &str = r#"# Known.
+engine = "iron"
+
+[[expected]]
+case = "widening/*@ironplc-ed3"
+verdict = "fail"
+reason = "copied bit by bit"
+link = "https://example.org/1"
+versions = "<0.240"
+until = 2027-01-31
+
+[[expected]]
+case = "a/b"
+verdict = "crash"
+reason = "see above"
+until = "2026-12-24"
+"#;
+
+    #[test]
+    fn every_key_is_read_and_each_entry_knows_its_line() {
+        let baseline = baseline(WHOLE, "x/ironplc.toml", "ironplc").unwrap();
+        assert_eq!(baseline.engine, "iron");
+        let [first, second] = &baseline.entries[..] else {
+            panic!("two entries: {baseline:?}")
+        };
+        assert_eq!(baseline.place(first), "x/ironplc.toml:4");
+        assert_eq!((first.verdict, first.line, second.line), (Verdict::Fail, 4, 12));
+        assert_eq!(first.link.as_deref(), Some("https://example.org/1"));
+        assert!(
+            first
+                .versions
+                .as_ref()
+                .is_some_and(|range| range.matches(&"0.239.1".parse().unwrap()))
+        );
+        assert_eq!(first.until, Some(jiff::civil::date(2027, 1, 31)));
+        assert_eq!(second.until, Some(jiff::civil::date(2026, 12, 24)));
+        assert_eq!(second.versions, None);
+    }
+
+    #[test]
+    fn the_file_names_the_engine_where_its_text_does_not() {
+        let baseline = baseline("", "matiec.toml", "matiec").unwrap();
+        assert_eq!((baseline.engine.as_str(), baseline.entries.len()), ("matiec", 0));
+    }
+
+    #[test]
+    fn a_mistake_is_told_with_its_line() {
+        for (from, to, line, part) in [
+            (
+                "verdict = \"fail\"",
+                "verdit = \"fail\"",
+                6,
+                "unknown field `verdit`",
+            ),
+            (
+                "reason = \"copied bit by bit\"\n",
+                "",
+                4,
+                "missing field `reason`",
+            ),
+            ("\"copied bit by bit\"", "\" \"", 7, "`reason` is empty"),
+            (
+                "\"fail\"",
+                "\"pass\"",
+                6,
+                "`pass` is no verdict that a baseline expects",
+            ),
+            ("\"<0.240\"", "\"0.240 or so\"", 9, "no range of versions"),
+            ("2027-01-31", "2027-02-31", 10, "invalid date"),
+            ("2027-01-31", "2027-01-31T00:00:00", 10, "is no day"),
+            ("2027-01-31", "7", 10, "7 is no day"),
+            ("\"2026-12-24\"", "\"24.12.2026\"", 16, "24.12.2026 is no day"),
+            (
+                "[[expected]]\ncase = \"a/b\"",
+                "[[known]]\ncase = \"a/b\"",
+                12,
+                "unknown field `known`",
+            ),
+            ("case = \"a/b\"", "case = ", 13, ""),
+        ] {
+            let text = WHOLE.replacen(from, to, 1);
+            assert_ne!(text, WHOLE, "{from}");
+            let error = baseline(&text, "b.toml", "b").unwrap_err();
+            let told = error.to_string();
+            assert!(told.starts_with(&format!("b.toml:{line}: ")), "{to}: {told}");
+            assert!(told.contains(part), "{to}: {told}");
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! The text of a baseline that was rewritten: what stays, stays letter by letter, with its comments.
+
+use super::Baseline;
+use super::bless::{Added, Fate};
+use super::fold::Folded;
+use std::path::Path;
+use toml_edit::{ArrayOfTables, DocumentMut, Item, RawString, Table, Value, value};
+
+/// What stands at the head of a new file.
+const HEAD: &str = "\
+# What this engine is known to do otherwise than documents say. A run fails by what is not here, and by what is here and no
+# longer so. `stickler bless` writes down what a run found, and keeps the reasons, links and comments of what is still so.
+# The keys are explained in reports/README.md.
+";
+
+/// The new text, from the old one (empty where there was none) and what becomes of each of its entries.
+pub(super) fn rewritten(
+    text: &str,
+    baseline: &Baseline,
+    engine: &str,
+    fates: &[Fate],
+    added: &[Added],
+) -> String {
+    let mut document: DocumentMut = match text.trim() {
+        "" => head(baseline, engine),
+        _ => text.parse().unwrap_or_default(),
+    };
+    let mut old: Vec<Table> = document
+        .remove("expected")
+        .map(Item::into_array_of_tables)
+        .and_then(Result::ok)
+        .into_iter()
+        .flatten()
+        .collect();
+    let opening = opening(&mut document, old.first_mut());
+    let kept = old
+        .into_iter()
+        .zip(fates)
+        .flat_map(|(table, fate)| kept(table, fate));
+    let mut tables: Vec<Table> = kept.chain(added.iter().map(new)).collect();
+    match tables.first_mut() {
+        Some(first) => {
+            let prefix = format!("{opening}{}", prefix(first));
+            first.decor_mut().set_prefix(prefix);
+            document.insert("expected", Item::ArrayOfTables(in_order(tables)));
+        }
+        None => document.set_trailing(opening),
+    }
+    document.to_string()
+}
+
+/// A document that says whose it is, unless its file does.
+fn head(baseline: &Baseline, engine: &str) -> DocumentMut {
+    let stem = Path::new(&baseline.file).file_stem();
+    let mut document: DocumentMut = HEAD.parse().unwrap_or_default();
+    if stem.is_none_or(|stem| stem != engine) {
+        document = format!("{HEAD}engine = {}\n", Value::from(engine))
+            .parse()
+            .unwrap_or_default();
+    }
+    document
+}
+
+/// Takes out the comments that open the file, which is about more than the entry that happens to be the first: all before the
+/// last blank line above it.
+fn opening(document: &mut DocumentMut, first: Option<&mut Table>) -> String {
+    let Some(first) = first else {
+        let opening = document.trailing().as_str().unwrap_or_default().to_owned();
+        document.set_trailing("");
+        return opening;
+    };
+    let mut opening = prefix(first);
+    let own = opening.split_off(opening.rfind("\n\n").map_or(0, |at| at + 1));
+    first.decor_mut().set_prefix(own);
+    opening
+}
+
+/// What stands above a table.
+fn prefix(table: &Table) -> String {
+    let prefix = table.decor().prefix().and_then(RawString::as_str);
+    prefix.unwrap_or_default().to_owned()
+}
+
+/// The tables, so that each prints behind those before it.
+fn in_order(tables: Vec<Table>) -> ArrayOfTables {
+    let mut ordered = ArrayOfTables::new();
+    for mut table in tables {
+        table.set_position(isize::try_from(ordered.len() + 1).ok());
+        ordered.push(table);
+    }
+    ordered
+}
+
+/// What is left of an entry.
+fn kept(mut table: Table, fate: &Fate) -> Vec<Table> {
+    match fate {
+        Fate::Kept => vec![table],
+        Fate::Removed(_) => Vec::new(),
+        Fate::Undated => {
+            table.remove("until");
+            vec![table]
+        }
+        Fate::Narrowed(parts, _) => {
+            let part = |(index, part): (usize, &Folded)| {
+                let mut table = table.clone();
+                if let Some(Item::Value(case)) = table.get_mut("case") {
+                    let decor = case.decor().clone();
+                    *case = Value::from(part.case.as_str());
+                    *case.decor_mut() = decor;
+                }
+                if index > 0 {
+                    // The comment above the entry stays with the first of its parts.
+                    table.decor_mut().set_prefix("\n");
+                }
+                table
+            };
+            parts.iter().enumerate().map(part).collect()
+        }
+    }
+}
+
+fn new(added: &Added) -> Table {
+    let mut table = Table::new();
+    table.decor_mut().set_prefix("\n");
+    table.insert("case", value(added.folded.case.as_str()));
+    table.insert("verdict", value(added.verdict.as_str()));
+    table.insert("reason", value(added.reason.as_str()));
+    table
+}
