@@ -1,10 +1,12 @@
 //! The command line as clap reads it: commands, options and the help that teaches them by example.
 
+mod bless;
 mod engines;
 mod fuzz;
 mod numbers;
 mod reduce;
 
+pub use bless::BlessArguments;
 pub use engines::EnginesArguments;
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use reduce::ReduceArguments;
@@ -39,6 +41,9 @@ pub enum Command {
     /// Run cases, judge what the engines did, write reports
     #[command(after_help = RUN_EXAMPLES)]
     Run(RunArguments),
+    /// Write down what the last run found as known, in the baselines of its engines
+    #[command(after_help = bless::BLESS_EXAMPLES)]
+    Bless(BlessArguments),
     /// List the cases, or with --basis the claims that they check
     #[command(after_help = LIST_EXAMPLES)]
     List(ListArguments),
@@ -118,6 +123,13 @@ pub struct RunArguments {
     /// `rejected`; the reference always must meet `code` [default: the best that each engine claims]
     #[arg(long, value_name = "GRADE", value_parser = grades(), hide_possible_values = true)]
     pub strict: Option<Grade>,
+    /// Expect what FILE says of its engine; may be repeated, once an engine [default: reports/baselines/ENGINE.toml beside the
+    /// folder of the cases, where there is one]
+    #[arg(long, value_name = "FILE", conflicts_with = "no_baseline")]
+    pub baseline: Vec<PathBuf>,
+    /// Expect every case to pass
+    #[arg(long)]
+    pub no_baseline: bool,
     /// Run part I of N of the cases
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,

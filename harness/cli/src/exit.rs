@@ -13,7 +13,7 @@ use stickler_run::RunError;
 pub enum Exit {
     /// All is as expected.
     AsExpected,
-    /// An engine did not do what a case expects; `check`, `eval` and `render`: the program is rejected or faults;
+    /// An engine did not do what a case expects, or an entry of its baseline is out of date; `check`, `eval` and `render`: the program is rejected or faults;
     /// `matrix`: a cell differs; `conversions`: a value contradicts a document; `lint`: a finding.
     Failures,
     /// The command line, a case file, or a file or folder that was named cannot be used.

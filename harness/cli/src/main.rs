@@ -5,6 +5,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod baselines;
 mod case_folder;
 mod commands;
 mod conversions;

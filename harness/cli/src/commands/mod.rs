@@ -1,5 +1,6 @@
 //! One module a command.
 
+mod bless;
 mod check;
 mod conversions;
 mod engine;
@@ -32,6 +33,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         .unwrap_or_else(|| Command::Run(RunArguments::default()))
     {
         Command::Run(arguments) => run::execute(&arguments, out),
+        Command::Bless(arguments) => bless::execute(&arguments, out),
         Command::List(arguments) => list::execute(&arguments, out),
         Command::Show(arguments) => show::execute(&arguments, out),
         Command::Lint(arguments) => lint::execute(&arguments, out),

@@ -5,7 +5,8 @@ use crate::case_folder::{self, CaseFolder};
 use crate::engines::Named;
 use crate::exit::Exit;
 use crate::progress::Progress;
-use crate::{engines, interrupt, shell};
+use crate::{baselines, engines, interrupt, shell};
+use jiff::tz::TimeZone;
 use jiff::{Timestamp, Unit};
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -14,7 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
-use stickler_run::{Event, Plan, Summary, Verdict, select};
+use stickler_run::{Baseline, Event, Plan, Summary, Verdict, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 
@@ -33,6 +34,7 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     let suite = folder.load();
     let plan = Plan {
         asked_for,
+        baselines: baselines(arguments, &folder, &engines)?,
         ..plan(arguments)
     };
     let selected = select(&plan, &suite.cases);
@@ -81,22 +83,55 @@ fn asked_for(engines: &[Named]) -> BTreeMap<String, String> {
     engines.iter().map(entry).collect()
 }
 
+/// What is known of the engines.
+///
+/// # Errors
+/// A baseline that cannot be read, or that is about no engine of the run.
+fn baselines(
+    arguments: &RunArguments,
+    folder: &CaseFolder,
+    engines: &[&dyn Engine],
+) -> anyhow::Result<Vec<Baseline>> {
+    if arguments.no_baseline {
+        return Ok(Vec::new());
+    }
+    let names: Vec<&str> = engines
+        .iter()
+        .map(|engine| engine.identity().name.as_str())
+        .collect();
+    baselines::load(&arguments.baseline, &folder.root, &names)
+}
+
 fn plan(arguments: &RunArguments) -> Plan {
     let now = Timestamp::now();
     let mut plan = case_folder::plan(&arguments.selection, arguments.shard);
-    if let Some(grade) = arguments.strict {
-        // A case that is run again is to be judged as it was.
-        plan.rerun_prefix.push_str(" --strict ");
-        plan.rerun_prefix.push_str(grade.as_str());
-    }
+    plan.rerun_prefix.push_str(&judged_alike(arguments));
     Plan {
         jobs: arguments.jobs.map_or(0, usize::from),
         strict: arguments.strict,
         // Rounding a time to seconds fails only at the end of time.
+        today: now.to_zoned(TimeZone::UTC).date(),
         started: now.round(Unit::Second).unwrap_or(now).to_string(),
         command: shell::command_line(),
         ..plan
     }
+}
+
+/// What makes a case that is run again be judged as it was.
+fn judged_alike(arguments: &RunArguments) -> String {
+    let mut options = String::new();
+    if let Some(grade) = arguments.strict {
+        options.push_str(" --strict ");
+        options.push_str(grade.as_str());
+    }
+    for file in &arguments.baseline {
+        options.push_str(" --baseline ");
+        options.push_str(&shell::quote(&file.to_string_lossy()));
+    }
+    if arguments.no_baseline {
+        options.push_str(" --no-baseline");
+    }
+    options
 }
 
 fn report_folder(arguments: &RunArguments, folder: &CaseFolder) -> Option<PathBuf> {
@@ -165,7 +200,7 @@ fn exit(summary: &Summary) -> Exit {
     if summary.cancelled {
         return Exit::Interrupted;
     }
-    if totals.unexpected() > 0 {
+    if totals.unexpected() > 0 || summary.outdated > 0 {
         return Exit::Failures;
     }
     // The last line of the page says so too. A pipeline must not take it for a compiler that does all that it must.

@@ -1,0 +1,203 @@
+//! `stickler bless`: baselines rewritten from what a run found.
+
+use crate::arguments::BlessArguments;
+use crate::case_folder::CaseFolder;
+use crate::exit::Exit;
+use crate::{baselines, output};
+use anyhow::{Context, bail};
+use jiff::civil::Date;
+use std::fs;
+use std::io::{BufReader, Write};
+use std::path::{Path, PathBuf};
+use stickler_engines::Reference;
+use stickler_report::events::{self, Completeness};
+use stickler_run::{Baseline, Blessing, Change, ChangeKind, EngineRun, Event, bless};
+use stickler_suite::Suite;
+
+/// How many changes of a baseline are shown one by one.
+const SHOWN_CHANGES: usize = 40;
+
+/// Rewrites the baselines of the engines of a run.
+///
+/// # Errors
+/// A report that cannot be read or tells of no whole run, an engine that is not in it, case files with mistakes, a baseline
+/// with a mistake, or one that cannot be written.
+pub fn execute(arguments: &BlessArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let folder = CaseFolder::locate(arguments.cases.as_deref())?;
+    let report = arguments
+        .report
+        .clone()
+        .unwrap_or_else(|| folder.root.join("reports").join("latest"));
+    let (day, runs) = chosen(read(&report)?, &arguments.engine)?;
+    if arguments.baseline.is_some() && runs.len() > 1 {
+        bail!("one file is the baseline of one engine; say by --engine of which");
+    }
+    let suite = folder.load();
+    if !suite.errors.is_empty() {
+        bail!("what fits no case can only be told of a whole suite; mend its files first");
+    }
+    for run in &runs {
+        let engine = run.engine().name.as_str();
+        let path = match &arguments.baseline {
+            Some(path) => path.clone(),
+            None => baselines::place(&folder.root, engine),
+        };
+        rewrite(&path, run, &suite, day, arguments.dry_run, out)?;
+    }
+    Ok(Exit::AsExpected)
+}
+
+/// A run as its log tells it: its day, and each engine.
+type Runs = (Date, Vec<EngineRun>);
+
+fn read(report: &Path) -> anyhow::Result<Runs> {
+    let log = match report.extension() {
+        Some(extension) if extension == "jsonl" => report.to_owned(),
+        _ => report.join("events.jsonl"),
+    };
+    let shown = log.display();
+    let file = fs::File::open(&log).with_context(|| format!("cannot read {shown}; a run writes it"))?;
+    let mut day = None;
+    let mut runs: Vec<EngineRun> = Vec::new();
+    let completeness = events::read(BufReader::new(file), &mut |event| match event {
+        Event::Header(header) => {
+            day = header.started.get(..10).and_then(|day| day.parse::<Date>().ok());
+            runs = header.engines.into_iter().map(EngineRun::new).collect();
+        }
+        Event::Case(case) => runs.iter_mut().for_each(|run| run.take(&case)),
+        Event::Footer(_) => {}
+    })
+    .with_context(|| format!("cannot read {shown}"))?;
+    if let Completeness::Truncated { .. } = completeness {
+        bail!("{shown}: {completeness}; a baseline is rewritten from a whole run, so run it again");
+    }
+    let day = day.with_context(|| format!("{shown} does not say when its run began"))?;
+    Ok((day, runs))
+}
+
+/// The engines that are meant.
+fn chosen((day, mut runs): Runs, names: &[String]) -> anyhow::Result<Runs> {
+    let engines: Vec<String> = runs.iter().map(|run| run.engine().name.clone()).collect();
+    if let Some(name) = names.iter().find(|name| !engines.contains(name)) {
+        bail!(
+            "the report tells nothing of `{name}`; it is about {}",
+            engines.join(", ")
+        );
+    }
+    if names.iter().any(|name| name == Reference::NAME) || engines == [Reference::NAME] {
+        bail!(
+            "the reference has no baseline: it must pass every case; `stickler run --engine E` tells of another engine"
+        );
+    }
+    runs.retain(|run| match run.engine().name.as_str() {
+        Reference::NAME => false,
+        name => names.is_empty() || names.iter().any(|meant| meant == name),
+    });
+    Ok((day, runs))
+}
+
+fn rewrite(
+    path: &Path,
+    run: &EngineRun,
+    suite: &Suite,
+    day: Date,
+    dry_run: bool,
+    out: &mut dyn Write,
+) -> anyhow::Result<()> {
+    let engine = run.engine().name.as_str();
+    let shown = path.display();
+    let (text, baseline) = match baselines::read(path)? {
+        Some((text, baseline)) => {
+            baselines::check_engine(&baseline, engine)?;
+            (text, baseline)
+        }
+        None => (
+            String::new(),
+            Baseline {
+                engine: engine.to_owned(),
+                file: shown.to_string(),
+                entries: Vec::new(),
+            },
+        ),
+    };
+    let blessing = bless(&text, &baseline, run, suite, day);
+    if blessing.strangers > 0 {
+        output::note(format!(
+            "{} of the run that the suite no longer has: nothing is said about them",
+            counted(blessing.strangers, "case", "cases")
+        ));
+    }
+    show(&blessing, out)?;
+    let entries = counted(blessing.entries, "entry", "entries");
+    if blessing.changes.is_empty() {
+        writeln!(out, "{shown}: nothing is different, {entries}")?;
+    } else if dry_run {
+        writeln!(out, "{shown}: would have {entries}: {}", summary(&blessing))?;
+    } else {
+        write(path, &blessing.text).with_context(|| format!("cannot write {shown}"))?;
+        writeln!(out, "{shown}: {entries}: {}", summary(&blessing))?;
+    }
+    Ok(())
+}
+
+fn show(blessing: &Blessing, out: &mut dyn Write) -> std::io::Result<()> {
+    for Change {
+        kind,
+        verdict,
+        case,
+        why,
+    } in blessing.changes.iter().take(SHOWN_CHANGES)
+    {
+        writeln!(out, "  {} {verdict} {case}  {why}", sign(*kind))?;
+    }
+    match blessing.changes.len().saturating_sub(SHOWN_CHANGES) {
+        0 => Ok(()),
+        rest => writeln!(out, "  ... and {rest} more"),
+    }
+}
+
+const fn sign(kind: ChangeKind) -> char {
+    match kind {
+        ChangeKind::Added => '+',
+        ChangeKind::Removed => '-',
+        ChangeKind::Narrowed | ChangeKind::Undated => '~',
+    }
+}
+
+/// How many entries changed in which way, such as `3 added, 1 removed`.
+fn summary(blessing: &Blessing) -> String {
+    let kinds = [
+        (ChangeKind::Added, "added"),
+        (ChangeKind::Removed, "removed"),
+        (ChangeKind::Narrowed, "narrowed"),
+        (ChangeKind::Undated, "without a day now"),
+    ];
+    let number = |kind| {
+        blessing
+            .changes
+            .iter()
+            .filter(|change| change.kind == kind)
+            .count()
+    };
+    let told = kinds.map(|(kind, word)| (number(kind), word));
+    let told = told.iter().filter(|(number, _)| *number > 0);
+    told.map(|(number, word)| format!("{number} {word}"))
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+/// Writes the file whole or not at all: it holds what people wrote.
+fn write(path: &Path, text: &str) -> std::io::Result<()> {
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    let mut beside = path.as_os_str().to_owned();
+    beside.push(".new");
+    let beside = PathBuf::from(beside);
+    fs::write(&beside, text)?;
+    fs::rename(&beside, path)
+}
+
+fn counted(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
+}

@@ -1,0 +1,257 @@
+//! Baselines from the outside: what a run says of them, and what `stickler bless` makes of a run.
+#![cfg(unix)]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+const SUITE: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/tests/cmd/suite.in/conformance-cases"
+);
+
+/// An engine that rejects every program and cannot say where, but takes those that hold `$KNOWS`, without running them.
+const GRUMPY: &str = r#"while IFS= read -r line; do
+    rest=${line#*\"id\":}
+    case $line in
+    *'"type":"hello"'*)
+        echo '{"type":"hello","protocol":1,"name":"grumpy","version":"1.4","dialects":["ironplc-ed2","matiec"],"abilities":["check"],"grade":"rejected"}'
+        ;;
+    *'"type":"bye"'*) exit 0 ;;
+    *"$KNOWS"*) echo "{\"type\":\"accepted\",\"id\":${rest%%,*}}" ;;
+    *) echo "{\"type\":\"rejected\",\"id\":${rest%%,*},\"diagnostics\":[{\"message\":\"no\"}]}" ;;
+    esac
+done
+"#;
+
+/// A folder with the engine in it.
+struct Desk(tempfile::TempDir);
+
+impl Desk {
+    fn new() -> Desk {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        fs::write(folder.path().join("grumpy.sh"), GRUMPY).expect("a stand-in");
+        Desk(folder)
+    }
+
+    fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    /// Runs the suite on the engine, which takes programs that hold this text.
+    fn run(&self, knows: &str, more: &[&str]) -> Ended {
+        let common = ["run", "--cases", SUITE, "--engine", "cmd:sh grumpy.sh"];
+        self.command(&[&common, more].concat(), knows)
+    }
+
+    fn bless(&self, more: &[&str]) -> Ended {
+        self.command(&[&["bless", "--cases", SUITE], more].concat(), "")
+    }
+
+    fn command(&self, arguments: &[&str], knows: &str) -> Ended {
+        let output = Command::new(env!("CARGO_BIN_EXE_stickler"))
+            // Rerun commands name `stickler` itself unless cargo ran it, and here cargo runs the tests.
+            .env("CARGO_MANIFEST_DIR", "")
+            .env(
+                "KNOWS",
+                if knows.is_empty() {
+                    "nothing of this kind"
+                } else {
+                    knows
+                },
+            )
+            .current_dir(self.path())
+            .args(arguments)
+            .stdin(Stdio::null())
+            .output();
+        Ended::of(output.expect("the command runs"))
+    }
+
+    fn baseline(&self) -> String {
+        fs::read_to_string(self.path().join(BASELINE)).expect("a baseline")
+    }
+
+    fn write_baseline(&self, text: &str) {
+        let path = self.path().join(BASELINE);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        fs::write(path, text).expect("a baseline");
+    }
+}
+
+const BASELINE: &str = "reports/baselines/grumpy.toml";
+
+struct Ended {
+    code: Option<i32>,
+    stdout: String,
+    stderr: String,
+}
+
+impl Ended {
+    fn of(output: Output) -> Ended {
+        Ended {
+            code: output.status.code(),
+            stdout: String::from_utf8_lossy(&output.stdout).into_owned(),
+            stderr: String::from_utf8_lossy(&output.stderr).into_owned(),
+        }
+    }
+
+    /// Ended with this code and said all this.
+    #[track_caller]
+    fn with(self, code: i32, said: &[&str]) -> Ended {
+        let all = format!("{}\n{}", self.stdout, self.stderr);
+        assert_eq!(self.code, Some(code), "{all}");
+        for part in said {
+            assert!(all.contains(part), "no {part:?} in {all}");
+        }
+        self
+    }
+}
+
+const ENTRY: &str =
+    "[[expected]]\ncase = \"language/wrong-on-purpose\"\nverdict = \"fail\"\nreason = \"grumpy\"\n";
+
+#[test]
+fn what_a_run_found_is_known_once_it_is_blessed_and_what_is_new_still_fails() {
+    let desk = Desk::new();
+    desk.run("", &[])
+        .with(1, &["not as expected", "judged without their place"]);
+    desk.bless(&["--dry-run"])
+        .with(0, &["  + fail language/wrong-on-purpose  1 case\n", "would have"]);
+    assert!(!desk.path().join(BASELINE).exists(), "a dry run writes nothing");
+    desk.bless(&[]).with(
+        0,
+        &[
+            "  + fail language/wrong-on-purpose  1 case\n",
+            "reports/baselines/grumpy.toml: ",
+        ],
+    );
+    desk.run("", &[]).with(0, &["all as expected (", " xfail"]);
+    desk.run("", &["--no-baseline"]).with(
+        1,
+        &[
+            "not as expected",
+            "stickler run --cases",
+            " --no-baseline --engine",
+        ],
+    );
+    desk.bless(&[]).with(0, &[": nothing is different, "]);
+}
+
+#[test]
+fn an_unexpected_pass_fails_the_run_and_leaves_the_baseline_with_the_next_blessing() {
+    let desk = Desk::new();
+    desk.run("", &[]).with(1, &[]);
+    desk.bless(&[]).with(0, &[]);
+    // What only records, and is accepted now, passes.
+    let mended = desk.run("says is recorded", &[]);
+    mended.with(
+        1,
+        &[
+            "XPASS language/recorded@",
+            "baseline reports/baselines/grumpy.toml:",
+            "not looked into yet",
+        ],
+    );
+    desk.bless(&[])
+        .with(0, &["  - fail language/recorded  ", "now pass"]);
+    assert!(
+        !desk.baseline().contains("language/recorded"),
+        "{}",
+        desk.baseline()
+    );
+    desk.run("says is recorded", &[]).with(0, &[]);
+}
+
+#[test]
+fn a_stale_entry_fails_the_run_in_every_report() {
+    let desk = Desk::new();
+    desk.run("", &[]).with(1, &[]);
+    desk.bless(&[]).with(0, &[]);
+    let stale = "\n[[expected]]\ncase = \"language/gone\"\nverdict = \"fail\"\nreason = \"it was\"\n";
+    desk.write_baseline(&(desk.baseline() + stale));
+    desk.run("", &[]).with(
+        1,
+        &[
+            "OUTDATED reports/baselines/grumpy.toml:",
+            "language/gone is no case",
+            "1 entry of a baseline is out of date",
+        ],
+    );
+    for (report, part) in [
+        ("summary.md", "- **out of date** reports/baselines/grumpy.toml:"),
+        ("junit.xml", "<testsuite name=\"baselines\" tests=\"1\""),
+        (
+            "results.json",
+            "\"outdated\":[{\"at\":\"reports/baselines/grumpy.toml:",
+        ),
+    ] {
+        let text = fs::read_to_string(desk.path().join("reports/latest").join(report)).expect("a report");
+        assert!(text.contains(part), "{report}: {text}");
+    }
+    desk.bless(&[])
+        .with(0, &["  - fail language/gone  fits no case\n"]);
+    desk.run("", &[]).with(0, &[]);
+}
+
+#[test]
+fn an_expired_entry_fails_the_run() {
+    let desk = Desk::new();
+    desk.write_baseline(&format!("{ENTRY}until = 2001-01-01\n"));
+    desk.run("", &["--filter", "language/wrong-on-purpose"]).with(
+        1,
+        &["FAIL language/wrong-on-purpose", "was to hold until 2001-01-01"],
+    );
+}
+
+#[test]
+fn a_mistake_in_a_baseline_is_told_with_its_line_before_the_run() {
+    let desk = Desk::new();
+    desk.write_baseline(&ENTRY.replace("verdict", "verdit"));
+    let ended = desk
+        .run("", &[])
+        .with(2, &["reports/baselines/grumpy.toml:3: unknown field `verdit`"]);
+    assert_eq!(ended.stdout, "", "nothing was run");
+}
+
+#[test]
+fn a_baseline_may_be_named_and_must_be_about_an_engine_of_the_run() {
+    let desk = Desk::new();
+    fs::write(
+        desk.path().join("known.toml"),
+        format!("engine = \"grumpy\"\n{ENTRY}"),
+    )
+    .expect("a baseline");
+    let only = [
+        "--filter",
+        "language/wrong-on-purpose",
+        "--baseline",
+        "known.toml",
+    ];
+    desk.run("", &only).with(0, &["all as expected (1 xfail)"]);
+    desk.run("", &[&only[..], &["--baseline", "known.toml"]].concat())
+        .with(2, &["are both the baseline of `grumpy`"]);
+    desk.run("", &["--baseline", "gone.toml"])
+        .with(2, &["there is no file gone.toml"]);
+    fs::write(desk.path().join("matiec.toml"), ENTRY).expect("a baseline");
+    desk.run("", &["--baseline", "matiec.toml"]).with(
+        2,
+        &["matiec.toml is the baseline of `matiec`, which takes no part"],
+    );
+}
+
+#[test]
+fn what_cannot_be_blessed_says_why() {
+    let desk = Desk::new();
+    desk.bless(&[])
+        .with(2, &["cannot read reports/latest/events.jsonl"]);
+    desk.run("", &[]).with(1, &[]);
+    desk.bless(&["--engine", "gremlin"])
+        .with(2, &["tells nothing of `gremlin`; it is about grumpy"]);
+    let log = desk.path().join("reports/latest/events.jsonl");
+    let text = fs::read_to_string(&log).expect("a log");
+    let footer = text.trim_end().rfind('\n').expect("lines") + 1;
+    fs::write(&log, &text[..footer]).expect("a log");
+    desk.bless(&[]).with(2, &["cut short", "run it again"]);
+    desk.command(&["run", "--cases", SUITE], "").with(1, &[]);
+    desk.bless(&[]).with(2, &["the reference has no baseline"]);
+}
