@@ -1,12 +1,14 @@
 //! The command line as clap reads it: commands, options and the help that teaches them by example.
 
 mod bless;
+mod compare;
 mod engines;
 mod fuzz;
 mod numbers;
 mod reduce;
 
 pub use bless::BlessArguments;
+pub use compare::CompareArguments;
 pub use engines::EnginesArguments;
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use reduce::ReduceArguments;
@@ -80,6 +82,9 @@ pub enum Command {
     /// Hold every input of a conversion function against exact arithmetic
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(SweepArguments),
+    /// Show what a newer run does better or worse than an older one
+    #[command(after_help = compare::COMPARE_EXAMPLES)]
+    Compare(CompareArguments),
     /// Look for programs on which an engine, or the reference, does not do what documents say
     #[command(after_help = fuzz::FUZZ_EXAMPLES)]
     Fuzz(FuzzArguments),

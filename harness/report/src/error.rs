@@ -2,6 +2,7 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
+use stickler_run::FORMAT;
 
 /// A report that could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -55,5 +56,21 @@ pub enum LogError {
     Misplaced {
         /// The line, from 1.
         line: u64,
+    },
+    /// The header belongs to another version of the format.
+    #[error(
+        "the event log has format {format}, which a later version of Stickler wrote; this one reads format {FORMAT}"
+    )]
+    Later {
+        /// Its format.
+        format: u32,
+    },
+    /// The footer is there, and cases are not.
+    #[error("the event log promises {promised} cases and holds {cases}, so it is not whole")]
+    Miscounted {
+        /// What its header says.
+        promised: u64,
+        /// What is there.
+        cases: u64,
     },
 }

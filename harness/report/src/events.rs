@@ -3,10 +3,13 @@
 use crate::{LogError, ReportError};
 use std::fmt;
 use std::fs::File;
-use std::io::{BufRead, Write};
-use std::path::PathBuf;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use stickler_run::Event;
+use stickler_run::{Event, FORMAT, Header};
+
+/// What the log is called in a folder of reports.
+pub const NAME: &str = "events.jsonl";
 
 /// How much is gathered before it is written.
 const BATCH: usize = 1 << 16;
@@ -93,38 +96,136 @@ impl fmt::Display for Completeness {
     }
 }
 
-/// Reads a log and hands each event on, in order.
+/// The log at a path that a person names: the file itself, or that of a folder of reports.
+pub fn locate(path: &Path) -> PathBuf {
+    if path.is_dir() {
+        path.join(NAME)
+    } else {
+        path.to_owned()
+    }
+}
+
+/// Reads a log, one event at a time; memory holds one line.
 ///
-/// A last line that is only partly there counts as not written. Memory holds one line at a time.
+/// A last line that is only partly there counts as not written. After an error there is nothing more.
+pub struct Reader<R> {
+    input: R,
+    line: Vec<u8>,
+    number: u64,
+    promised: u64,
+    cases: u64,
+    complete: bool,
+    ended: bool,
+}
+
+impl Reader<BufReader<File>> {
+    /// Opens a log.
+    ///
+    /// # Errors
+    /// [`LogError::Read`] where there is none.
+    pub fn open(path: &Path) -> Result<Reader<BufReader<File>>, LogError> {
+        Ok(Reader::new(BufReader::with_capacity(BATCH, File::open(path)?)))
+    }
+}
+
+impl<R: BufRead> Reader<R> {
+    /// Reads from here on.
+    pub const fn new(input: R) -> Reader<R> {
+        Reader {
+            input,
+            line: Vec::new(),
+            number: 0,
+            promised: 0,
+            cases: 0,
+            complete: false,
+            ended: false,
+        }
+    }
+
+    /// The header, which every log begins with.
+    ///
+    /// # Errors
+    /// [`LogError`] where the input is no event log.
+    pub fn header(&mut self) -> Result<Header, LogError> {
+        match self.next().transpose()? {
+            Some(Event::Header(header)) => Ok(header),
+            _ => Err(LogError::NoHeader),
+        }
+    }
+
+    /// Whether what was read tells of a whole run; to be asked at the end.
+    pub const fn completeness(&self) -> Completeness {
+        match self.complete {
+            true => Completeness::Complete,
+            false => Completeness::Truncated { cases: self.cases },
+        }
+    }
+
+    fn event(&mut self) -> Result<Option<Event>, LogError> {
+        self.line.clear();
+        if self.input.read_until(b'\n', &mut self.line)? == 0 {
+            return if self.number == 0 {
+                Err(LogError::Empty)
+            } else {
+                Ok(None)
+            };
+        }
+        self.number += 1;
+        let line = self.number;
+        match serde_json::from_slice::<Event>(&self.line) {
+            Ok(_) if self.complete => Err(LogError::Misplaced { line }),
+            Ok(Event::Header(_)) if line > 1 => Err(LogError::Misplaced { line }),
+            Ok(Event::Case(_) | Event::Footer(_)) | Err(_) if line == 1 => Err(LogError::NoHeader),
+            Ok(event) => self.count(&event).map(|()| Some(event)),
+            Err(_) if !self.line.ends_with(b"\n") => Ok(None),
+            Err(source) => Err(LogError::Line { line, source }),
+        }
+    }
+
+    fn count(&mut self, event: &Event) -> Result<(), LogError> {
+        match event {
+            Event::Header(header) if header.format > FORMAT => {
+                return Err(LogError::Later {
+                    format: header.format,
+                });
+            }
+            Event::Header(header) => self.promised = header.cases,
+            Event::Case(_) => self.cases += 1,
+            Event::Footer(_) if self.cases != self.promised => {
+                return Err(LogError::Miscounted {
+                    promised: self.promised,
+                    cases: self.cases,
+                });
+            }
+            Event::Footer(_) => self.complete = true,
+        }
+        Ok(())
+    }
+}
+
+impl<R: BufRead> Iterator for Reader<R> {
+    type Item = Result<Event, LogError>;
+
+    fn next(&mut self) -> Option<Result<Event, LogError>> {
+        if self.ended {
+            return None;
+        }
+        let event = self.event().transpose();
+        self.ended = !matches!(event, Some(Ok(_)));
+        event
+    }
+}
+
+/// Reads a log and hands each event on, in order.
 ///
 /// # Errors
 /// [`LogError`] where the input is no event log, or a line in its middle is no event.
-pub fn read(mut input: impl BufRead, sink: &mut dyn FnMut(Event)) -> Result<Completeness, LogError> {
-    let mut line = Vec::new();
-    let mut number = 0;
-    let mut cases = 0;
-    let mut complete = false;
-    while input.read_until(b'\n', &mut line)? > 0 {
-        number += 1;
-        match serde_json::from_slice::<Event>(&line) {
-            Ok(_) if complete => return Err(LogError::Misplaced { line: number }),
-            Ok(Event::Header(_)) if number > 1 => return Err(LogError::Misplaced { line: number }),
-            Ok(Event::Case(_) | Event::Footer(_)) | Err(_) if number == 1 => return Err(LogError::NoHeader),
-            Ok(event) => {
-                cases += u64::from(matches!(event, Event::Case(_)));
-                complete = matches!(event, Event::Footer(_));
-                sink(event);
-            }
-            Err(_) if !line.ends_with(b"\n") => break,
-            Err(source) => return Err(LogError::Line { line: number, source }),
-        }
-        line.clear();
+pub fn read(input: impl BufRead, sink: &mut dyn FnMut(Event)) -> Result<Completeness, LogError> {
+    let mut reader = Reader::new(input);
+    for event in &mut reader {
+        sink(event?);
     }
-    match (number, complete) {
-        (0, _) => Err(LogError::Empty),
-        (_, true) => Ok(Completeness::Complete),
-        (_, false) => Ok(Completeness::Truncated { cases }),
-    }
+    Ok(reader.completeness())
 }
 
 #[cfg(test)]
@@ -132,7 +233,7 @@ mod tests {
     use super::{Completeness, EventLog, read};
     use crate::{LogError, sample};
     use std::fs;
-    use stickler_run::Event;
+    use stickler_run::{Event, FORMAT};
 
     fn written(events: &[Event]) -> Vec<u8> {
         let folder = tempfile::tempdir().expect("a temporary folder");
@@ -194,5 +295,29 @@ mod tests {
         let mut twice = written(&sample::run());
         twice.extend(written(&sample::run()));
         assert!(matches!(read_back(&twice), Err(LogError::Misplaced { .. })));
+    }
+
+    #[test]
+    fn a_log_out_of_which_a_case_was_lost_is_broken_though_its_footer_is_there() {
+        let mut events = sample::run();
+        events.remove(2);
+        let error = read_back(&written(&events)).expect_err("a case is missing");
+        assert!(matches!(
+            error,
+            LogError::Miscounted {
+                promised: 4,
+                cases: 3
+            }
+        ));
+    }
+
+    #[test]
+    fn a_log_of_a_later_format_is_not_guessed_at() {
+        let mut events = sample::run();
+        if let Event::Header(header) = &mut events[0] {
+            header.format = FORMAT + 1;
+        }
+        let error = read_back(&written(&events)).expect_err("another format");
+        assert!(matches!(error, LogError::Later { format } if format == FORMAT + 1));
     }
 }

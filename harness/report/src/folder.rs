@@ -1,7 +1,7 @@
 //! The folder of a run's reports: every file is opened before the run, and each event goes to all of them.
 
 use crate::ReportError;
-use crate::events::EventLog;
+use crate::events::{self, EventLog};
 use crate::junit::Junit;
 use crate::overview::Overview;
 use crate::results::Results;
@@ -29,7 +29,7 @@ impl Reports {
     pub fn create(folder: &Path) -> Result<Reports, ReportError> {
         fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
         Ok(Reports {
-            events: EventLog::create(folder.join("events.jsonl"))?,
+            events: EventLog::create(folder.join(events::NAME))?,
             results: Results::create(folder.join("results.json"))?,
             junit: Junit::create(folder.join("junit.xml"))?,
             summary: Summary::create(folder.join("summary.md"))?,

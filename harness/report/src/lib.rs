@@ -7,6 +7,7 @@
 //! | `junit` | `junit.xml` | CI services |
 //! | [`summary`] | `summary.md` | a CI step summary, a pull request |
 //! | [`terminal`] | (the terminal) | whoever started the run |
+//! | [`comparison`] | (the terminal) | whoever wants to know what became of an older run |
 //!
 //! A format is a module of its own that takes [`Event`](stickler_run::Event)s by an exhaustive match, or a view of the
 //! [`Overview`] that such a match gathers; a new format is a new module and a line in [`Reports`]. HTML (`html`), SARIF
@@ -17,6 +18,7 @@
 #![forbid(unsafe_code)]
 
 pub mod claims;
+pub mod comparison;
 pub mod diff;
 mod error;
 pub mod events;
@@ -33,6 +35,7 @@ mod table;
 pub mod terminal;
 mod text;
 
+pub use comparison::{Comparison, ComparisonError};
 pub use error::{LogError, ReportError};
 pub use folder::Reports;
 pub use overview::Overview;

@@ -99,7 +99,7 @@ pub(crate) fn entry<'m, V: Default>(map: &'m mut BTreeMap<String, V>, key: &str)
 }
 
 /// The case, with no more of its texts than any view shows: a foreign engine may say anything at any length.
-fn kept(case: &CaseEvent) -> CaseEvent {
+pub(crate) fn kept(case: &CaseEvent) -> CaseEvent {
     CaseEvent {
         expected: clip(&case.expected, KEPT_LINES, KEPT_CHARACTERS),
         got: clip(&case.got, KEPT_LINES, KEPT_CHARACTERS),

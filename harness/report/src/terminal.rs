@@ -4,7 +4,7 @@
 //! the claims, then the totals, then one line that says how it went. It is written with ANSI styles; the caller's
 //! stream strips them where they do not belong.
 
-mod failure;
+pub(crate) mod failure;
 
 use crate::overview::Overview;
 use crate::table::{Cell, Table};
@@ -13,10 +13,10 @@ use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use stickler_run::{EngineHeader, Totals, Verdict};
 
-const BOLD: Style = Style::new().bold();
-const DIM: Style = Style::new().dimmed();
-const GOOD: Style = AnsiColor::Green.on_default();
-const BAD: Style = AnsiColor::Red.on_default();
+pub(crate) const BOLD: Style = Style::new().bold();
+pub(crate) const DIM: Style = Style::new().dimmed();
+pub(crate) const GOOD: Style = AnsiColor::Green.on_default();
+pub(crate) const BAD: Style = AnsiColor::Red.on_default();
 
 /// How many failures are shown whole.
 const SHOWN_FAILURES: usize = 40;

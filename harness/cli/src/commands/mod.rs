@@ -2,6 +2,7 @@
 
 mod bless;
 mod check;
+mod compare;
 mod conversions;
 mod engine;
 mod engines;
@@ -46,6 +47,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Matrix(arguments) => matrix::execute(&arguments, out),
         Command::Conversions(arguments) => conversions::execute(&arguments, out),
         Command::Sweep(arguments) => sweep::execute(&arguments, out),
+        Command::Compare(arguments) => compare::execute(&arguments, out),
         Command::Fuzz(arguments) => fuzz::execute(&arguments, out),
         Command::Reduce(arguments) => reduce::execute(&arguments, out),
         Command::Promote(arguments) => promote::execute(&arguments, out),

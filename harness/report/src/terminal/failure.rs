@@ -34,19 +34,23 @@ pub fn write(out: &mut dyn Write, case: &CaseEvent, name_engine: bool) -> io::Re
     if let Some(note) = &case.baseline {
         writeln!(out, "     {DIM}baseline{DIM:#} {}", noted(note))?;
     }
-    write_comparison(out, case)?;
+    write_difference(out, ("expected", &case.expected), ("got", &case.got))?;
     writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&case.rerun))
 }
 
-/// One-line texts stand under each other; longer ones as a diff that shows both.
-fn write_comparison(out: &mut dyn Write, case: &CaseEvent) -> io::Result<()> {
-    let expected = clip(&visible(&case.expected), SHOWN_LINES, SHOWN_CHARACTERS);
-    let got = clip(&visible(&case.got), SHOWN_LINES, SHOWN_CHARACTERS);
+/// Two texts, each with the word for it: one-line texts stand under each other, longer ones as a diff that shows both.
+pub(crate) fn write_difference(
+    out: &mut dyn Write,
+    (before, expected): (&str, &str),
+    (after, got): (&str, &str),
+) -> io::Result<()> {
+    let expected = clip(&visible(expected), SHOWN_LINES, SHOWN_CHARACTERS);
+    let got = clip(&visible(got), SHOWN_LINES, SHOWN_CHARACTERS);
     let lines = diff::lines(&expected, &got);
     if expected.lines().count() > 1 || got.lines().count() > 1 || lines.is_empty() {
         writeln!(
             out,
-            "     {DIM}diff    {DIM:#} {GOOD}- expected{GOOD:#} {BAD}+ got{BAD:#}"
+            "     {DIM}diff    {DIM:#} {GOOD}- {before}{GOOD:#} {BAD}+ {after}{BAD:#}"
         )?;
         for line in &lines {
             write!(out, "              ")?;
@@ -54,8 +58,8 @@ fn write_comparison(out: &mut dyn Write, case: &CaseEvent) -> io::Result<()> {
         }
         return Ok(());
     }
-    for (label, side) in [("expected", Side::Expected), ("got     ", Side::Got)] {
-        write!(out, "     {DIM}{label}{DIM:#} ")?;
+    for (label, side) in [(before, Side::Expected), (after, Side::Got)] {
+        write!(out, "     {DIM}{label:<8}{DIM:#} ")?;
         match lines.iter().find(|line| line.side == side) {
             Some(line) => write_diff_line(out, line)?,
             None => writeln!(out, "{} (nothing)", side.sign())?,

@@ -1,0 +1,56 @@
+//! `stickler compare`: two runs of a compiler, held against each other.
+
+use crate::arguments::CompareArguments;
+use crate::exit::Exit;
+use anyhow::Context;
+use std::fs::File;
+use std::io::{BufReader, Write};
+use std::path::{Path, PathBuf};
+use stickler_report::Comparison;
+use stickler_report::comparison::{self, ComparisonError};
+use stickler_report::events::{self, Reader};
+
+/// Shows what was fixed, what broke, what crashes, and which cases are new or gone.
+///
+/// # Errors
+/// A log that cannot be read or was cut short; runs that have no engine in common.
+pub fn execute(arguments: &CompareArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let (old_path, old) = open(&arguments.old)?;
+    let (new_path, new) = open(&arguments.new)?;
+    let comparison = Comparison::of(old, new).map_err(|error| {
+        let path = match &error {
+            ComparisonError::Old(_) => Some(&old_path),
+            ComparisonError::New(_) => Some(&new_path),
+            ComparisonError::NoEngine { .. } | ComparisonError::Parts { .. } => None,
+        };
+        let named = path.map(|path| path.display().to_string());
+        let error = anyhow::Error::new(error);
+        match named {
+            Some(path) => error.context(path),
+            None => error,
+        }
+    })?;
+    if arguments.json {
+        comparison::write_json(out, &comparison)?;
+    } else {
+        comparison::write(out, &comparison)?;
+    }
+    Ok(exit(&comparison))
+}
+
+/// The log of a run, and where it is.
+fn open(path: &Path) -> anyhow::Result<(PathBuf, Reader<BufReader<File>>)> {
+    let path = events::locate(path);
+    let reader = Reader::open(&path).with_context(|| path.display().to_string())?;
+    Ok((path, reader))
+}
+
+fn exit(comparison: &Comparison) -> Exit {
+    if comparison.is_worse() {
+        return Exit::Failures;
+    }
+    if comparison.same == 0 && comparison.changes.is_empty() {
+        return Exit::NothingTested;
+    }
+    Exit::AsExpected
+}

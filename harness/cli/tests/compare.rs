@@ -1,0 +1,169 @@
+//! Two runs held against each other, and the parts of a run put together.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+const SUITE: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/tests/cmd/suite.in/conformance-cases"
+);
+
+fn output(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_stickler"))
+        // Rerun commands name `stickler` itself unless cargo ran it, and here cargo runs the tests.
+        .env("CARGO_MANIFEST_DIR", "")
+        .current_dir(folder)
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .expect("the command runs")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// Runs the small suite and writes its reports to a folder.
+fn run(folder: &Path, report: &str, arguments: &[&str]) {
+    let common = ["run", "--cases", SUITE, "--report", report];
+    output(folder, &[&common, arguments].concat());
+}
+
+/// Reports that differ from others in one way.
+fn edited(folder: &Path, from: &str, to: &str, edit: impl Fn(&str) -> String) {
+    let log = fs::read_to_string(folder.join(from).join("events.jsonl")).expect("a log");
+    let lines: Vec<String> = log.lines().map(edit).filter(|line| !line.is_empty()).collect();
+    fs::create_dir_all(folder.join(to)).expect("a folder");
+    fs::write(folder.join(to).join("events.jsonl"), lines.join("\n") + "\n").expect("a log");
+}
+
+/// A later version of the reference: one case is fixed, one breaks, one crashes, one gives something else where nothing is
+/// asserted.
+fn later(line: &str) -> String {
+    let verdict = |line: &str, new: &str| {
+        let old = if new == "pass" { "fail" } else { "pass" };
+        line.replace(&format!(r#""verdict":"{old}""#), &format!(r#""verdict":"{new}""#))
+    };
+    if line.contains("language/wrong-on-purpose") {
+        verdict(line, "pass").replace("sum = INT#4", "sum = INT#5")
+    } else if line.contains("assignment(INT,INT,-128)") && line.contains("ironplc-ed2") {
+        verdict(line, "fail").replace(r#""got":"into = INT#-128""#, r#""got":"into = INT#128""#)
+    } else if line.contains("assignment(SINT,SINT,-128)") && line.contains("matiec") {
+        verdict(line, "crash").replace(r#""got":"into = SINT#-128""#, r#""got":"crashed: signal 11""#)
+    } else if line.contains("language/recorded") {
+        line.replace(r#"INT#"#, "INT#1")
+    } else {
+        line.replace(r#""version":"0.1.0""#, r#""version":"0.2.0""#)
+    }
+}
+
+#[test]
+fn a_newer_version_is_shown_with_what_it_fixed_and_broke() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    run(folder.path(), "old", &[]);
+    edited(folder.path(), "old", "new", later);
+    let compared = output(folder.path(), &["compare", "old", "new/events.jsonl"]);
+    let page = text(&compared.stdout);
+    assert_eq!(
+        compared.status.code(),
+        Some(1),
+        "{page}{}",
+        text(&compared.stderr)
+    );
+    for part in [
+        "old  reference 0.1.0; suite ",
+        "new  reference 0.2.0; suite ",
+        "CRASHED widening/integer::assignment(SINT,SINT,-128)@matiec: pass → crash\n",
+        "     old      - into = SINT#-128\n     new      + crashed: signal 11\n",
+        "BROKEN widening/integer::assignment(INT,INT,-128)@ironplc-ed2: pass → fail\n",
+        "     old      - into = INT#-128\n     new      + into = INT#128\n",
+        "FIXED language/wrong-on-purpose@matiec: fail → pass\n",
+        "OTHERWISE language/recorded@matiec: pass as before, and not the same\n",
+        "\n16 cases: 1 crashed, 1 broken, 1 fixed, 1 otherwise; 12 as before.\n",
+    ] {
+        assert!(page.contains(part), "{part}\n{page}");
+    }
+    let back = output(folder.path(), &["compare", "new", "old"]);
+    assert_eq!(back.status.code(), Some(1), "{}", text(&back.stdout));
+    let same = output(folder.path(), &["compare", "old", "old"]);
+    assert_eq!(same.status.code(), Some(0));
+    assert!(
+        text(&same.stdout).ends_with("16 cases: all as before.\n"),
+        "{}",
+        text(&same.stdout)
+    );
+}
+
+#[test]
+fn other_programs_get_every_change_as_json() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    run(folder.path(), "old", &["--filter", "widening/"]);
+    run(folder.path(), "all", &[]);
+    edited(folder.path(), "all", "new", later);
+    let compared = output(folder.path(), &["compare", "old", "new", "--json"]);
+    assert_eq!(compared.status.code(), Some(1));
+    let document: serde_json::Value = serde_json::from_slice(&compared.stdout).expect("JSON");
+    let expected = serde_json::json!({
+        "crashed": 1, "broken": 1, "fixed": 0, "otherwise": 0, "added": 3, "gone": 0, "same": 11
+    });
+    assert_eq!(document["counts"], expected);
+    assert_eq!(document["changes"][0]["kind"], "broken");
+    assert_eq!(document["changes"][0]["detail"]["old"], "into = INT#-128");
+    assert_eq!(document["changes"][0]["detail"]["new"], "into = INT#128");
+    let gone = output(folder.path(), &["compare", "all", "old"]);
+    assert_eq!(gone.status.code(), Some(0), "fewer cases are no worse compiler");
+    assert!(
+        text(&gone.stdout).contains("3 cases are gone: 2 pass, 1 fail\n"),
+        "{}",
+        text(&gone.stdout)
+    );
+}
+
+#[test]
+fn what_cannot_be_compared_is_said_with_its_place() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    run(folder.path(), "old", &[]);
+    run(folder.path(), "part", &["--shard", "1/2"]);
+    let without_footer = |line: &str| match line.contains(r#""type":"footer""#) {
+        true => String::new(),
+        false => line.to_owned(),
+    };
+    edited(folder.path(), "old", "cut", without_footer);
+    let other = |line: &str| {
+        line.replace(
+            r#""engines":[{"name":"reference""#,
+            r#""engines":[{"name":"a"},{"name":"b""#,
+        )
+    };
+    edited(folder.path(), "old", "other", other);
+    for (old, new, reason) in [
+        (
+            "old",
+            "cut",
+            "cut/events.jsonl: the newer run cannot be compared: the run was cut short after 16 cases",
+        ),
+        (
+            "cut",
+            "old",
+            "cut/events.jsonl: the older run cannot be compared: the run was cut short",
+        ),
+        (
+            "old",
+            "part",
+            "the older run is whole and the newer one part 1/2; `stickler merge` makes a whole",
+        ),
+        ("old", "nowhere", "nowhere: cannot read the event log"),
+        (
+            "old",
+            "old/summary.md",
+            "old/summary.md: the newer run cannot be compared: line 1 of the event log is no header",
+        ),
+    ] {
+        let compared = output(folder.path(), &["compare", old, new]);
+        let said = text(&compared.stderr);
+        assert_eq!(compared.status.code(), Some(2), "{said}");
+        assert!(said.contains(reason), "{reason}\n{said}");
+        assert_eq!(text(&compared.stdout), "");
+    }
+}

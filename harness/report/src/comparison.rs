@@ -1,0 +1,351 @@
+//! Two runs held against each other: what a later version of a compiler does better, worse, or otherwise.
+//!
+//! Both are read as streams. Of the older run a few words a case are kept, of the newer one only what differs, so that
+//! memory stays small however many cases there are.
+
+mod json;
+mod known;
+mod page;
+
+pub use json::write_json;
+pub use page::write;
+
+use crate::LogError;
+use crate::events::{Completeness, Reader};
+use crate::overview::kept;
+use known::{Known, Look};
+use serde::{Serialize, Serializer};
+use std::collections::{BTreeMap, HashMap};
+use std::io::BufRead;
+use stickler_run::{CaseEvent, Event, Header, Verdict};
+
+/// How many changes of each kind are kept with all their texts. The rest is kept by name; the logs have them all.
+pub const DETAILED: usize = 1000;
+
+/// How a case changed, the gravest first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// The engine died or hung, and did not before.
+    Crashed,
+    /// What a document says was done, and no longer is.
+    Broken,
+    /// What a document says is done, and was not.
+    Fixed,
+    /// Something else is done, which is neither: another wrong value, another value where none is asserted.
+    Otherwise,
+}
+
+impl Kind {
+    /// Every kind, the gravest first.
+    pub const ALL: [Kind; 4] = [Kind::Crashed, Kind::Broken, Kind::Fixed, Kind::Otherwise];
+}
+
+/// A case that both runs have and that did not come out alike.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct Change {
+    /// How it changed.
+    pub kind: Kind,
+    /// The case's id.
+    pub id: String,
+    /// Its dialect.
+    pub dialect: String,
+    /// The engine, by its name in the newer run.
+    pub engine: String,
+    /// What came of it in the older run, whatever a baseline expects.
+    pub old: Verdict,
+    /// What came of it in the newer run.
+    pub new: Verdict,
+    /// Something else is expected than in the older run: the suite changed, and perhaps the engine did not.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub expectation_changed: bool,
+    /// What was said; only of the first [`DETAILED`] of each kind.
+    #[serde(skip_serializing_if = "Option::is_none", serialize_with = "texts")]
+    pub detail: Option<Box<Detail>>,
+}
+
+/// What was said of a case that did not come out alike.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Detail {
+    /// What the older run got and recorded, one fact a line; `None` where it did what was expected then, and something
+    /// else is expected now.
+    pub old: Option<String>,
+    /// The case in the newer run, its texts clipped.
+    pub case: CaseEvent,
+}
+
+/// A case that only one of the runs has.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
+pub struct Lone {
+    /// The case's id.
+    pub id: String,
+    /// Its dialect.
+    pub dialect: String,
+    /// The engine, by its name in the run that has the case.
+    pub engine: String,
+    /// What came of it.
+    pub verdict: Verdict,
+}
+
+/// Two runs held against each other.
+#[derive(Debug)]
+pub struct Comparison {
+    /// How the older run began.
+    pub old: Header,
+    /// How the newer run began.
+    pub new: Header,
+    /// The engines that are compared: the name in the older run, and in the newer one.
+    pub engines: Vec<(String, String)>,
+    /// What did not come out alike, in the order of the newer run.
+    pub changes: Vec<Change>,
+    /// The cases that only the newer run has, in its order.
+    pub added: Vec<Lone>,
+    /// The cases that only the older run has, sorted.
+    pub gone: Vec<Lone>,
+    /// How many cases came out alike.
+    pub same: u64,
+}
+
+/// What keeps two runs from being compared.
+#[derive(Debug, thiserror::Error)]
+pub enum ComparisonError {
+    /// The older run cannot be read, or is not whole.
+    #[error("the older run cannot be compared")]
+    Old(#[source] RunError),
+    /// The newer run cannot be read, or is not whole.
+    #[error("the newer run cannot be compared")]
+    New(#[source] RunError),
+    /// No engine took part in both.
+    #[error("no engine took part in both runs: in the older one there is {old}, in the newer one {new}")]
+    NoEngine {
+        /// The engines of the older run, in a list.
+        old: String,
+        /// Those of the newer run.
+        new: String,
+    },
+    /// They are different parts of divided runs, so most cases of the one cannot be in the other.
+    #[error(
+        "the older run is {old} and the newer one {new}; `stickler merge` makes a whole of the parts of a run"
+    )]
+    Parts {
+        /// Which part the older run is.
+        old: String,
+        /// Which part the newer run is.
+        new: String,
+    },
+}
+
+/// A run that cannot be compared.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// Its log cannot be read.
+    #[error(transparent)]
+    Log(#[from] LogError),
+    /// Its log tells of a part of it.
+    #[error("{0}")]
+    Truncated(Completeness),
+}
+
+impl Comparison {
+    /// Compares two runs. An engine is compared with the one of its name; where each run has a single one, these two are
+    /// compared, whatever their names.
+    ///
+    /// # Errors
+    /// [`ComparisonError`] where one of the runs is not whole, or they have nothing in common.
+    pub fn of(
+        mut old: Reader<impl BufRead>,
+        mut new: Reader<impl BufRead>,
+    ) -> Result<Comparison, ComparisonError> {
+        let in_old = |error: LogError| ComparisonError::Old(error.into());
+        let in_new = |error: LogError| ComparisonError::New(error.into());
+        let headers = (old.header().map_err(in_old)?, new.header().map_err(in_new)?);
+        let mut matching = Matching::new(headers)?;
+        for event in &mut old {
+            matching.take_old(event.map_err(in_old)?);
+        }
+        whole(&old).map_err(ComparisonError::Old)?;
+        for event in &mut new {
+            matching.take_new(event.map_err(in_new)?);
+        }
+        whole(&new).map_err(ComparisonError::New)?;
+        Ok(matching.finish())
+    }
+
+    /// The changes of one kind.
+    pub fn of_kind(&self, kind: Kind) -> impl Iterator<Item = &Change> {
+        self.changes.iter().filter(move |change| change.kind == kind)
+    }
+
+    /// Whether the engine does worse anywhere.
+    pub fn is_worse(&self) -> bool {
+        self.changes
+            .iter()
+            .any(|change| matches!(change.kind, Kind::Crashed | Kind::Broken))
+    }
+}
+
+fn whole(reader: &Reader<impl BufRead>) -> Result<(), RunError> {
+    match reader.completeness() {
+        Completeness::Complete => Ok(()),
+        truncated => Err(RunError::Truncated(truncated)),
+    }
+}
+
+/// A comparison while the runs are read: first the whole of the older one, then the newer one.
+struct Matching {
+    found: Comparison,
+    /// By engine, as it is called in the newer run; then by the case's key, `id@dialect`.
+    known: HashMap<String, HashMap<String, Known>>,
+    detailed: BTreeMap<Kind, usize>,
+}
+
+impl Matching {
+    fn new((old, new): (Header, Header)) -> Result<Matching, ComparisonError> {
+        if old.shard != new.shard {
+            let part = |shard: &Option<String>| match shard {
+                Some(shard) => format!("part {shard}"),
+                None => "whole".to_owned(),
+            };
+            return Err(ComparisonError::Parts {
+                old: part(&old.shard),
+                new: part(&new.shard),
+            });
+        }
+        let engines = pairs(&old, &new)?;
+        Ok(Matching {
+            found: Comparison {
+                old,
+                new,
+                engines,
+                changes: Vec::new(),
+                added: Vec::new(),
+                gone: Vec::new(),
+                same: 0,
+            },
+            known: HashMap::new(),
+            detailed: BTreeMap::new(),
+        })
+    }
+
+    fn take_old(&mut self, event: Event) {
+        let Event::Case(case) = event else { return };
+        let pair = self.found.engines.iter().find(|(old, _)| *old == case.engine);
+        if let Some((_, engine)) = pair {
+            let known = Known::of(&case);
+            let cases = self.known.entry(engine.clone()).or_default();
+            cases.insert(key(&case), known);
+        }
+    }
+
+    fn take_new(&mut self, event: Event) {
+        let Event::Case(case) = event else { return };
+        if !self.found.engines.iter().any(|(_, new)| *new == case.engine) {
+            return;
+        }
+        let verdict = known::came(&case);
+        let cases = self.known.get_mut(&case.engine);
+        let Some(known) = cases.and_then(|cases| cases.remove(&key(&case))) else {
+            return self.found.added.push(Lone {
+                id: case.id,
+                dialect: case.dialect,
+                engine: case.engine,
+                verdict,
+            });
+        };
+        match known.look(&case) {
+            Look::Alike => self.found.same += 1,
+            Look::Changed(kind) => self.change(kind, known, case),
+        }
+    }
+
+    fn change(&mut self, kind: Kind, known: Known, case: CaseEvent) {
+        let detailed = self.detailed.entry(kind).or_default();
+        *detailed += 1;
+        let expectation_changed = known.expects_otherwise(&case);
+        let old = known.verdict;
+        self.found.changes.push(Change {
+            kind,
+            id: case.id.clone(),
+            dialect: case.dialect.clone(),
+            engine: case.engine.clone(),
+            old,
+            new: known::came(&case),
+            expectation_changed,
+            detail: (*detailed <= DETAILED).then(|| {
+                Box::new(Detail {
+                    old: known.said(&case),
+                    case: kept(&case),
+                })
+            }),
+        });
+    }
+
+    fn finish(self) -> Comparison {
+        let Matching { mut found, known, .. } = self;
+        for (engine, cases) in known {
+            let pair = found.engines.iter().find(|(_, new)| *new == engine);
+            let name = pair.map_or(engine.as_str(), |(old, _)| old.as_str());
+            for (key, known) in cases {
+                let (id, dialect) = key.rsplit_once('@').unwrap_or((&key, ""));
+                found.gone.push(Lone {
+                    id: id.to_owned(),
+                    dialect: dialect.to_owned(),
+                    engine: name.to_owned(),
+                    verdict: known.verdict,
+                });
+            }
+        }
+        found.gone.sort_unstable();
+        found
+    }
+}
+
+fn key(case: &CaseEvent) -> String {
+    format!("{}@{}", case.id, case.dialect)
+}
+
+/// Which engine of the one run is compared with which of the other.
+fn pairs(old: &Header, new: &Header) -> Result<Vec<(String, String)>, ComparisonError> {
+    if let ([old], [new]) = (&old.engines[..], &new.engines[..]) {
+        return Ok(vec![(old.name.clone(), new.name.clone())]);
+    }
+    let in_both = |name: &&String| new.engines.iter().any(|engine| engine.name == **name);
+    let names = old.engines.iter().map(|engine| &engine.name);
+    let pairs: Vec<(String, String)> = names
+        .filter(in_both)
+        .map(|name| (name.clone(), name.clone()))
+        .collect();
+    if pairs.is_empty() {
+        let list = |header: &Header| {
+            let names: Vec<&str> = header.engines.iter().map(|engine| engine.name.as_str()).collect();
+            names.join(", ")
+        };
+        return Err(ComparisonError::NoEngine {
+            old: list(old),
+            new: list(new),
+        });
+    }
+    Ok(pairs)
+}
+
+/// A detail as other programs want it: what was expected, and what each run got.
+fn texts<S: Serializer>(detail: &Option<Box<Detail>>, serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Texts<'a> {
+        title: &'a str,
+        basis: &'a str,
+        expected: &'a str,
+        old: Option<&'a str>,
+        new: String,
+        rerun: &'a str,
+    }
+    let texts = detail.as_deref().map(|Detail { old, case }| Texts {
+        title: &case.title,
+        basis: &case.basis,
+        expected: &case.expected,
+        old: old.as_deref(),
+        new: known::said(case),
+        rerun: &case.rerun,
+    });
+    texts.serialize(serializer)
+}

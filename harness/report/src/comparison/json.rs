@@ -1,0 +1,73 @@
+//! A comparison as one JSON object, for other programs.
+
+use super::{Change, Comparison, Kind, Lone};
+use serde::Serialize;
+use std::io::{self, Write};
+use stickler_run::Header;
+
+/// The version of this format.
+const FORMAT: u32 = 1;
+
+#[derive(Serialize)]
+struct Document<'c> {
+    format: u32,
+    old: &'c Header,
+    new: &'c Header,
+    engines: Vec<Pair<'c>>,
+    counts: Counts,
+    changes: &'c [Change],
+    added: &'c [Lone],
+    gone: &'c [Lone],
+}
+
+/// An engine by its name in each run.
+#[derive(Serialize)]
+struct Pair<'c> {
+    old: &'c str,
+    new: &'c str,
+}
+
+/// How many cases there are of each kind.
+#[derive(Serialize)]
+struct Counts {
+    crashed: usize,
+    broken: usize,
+    fixed: usize,
+    otherwise: usize,
+    added: usize,
+    gone: usize,
+    same: u64,
+}
+
+/// Writes the object and a line feed. All changes are in it, the first [`DETAILED`](super::DETAILED) of each kind with
+/// what was expected and what came.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_json(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
+    let count = |kind| comparison.of_kind(kind).count();
+    let document = Document {
+        format: FORMAT,
+        old: &comparison.old,
+        new: &comparison.new,
+        engines: comparison
+            .engines
+            .iter()
+            .map(|(old, new)| Pair { old, new })
+            .collect(),
+        counts: Counts {
+            crashed: count(Kind::Crashed),
+            broken: count(Kind::Broken),
+            fixed: count(Kind::Fixed),
+            otherwise: count(Kind::Otherwise),
+            added: comparison.added.len(),
+            gone: comparison.gone.len(),
+            same: comparison.same,
+        },
+        changes: &comparison.changes,
+        added: &comparison.added,
+        gone: &comparison.gone,
+    };
+    serde_json::to_writer_pretty(&mut *out, &document)?;
+    writeln!(out)
+}

@@ -1,0 +1,209 @@
+//! What is kept of a case of the older run until the newer one comes to it.
+
+use super::Kind;
+use crate::text::clip;
+use std::fmt::Write;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use stickler_run::{CaseEvent, Verdict};
+
+/// How much is kept of what an engine said that did not do what was expected.
+const KEPT_LINES: usize = 20;
+const KEPT_CHARACTERS: usize = 200;
+
+/// A case of the older run: its verdict, and fingerprints of what was expected and of what came. That an engine did what
+/// was expected needs no text; of the others it is kept, in part.
+pub(super) struct Known {
+    /// What came of it.
+    pub(super) verdict: Verdict,
+    expected: u64,
+    said: u64,
+    text: Option<Box<str>>,
+}
+
+/// How a case of the newer run looks beside the older one.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Look {
+    /// As it was.
+    Alike,
+    /// Otherwise.
+    Changed(Kind),
+}
+
+/// What a verdict says of an engine.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Result {
+    Right,
+    Wrong,
+    /// It died or hung.
+    Dead,
+    Unsupported,
+}
+
+impl Known {
+    /// What is kept of a case.
+    pub(super) fn of(case: &CaseEvent) -> Known {
+        let said = said(case);
+        let tells_more = came(case) != Verdict::Pass || !case.observations.is_empty();
+        Known {
+            verdict: came(case),
+            expected: fingerprint(&case.expected),
+            said: fingerprint(&said),
+            text: tells_more.then(|| clip(&said, KEPT_LINES, KEPT_CHARACTERS).into_boxed_str()),
+        }
+    }
+
+    /// Whether something else is expected now.
+    pub(super) fn expects_otherwise(&self, case: &CaseEvent) -> bool {
+        self.expected != fingerprint(&case.expected)
+    }
+
+    /// How the case looks in the newer run. What an engine says while it dies need not be the same twice.
+    pub(super) fn look(&self, case: &CaseEvent) -> Look {
+        match (result(self.verdict), result(came(case))) {
+            (Result::Dead, Result::Dead) | (Result::Unsupported, Result::Unsupported) => Look::Alike,
+            (_, Result::Dead) => Look::Changed(Kind::Crashed),
+            (Result::Right, Result::Wrong | Result::Unsupported) => Look::Changed(Kind::Broken),
+            (_, Result::Right) if result(self.verdict) != Result::Right => Look::Changed(Kind::Fixed),
+            // Where the suite expects something else of an engine that still does what is expected, the suite changed.
+            (Result::Right, Result::Right) if self.expects_otherwise(case) => Look::Alike,
+            (before, now) if before == now && self.said == fingerprint(&said(case)) => Look::Alike,
+            _ => Look::Changed(Kind::Otherwise),
+        }
+    }
+
+    /// What the engine said then, as far as it is known.
+    pub(super) fn said(self, case: &CaseEvent) -> Option<String> {
+        let expected_alike = !self.expects_otherwise(case);
+        match self.text {
+            Some(text) => Some(text.into_string()),
+            // It did what was expected, and that has not changed.
+            None => expected_alike.then(|| case.expected.clone()),
+        }
+    }
+}
+
+/// What came of a case, whatever a baseline expects.
+pub(super) fn came(case: &CaseEvent) -> Verdict {
+    match (case.verdict, &case.baseline) {
+        (Verdict::Xfail, Some(note)) => note.verdict,
+        (Verdict::Xfail, None) => Verdict::Fail,
+        (Verdict::Xpass, _) => Verdict::Pass,
+        (verdict, _) => verdict,
+    }
+}
+
+fn result(verdict: Verdict) -> Result {
+    match verdict {
+        Verdict::Pass | Verdict::Xpass => Result::Right,
+        Verdict::Fail | Verdict::Xfail | Verdict::Error => Result::Wrong,
+        Verdict::Crash | Verdict::Timeout => Result::Dead,
+        Verdict::Unsupported => Result::Unsupported,
+    }
+}
+
+/// What an engine did: what it got, and what was recorded and not judged; one fact a line.
+pub(super) fn said(case: &CaseEvent) -> String {
+    let mut text = case.got.clone();
+    for observed in &case.observations {
+        // Writing to a String cannot fail.
+        let _ = write!(text, "\n{} = {}", observed.name, observed.value);
+    }
+    text
+}
+
+/// The same in one process, which is all that a comparison needs.
+fn fingerprint(text: &str) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    text.hash(&mut hasher);
+    hasher.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Known, Look};
+    use crate::comparison::Kind;
+    use crate::sample;
+    use stickler_run::{BaselineNote, CaseEvent, Verdict};
+
+    fn look(old: &CaseEvent, new: &CaseEvent) -> Look {
+        Known::of(old).look(new)
+    }
+
+    fn between(old: Verdict, new: Verdict) -> Look {
+        look(&sample::case("a", old), &sample::case("a", new))
+    }
+
+    #[test]
+    fn what_a_document_says_and_what_an_engine_does_decide_and_not_what_a_baseline_expects() {
+        use Verdict::{Crash, Error, Fail, Pass, Timeout, Unsupported, Xfail, Xpass};
+        for (old, new, look) in [
+            (Pass, Fail, Look::Changed(Kind::Broken)),
+            (Pass, Xfail, Look::Changed(Kind::Broken)),
+            (Xpass, Error, Look::Changed(Kind::Broken)),
+            (Pass, Unsupported, Look::Changed(Kind::Broken)),
+            (Pass, Crash, Look::Changed(Kind::Crashed)),
+            (Fail, Timeout, Look::Changed(Kind::Crashed)),
+            (Unsupported, Crash, Look::Changed(Kind::Crashed)),
+            (Fail, Pass, Look::Changed(Kind::Fixed)),
+            (Crash, Xpass, Look::Changed(Kind::Fixed)),
+            (Unsupported, Pass, Look::Changed(Kind::Fixed)),
+            (Crash, Fail, Look::Changed(Kind::Otherwise)),
+            (Fail, Unsupported, Look::Changed(Kind::Otherwise)),
+            (Unsupported, Fail, Look::Changed(Kind::Otherwise)),
+            (Fail, Xfail, Look::Alike),
+            (Crash, Timeout, Look::Alike),
+            (Pass, Pass, Look::Alike),
+        ] {
+            assert_eq!(between(old, new), look, "{old} → {new}");
+        }
+    }
+
+    #[test]
+    fn a_crash_that_a_baseline_expects_is_still_a_crash() {
+        let note = BaselineNote {
+            at: "b/reference.toml:7".to_owned(),
+            verdict: Verdict::Crash,
+            reason: "known".to_owned(),
+            link: None,
+        };
+        let crash = CaseEvent {
+            baseline: Some(note),
+            ..sample::case("a", Verdict::Xfail)
+        };
+        let crashed = Look::Changed(Kind::Crashed);
+        assert_eq!(look(&sample::case("a", Verdict::Fail), &crash), crashed);
+        assert_eq!(look(&sample::case("a", Verdict::Crash), &crash), Look::Alike);
+    }
+
+    #[test]
+    fn another_wrong_value_and_another_observation_are_told() {
+        let wrong = sample::case("a", Verdict::Fail);
+        let otherwise = CaseEvent {
+            got: "into = INT#0".to_owned(),
+            ..wrong.clone()
+        };
+        assert_eq!(look(&wrong, &otherwise), Look::Changed(Kind::Otherwise));
+        let open = sample::open_case("a");
+        let mut observed = open.clone();
+        observed.observations[0].value = "INT#2".to_owned();
+        assert_eq!(look(&open, &open), Look::Alike);
+        assert_eq!(look(&open, &observed), Look::Changed(Kind::Otherwise));
+    }
+
+    #[test]
+    fn a_case_that_expects_something_else_and_gets_it_is_alike() {
+        let old = sample::case("a", Verdict::Pass);
+        let new = CaseEvent {
+            expected: "into = INT#1".to_owned(),
+            got: "into = INT#1".to_owned(),
+            ..old.clone()
+        };
+        assert_eq!(look(&old, &new), Look::Alike);
+        assert!(Known::of(&old).expects_otherwise(&new));
+        assert_eq!(
+            Known::of(&old).said(&new),
+            None,
+            "what was expected then is not known"
+        );
+    }
+}

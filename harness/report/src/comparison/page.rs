@@ -1,0 +1,257 @@
+//! A comparison on the terminal: what is worse, case by case; what is not, in numbers; and one line that says how it went.
+
+use super::{Change, Comparison, Detail, Kind, Lone, known};
+use crate::terminal::failure::write_difference;
+use crate::terminal::{BAD, BOLD, DIM, GOOD};
+use crate::text::{counted, visible};
+use anstyle::Style;
+use std::io::{self, Write};
+use stickler_run::{Header, Totals, Verdict};
+
+/// How many groups of one kind are shown.
+const SHOWN: usize = 20;
+
+/// Writes the comparison.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
+    write_runs(out, comparison)?;
+    let several = comparison.engines.len() > 1;
+    for kind in Kind::ALL {
+        let groups = groups(comparison.of_kind(kind));
+        for group in groups.iter().take(SHOWN) {
+            match kind {
+                Kind::Crashed | Kind::Broken => write_whole(out, group, several)?,
+                Kind::Fixed | Kind::Otherwise => write_line(out, group, several)?,
+            }
+        }
+        write_rest(out, kind, &groups)?;
+    }
+    write_lone(out, "new", &comparison.added)?;
+    write_lone(out, "gone", &comparison.gone)?;
+    write_last_line(out, comparison)
+}
+
+fn write_runs(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
+    let Comparison {
+        old, new, engines, ..
+    } = comparison;
+    for (label, header, taken) in [
+        ("old", old, engines.iter().map(|(old, _)| old).collect::<Vec<_>>()),
+        ("new", new, engines.iter().map(|(_, new)| new).collect()),
+    ] {
+        let versions: Vec<String> = taken.iter().map(|name| version(header, name)).collect();
+        writeln!(
+            out,
+            "{BOLD}{label}{BOLD:#}  {}; suite {}, {}",
+            versions.join(", "),
+            visible(&header.suite),
+            visible(&header.started)
+        )?;
+        let compared = |name: &&str| !taken.iter().any(|taken| taken == name);
+        let names = header.engines.iter().map(|engine| engine.name.as_str());
+        let left: Vec<&str> = names.filter(compared).collect();
+        if !left.is_empty() {
+            writeln!(
+                out,
+                "     {DIM}not compared, since the other run lacks it: {}{DIM:#}",
+                visible(&left.join(", "))
+            )?;
+        }
+    }
+    writeln!(out)
+}
+
+fn version(header: &Header, name: &str) -> String {
+    let engine = header.engines.iter().find(|engine| engine.name == name);
+    let version = engine.map_or("", |engine| engine.version.as_str());
+    visible(format!("{name} {version}").trim_end())
+}
+
+/// The cases of one probe in one dialect that changed alike.
+struct Group<'c> {
+    probe: &'c str,
+    changes: Vec<&'c Change>,
+}
+
+/// A probe is a table's; a case that is no table's is alone.
+fn probe(id: &str) -> &str {
+    id.split_once('(').map_or(id, |(probe, _)| probe)
+}
+
+fn groups<'c>(changes: impl Iterator<Item = &'c Change>) -> Vec<Group<'c>> {
+    let mut groups: Vec<Group<'c>> = Vec::new();
+    let mut places = std::collections::HashMap::new();
+    for change in changes {
+        let alike = (
+            probe(&change.id),
+            &change.dialect,
+            &change.engine,
+            change.old,
+            change.new,
+        );
+        let place = *places.entry(alike).or_insert(groups.len());
+        match groups.get_mut(place) {
+            Some(group) => group.changes.push(change),
+            None => groups.push(Group {
+                probe: alike.0,
+                changes: vec![change],
+            }),
+        }
+    }
+    groups
+}
+
+fn style(kind: Kind) -> Style {
+    match kind {
+        Kind::Crashed | Kind::Broken => BAD,
+        Kind::Fixed => GOOD,
+        Kind::Otherwise => DIM,
+    }
+}
+
+fn word(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Crashed => "crashed",
+        Kind::Broken => "broken",
+        Kind::Fixed => "fixed",
+        Kind::Otherwise => "otherwise",
+    }
+}
+
+/// `BROKEN 12 cases of widening/integer::assignment in ironplc-ed2: pass → fail`
+fn write_head(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Result<()> {
+    let Some(first) = group.changes.first() else {
+        return Ok(());
+    };
+    let style = style(first.kind);
+    write!(out, "{style}{}{style:#} ", word(first.kind).to_uppercase())?;
+    match group.changes.len() {
+        1 => write!(out, "{BOLD}{}@{}{BOLD:#}", first.id, first.dialect)?,
+        number => write!(
+            out,
+            "{BOLD}{number} cases of {}{BOLD:#} in {}",
+            group.probe, first.dialect
+        )?,
+    }
+    if several {
+        write!(out, " on {}", visible(&first.engine))?;
+    }
+    match first.old == first.new {
+        true => writeln!(out, ": {} as before, and not the same", first.new),
+        false => writeln!(out, ": {} → {}", first.old, first.new),
+    }
+}
+
+fn write_whole(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Result<()> {
+    write_head(out, group, several)?;
+    let detailed = group
+        .changes
+        .iter()
+        .find_map(|change| change.detail.as_deref().map(|detail| (change, detail)));
+    let Some((change, detail)) = detailed else {
+        return writeln!(out);
+    };
+    let case = &detail.case;
+    if group.changes.len() > 1 {
+        writeln!(out, "     {DIM}such as{DIM:#}  {}", case.id)?;
+    }
+    writeln!(out, "     {}", visible(&case.title))?;
+    writeln!(out, "     {DIM}basis   {DIM:#} {}", visible(&case.basis))?;
+    writeln!(out, "     {DIM}at      {DIM:#} {}:{}", case.file, case.line)?;
+    write_texts(out, change, detail)?;
+    writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&case.rerun))
+}
+
+fn write_texts(out: &mut dyn Write, change: &Change, detail: &Detail) -> io::Result<()> {
+    let Detail { old, case } = detail;
+    let new = known::said(case);
+    let then = old.as_deref().unwrap_or("what was expected then");
+    if then != case.expected {
+        let changed = match change.expectation_changed {
+            true => " (it was something else in the older run)",
+            false => "",
+        };
+        let expected = visible(&case.expected).replace('\n', "\n                ");
+        writeln!(out, "     {DIM}expected{DIM:#}   {expected}{DIM}{changed}{DIM:#}")?;
+    }
+    write_difference(out, ("old", then), ("new", &new))
+}
+
+/// One line, and what became of the first case in a second one.
+fn write_line(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Result<()> {
+    write_head(out, group, several)?;
+    let Some(first) = group
+        .changes
+        .first()
+        .filter(|first| first.kind == Kind::Otherwise)
+    else {
+        return Ok(());
+    };
+    let Some(detail) = first.detail.as_deref() else {
+        return Ok(());
+    };
+    if group.changes.len() > 1 {
+        writeln!(out, "     {DIM}such as{DIM:#}  {}", first.id)?;
+    }
+    write_texts(out, first, detail)
+}
+
+fn write_rest(out: &mut dyn Write, kind: Kind, groups: &[Group<'_>]) -> io::Result<()> {
+    let rest = groups.get(SHOWN..).unwrap_or_default();
+    let cases: usize = rest.iter().map(|group| group.changes.len()).sum();
+    if cases > 0 {
+        let style = style(kind);
+        let cases = counted(cases as u64, "case", "cases");
+        writeln!(
+            out,
+            "{style}... and {cases} more{style:#} {}; --json has them all",
+            word(kind)
+        )?;
+    }
+    match groups.is_empty() {
+        true => Ok(()),
+        false => writeln!(out),
+    }
+}
+
+/// `5 cases are new: 4 pass, 1 fail`
+fn write_lone(out: &mut dyn Write, word: &str, cases: &[Lone]) -> io::Result<()> {
+    if cases.is_empty() {
+        return Ok(());
+    }
+    let mut totals = Totals::default();
+    cases.iter().for_each(|case| totals.count(case.verdict));
+    let kinds: Vec<String> = Verdict::ALL
+        .into_iter()
+        .filter(|verdict| totals.of(*verdict) > 0)
+        .map(|verdict| format!("{} {verdict}", totals.of(verdict)))
+        .collect();
+    let number = counted(cases.len() as u64, "case is", "cases are");
+    writeln!(out, "{number} {word}: {}", kinds.join(", "))
+}
+
+fn write_last_line(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
+    let compared = comparison.changes.len() as u64 + comparison.same;
+    let numbers: Vec<String> = Kind::ALL
+        .into_iter()
+        .map(|kind| (kind, comparison.of_kind(kind).count()))
+        .filter(|(_, number)| *number > 0)
+        .map(|(kind, number)| format!("{number} {}", word(kind)))
+        .collect();
+    let cases = counted(compared, "case", "cases");
+    if compared == 0 {
+        return writeln!(out, "{BAD}No case is in both runs.{BAD:#}");
+    }
+    if numbers.is_empty() {
+        return writeln!(out, "{GOOD}{cases}: all as before.{GOOD:#}");
+    }
+    let style = if comparison.is_worse() { BAD } else { GOOD };
+    writeln!(
+        out,
+        "{style}{cases}: {}{style:#}; {} as before.",
+        numbers.join(", "),
+        comparison.same
+    )
+}
