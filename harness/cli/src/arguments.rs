@@ -94,7 +94,7 @@ pub enum Command {
     /// Make a case of a finding
     #[command(after_help = fuzz::PROMOTE_EXAMPLES)]
     Promote(PromoteArguments),
-    /// Put the findings of the parts of a campaign together
+    /// Put the parts of a run together, or those of a campaign
     #[command(after_help = fuzz::MERGE_EXAMPLES)]
     Merge(MergeArguments),
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::process::ExitCode;
 use stickler_engines::EngineError;
-use stickler_run::RunError;
+use stickler_run::{RunError, Totals, Verdict};
 
 /// How a command ended, as its caller sees it.
 ///
@@ -84,6 +84,18 @@ impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> ExitCode {
         ExitCode::from(exit.number())
     }
+}
+
+/// The exit code of a run by what came of its cases, and by whether an entry of a baseline is out of date.
+pub fn of_totals(totals: &Totals, outdated: bool) -> Exit {
+    if totals.unexpected() > 0 || outdated {
+        return Exit::Failures;
+    }
+    // The last line of the page says so too. A pipeline must not take it for a compiler that does all that it must.
+    if totals.of(Verdict::Unsupported) == totals.all() {
+        return Exit::NothingTested;
+    }
+    Exit::AsExpected
 }
 
 /// The exit code of an error that ended a command.

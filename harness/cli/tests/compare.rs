@@ -167,3 +167,70 @@ fn what_cannot_be_compared_is_said_with_its_place() {
         assert_eq!(text(&compared.stdout), "");
     }
 }
+
+#[test]
+fn the_parts_of_a_run_are_put_together_to_all_reports_of_the_whole() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    run(folder.path(), "whole", &[]);
+    run(folder.path(), "one", &["--shard", "1/2"]);
+    run(folder.path(), "two", &["--shard", "2/2"]);
+    let merged = output(folder.path(), &["merge", "two", "one", "-o", "merged"]);
+    assert_eq!(merged.status.code(), Some(1), "{}", text(&merged.stderr));
+    assert!(
+        text(&merged.stdout).contains("1 of 16 cases not as expected (1 fail)"),
+        "{}",
+        text(&merged.stdout)
+    );
+    for file in ["events.jsonl", "results.json", "junit.xml", "summary.md"] {
+        assert!(folder.path().join("merged").join(file).exists(), "{file}");
+    }
+    let same = output(folder.path(), &["compare", "whole", "merged"]);
+    assert!(
+        text(&same.stdout).ends_with("16 cases: all as before.\n"),
+        "{}",
+        text(&same.stdout)
+    );
+}
+
+#[test]
+fn parts_that_are_not_all_of_them_are_never_called_the_whole() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    run(folder.path(), "one", &["--shard", "1/2"]);
+    for (parts, reason) in [
+        (&["one"][..], "note: part 2/2 is missing"),
+        (
+            &["one", "two"],
+            "note: two cannot be read: cannot read the event log",
+        ),
+        (
+            &["one", "one"],
+            "note: part 1/2 is there more than once: one and one",
+        ),
+    ] {
+        let arguments = [&["merge", "-o", "merged"], parts].concat();
+        let merged = output(folder.path(), &arguments);
+        let (page, said) = (text(&merged.stdout), text(&merged.stderr));
+        assert_eq!(merged.status.code(), Some(2), "{page}{said}");
+        assert!(said.contains(reason), "{said}");
+        assert!(page.contains("Cut short after"), "{page}");
+        let left: Vec<_> = fs::read_dir(folder.path().join("merged"))
+            .expect("the folder")
+            .collect();
+        assert_eq!(left.len(), 1, "only the log");
+    }
+    let own = output(folder.path(), &["merge", "one", "-o", "one"]);
+    assert_eq!(own.status.code(), Some(2));
+    assert!(
+        text(&own.stderr).contains("one is one of the parts; name another folder"),
+        "{}",
+        text(&own.stderr)
+    );
+    assert!(
+        folder
+            .path()
+            .join("one/events.jsonl")
+            .metadata()
+            .is_ok_and(|log| log.len() > 0),
+        "the part is still there"
+    );
+}

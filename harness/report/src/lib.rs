@@ -25,6 +25,7 @@ pub mod events;
 mod folder;
 mod junit;
 pub mod overview;
+pub mod parts;
 mod pending;
 mod results;
 #[cfg(test)]

@@ -106,6 +106,8 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
             strict: Grade::Code,
         }],
         cases: cases.len() as u64,
+        filters: Vec::new(),
+        dialects: Vec::new(),
         shard: None,
         broken_files: Vec::new(),
         baselines: Vec::new(),

@@ -44,6 +44,12 @@ pub struct Header {
     pub engines: Vec<EngineHeader>,
     /// How many case events follow in a run that is not cut short.
     pub cases: u64,
+    /// The filters by which cases were selected, as they were typed; none selects all.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub filters: Vec<String>,
+    /// The dialects of which cases were selected; none is all.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub dialects: Vec<String>,
     /// The part of a divided run, `2/4`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shard: Option<String>,

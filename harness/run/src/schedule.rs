@@ -316,6 +316,12 @@ fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> 
             .map(|engine| engine_header(plan, *engine))
             .collect(),
         cases: cases as u64,
+        filters: plan
+            .filters
+            .iter()
+            .map(|filter| filter.as_str().to_owned())
+            .collect(),
+        dialects: plan.dialects.iter().map(ToString::to_string).collect(),
         shard: plan.shard.map(|shard| shard.to_string()),
         broken_files: suite.errors.iter().map(ToString::to_string).collect(),
         baselines: Vec::new(),

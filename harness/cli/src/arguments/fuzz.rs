@@ -82,10 +82,10 @@ pub struct PromoteArguments {
 /// `stickler merge`.
 #[derive(Args, Debug)]
 pub struct MergeArguments {
-    /// The folders of findings of the parts of a campaign
+    /// The folders of the parts: the reports of the parts of a run, or the findings of the parts of a campaign
     #[arg(value_name = "DIR", required = true)]
     pub folders: Vec<PathBuf>,
-    /// Where to put them together
+    /// Where to put them together: the reports of the whole run, or all findings
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
 }
@@ -138,8 +138,12 @@ Examples:
 
 /// What the help of `merge` ends with.
 pub const MERGE_EXAMPLES: &str = "\
-Example:
-  stickler merge part-1 part-2 part-3 -o reports/findings";
+Examples:
+  stickler run --shard 1/3 --report part-1          one of three machines
+  stickler merge part-1 part-2 part-3 -o reports/latest
+  stickler merge findings-1 findings-2 -o reports/findings
+
+A part that is missing, or that was cut short, is named; the exit code is 2, and what is there is not called whole.";
 
 #[cfg(test)]
 mod tests {

@@ -1,71 +1,38 @@
-//! `stickler merge`: the findings of the parts of a campaign, put together.
+//! `stickler merge`: the parts of a run, or those of a campaign, put together.
+
+mod campaign;
+mod run;
 
 use crate::arguments::MergeArguments;
 use crate::exit::Exit;
-use crate::output;
+use anyhow::bail;
 use std::io::Write;
-use stickler_campaign::{Merged, Record, Store, merge};
+use std::path::Path;
+use stickler_campaign::Record;
+use stickler_report::events;
 
-/// Puts them together. Parts that are missing or were cut short are named; then the exit code is 2, for what is there is
-/// not the whole.
+/// Puts the parts together, by what the folders hold.
 ///
 /// # Errors
-/// A folder that cannot be written.
+/// Folders of both kinds; a folder that cannot be written.
 pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let Merged {
-        findings,
-        campaigns,
-        missing,
-    } = merge(&arguments.folders);
-    let store = Store::open(&arguments.output)?;
-    for finding in findings.values() {
-        store.save(finding)?;
+    let run = arguments.folders.iter().find(|folder| is_of_run(folder));
+    let campaign = arguments
+        .folders
+        .iter()
+        .find(|folder| !is_of_run(folder) && !matches!(Record::read(folder), Ok(None)));
+    match (run, campaign) {
+        (Some(run), Some(campaign)) => bail!(
+            "{} is a part of a run and {} one of a campaign; only parts of one kind can be put together",
+            run.display(),
+            campaign.display()
+        ),
+        (Some(_), None) => run::execute(arguments, out),
+        (None, _) => campaign::execute(arguments, out),
     }
-    if let [campaign] = &campaigns[..] {
-        campaign.write(store.folder())?;
-    }
-    for Record {
-        asked,
-        programs,
-        disagreements,
-        ..
-    } in &campaigns
-    {
-        writeln!(
-            out,
-            "seed {}: {programs} programs, {disagreements} disagreements",
-            asked.seed
-        )?;
-    }
-    for sentence in &missing {
-        output::note(sentence);
-    }
-    let number = findings.len();
-    let noun = if number == 1 { "finding" } else { "findings" };
-    writeln!(out, "{number} {noun} in {}", store.folder().display())?;
-    for finding in findings.values() {
-        writeln!(
-            out,
-            "  {}  {} {}: {}",
-            finding.id,
-            finding.origin.size,
-            finding.unit(),
-            first_line(&finding.message)
-        )?;
-    }
-    let found = if findings.is_empty() {
-        Exit::AsExpected
-    } else {
-        Exit::Failures
-    };
-    let whole = if missing.is_empty() {
-        Exit::AsExpected
-    } else {
-        Exit::Usage
-    };
-    Ok(found.worst(whole))
 }
 
-fn first_line(text: &str) -> &str {
-    text.lines().next().unwrap_or_default()
+/// Whether this is a folder of reports, or the log of one.
+fn is_of_run(path: &Path) -> bool {
+    path.is_file() || path.join(events::NAME).exists()
 }

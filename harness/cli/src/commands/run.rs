@@ -3,7 +3,7 @@
 use crate::arguments::RunArguments;
 use crate::case_folder::{self, CaseFolder};
 use crate::engines::Named;
-use crate::exit::Exit;
+use crate::exit::{self, Exit};
 use crate::progress::Progress;
 use crate::{baselines, engines, interrupt, shell};
 use jiff::tz::TimeZone;
@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
-use stickler_run::{Baseline, Event, Plan, Summary, Verdict, select};
+use stickler_run::{Baseline, Event, Plan, Summary, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 
@@ -196,16 +196,8 @@ impl<'c> Desk<'c> {
 }
 
 fn exit(summary: &Summary) -> Exit {
-    let totals = &summary.totals;
     if summary.cancelled {
         return Exit::Interrupted;
     }
-    if totals.unexpected() > 0 || summary.outdated > 0 {
-        return Exit::Failures;
-    }
-    // The last line of the page says so too. A pipeline must not take it for a compiler that does all that it must.
-    if totals.of(Verdict::Unsupported) == totals.all() {
-        return Exit::NothingTested;
-    }
-    Exit::AsExpected
+    exit::of_totals(&summary.totals, summary.outdated > 0)
 }

@@ -1,0 +1,92 @@
+//! The reports of the parts of a run, put together to those of the whole run.
+
+use crate::arguments::MergeArguments;
+use crate::exit::{self, Exit};
+use crate::{output, shell};
+use anyhow::bail;
+use std::fs::{self, File};
+use std::io::{BufReader, Write};
+use std::path::Path;
+use stickler_report::events::{self, Reader};
+use stickler_report::parts::{self, Part};
+use stickler_report::terminal::{self, Surroundings};
+use stickler_report::{Overview, ReportError, Reports};
+
+/// Writes every report of the whole run and shows its summary. Parts that are missing or were cut short are named; then
+/// only the event log is written, without a footer, and the exit code is 2.
+///
+/// # Errors
+/// A folder that cannot be written, or that holds one of the parts.
+pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    refuse_to_overwrite(arguments)?;
+    let parts = arguments.folders.iter().map(|folder| part(folder)).collect();
+    let mut reports = Reports::create(&arguments.output)?;
+    let mut overview = Overview::default();
+    let mut broken: Option<ReportError> = None;
+    let missing = parts::merge(parts, &shell::command_line(), &mut |event| {
+        overview.take(&event);
+        if broken.is_none() {
+            broken = reports.take(&event).err();
+        }
+    });
+    if let Some(error) = broken {
+        return Err(error.into());
+    }
+    reports.finish(&overview)?;
+    let shown = arguments.output.display().to_string();
+    terminal::write(
+        out,
+        &overview,
+        Surroundings {
+            reports: Some(&shown),
+        },
+    )?;
+    // What is missing comes behind what is there.
+    out.flush()?;
+    missing.iter().for_each(output::note);
+    let whole = if missing.is_empty() {
+        Exit::AsExpected
+    } else {
+        Exit::Usage
+    };
+    let broken_files = overview
+        .header
+        .iter()
+        .any(|header| !header.broken_files.is_empty());
+    let suite = if broken_files {
+        Exit::Usage
+    } else {
+        Exit::AsExpected
+    };
+    let outdated = overview.outdated().next().is_some();
+    Ok(exit::of_totals(&overview.sum(), outdated)
+        .worst(whole)
+        .worst(suite))
+}
+
+/// The log of one part, and what it is called.
+fn part(folder: &Path) -> Part<BufReader<File>> {
+    Part {
+        name: folder.display().to_string(),
+        log: Reader::open(&events::locate(folder)),
+    }
+}
+
+/// # Errors
+/// Where the reports would take the place of one of the parts.
+fn refuse_to_overwrite(arguments: &MergeArguments) -> anyhow::Result<()> {
+    // A folder that is not there yet holds no part.
+    let Ok(output) = fs::canonicalize(&arguments.output) else {
+        return Ok(());
+    };
+    for folder in &arguments.folders {
+        let log = fs::canonicalize(events::locate(folder));
+        if log.is_ok_and(|log| log.parent() == Some(&output)) {
+            bail!(
+                "{} is one of the parts; name another folder with --output",
+                arguments.output.display()
+            );
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,202 @@
+//! The parts of a divided run put together to the stream of events that the whole run would have been.
+//!
+//! What is missing is said, in sentences, and then the stream has no footer: every reader calls it truncated, and nobody
+//! takes it for the whole. The parts are read side by side; memory holds one event of each.
+
+mod belonging;
+
+use crate::LogError;
+use crate::events::{Completeness, Reader};
+use std::io::BufRead;
+use stickler_run::{CaseEvent, EngineTotals, Event, Footer, Header, Shard};
+
+/// The event log of one part, and what messages call it.
+pub struct Part<R> {
+    /// Its name, such as its folder's.
+    pub name: String,
+    /// Its log, unread; or why there is none.
+    pub log: Result<Reader<R>, LogError>,
+}
+
+/// Puts the parts of a run together, and hands each event on. Cases come by file, in the order of the suite; those of one
+/// file come part by part.
+///
+/// It never fails: what is missing, cut short or cannot be read is told, a sentence each; where there is any, the stream
+/// has no footer, and where no part can be read it is empty. `command` stands in the header as the command that was run.
+#[must_use = "what is missing must be said"]
+pub fn merge<R: BufRead>(parts: Vec<Part<R>>, command: &str, sink: &mut dyn FnMut(Event)) -> Vec<String> {
+    let mut missing = Vec::new();
+    let (whole, mut streams) = open(parts, &mut missing);
+    let Some(header) = whole else {
+        return missing;
+    };
+    let cases = streams.iter().map(|stream| stream.promised).sum();
+    let started = streams.iter().map(|stream| stream.started.as_str()).min();
+    sink(Event::Header(Header {
+        cases,
+        started: started.unwrap_or_default().to_owned(),
+        command: command.to_owned(),
+        shard: None,
+        ..header.clone()
+    }));
+    streams.iter_mut().for_each(Stream::advance);
+    while let Some(next) = first_by_file(&mut streams) {
+        if let Some(case) = next.case.take() {
+            sink(Event::Case(case));
+        }
+        next.advance();
+    }
+    missing.extend(streams.iter().filter_map(|stream| stream.trouble.clone()));
+    if missing.is_empty() {
+        sink(Event::Footer(footer(&header, &streams)));
+    }
+    missing
+}
+
+/// The header that all parts agree on but for the part, and the parts that belong to that run, each once, in their order.
+fn open<R: BufRead>(parts: Vec<Part<R>>, missing: &mut Vec<String>) -> (Option<Header>, Vec<Stream<R>>) {
+    let mut first: Option<(Header, u32, String)> = None;
+    let mut streams: Vec<Stream<R>> = Vec::with_capacity(parts.len());
+    for Part { name, log } in parts {
+        let read = log.and_then(|mut reader| reader.header().map(|header| (reader, header)));
+        let (reader, header) = match read {
+            Ok(read) => read,
+            Err(error) => {
+                missing.push(format!("{name} cannot be read: {}", told(&error)));
+                continue;
+            }
+        };
+        let shard = match belonging::shard(&header) {
+            Ok(shard) => shard,
+            Err(reason) => {
+                missing.push(format!("{name} {reason}"));
+                continue;
+            }
+        };
+        let (whole, count, named) =
+            first.get_or_insert_with(|| (header.clone(), shard.count(), name.clone()));
+        if let Some(difference) = belonging::difference((whole, *count), (&header, shard.count())) {
+            missing.push(format!(
+                "{name} is no part of the same run as {named}: {difference}"
+            ));
+        } else if let Some(other) = streams.iter().find(|other| other.shard == shard) {
+            missing.push(format!(
+                "part {shard} is there more than once: {} and {name}",
+                other.name
+            ));
+        } else {
+            streams.push(Stream::new(name, reader, shard, header));
+        }
+    }
+    streams.sort_by_key(|stream| stream.shard.index());
+    let there: Vec<u32> = streams.iter().map(|stream| stream.shard.index()).collect();
+    let count = first.as_ref().map_or(0, |(_, count, _)| *count);
+    belonging::absent(&there, count, missing);
+    (first.map(|(header, ..)| header), streams)
+}
+
+/// An error and its causes, in one line.
+fn told(error: &dyn std::error::Error) -> String {
+    let causes = std::iter::successors(Some(error), |error| error.source());
+    let causes: Vec<String> = causes.map(ToString::to_string).collect();
+    causes.join(": ")
+}
+
+/// One part while it is read.
+struct Stream<R> {
+    name: String,
+    reader: Reader<R>,
+    shard: Shard,
+    promised: u64,
+    started: String,
+    /// The next case.
+    case: Option<CaseEvent>,
+    footer: Option<Footer>,
+    /// Why it is not a whole part.
+    trouble: Option<String>,
+}
+
+impl<R> Stream<R> {
+    /// The file of the next case.
+    fn file(&self) -> Option<&str> {
+        self.case.as_ref().map(|case| case.file.as_str())
+    }
+}
+
+impl<R: BufRead> Stream<R> {
+    fn new(name: String, reader: Reader<R>, shard: Shard, header: Header) -> Stream<R> {
+        Stream {
+            name,
+            reader,
+            shard,
+            promised: header.cases,
+            started: header.started,
+            case: None,
+            footer: None,
+            trouble: None,
+        }
+    }
+
+    /// Reads on to the next case, or to the end.
+    fn advance(&mut self) {
+        let name = format!("part {} ({})", self.shard, self.name);
+        loop {
+            match self.reader.next() {
+                Some(Ok(Event::Case(case))) => {
+                    if !self.shard.holds(&case.id, &case.dialect) {
+                        self.trouble = Some(format!("{name} holds {}, which is another part's", case.id));
+                    }
+                    self.case = Some(case);
+                    return;
+                }
+                Some(Ok(Event::Footer(footer))) => self.footer = Some(footer),
+                // The reader lets no second header through.
+                Some(Ok(Event::Header(_))) => {}
+                Some(Err(error)) => {
+                    self.trouble = Some(format!("{name} cannot be read to its end: {}", told(&error)));
+                    return;
+                }
+                None => {
+                    let completeness = self.reader.completeness();
+                    if completeness != Completeness::Complete && self.trouble.is_none() {
+                        self.trouble = Some(format!("{name}: {completeness}"));
+                    }
+                    return;
+                }
+            }
+        }
+    }
+}
+
+/// The part whose next case comes first; the suite is sorted by file. Of parts at the same file the first.
+fn first_by_file<R>(streams: &mut [Stream<R>]) -> Option<&mut Stream<R>> {
+    let waiting = streams.iter_mut().filter(|stream| stream.case.is_some());
+    waiting.min_by(|one, other| one.file().cmp(&other.file()))
+}
+
+/// The footers added up. Parts run side by side, so the whole took as long as the longest of them.
+fn footer<R>(header: &Header, streams: &[Stream<R>]) -> Footer {
+    let mut whole = Footer {
+        engines: header
+            .engines
+            .iter()
+            .map(|engine| EngineTotals {
+                name: engine.name.clone(),
+                ..EngineTotals::default()
+            })
+            .collect(),
+        ..Footer::default()
+    };
+    for part in streams.iter().filter_map(|stream| stream.footer.as_ref()) {
+        whole.totals += part.totals;
+        whole.duration_ms = whole.duration_ms.max(part.duration_ms);
+        for engine in &mut whole.engines {
+            let same = part.engines.iter().find(|other| other.name == engine.name);
+            engine.totals += same.map(|other| other.totals).unwrap_or_default();
+        }
+    }
+    whole
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,72 @@
+//! Whether parts belong to one run, and which of them are not there.
+
+use stickler_run::{EngineHeader, Header, Shard};
+
+/// How many missing parts are named one by one.
+const NAMED: usize = 20;
+
+/// Which part of a run this is.
+///
+/// # Errors
+/// What stands behind its name where it is none.
+pub(super) fn shard(header: &Header) -> Result<Shard, String> {
+    match &header.shard {
+        None => Err("is a whole run, and no part of one".to_owned()),
+        Some(text) => text.parse().map_err(|error| format!("cannot be used: {error}")),
+    }
+}
+
+/// What one part has otherwise than another, each with the number of parts, in words; `None` where they are of one run.
+pub(super) fn difference(
+    (one, parts): (&Header, u32),
+    (other, other_parts): (&Header, u32),
+) -> Option<String> {
+    let differs = |what: &str, here: &str, there: &str| {
+        (here != there).then(|| format!("its {what} is {there}, and that of the other {here}"))
+    };
+    differs("number of parts", &parts.to_string(), &other_parts.to_string())
+        .or_else(|| differs("version of Stickler", &one.stickler, &other.stickler))
+        .or_else(|| differs("version of the suite", &one.suite, &other.suite))
+        .or_else(|| differs("list of engines", &engines(one), &engines(other)))
+        .or_else(|| differs("--filter", &list(&one.filters), &list(&other.filters)))
+        .or_else(|| differs("--dialect", &list(&one.dialects), &list(&other.dialects)))
+        .or_else(|| {
+            (one.broken_files != other.broken_files).then(|| "other case files are broken in it".to_owned())
+        })
+        .or_else(|| {
+            (one.baselines != other.baselines).then(|| "its baselines are not those of the other".to_owned())
+        })
+}
+
+fn engines(header: &Header) -> String {
+    let named = |engine: &EngineHeader| {
+        format!(
+            "{} {} judged by {}, in {}",
+            engine.name,
+            engine.version,
+            engine.strict,
+            engine.dialects.join(" ")
+        )
+    };
+    let engines: Vec<String> = header.engines.iter().map(named).collect();
+    engines.join("; ")
+}
+
+fn list(words: &[String]) -> String {
+    match words {
+        [] => "not given".to_owned(),
+        words => words.join(", "),
+    }
+}
+
+/// Names the parts of so many that are not there.
+pub(super) fn absent(there: &[u32], count: u32, missing: &mut Vec<String>) {
+    let mut absent = (1..=count).filter(|part| !there.contains(part));
+    for part in absent.by_ref().take(NAMED) {
+        missing.push(format!("part {part}/{count} is missing"));
+    }
+    // A hostile number of parts must not make as many sentences.
+    if let Some(part) = absent.next() {
+        missing.push(format!("part {part}/{count} is missing, and so may be others"));
+    }
+}

@@ -1,0 +1,162 @@
+//! Parts of a small run, whole and broken.
+
+use super::{Part, merge};
+use crate::events::Reader;
+use crate::sample;
+use std::io;
+use stickler_run::{Event, Shard, Verdict};
+
+/// The events of a whole run of some cases in two files.
+fn whole() -> Vec<Event> {
+    let mut cases = Vec::new();
+    for (file, names) in [("a", 0..20), ("b", 20..40)] {
+        for number in names {
+            let verdict = if number == 7 { Verdict::Fail } else { Verdict::Pass };
+            let mut case = sample::case(&format!("{file}::x({number})"), verdict);
+            case.file = format!("conformance-cases/{file}.toml");
+            cases.push(case);
+        }
+    }
+    sample::run_of(cases)
+}
+
+/// Part `index` of `count` of that run.
+fn part(index: u32, count: u32) -> Vec<Event> {
+    let shard = Shard::new(index, count).expect("a part");
+    let cases = whole().into_iter().filter_map(|event| match event {
+        Event::Case(case) if shard.holds(&case.id, &case.dialect) => Some(case),
+        _ => None,
+    });
+    let mut events = sample::run_of(cases.collect());
+    if let Some(Event::Header(header)) = events.first_mut() {
+        header.shard = Some(shard.to_string());
+    }
+    events
+}
+
+fn log(name: &str, events: &[Event]) -> Part<io::Cursor<Vec<u8>>> {
+    let mut bytes = Vec::new();
+    for event in events {
+        serde_json::to_writer(&mut bytes, event).expect("JSON");
+        bytes.push(b'\n');
+    }
+    Part {
+        name: name.to_owned(),
+        log: Ok(Reader::new(io::Cursor::new(bytes))),
+    }
+}
+
+fn merged(parts: Vec<Part<io::Cursor<Vec<u8>>>>) -> (Vec<Event>, Vec<String>) {
+    let mut events = Vec::new();
+    let missing = merge(parts, "stickler run", &mut |event| events.push(event));
+    (events, missing)
+}
+
+fn keys(events: &[Event]) -> Vec<(String, String)> {
+    let case = |event: &Event| match event {
+        Event::Case(case) => Some((case.file.clone(), case.id.clone())),
+        Event::Header(_) | Event::Footer(_) => None,
+    };
+    events.iter().filter_map(case).collect()
+}
+
+fn is_whole(events: &[Event]) -> bool {
+    matches!(events.last(), Some(Event::Footer(_)))
+}
+
+#[test]
+fn all_parts_in_any_order_are_the_whole_run() {
+    let parts = vec![
+        log("c", &part(3, 3)),
+        log("a", &part(1, 3)),
+        log("b", &part(2, 3)),
+    ];
+    let (events, missing) = merged(parts);
+    assert_eq!(missing, Vec::<String>::new());
+    let expected = whole();
+    assert_eq!(events.first(), expected.first(), "the header");
+    assert_eq!(events.last(), expected.last(), "the footer");
+    let (mut merged, mut expected) = (keys(&events), keys(&expected));
+    let files: Vec<&String> = merged.iter().map(|(file, _)| file).collect();
+    assert!(files.is_sorted(), "cases come by file");
+    merged.sort();
+    expected.sort();
+    assert_eq!(merged, expected);
+}
+
+#[test]
+fn a_missing_part_is_named_and_the_rest_is_not_taken_for_the_whole() {
+    let (events, missing) = merged(vec![log("a", &part(1, 3)), log("c", &part(3, 3))]);
+    assert_eq!(missing, ["part 2/3 is missing"]);
+    assert!(!is_whole(&events) && events.len() > 10);
+}
+
+#[test]
+fn a_truncated_part_is_named_and_the_rest_is_not_taken_for_the_whole() {
+    let cut = part(2, 2);
+    let (events, missing) = merged(vec![
+        log("a", &part(1, 2)),
+        log("machine-2", &cut[..cut.len() - 1]),
+    ]);
+    let cases = cut.len() - 2;
+    let sentence = format!(
+        "part 2/2 (machine-2): the run was cut short after {cases} cases: its event log has no footer"
+    );
+    assert_eq!(missing, [sentence]);
+    assert!(!is_whole(&events));
+}
+
+#[test]
+fn a_part_that_lost_a_case_is_named() {
+    let mut lossy = part(2, 2);
+    lossy.remove(3);
+    let (events, missing) = merged(vec![log("a", &part(1, 2)), log("b", &lossy)]);
+    assert!(
+        missing.len() == 1 && missing[0].contains("part 2/2 (b)"),
+        "{missing:?}"
+    );
+    assert!(missing[0].contains("is not whole"), "{missing:?}");
+    assert!(!is_whole(&events));
+}
+
+#[test]
+fn what_is_no_part_of_the_same_run_is_named() {
+    let mut other = part(2, 2);
+    if let Some(Event::Header(header)) = other.first_mut() {
+        header.engines[0].version = "0.2.0".to_owned();
+    }
+    for (second, reason) in [
+        (log("b", &part(1, 2)), "part 1/2 is there more than once: a and b"),
+        (log("b", &whole()), "b is a whole run, and no part of one"),
+        (
+            log("b", &part(2, 3)),
+            "b is no part of the same run as a: its number of parts is 3",
+        ),
+        (
+            log("b", &other),
+            "b is no part of the same run as a: its list of engines is reference 0.2.0",
+        ),
+        (log("b", &[]), "b cannot be read: the event log is empty"),
+    ] {
+        let (events, missing) = merged(vec![log("a", &part(1, 2)), second]);
+        assert!(missing[0].starts_with(reason), "{missing:?}");
+        assert_eq!(missing[1], "part 2/2 is missing");
+        assert!(!is_whole(&events));
+    }
+}
+
+#[test]
+fn a_case_of_another_part_is_named() {
+    let mut mixed = part(2, 2);
+    let stranger = part(1, 2).swap_remove(1);
+    mixed[1] = stranger;
+    let (events, missing) = merged(vec![log("a", &part(1, 2)), log("b", &mixed)]);
+    assert!(missing[0].contains("which is another part's"), "{missing:?}");
+    assert!(!is_whole(&events));
+}
+
+#[test]
+fn where_nothing_can_be_read_there_is_no_run() {
+    let (events, missing) = merged(vec![log("a", &[])]);
+    assert_eq!((events.len(), missing.len()), (0, 1));
+}
