@@ -9,7 +9,7 @@ mod reduce;
 
 pub use bless::BlessArguments;
 pub use compare::CompareArguments;
-pub use engines::EnginesArguments;
+pub use engines::{EngineArguments, EnginesArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use reduce::ReduceArguments;
 
@@ -64,9 +64,9 @@ pub enum Command {
     /// Print one file in the normalised form of the reference
     #[command(after_help = RENDER_EXAMPLES)]
     Render(SourceArguments),
-    /// Serve the reference over the wire protocol on stdin and stdout
-    #[command(after_help = ENGINE_EXAMPLES)]
-    Engine,
+    /// Serve the reference over the wire protocol on stdin and stdout, or find out whether an adapter keeps to it
+    #[command(after_help = engines::ENGINE_EXAMPLES)]
+    Engine(EngineArguments),
     /// List the engines: what was found where, what each can do, and what is missing
     #[command(after_help = engines::ENGINES_EXAMPLES)]
     Engines(EnginesArguments),
@@ -357,12 +357,6 @@ const RENDER_EXAMPLES: &str = "\
 Examples:
   stickler render motor.st --dialect ironplc-ed3
   stickler render motor.st --dialect matiec > tidy.st";
-
-const ENGINE_EXAMPLES: &str = r#"Example:
-  $ echo '{"type":"hello","protocol":1}' | stickler engine
-  {"type":"hello","protocol":1,"name":"reference",...}
-
-One JSON object a line; section 4 of the design describes them."#;
 
 const EXPLAIN_EXAMPLES: &str = "\
 Examples:

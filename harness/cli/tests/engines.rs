@@ -2,6 +2,7 @@
 #![cfg(unix)]
 
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output};
 use tempfile::TempDir;
@@ -145,4 +146,141 @@ fn a_file_with_a_mistake_stops_what_would_need_it() {
     fs::write(&other, "").expect("the file is written");
     let output = stickler(folder.path(), &["engines", "reference", "--config", "other.toml"]);
     assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+}
+
+/// Whether there is Python; says so where there is none.
+fn python() -> bool {
+    let there = Command::new("python3").arg("--version").output().is_ok();
+    if !there {
+        // Not `eprintln`, which nobody sees when the test passes.
+        let _ = writeln!(
+            std::io::stderr(),
+            "skipped: there is no python3 for the example adapter"
+        );
+    }
+    there
+}
+
+const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines/examples/adapter.py");
+
+/// Calls `stickler` with the example adapter in reach.
+fn with_example(arguments: &[&str]) -> Output {
+    let mut command = Command::new(STICKLER);
+    command
+        .args(arguments)
+        .env("NO_COLOR", "1")
+        .env("STICKLER", STICKLER);
+    command.output().expect("the command runs")
+}
+
+#[test]
+fn the_example_adapter_keeps_to_the_protocol() {
+    if !python() {
+        return;
+    }
+    let output = with_example(&["engine", "--validate", "python3", EXAMPLE]);
+    let page = shown(&output);
+    assert_eq!(output.status.code(), Some(0), "{page}{}", told(&output));
+    assert!(
+        page.starts_with("example  1.0\n  dialects    ironplc-ed2, "),
+        "{page}"
+    );
+    assert!(
+        page.contains("  ok       `run` gives the value of a sum\n"),
+        "{page}"
+    );
+    assert!(page.ends_with("24 of 24; skipped: 1.\n"), "{page}");
+}
+
+#[test]
+fn the_example_adapter_runs_cases_as_the_reference_does() {
+    if !python() {
+        return;
+    }
+    let cases = concat!(env!("CARGO_MANIFEST_DIR"), "/../../conformance-cases");
+    let engine = format!("cmd:python3 '{EXAMPLE}'");
+    let output = with_example(&[
+        "run",
+        "--cases",
+        cases,
+        "--no-report",
+        "--engine",
+        &engine,
+        "--filter",
+        "*assignment(SINT,*@matiec",
+    ]);
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{}{}",
+        shown(&output),
+        told(&output)
+    );
+}
+
+/// An adapter for one line a request: its first argument is the reply to `hello`, every other that to the next request.
+const PARROT: &str = "#!/bin/sh\nfor reply in \"$@\"; do IFS= read -r line || exit 0; printf '%s\\n' \"$reply\"; done\nread -r line\n";
+
+#[test]
+fn a_broken_adapter_is_told_from_a_wrong_compiler() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let parrot = folder.path().join("parrot.sh");
+    fs::write(&parrot, PARROT).expect("the file is written");
+    let hello = r#"{"type":"hello","protocol":1,"name":"parrot","version":"1","dialects":["matiec"],"abilities":["check"]}"#;
+    let validated = |replies: &[&str]| {
+        let mut arguments = vec![
+            "engine",
+            "--validate",
+            "sh",
+            parrot.to_str().expect("a path"),
+            hello,
+        ];
+        arguments.extend(replies);
+        with_example(&arguments)
+    };
+    let output = validated(&[r#"{"type":"rejected","id":1,"diagnostics":[{"message":"no"}]}"#]);
+    let page = shown(&output);
+    assert_eq!(output.status.code(), Some(3), "{page}");
+    for part in [
+        "  WRONG    `check` of a plain program is answered by `accepted`\n             the program is rejected, and is sound: no\n",
+        "             → {\"type\":\"check\",\"id\":1,",
+        "  BROKEN   a variable that is not declared is rejected, on its line\n             it ended (exit status: 0)\n",
+        "  skipped  `run` gives the value of a sum\n",
+        "The adapter is broken: ",
+    ] {
+        assert!(page.contains(part), "{part}\nin\n{page}");
+    }
+    let output = validated(&["compiling"]);
+    assert!(
+        shown(&output).contains("`compiling` is no reply"),
+        "{}",
+        shown(&output)
+    );
+    let output = validated(&[r#"{"type":"accepted","id":9,"colum":1}"#]);
+    assert!(
+        shown(&output).contains("it repeats another `id` than 1"),
+        "{}",
+        shown(&output)
+    );
+}
+
+#[test]
+fn an_adapter_whose_compiler_is_wrong_is_not_broken() {
+    if !python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let wrong = folder.path().join("wrong.py");
+    let example = fs::read_to_string(EXAMPLE).expect("the example is read");
+    let changed = example.replace(
+        "line.split(\" = \", 1)",
+        "line.replace('INT#5', 'INT#6').split(\" = \", 1)",
+    );
+    assert_ne!(example, changed);
+    fs::write(&wrong, changed).expect("the file is written");
+    let output = with_example(&["engine", "--validate", "python3", wrong.to_str().expect("a path")]);
+    let page = shown(&output);
+    assert_eq!(output.status.code(), Some(1), "{page}");
+    assert!(page.contains("`x` is INT#6, and must be INT#5\n"), "{page}");
+    assert!(page.contains("Its compiler is wrong in 1 of "), "{page}");
 }

@@ -12,6 +12,7 @@ mod outcome;
 mod process;
 pub mod protocol;
 mod reference;
+mod validate;
 
 pub use adapters::{Compiler, DescribedEngine, Description, FoundBy, Located, Place, Places, Sought};
 pub use engine::{
@@ -22,3 +23,4 @@ pub use guard::{guard, guarded};
 pub use outcome::{Diagnostic, NamedValue, Outcome};
 pub use process::{ProcessEngine, ProcessLimits, kill_all_processes};
 pub use reference::Reference;
+pub use validate::{Check, Judgement, Validation, validate};

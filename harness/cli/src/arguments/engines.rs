@@ -1,6 +1,25 @@
-//! The command line of `stickler engines`.
+//! The command lines of `stickler engine` and `stickler engines`.
 
 use clap::Args;
+
+/// `stickler engine`.
+#[derive(Args, Debug)]
+pub struct EngineArguments {
+    /// Start this adapter, ask it the questions of the smoke set, and tell whether it is broken or its compiler wrong: a
+    /// command with its arguments, or an engine that stickler.toml names by a command
+    #[arg(long, value_name = "CMD", num_args = 1.., allow_hyphen_values = true)]
+    pub validate: Vec<String>,
+}
+
+pub const ENGINE_EXAMPLES: &str = r#"Examples:
+  $ echo '{"type":"hello","protocol":1}' | stickler engine
+  {"type":"hello","protocol":1,"name":"reference",...}
+
+  stickler engine --validate python3 my_adapter.py --quiet
+
+One JSON object a line; harness/engines/README.md describes them. --validate ends
+with exit code 3 where the adapter is broken, and with 1 where its compiler is
+wrong or the adapter reads it wrongly."#;
 
 /// `stickler engines`.
 #[derive(Args, Debug)]

@@ -1,17 +1,171 @@
-//! `stickler engine`: the reference over the wire protocol.
+//! `stickler engine`: the reference over the wire protocol; with `--validate`, whether an adapter keeps to it.
 
+use crate::arguments::EngineArguments;
 use crate::exit::Exit;
+use crate::{engines, interrupt, shell};
+use anstyle::{AnsiColor, Style};
 use anyhow::Context;
-use std::io;
-use stickler_engines::{Reference, protocol};
+use std::borrow::Cow;
+use std::io::{self, Write};
+use stickler_configuration::Kind;
+use stickler_engines::{Check, Judgement, ProcessLimits, Reference, Validation, protocol};
 
-/// Answers requests on stdin until `bye` or its end.
+const BOLD: Style = Style::new().bold();
+const BAD: Style = AnsiColor::Red.on_default().bold();
+
+/// Answers requests on stdin until `bye` or its end, or asks an adapter the questions of the smoke set.
 ///
 /// # Errors
-/// Where stdin or stdout fails.
-pub fn execute() -> anyhow::Result<Exit> {
+/// Where stdin or stdout fails; an adapter that cannot be started.
+pub fn execute(arguments: &EngineArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    if !arguments.validate.is_empty() {
+        return validate(&arguments.validate, out);
+    }
     // The server flushes each reply, so it gets the stream itself and not the gathering one.
     protocol::serve(&Reference::default(), io::stdin().lock(), io::stdout().lock())
         .context("the conversation broke off")?;
     Ok(Exit::AsExpected)
+}
+
+fn validate(words: &[String], out: &mut dyn Write) -> anyhow::Result<Exit> {
+    interrupt::at_once()?;
+    let configuration = engines::configuration()?;
+    let entry = match words {
+        [name] => configuration.engine(name),
+        _ => None,
+    };
+    let named = match entry.map(|entry| &entry.kind) {
+        Some(Kind::Command { line }) => Some(line.clone()),
+        _ => None,
+    };
+    let folder = named.as_ref().and(configuration.folder());
+    let line = named.unwrap_or_else(|| command_line(words));
+    let validation = stickler_engines::validate(folder, &line, ProcessLimits::default())?;
+    write_page(&validation, out)?;
+    Ok(exit(&validation))
+}
+
+/// The words as one line that is split into them again. One word alone is a line already, as behind `cmd:`.
+fn command_line(words: &[String]) -> String {
+    match words {
+        [line] => line.strip_prefix(engines::COMMAND).unwrap_or(line).to_owned(),
+        words => {
+            let quoted: Vec<Cow<'_, str>> = words.iter().map(|word| shell::quote(word)).collect();
+            quoted.join(" ")
+        }
+    }
+}
+
+fn write_page(validation: &Validation, out: &mut dyn Write) -> io::Result<()> {
+    let identity = &validation.identity;
+    let dialects: Vec<&str> = identity.dialects.iter().map(|dialect| dialect.as_str()).collect();
+    let abilities: Vec<String> = identity.abilities.iter().map(ToString::to_string).collect();
+    writeln!(out, "{BOLD}{}{BOLD:#}  {}", identity.name, identity.version)?;
+    writeln!(out, "  dialects    {}", dialects.join(", "))?;
+    writeln!(out, "  can         {}", abilities.join(", "))?;
+    writeln!(out, "  grade       {}\n", identity.grade)?;
+    for check in &validation.checks {
+        write_check(check, out)?;
+    }
+    writeln!(out, "\n{}", conclusion(validation))
+}
+
+fn write_check(check: &Check, out: &mut dyn Write) -> io::Result<()> {
+    match check.judgement {
+        Judgement::Right => writeln!(out, "  ok       {}", check.rule)?,
+        Judgement::Skipped => writeln!(out, "  skipped  {}", check.rule)?,
+        Judgement::Broken => writeln!(out, "  {BAD}BROKEN{BAD:#}   {}", check.rule)?,
+        Judgement::Wrong => writeln!(out, "  {BAD}WRONG{BAD:#}    {}", check.rule)?,
+    }
+    let told = check.told.iter().map(|told| ("", told));
+    let notes = check.notes.iter().map(|note| ("note: ", note));
+    for (label, words) in told.chain(notes) {
+        writeln!(out, "             {label}{words}")?;
+    }
+    if matches!(check.judgement, Judgement::Broken | Judgement::Wrong) {
+        let lines = [("→", &check.sent), ("←", &check.received)];
+        for (arrow, line) in lines {
+            if let Some(line) = line {
+                writeln!(out, "             {arrow} {}", excerpt(line))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// How much of a line is shown, in characters: whoever looks into one wants to send it again.
+const SHOWN: usize = 2000;
+
+fn excerpt(line: &str) -> String {
+    // A control character of an adapter must not steer the terminal.
+    let shown: String = line
+        .chars()
+        .filter(|character| !character.is_control())
+        .take(SHOWN)
+        .collect();
+    let more = if line.chars().nth(SHOWN).is_some() {
+        "…"
+    } else {
+        ""
+    };
+    format!("{shown}{more}")
+}
+
+fn conclusion(validation: &Validation) -> String {
+    let count = |judgement| validation.count(judgement);
+    let (right, broken, wrong) = (
+        count(Judgement::Right),
+        count(Judgement::Broken),
+        count(Judgement::Wrong),
+    );
+    let all = right + broken + wrong;
+    let skipped = match count(Judgement::Skipped) {
+        0 => String::new(),
+        number => format!("; skipped: {number}"),
+    };
+    match (broken, wrong) {
+        (0, 0) => format!(
+            "The adapter keeps to the protocol, and its compiler gives what it must: {right} of {all}{skipped}."
+        ),
+        (0, wrong) => format!(
+            "The adapter keeps to the protocol. Its compiler is wrong in {wrong} of {all}, or the adapter reads it \
+             wrongly{skipped}."
+        ),
+        (broken, _) => format!(
+            "The adapter is broken: {broken} of {all} are against the protocol{skipped}. What it tells of its compiler \
+             does not count before it is mended."
+        ),
+    }
+}
+
+fn exit(validation: &Validation) -> Exit {
+    let (broken, wrong) = (
+        validation.count(Judgement::Broken),
+        validation.count(Judgement::Wrong),
+    );
+    match (broken, wrong, validation.count(Judgement::Right)) {
+        (1.., _, _) => Exit::EngineNotRun,
+        (0, 1.., _) => Exit::Failures,
+        (0, 0, 0) => Exit::NothingTested,
+        (0, 0, _) => Exit::AsExpected,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::command_line;
+
+    #[test]
+    fn words_are_quoted_and_a_line_is_left_as_it_is() {
+        let words = ["my adapter".to_owned(), "--quiet".to_owned()];
+        assert_eq!(command_line(&words), "'my adapter' --quiet");
+        assert_eq!(
+            command_line(&["cmd:python3 adapter.py".to_owned()]),
+            "python3 adapter.py"
+        );
+        assert_eq!(
+            command_line(&["python3 adapter.py".to_owned()]),
+            "python3 adapter.py"
+        );
+    }
 }

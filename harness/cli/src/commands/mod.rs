@@ -41,7 +41,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Check(arguments) => check::execute(&arguments, out),
         Command::Eval(arguments) => eval::execute(&arguments, out),
         Command::Render(arguments) => render::execute(&arguments, out),
-        Command::Engine => engine::execute(),
+        Command::Engine(arguments) => engine::execute(&arguments, out),
         Command::Engines(arguments) => engines::execute(&arguments, out),
         Command::Explain(arguments) => explain::execute(&arguments, out),
         Command::Matrix(arguments) => matrix::execute(&arguments, out),

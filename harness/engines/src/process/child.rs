@@ -81,9 +81,9 @@ impl Child {
         self.stderr.text()
     }
 
-    /// Lets a process that was told to leave do so, for a moment.
-    pub(super) fn leave(mut self) {
-        self.group.wait_until(Instant::now() + GRACE);
+    /// Lets a process that was told to leave do so, for a moment; whether it did.
+    pub(super) fn leave(mut self) -> bool {
+        self.group.wait_until(Instant::now() + GRACE).is_some()
     }
 }
 

@@ -22,7 +22,7 @@ impl CommandLine {
     ///
     /// # Errors
     /// Where a quote stays open, or there is no word.
-    pub(super) fn split(line: &str) -> Result<CommandLine, EngineError> {
+    pub(crate) fn split(line: &str) -> Result<CommandLine, EngineError> {
         let wrong = |reason: &str| EngineError::NotStarted {
             engine: format!("`cmd:{line}`"),
             reason: reason.to_owned(),
@@ -45,7 +45,7 @@ impl CommandLine {
 
     /// The same command, started in a folder. A program that is named with a path is sought from there, and one that is
     /// named alone on PATH.
-    pub(super) fn inside(mut self, folder: &Path) -> CommandLine {
+    pub(crate) fn inside(mut self, folder: &Path) -> CommandLine {
         if self.program.contains(std::path::is_separator) {
             self.program = folder.join(&self.program).to_string_lossy().into_owned();
         }

@@ -101,12 +101,12 @@ impl Connection {
         self.child.kill_and_tell()
     }
 
-    /// Sends a last line, closes the stream, and lets the process leave for a moment before it is killed.
-    pub(super) fn leave(self, farewell: Vec<u8>) {
+    /// Sends a last line, closes the stream, and lets the process leave for a moment before it is killed; whether it left.
+    pub(crate) fn leave(self, farewell: Vec<u8>) -> bool {
         // As in `exchange`; then there is nobody to take leave of.
         let _ = self.requests.send(farewell);
         drop(self.requests);
-        self.child.leave();
+        self.child.leave()
     }
 }
 

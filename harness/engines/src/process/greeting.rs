@@ -14,7 +14,7 @@ impl CommandLine {
     ///
     /// # Errors
     /// Where it cannot be started, or answers anything but a `hello` of this protocol.
-    pub(super) fn greet(&self, limits: &ProcessLimits) -> Result<(Connection, Identity), EngineError> {
+    pub(crate) fn greet(&self, limits: &ProcessLimits) -> Result<(Connection, Identity), EngineError> {
         let mut connection =
             Connection::open(self, limits.line).map_err(|reason| self.not_started(reason))?;
         let hello = message::line(&Request::Hello(HelloRequest { protocol: PROTOCOL }));

@@ -80,7 +80,7 @@ pub(super) fn outcome(
 ) -> Result<Outcome, String> {
     let reply: Reply = serde_json::from_slice(line)
         .map_err(|error| format!("it answered {}, which is no reply: {error}", excerpt(line)))?;
-    let (answered, word) = kind(&reply);
+    let (answered, word) = (reply.id(), reply.word());
     if answered.is_some_and(|answered| answered != id) {
         return Err(format!("it answered out of turn: {}", excerpt(line)));
     }
@@ -110,20 +110,6 @@ pub(super) fn outcome(
     }
 }
 
-/// The id that a reply repeats, and its word in the protocol.
-fn kind(reply: &Reply) -> (Option<u64>, &'static str) {
-    match reply {
-        Reply::Hello(_) => (None, "hello"),
-        Reply::Accepted(reply) => (Some(reply.id), "accepted"),
-        Reply::Executed(reply) => (Some(reply.id), "executed"),
-        Reply::Rejected(reply) => (Some(reply.id), "rejected"),
-        Reply::Faulted(reply) => (Some(reply.id), "faulted"),
-        Reply::Rendered(reply) => (Some(reply.id), "rendered"),
-        Reply::Unsupported(reply) => (Some(reply.id), "unsupported"),
-        Reply::Error(reply) => (reply.id, "error"),
-    }
-}
-
 /// The values in the order in which they were asked for. One that is missing is left out, since a fault may have come
 /// before it; one that nobody asked for is passed over.
 fn values(
@@ -146,7 +132,7 @@ fn values(
 const QUOTED: usize = 120;
 
 /// The beginning of a line, between backquotes, without what would steer a terminal.
-pub(super) fn excerpt(line: &[u8]) -> String {
+pub(crate) fn excerpt(line: &[u8]) -> String {
     let text = String::from_utf8_lossy(line);
     let mut characters = text
         .trim_end()

@@ -155,6 +155,36 @@ impl Reply {
         })
     }
 
+    /// The `id` of the request that it answers; `None` where it repeats none.
+    #[must_use]
+    pub fn id(&self) -> Option<u64> {
+        match self {
+            Reply::Hello(_) => None,
+            Reply::Accepted(reply) => Some(reply.id),
+            Reply::Executed(reply) => Some(reply.id),
+            Reply::Rejected(reply) => Some(reply.id),
+            Reply::Faulted(reply) => Some(reply.id),
+            Reply::Rendered(reply) => Some(reply.id),
+            Reply::Unsupported(reply) => Some(reply.id),
+            Reply::Error(reply) => reply.id,
+        }
+    }
+
+    /// Its `type` on the wire, such as `accepted`.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Reply::Hello(_) => "hello",
+            Reply::Accepted(_) => "accepted",
+            Reply::Executed(_) => "executed",
+            Reply::Rejected(_) => "rejected",
+            Reply::Faulted(_) => "faulted",
+            Reply::Rendered(_) => "rendered",
+            Reply::Unsupported(_) => "unsupported",
+            Reply::Error(_) => "error",
+        }
+    }
+
     /// The reply that tells this outcome. The protocol has no words for a crash or a time limit, since a dead
     /// engine cannot speak: where an engine survives one, the reply is an error.
     #[must_use]

@@ -1,0 +1,244 @@
+//! One line of an adapter, held to the protocol as strictly as its schema is, and then to what must come back.
+
+use super::Judgement;
+use super::smoke::Expect;
+use crate::Grade;
+use crate::process::excerpt;
+use crate::protocol::{DiagnosticMessage, Reply};
+use serde_json::Value as Json;
+use stickler_types::{ElementaryType, Fault, Value};
+
+/// Reads a line strictly: what the schema forbids is an error.
+///
+/// # Errors
+/// A fragment that says what is wrong with it.
+pub(super) fn read(line: &[u8]) -> Result<Reply, String> {
+    let told = |error: serde_json::Error| format!("{} is no reply: {error}", excerpt(line));
+    let reply: Reply = serde_json::from_slice(line).map_err(told)?;
+    match &reply {
+        Reply::Rejected(reply) => reply.diagnostics.iter().try_for_each(numbers)?,
+        Reply::Faulted(reply) => {
+            reply.fault.parse::<Fault>().map_err(|error| error.to_string())?;
+            from_one("line", reply.line)?;
+        }
+        _ => {}
+    }
+    Ok(reply)
+}
+
+fn numbers(told: &DiagnosticMessage) -> Result<(), String> {
+    from_one("line", told.line)?;
+    from_one("column", told.column)?;
+    from_one("end_line", told.end_line)?;
+    from_one("end_column", told.end_column)
+}
+
+fn from_one(key: &str, number: Option<u32>) -> Result<(), String> {
+    match number {
+        Some(0) => Err(format!("`{key}` is 0, and lines and columns count from 1")),
+        _ => Ok(()),
+    }
+}
+
+/// The keys of a line that no reply has, the first of each place. They are passed over, and may be slips.
+pub(super) fn further_keys(line: &[u8], reply: &Reply) -> Vec<String> {
+    let mut further = Vec::new();
+    if let (Ok(line), Ok(known)) = (serde_json::from_slice::<Json>(line), serde_json::to_value(reply)) {
+        compare(&line, &known, &mut further);
+    }
+    further
+}
+
+/// What is written back has every key that was understood.
+fn compare(line: &Json, known: &Json, further: &mut Vec<String>) {
+    match (line, known) {
+        (Json::Object(line), Json::Object(known)) => {
+            for (key, value) in line {
+                match known.get(key) {
+                    Some(known) => compare(value, known, further),
+                    None if value.is_null() || further.contains(key) => {}
+                    None => further.push(key.clone()),
+                }
+            }
+        }
+        (Json::Array(line), Json::Array(known)) => {
+            line.iter()
+                .zip(known)
+                .for_each(|(line, known)| compare(line, known, further));
+        }
+        _ => {}
+    }
+}
+
+/// Holds a reply, which answers the question at hand, against what must come back. `grade` is what the adapter claims for its
+/// rejections, and `types` tells the type of each observed value by its key.
+pub(super) fn judge(
+    reply: &Reply,
+    expect: &Expect,
+    verb: &str,
+    grade: Grade,
+    types: &[(String, &str)],
+) -> (Judgement, Option<String>) {
+    let broken = |words: String| (Judgement::Broken, Some(words));
+    let wrong = |words: String| (Judgement::Wrong, Some(words));
+    match (expect, reply) {
+        (Expect::Refused, Reply::Error(_) | Reply::Unsupported(_)) | (Expect::Error, Reply::Error(_)) => {
+            (Judgement::Right, None)
+        }
+        (Expect::Error, other) => broken(format!("it is answered by `{}`", other.word())),
+        (_, Reply::Unsupported(reply)) => (
+            Judgement::Skipped,
+            Some(format!("not supported: {}", reply.reason)),
+        ),
+        (_, Reply::Error(reply)) => broken(format!(
+            "it answers a sound request by an error: {}",
+            reply.message
+        )),
+        (Expect::Accepted, Reply::Accepted(_)) | (Expect::Rendered, Reply::Rendered(_)) => {
+            (Judgement::Right, None)
+        }
+        (Expect::Rejected(line), Reply::Rejected(reply)) => rejected(&reply.diagnostics, *line, grade),
+        (Expect::Values(expected), Reply::Executed(reply)) => {
+            for (key, literal) in *expected {
+                let ty = types
+                    .iter()
+                    .find(|(name, _)| name == key)
+                    .map_or("", |(_, ty)| *ty);
+                match value(reply.values.get(*key), key, ty, literal) {
+                    (Judgement::Right, _) => {}
+                    other => return other,
+                }
+            }
+            (Judgement::Right, None)
+        }
+        (Expect::Rejected(_), Reply::Accepted(_) | Reply::Executed(_)) => {
+            wrong("the program is accepted, and must be rejected".to_owned())
+        }
+        (Expect::Refused, Reply::Executed(_) | Reply::Accepted(_)) => {
+            broken(format!("it is answered by `{}`", reply.word()))
+        }
+        (Expect::Values(_), Reply::Accepted(_)) => {
+            broken("it says that it can `execute`, and answers `run` by `accepted`".to_owned())
+        }
+        (Expect::Values(_), Reply::Faulted(reply)) => {
+            wrong(format!("the program stops with the fault {}", reply.fault))
+        }
+        (
+            Expect::Accepted | Expect::Values(_) | Expect::Rendered | Expect::Refused,
+            Reply::Rejected(reply),
+        ) => {
+            let first = reply
+                .diagnostics
+                .first()
+                .map_or("without a word", |first| &first.message);
+            wrong(format!("the program is rejected, and is sound: {first}"))
+        }
+        (_, other) => broken(format!("it answers `{verb}` by `{}`", other.word())),
+    }
+}
+
+/// What a rejection tells, as far as the adapter claims to tell it.
+fn rejected(
+    diagnostics: &[DiagnosticMessage],
+    line: Option<u32>,
+    grade: Grade,
+) -> (Judgement, Option<String>) {
+    let broken = |words: String| (Judgement::Broken, Some(words));
+    if diagnostics.is_empty() {
+        return broken("it rejects the program without a diagnostic".to_owned());
+    }
+    if grade.suffices(Grade::Line) && diagnostics.iter().all(|told| told.line.is_none()) {
+        return broken(format!(
+            "no diagnostic names a line, and `hello` claims the grade `{grade}`; claim `rejected`"
+        ));
+    }
+    if grade.suffices(Grade::Code) && diagnostics.iter().all(|told| told.code.is_none()) {
+        return broken(format!(
+            "no diagnostic has a code, and `hello` claims the grade `{grade}`; claim `line`"
+        ));
+    }
+    let named: Vec<u32> = diagnostics.iter().filter_map(|told| told.line).collect();
+    match line {
+        Some(line) if !named.is_empty() && !named.contains(&line) => (
+            Judgement::Wrong,
+            Some(format!(
+                "the diagnostics name the lines {named:?}, and the mistake stands on line {line}"
+            )),
+        ),
+        _ => (Judgement::Right, None),
+    }
+}
+
+/// One value: as the protocol has it, of the type that was asked for, and the one that must come.
+fn value(told: Option<&String>, key: &str, ty: &str, expected: &str) -> (Judgement, Option<String>) {
+    let broken = |words: String| (Judgement::Broken, Some(words));
+    let Some(literal) = told else {
+        return broken(format!("`values` has no `{key}`, which was asked for"));
+    };
+    let value = match Value::parse(literal) {
+        Ok(value) => value,
+        Err(error) => {
+            return broken(format!(
+                "`{literal}` of `{key}` is no typed literal such as `{expected}`: {error}"
+            ));
+        }
+    };
+    if ElementaryType::from_name(value.type_name()) != ElementaryType::from_name(ty) {
+        return broken(format!(
+            "`{literal}` of `{key}` is of another type than {ty}, which was asked for"
+        ));
+    }
+    match Value::parse(expected) {
+        Ok(right) if right != value => (
+            Judgement::Wrong,
+            Some(format!("`{key}` is {literal}, and must be {expected}")),
+        ),
+        _ => (Judgement::Right, None),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_schema_forbids_is_told() {
+        let lines: [(&str, &str); 5] = [
+            ("hello", "`hello` is no reply"),
+            (r#"{"type":"accepted"}"#, "missing field `id`"),
+            (
+                r#"{"type":"rejected","id":1,"diagnostics":[{"line":0}]}"#,
+                "`line` is 0, and lines and columns count from 1",
+            ),
+            (r#"{"type":"faulted","id":1,"fault":"bad luck"}"#, "bad luck"),
+            (
+                r#"{"type":"rejected","id":1,"diagnostics":[{"line":"5"}]}"#,
+                "invalid type",
+            ),
+        ];
+        for (line, part) in lines {
+            let told = read(line.as_bytes()).unwrap_err();
+            assert!(told.contains(part), "{told}");
+        }
+    }
+
+    #[test]
+    fn keys_that_no_reply_has_are_found_at_every_depth() {
+        let line = br#"{"type":"rejected","id":1,"took":5,"diagnostics":[{"line":1,"colum":2,"code":null},{"colum":1}]}"#;
+        let reply = read(line).unwrap();
+        let mut further = further_keys(line, &reply);
+        further.sort();
+        assert_eq!(further, ["colum", "took"]);
+    }
+
+    #[test]
+    fn a_wrong_value_is_the_compilers_and_a_wrong_literal_the_adapters() {
+        let told = |literal: &str| value(Some(&literal.to_owned()), "x", "INT", "INT#5").0;
+        assert_eq!(told("INT#5"), Judgement::Right);
+        assert_eq!(told("INT#16#5"), Judgement::Right);
+        assert_eq!(told("INT#6"), Judgement::Wrong);
+        assert_eq!(told("5"), Judgement::Broken);
+        assert_eq!(told("DINT#5"), Judgement::Broken);
+        assert_eq!(value(None, "x", "INT", "INT#5").0, Judgement::Broken);
+    }
+}
