@@ -201,10 +201,16 @@ impl Visitor for Gathering {
         match &expression.kind {
             // Of all literals only those of texts and characters have an escape.
             ExpressionKind::Literal(value, _) if value.to_string().contains('$') => self.word("$"),
-            ExpressionKind::Literal(value, LiteralForm::Typed) if self.is_whole => {
+            ExpressionKind::Literal(value, form) if self.is_whole => {
                 let name = value.type_name();
-                self.word(format!("{name}#"));
-                if value.to_string().starts_with(&format!("{name}#-")) {
+                if *form == LiteralForm::Typed {
+                    self.word(format!("{name}#"));
+                }
+                // A duration has its prefix in either form.
+                let is_duration =
+                    matches!(expression.ty, Type::Elementary(ty) if ty.family() == Family::Duration);
+                let is_prefixed = *form == LiteralForm::Typed || is_duration;
+                if is_prefixed && value.to_string().starts_with(&format!("{name}#-")) {
                     self.word("#-");
                 }
             }
