@@ -2,7 +2,7 @@
 //! and every format takes them from here.
 
 use crate::overview::entry;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use stickler_run::{CaseEvent, Verdict};
 
 /// How the cases of one claim stand. Every case counts once.
@@ -57,6 +57,27 @@ pub struct Claim<'a> {
     pub standing: Standing,
 }
 
+/// One section of one document beside how each of several engines meets it; or, where `section` is empty and `sum` is
+/// set, the sum of a document's sections.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Row<'a> {
+    /// The document.
+    pub source: &'a str,
+    /// Its section; empty where a basis names a whole document.
+    pub section: &'a str,
+    /// Whether this is the sum of the sections that follow.
+    pub sum: bool,
+    /// How each engine stands to it, in the order that was asked for.
+    pub standings: Vec<Standing>,
+}
+
+impl Row<'_> {
+    /// Whether any of the engines does not do what the document says.
+    pub fn failed(&self) -> bool {
+        self.standings.iter().any(|standing| standing.failed > 0)
+    }
+}
+
 /// All claims of a run, by engine, document and section.
 #[derive(Debug, Default)]
 pub struct Claims {
@@ -82,6 +103,40 @@ impl Claims {
                 }
             })
         })
+    }
+
+    /// The claims with the engines side by side: each document, and behind it its sections.
+    pub fn rows(&self, engines: &[&str]) -> Vec<Row<'_>> {
+        let bases: BTreeSet<&String> = self.engines.values().flat_map(BTreeMap::keys).collect();
+        let mut rows: Vec<Row<'_>> = Vec::new();
+        let mut document = 0;
+        for basis in bases {
+            let (source, section) = split_basis(basis);
+            let of = |engine: &&str| self.engines.get(*engine).and_then(|claims| claims.get(basis));
+            let standings: Vec<Standing> = engines
+                .iter()
+                .map(|engine| of(engine).copied().unwrap_or_default())
+                .collect();
+            if rows.get(document).is_none_or(|row| row.source != source) {
+                document = rows.len();
+                rows.push(Row {
+                    source,
+                    section: "",
+                    sum: true,
+                    standings: vec![Standing::default(); engines.len()],
+                });
+            }
+            let sums = rows[document].standings.iter_mut();
+            sums.zip(&standings)
+                .for_each(|(sum, standing)| sum.add(*standing));
+            rows.push(Row {
+                source,
+                section,
+                sum: false,
+                standings,
+            });
+        }
+        rows
     }
 
     /// The documents, each with the sum of its sections; sorted by engine and document.
@@ -158,6 +213,42 @@ mod tests {
                 failed: 1,
                 ..Standing::default()
             }
+        );
+    }
+
+    #[test]
+    fn engines_stand_side_by_side_also_where_one_of_them_has_no_case() {
+        let mut claims = Claims::default();
+        for (engine, basis, verdict) in [
+            ("reference", "a: one", Verdict::Pass),
+            ("ironplc", "a: one", Verdict::Fail),
+            ("reference", "a: two", Verdict::Pass),
+            ("ironplc", "b: one", Verdict::Pass),
+        ] {
+            let mut event = sample::case("x", verdict);
+            event.basis = basis.to_owned();
+            event.engine = engine.to_owned();
+            claims.take(&event);
+        }
+        let rows = claims.rows(&["ironplc", "reference"]);
+        let shown: Vec<String> = rows
+            .iter()
+            .map(|row| {
+                let standings = row.standings.iter();
+                let numbers = standings.map(|standing| format!(" {}:{}", standing.passed, standing.failed));
+                let section = if row.sum { "all" } else { row.section };
+                format!("{} {section}{}", row.source, numbers.collect::<String>())
+            })
+            .collect();
+        assert_eq!(
+            shown,
+            [
+                "a all 0:1 2:0",
+                "a one 0:1 1:0",
+                "a two 0:0 1:0",
+                "b all 1:0 0:0",
+                "b one 1:0 0:0"
+            ]
         );
     }
 

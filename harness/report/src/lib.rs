@@ -14,7 +14,7 @@
 //! (`sarif`) and the badge (`badge`) will come here as such modules.
 //!
 //! *Architecture invariants.* No format has facts of its own: what is not in an event is in no report. [`claims`] is the
-//! one place that counts claims. Nothing here runs, schedules or judges a case, or knows how an event came about.
+//! one place that counts claims, and [`observations`] the one that compares what was recorded. Nothing here runs, schedules or judges a case, or knows how an event came about.
 #![forbid(unsafe_code)]
 
 pub mod claims;
@@ -24,6 +24,7 @@ mod error;
 pub mod events;
 mod folder;
 mod junit;
+pub mod observations;
 pub mod overview;
 pub mod parts;
 mod pending;

@@ -1,6 +1,7 @@
 //! What a person wants to see of a run at a glance, gathered once for the terminal and the Markdown summary.
 
 use crate::claims::Claims;
+use crate::observations::Observations;
 use crate::text::clip;
 use std::collections::BTreeMap;
 use stickler_run::{CaseEvent, Event, Footer, Header, OutdatedEntry, Totals};
@@ -27,6 +28,8 @@ pub struct Overview {
     pub failed: u64,
     /// How many values and acceptances were recorded where no document says what they must be.
     pub observations: u64,
+    /// What was recorded, where several engines took part; alone, nobody differs.
+    pub observed: Observations,
     /// How the run ended; `None` where it was cut short.
     pub footer: Option<Footer>,
 }
@@ -44,6 +47,9 @@ impl Overview {
     fn take_case(&mut self, case: &CaseEvent) {
         self.claims.take(case);
         self.observations += case.observations.len() as u64;
+        if self.engines().len() > 1 {
+            self.observed.take(case);
+        }
         let dialects = entry(&mut self.totals, &case.engine);
         let areas = entry(dialects, &case.dialect);
         entry(areas, &case.area).count(case.verdict);
@@ -53,6 +59,12 @@ impl Overview {
                 self.failures.push(kept(case));
             }
         }
+    }
+
+    /// The names of the engines, in the order of the run.
+    pub fn engines(&self) -> Vec<&str> {
+        let engines = self.header.iter().flat_map(|header| &header.engines);
+        engines.map(|engine| engine.name.as_str()).collect()
     }
 
     /// The entries of baselines that are out of date; a run with any of them is not as expected.

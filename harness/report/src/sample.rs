@@ -89,6 +89,21 @@ pub(crate) fn run_with_baseline() -> (Vec<Event>, BaselineNote) {
     (events, note)
 }
 
+/// A whole run of these cases on several engines.
+pub(crate) fn run_on(engines: &[&str], cases: Vec<CaseEvent>) -> Vec<Event> {
+    let mut events = run_of(cases);
+    if let Some(Event::Header(header)) = events.first_mut() {
+        header.engines = engines
+            .iter()
+            .map(|name| EngineHeader {
+                name: (*name).to_owned(),
+                ..header.engines[0].clone()
+            })
+            .collect();
+    }
+    events
+}
+
 /// A whole run of these cases.
 pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
     let mut totals = Totals::default();

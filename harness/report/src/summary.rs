@@ -1,6 +1,8 @@
 //! `summary.md`: the run for a person, small enough for the step summary of a CI service.
 
-use crate::claims::{Claim, Standing};
+mod claims;
+mod observed;
+
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::{clip, counted, duration, judged, noted, outdated, outdated_entries, visible};
@@ -57,8 +59,9 @@ pub fn markdown(overview: &Overview) -> String {
         left_out: 0,
     };
     page.add(&heading(overview));
-    claims(overview, &mut page);
+    claims::write(overview, &mut page);
     totals(overview, &mut page);
+    observed::write(overview, &mut page);
     failures(overview, &mut page);
     page.text
 }
@@ -123,50 +126,6 @@ fn heading(overview: &Overview) -> String {
         let _ = writeln!(text, "- **out of date** {}", inline(&outdated(entry)));
     }
     text
-}
-
-fn claims(overview: &Overview, page: &mut Page) {
-    page.add("\n## Claims\n\n");
-    page.add("A claim is a section of a document. *Open*: the document does not say what must happen, ");
-    page.add("so what the engine does is recorded and not judged.\n\n");
-    page.add("| | document | section | passed | failed | open | unsupported |\n");
-    page.add("|---|---|---|--:|--:|--:|--:|\n");
-    for document in overview.claims.documents() {
-        page.add(&claim_row(&document, "*all*", overview.totals.len() > 1));
-        let sections = overview
-            .claims
-            .iter()
-            .filter(|claim| (claim.engine, claim.source) == (document.engine, document.source));
-        for section in sections.filter(|claim| !claim.section.is_empty()) {
-            page.add(&claim_row(
-                &section,
-                &inline(section.section),
-                overview.totals.len() > 1,
-            ));
-        }
-    }
-}
-
-fn claim_row(claim: &Claim<'_>, section: &str, name_engine: bool) -> String {
-    let Standing {
-        passed,
-        failed,
-        open,
-        unsupported,
-    } = claim.standing;
-    let mark = if failed == 0 { "" } else { "**✗**" };
-    let engine = if name_engine {
-        format!(" on {}", inline(claim.engine))
-    } else {
-        String::new()
-    };
-    let failed = if failed == 0 {
-        "0".to_owned()
-    } else {
-        format!("**{failed}**")
-    };
-    let source = inline(claim.source);
-    format!("| {mark} | {source}{engine} | {section} | {passed} | {failed} | {open} | {unsupported} |\n")
 }
 
 fn totals(overview: &Overview, page: &mut Page) {
@@ -303,6 +262,35 @@ mod tests {
             at("### fail: widening/broken@ironplc-ed2 on reference")
                 < at("- into = INT#-128\n+ into = INT#128\n")
         );
+    }
+
+    #[test]
+    fn several_engines_stand_side_by_side() {
+        let on = |engine: &str, case: CaseEvent| CaseEvent {
+            engine: engine.to_owned(),
+            ..case
+        };
+        let mut rounds = on("matiec", sample::open_case("open(2.5)"));
+        rounds.observations[0].value = "INT#2".to_owned();
+        let cases = vec![
+            on("matiec", sample::case("a", Verdict::Fail)),
+            on("reference", sample::case("a", Verdict::Pass)),
+            on("matiec", sample::case("b", Verdict::Unsupported)),
+            on("reference", sample::case("b", Verdict::Pass)),
+            rounds,
+            on("reference", sample::open_case("open(2.5)")),
+        ];
+        let text = page(&sample::run_on(&["reference", "matiec"], cases));
+        for part in [
+            "\n| | document | section | reference | matiec |\n|---|---|---|--:|--:|\n",
+            "\n| **✗** | ironplc-type-conversions | Integer widening | 2/2, 1 open | **0/1**, 1 open, 1 unsupported |\n",
+            "\n- `` widening/open(2.5) ``, `` r ``: `` INT#3 `` by reference, `` INT#2 `` by matiec\n",
+        ] {
+            assert!(text.contains(part), "{part}\n{text}");
+        }
+        let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part:?} in {text}"));
+        assert!(at("## Cases") < at("## Where no document decides"));
+        assert!(at("## Where no document decides") < at("## Not as expected"));
     }
 
     #[test]

@@ -4,11 +4,12 @@
 //! the claims, then the totals, then one line that says how it went. It is written with ANSI styles; the caller's
 //! stream strips them where they do not belong.
 
+mod claims;
 pub(crate) mod failure;
 
 use crate::overview::Overview;
 use crate::table::{Cell, Table};
-use crate::text::{clip, counted, duration, judged, outdated, outdated_entries, visible};
+use crate::text::{counted, duration, judged, outdated, outdated_entries, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use stickler_run::{EngineHeader, Totals, Verdict};
@@ -37,7 +38,7 @@ pub struct Surroundings<'a> {
 /// Those of `out`.
 pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
     write_failures(out, overview, around)?;
-    write_claims(out, overview)?;
+    claims::write(out, overview)?;
     write_totals(out, overview)?;
     write_last_line(out, overview, around)
 }
@@ -58,53 +59,6 @@ fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings
         )?;
     }
     Ok(())
-}
-
-fn write_claims(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
-    let several = overview.totals.len() > 1;
-    let unsupported = overview.claims.iter().any(|claim| claim.standing.unsupported > 0);
-    let mut table = Table::new(vec![
-        Cell::left("Claims"),
-        Cell::plain("passed"),
-        Cell::plain("failed"),
-    ]);
-    table.head(Cell::plain("open"));
-    if unsupported {
-        table.head(Cell::plain("unsupported"));
-    }
-    for document in overview.claims.documents() {
-        let name = match several {
-            true => format!("  {} on {}", document.source, document.engine),
-            false => format!("  {}", document.source),
-        };
-        table.row(claim_cells(name, document.standing, unsupported));
-        let sections = overview.claims.iter().filter(|claim| {
-            (claim.engine, claim.source) == (document.engine, document.source) && claim.standing.failed > 0
-        });
-        for section in sections.filter(|claim| !claim.section.is_empty()) {
-            let name = clip(&visible(section.section), 1, 40);
-            table.row(claim_cells(format!("    {name}"), section.standing, unsupported));
-        }
-    }
-    table.write(out)?;
-    writeln!(out)
-}
-
-fn claim_cells(name: String, standing: crate::claims::Standing, unsupported: bool) -> Vec<Cell> {
-    let failed = match standing.failed {
-        0 => Cell::styled("0", DIM),
-        failed => Cell::styled(failed, BAD),
-    };
-    let mut cells = vec![
-        Cell::left(name),
-        Cell::plain(standing.passed),
-        failed,
-        Cell::plain(standing.open),
-    ];
-    if unsupported {
-        cells.push(Cell::plain(standing.unsupported));
-    }
-    cells
 }
 
 fn write_totals(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
@@ -149,6 +103,7 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             out,
             "{observations} recorded where no document says what must be."
         )?;
+        write_partings(out, overview)?;
     }
     if let Some(header) = &overview.header {
         let engines: Vec<String> = header.engines.iter().map(engine).collect();
@@ -209,6 +164,21 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             )
         }
     }
+}
+
+/// How much of what was recorded differs between the engines.
+fn write_partings(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+    let partings = overview.observed.partings(&overview.engines());
+    let cases: u64 = partings.iter().map(|parting| parting.cases).sum();
+    if cases == 0 {
+        return Ok(());
+    }
+    let ways = counted(partings.len() as u64, "way", "ways");
+    let differing = counted(cases, "observation differs", "observations differ");
+    writeln!(
+        out,
+        "{differing} between the engines, in {ways}; summary.md compares them."
+    )
 }
 
 /// Names the entries of baselines that are out of date, and gives their number.
@@ -337,6 +307,36 @@ Reports: reports/latest/summary.md; every case is in results.json beside it.
             unsupported("b"),
         ]));
         assert!(text.ends_with("all as expected (1 unsupported).\n"), "{text}");
+    }
+
+    #[test]
+    fn several_engines_stand_side_by_side() {
+        let on = |engine: &str, case: CaseEvent| CaseEvent {
+            engine: engine.to_owned(),
+            ..case
+        };
+        let mut rounds = on("matiec", sample::open_case("open"));
+        rounds.observations[0].value = "INT#2".to_owned();
+        let cases = vec![
+            on("reference", sample::case("a", Verdict::Pass)),
+            on("matiec", sample::case("a", Verdict::Fail)),
+            on("reference", sample::open_case("open")),
+            rounds,
+        ];
+        let text = shown(&sample::run_on(&["reference", "matiec"], cases));
+        let table = "
+Claims                      reference  matiec
+  ironplc-type-conversions        1/1     0/1
+    Integer widening              1/1     0/1
+  n/m: n of m cases came out as the document says
+";
+        assert!(text.contains(table), "{text}");
+        assert!(
+            text.contains(
+                "\n1 observation differs between the engines, in 1 way; summary.md compares them.\n"
+            ),
+            "{text}"
+        );
     }
 
     #[test]

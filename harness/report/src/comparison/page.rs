@@ -1,6 +1,7 @@
 //! A comparison on the terminal: what is worse, case by case; what is not, in numbers; and one line that says how it went.
 
 use super::{Change, Comparison, Detail, Kind, Lone, known};
+use crate::observations::probe;
 use crate::terminal::failure::write_difference;
 use crate::terminal::{BAD, BOLD, DIM, GOOD};
 use crate::text::{counted, visible};
@@ -73,11 +74,6 @@ fn version(header: &Header, name: &str) -> String {
 struct Group<'c> {
     probe: &'c str,
     changes: Vec<&'c Change>,
-}
-
-/// A probe is a table's; a case that is no table's is alone.
-fn probe(id: &str) -> &str {
-    id.split_once('(').map_or(id, |(probe, _)| probe)
 }
 
 fn groups<'c>(changes: impl Iterator<Item = &'c Change>) -> Vec<Group<'c>> {

@@ -1,0 +1,242 @@
+//! What engines do where no document says what they must: recorded, never judged, and compared here.
+
+use std::collections::{BTreeMap, HashMap};
+use stickler_run::CaseEvent;
+
+/// How much of a value is kept.
+const KEPT_CHARACTERS: usize = 300;
+
+/// Everything that was recorded in a run, in a few bytes each.
+#[derive(Debug, Default)]
+pub struct Observations {
+    words: Words,
+    /// By the case's id and what was observed of it, in the order of both.
+    seen: BTreeMap<(String, u32), Vec<Seen>>,
+}
+
+/// What one engine did with a case in one dialect.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Seen {
+    engine: u32,
+    dialect: u32,
+    value: u32,
+}
+
+/// Words, each kept once; a number stands for it.
+#[derive(Debug, Default)]
+struct Words {
+    numbers: HashMap<String, u32>,
+    words: Vec<String>,
+}
+
+impl Words {
+    fn number(&mut self, word: &str) -> u32 {
+        if let Some(number) = self.numbers.get(word) {
+            return *number;
+        }
+        // A run has fewer events than that.
+        let number = u32::try_from(self.words.len()).unwrap_or(u32::MAX);
+        self.words.push(word.to_owned());
+        self.numbers.insert(word.to_owned(), number);
+        number
+    }
+
+    fn word(&self, number: u32) -> &str {
+        self.words.get(number as usize).map_or("", String::as_str)
+    }
+}
+
+/// Cases of one probe on which engines part alike: who does as whom is the same for all of them.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Parting<'o> {
+    /// The id of the first of them.
+    pub id: &'o str,
+    /// What was observed: a variable, `acceptance`, or `fault`.
+    pub name: &'o str,
+    /// Each value of the first case with those who gave it: an engine, with its dialects where it gave several values.
+    pub values: Vec<(&'o str, Vec<String>)>,
+    /// How many cases part like the first.
+    pub cases: u64,
+}
+
+impl Observations {
+    /// Adds what was recorded of one case.
+    pub fn take(&mut self, case: &CaseEvent) {
+        for observed in &case.observations {
+            let name = self.words.number(&observed.name);
+            let value = match observed.value.char_indices().nth(KEPT_CHARACTERS) {
+                None => self.words.number(&observed.value),
+                Some((end, _)) => self.words.number(&observed.value[..end]),
+            };
+            let seen = Seen {
+                engine: self.words.number(&case.engine),
+                dialect: self.words.number(&case.dialect),
+                value,
+            };
+            self.seen.entry((case.id.clone(), name)).or_default().push(seen);
+        }
+    }
+
+    /// Where engines do not do the same, in the order of ids. `engines` is the order in which they are named.
+    pub fn partings(&self, engines: &[&str]) -> Vec<Parting<'_>> {
+        let mut partings: Vec<Parting<'_>> = Vec::new();
+        let mut places: HashMap<(&str, u32, Vec<Vec<String>>), usize> = HashMap::new();
+        for ((id, name), seen) in &self.seen {
+            if !self.parts(seen) {
+                continue;
+            }
+            let values = self.values(seen, engines);
+            let who = values.iter().map(|(_, who)| who.clone()).collect();
+            let place = *places.entry((probe(id), *name, who)).or_insert(partings.len());
+            match partings.get_mut(place) {
+                Some(alike) => alike.cases += 1,
+                None => partings.push(Parting {
+                    id,
+                    name: self.words.word(*name),
+                    values,
+                    cases: 1,
+                }),
+            }
+        }
+        partings
+    }
+
+    /// Whether two engines part: in a dialect that both speak, or, where they share none, in all that they gave.
+    fn parts(&self, seen: &[Seen]) -> bool {
+        seen.iter().any(|one| {
+            seen.iter()
+                .filter(|other| other.engine != one.engine)
+                .any(|other| part(seen, one, other))
+        })
+    }
+
+    /// The values, each with those who gave it; the value of the first engine first.
+    fn values(&self, seen: &[Seen], engines: &[&str]) -> Vec<(&str, Vec<String>)> {
+        let mut values: Vec<(&str, Vec<String>)> = Vec::new();
+        for engine in engines {
+            let own: Vec<&Seen> = seen
+                .iter()
+                .filter(|seen| self.words.word(seen.engine) == *engine)
+                .collect();
+            let one_value = own
+                .windows(2)
+                .all(|pair| matches!(pair, [one, other] if one.value == other.value));
+            for seen in own.iter().take(if one_value { 1 } else { usize::MAX }) {
+                let who = match one_value {
+                    true => (*engine).to_owned(),
+                    false => format!("{engine} in {}", self.words.word(seen.dialect)),
+                };
+                let value = self.words.word(seen.value);
+                match values.iter_mut().find(|(known, _)| *known == value) {
+                    Some((_, by)) => by.push(who),
+                    None => values.push((value, vec![who])),
+                }
+            }
+        }
+        values
+    }
+}
+
+/// Whether two answers of different engines are at odds.
+fn part(seen: &[Seen], one: &Seen, other: &Seen) -> bool {
+    if one.value == other.value {
+        return false;
+    }
+    if one.dialect == other.dialect {
+        return true;
+    }
+    let of = |engine: u32| seen.iter().filter(move |seen| seen.engine == engine);
+    let share_a_dialect =
+        of(one.engine).any(|one| of(other.engine).any(|other| one.dialect == other.dialect));
+    let share_a_value = of(one.engine).any(|one| of(other.engine).any(|other| one.value == other.value));
+    !share_a_dialect && !share_a_value
+}
+
+/// The probe of a table that a case comes from, or the case itself.
+pub(crate) fn probe(id: &str) -> &str {
+    id.split_once('(').map_or(id, |(probe, _)| probe)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Observations, Parting};
+    use crate::sample;
+    use stickler_run::CaseEvent;
+
+    fn seen(id: &str, engine: &str, dialect: &str, value: &str) -> CaseEvent {
+        let mut case = CaseEvent {
+            engine: engine.to_owned(),
+            dialect: dialect.to_owned(),
+            ..sample::open_case(id)
+        };
+        case.observations[0].value = value.to_owned();
+        case
+    }
+
+    fn partings(cases: &[CaseEvent]) -> Vec<String> {
+        let mut observations = Observations::default();
+        cases.iter().for_each(|case| observations.take(case));
+        let shown = |parting: &Parting<'_>| {
+            let values: Vec<String> = parting
+                .values
+                .iter()
+                .map(|(value, by)| format!("{value} by {}", by.join(" and ")))
+                .collect();
+            format!(
+                "{} {} {}: {}",
+                parting.cases,
+                parting.id,
+                parting.name,
+                values.join(", ")
+            )
+        };
+        let partings = observations.partings(&["reference", "ironplc", "matiec"]);
+        partings.iter().map(shown).collect()
+    }
+
+    #[test]
+    fn engines_of_other_dialects_are_compared_by_the_id_of_the_case() {
+        let cases = [
+            seen("a(2.5)", "matiec", "matiec", "INT#3"),
+            seen("a(2.5)", "ironplc", "ironplc-ed2", "INT#2"),
+            seen("a(2.5)", "reference", "ironplc-ed2", "INT#2"),
+            seen("a(2.5)", "reference", "plcnext", "INT#2"),
+        ];
+        assert_eq!(
+            partings(&cases),
+            ["1 widening/a(2.5) r: INT#2 by reference and ironplc, INT#3 by matiec"]
+        );
+    }
+
+    #[test]
+    fn cases_of_a_probe_on_which_the_same_engines_part_are_told_once() {
+        let cases = ["1.5", "2.5", "3.5"].map(|value| {
+            [
+                seen(&format!("a({value})"), "reference", "matiec", "INT#2"),
+                seen(&format!("a({value})"), "matiec", "matiec", "INT#3"),
+            ]
+        });
+        assert_eq!(
+            partings(cases.as_flattened()),
+            ["3 widening/a(1.5) r: INT#2 by reference, INT#3 by matiec"]
+        );
+    }
+
+    #[test]
+    fn an_engine_that_does_something_else_in_another_dialect_parts_with_nobody() {
+        let cases = [
+            seen("a", "reference", "matiec", "INT#3"),
+            seen("a", "reference", "plcnext", "INT#2"),
+            seen("a", "matiec", "matiec", "INT#3"),
+        ];
+        assert_eq!(partings(&cases), Vec::<String>::new());
+        let mut parted = cases.to_vec();
+        parted.push(seen("a", "ironplc", "plcnext", "INT#3"));
+        assert_eq!(
+            partings(&parted),
+            [
+                "1 widening/a r: INT#3 by reference in matiec and ironplc and matiec, INT#2 by reference in plcnext"
+            ]
+        );
+    }
+}

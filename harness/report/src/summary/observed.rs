@@ -1,0 +1,65 @@
+//! What engines do where no document says what they must, side by side.
+
+use super::{Page, code, inline};
+use crate::observations::{Parting, probe};
+use crate::overview::Overview;
+use crate::text::counted;
+
+/// How many partings are shown.
+const SHOWN: usize = 100;
+
+/// Writes a line for each way in which engines part.
+pub(super) fn write(overview: &Overview, page: &mut Page) {
+    let engines = overview.engines();
+    let partings = overview.observed.partings(&engines);
+    if partings.is_empty() {
+        return;
+    }
+    page.add("\n## Where no document decides\n\nThe engines do not do the same here, and none of them is wrong.\n\n");
+    partings
+        .iter()
+        .take(SHOWN)
+        .for_each(|parting| page.add(&line(parting)));
+    let rest = partings.get(SHOWN..).unwrap_or_default();
+    let cases: u64 = rest.iter().map(|parting| parting.cases).sum();
+    if cases > 0 {
+        let cases = counted(cases, "case", "cases");
+        page.add(&format!(
+            "\n... and in {cases} more; `results.json` has all observations.\n"
+        ));
+    }
+}
+
+/// ``- `conversion/real::recorded(REAL,INT,2.5)`, `into`: INT#2 by ironplc and reference, INT#3 by matiec``
+fn line(parting: &Parting<'_>) -> String {
+    let values: Vec<String> = parting
+        .values
+        .iter()
+        .map(|(value, who)| {
+            let names: Vec<String> = who.iter().map(|name| inline(name)).collect();
+            format!("{} by {}", code(value), listed(&names))
+        })
+        .collect();
+    let alike = match parting.cases {
+        1 => String::new(),
+        cases => {
+            let others = counted(cases - 1, "other case", "other cases");
+            format!("; they part alike in {others} of {}", code(probe(parting.id)))
+        }
+    };
+    format!(
+        "- {}, {}: {}{alike}\n",
+        code(parting.id),
+        code(parting.name),
+        values.join(", ")
+    )
+}
+
+/// `a`, `a and b`, `a, b and c`.
+fn listed(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}

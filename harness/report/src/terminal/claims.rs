@@ -1,0 +1,100 @@
+//! The claims on the terminal: each document, and those of its sections that an engine does not meet.
+
+use super::{BAD, DIM};
+use crate::claims::Standing;
+use crate::overview::Overview;
+use crate::table::{Cell, Table};
+use crate::text::{clip, visible};
+use std::io::{self, Write};
+
+/// Writes one table: with a single engine its numbers, with several an engine a column.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+    match &overview.engines()[..] {
+        [_] | [] => of_one_engine(out, overview),
+        engines => of_several_engines(out, overview, engines),
+    }
+}
+
+/// Engines as columns, claims as rows.
+fn of_several_engines(out: &mut dyn Write, overview: &Overview, engines: &[&str]) -> io::Result<()> {
+    let mut table = Table::new(vec![Cell::left("Claims")]);
+    engines
+        .iter()
+        .for_each(|engine| table.head(Cell::plain(visible(engine))));
+    let rows = overview.claims.rows(engines);
+    for row in &rows {
+        let name = match row.sum {
+            true => format!("  {}", row.source),
+            false if row.failed() && !row.section.is_empty() => {
+                format!("    {}", clip(&visible(row.section), 1, 40))
+            }
+            false => continue,
+        };
+        let mut cells = vec![Cell::left(name)];
+        cells.extend(row.standings.iter().map(|standing| standing_cell(*standing)));
+        table.row(cells);
+    }
+    table.write(out)?;
+    writeln!(
+        out,
+        "  {DIM}n/m: n of m cases came out as the document says{DIM:#}\n"
+    )
+}
+
+/// How an engine stands to a claim, in a word.
+fn standing_cell(standing: Standing) -> Cell {
+    let Standing { passed, failed, .. } = standing;
+    match (passed + failed, failed) {
+        (0, _) if standing.open > 0 => Cell::styled("open", DIM),
+        (0, _) if standing.unsupported > 0 => Cell::styled("unsupported", DIM),
+        (0, _) => Cell::styled("-", DIM),
+        (judged, 0) => Cell::plain(format!("{passed}/{judged}")),
+        (judged, _) => Cell::styled(format!("{passed}/{judged}"), BAD),
+    }
+}
+
+fn of_one_engine(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+    let unsupported = overview.claims.iter().any(|claim| claim.standing.unsupported > 0);
+    let mut table = Table::new(vec![
+        Cell::left("Claims"),
+        Cell::plain("passed"),
+        Cell::plain("failed"),
+    ]);
+    table.head(Cell::plain("open"));
+    if unsupported {
+        table.head(Cell::plain("unsupported"));
+    }
+    for document in overview.claims.documents() {
+        let name = format!("  {}", document.source);
+        table.row(claim_cells(name, document.standing, unsupported));
+        let sections = overview.claims.iter().filter(|claim| {
+            (claim.engine, claim.source) == (document.engine, document.source) && claim.standing.failed > 0
+        });
+        for section in sections.filter(|claim| !claim.section.is_empty()) {
+            let name = clip(&visible(section.section), 1, 40);
+            table.row(claim_cells(format!("    {name}"), section.standing, unsupported));
+        }
+    }
+    table.write(out)?;
+    writeln!(out)
+}
+
+fn claim_cells(name: String, standing: Standing, unsupported: bool) -> Vec<Cell> {
+    let failed = match standing.failed {
+        0 => Cell::styled("0", DIM),
+        failed => Cell::styled(failed, BAD),
+    };
+    let mut cells = vec![
+        Cell::left(name),
+        Cell::plain(standing.passed),
+        failed,
+        Cell::plain(standing.open),
+    ];
+    if unsupported {
+        cells.push(Cell::plain(standing.unsupported));
+    }
+    cells
+}
