@@ -1,6 +1,8 @@
 //! Engines with known defects: the reference, which is given another program than it was asked about.
 
+use std::collections::HashSet;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
 use stickler_engines::{Engine, EngineError, Identity, Outcome, Reference, RunRequest, Session};
 use stickler_types::DialectName;
 
@@ -11,7 +13,7 @@ pub enum Defect {
     Mistakes(&'static str, &'static str),
     /// It dies over programs with this word.
     DiesOver(&'static str),
-    /// It dies over every so-manieth request, whatever it is.
+    /// It dies over every so-manieth request, and over no program twice.
     DiesEvery(u64),
     /// From the first program with this word on it dies over everything.
     DiesForEverOver(&'static str),
@@ -27,6 +29,8 @@ pub struct Defective {
     requests: AtomicU64,
     /// How many requests it answers before it dies over everything.
     life: AtomicU64,
+    /// The programs over which it has died.
+    fatal: Mutex<HashSet<String>>,
 }
 
 impl Defective {
@@ -48,7 +52,13 @@ impl Defective {
             defect,
             requests: AtomicU64::new(0),
             life: AtomicU64::new(life),
+            fatal: Mutex::default(),
         }
+    }
+
+    fn is_first_death(&self, source: &str) -> bool {
+        let mut fatal = self.fatal.lock().unwrap_or_else(PoisonError::into_inner);
+        fatal.insert(source.to_owned())
     }
 
     /// How often it was asked to run something.
@@ -84,7 +94,7 @@ impl Session for DefectiveSession<'_> {
         };
         let dies = match self.engine.defect {
             Defect::DiesOver(word) => source.contains(word),
-            Defect::DiesEvery(every) => number.is_multiple_of(every),
+            Defect::DiesEvery(every) => number.is_multiple_of(every) && self.engine.is_first_death(&source),
             Defect::DiesForEverOver(word) if source.contains(word) => {
                 self.engine.life.store(0, Ordering::Relaxed);
                 true

@@ -60,7 +60,8 @@ fn an_engine_that_dies_now_and_then_is_started_again_and_what_is_not_seen_again_
     let summary = whole(&Defective::new(Defect::DiesEvery(50)), 120);
     assert_eq!(summary.ended, Ended::Done);
     assert_eq!(summary.programs, 120);
-    assert!(summary.deaths >= 2, "{}", summary.deaths);
+    // Which of the later deaths meets a program for the first time depends on the workers; that of the fiftieth does not.
+    assert!(summary.deaths >= 1, "{}", summary.deaths);
     assert!(
         summary
             .findings
