@@ -103,7 +103,7 @@ fn a_mistake_is_told_with_its_place_and_what_was_meant() {
         ),
         (
             "[engines.mine]\nadapter = \"iron\"\n",
-            "stickler.toml:2:11: there is no adapter `iron`; there are `ironplc`, `matiec` and `strucpp`",
+            "stickler.toml:2:11: there is no adapter `iron`; there are `ironplc`, `matiec`, `rusty` and `strucpp`",
         ),
         (
             "[engines.mine]\ncommand = \"x\"\ncommands = \"y\"\n",

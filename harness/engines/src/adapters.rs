@@ -14,6 +14,7 @@ mod matiec;
 mod places;
 mod plain;
 mod printed;
+mod rusty;
 mod source;
 mod strucpp;
 mod witness;
@@ -24,6 +25,7 @@ use ironplc::Ironplc;
 use matiec::Matiec;
 use places::Search;
 pub use places::{FoundBy, Located, Place, Places};
+use rusty::Rusty;
 use strucpp::Strucpp;
 
 /// A compiler for which there is an adapter.
@@ -33,13 +35,20 @@ pub enum Compiler {
     Ironplc,
     /// matiec: `iec2c` and a C compiler.
     Matiec,
+    /// RuSTy: `plc` and a C compiler.
+    Rusty,
     /// STruC++: `strucpp`, Node and a C++ compiler.
     Strucpp,
 }
 
 impl Compiler {
     /// Every compiler, by name.
-    pub const ALL: [Compiler; 3] = [Compiler::Ironplc, Compiler::Matiec, Compiler::Strucpp];
+    pub const ALL: [Compiler; 4] = [
+        Compiler::Ironplc,
+        Compiler::Matiec,
+        Compiler::Rusty,
+        Compiler::Strucpp,
+    ];
 
     /// The name of the engine.
     #[must_use]
@@ -47,6 +56,7 @@ impl Compiler {
         match self {
             Compiler::Ironplc => "ironplc",
             Compiler::Matiec => "matiec",
+            Compiler::Rusty => "rusty",
             Compiler::Strucpp => "strucpp",
         }
     }
@@ -63,6 +73,7 @@ impl Compiler {
         match self {
             Compiler::Ironplc => "https://www.ironplc.com",
             Compiler::Matiec => "https://github.com/beremiz/matiec",
+            Compiler::Rusty => "https://github.com/PLC-lang/rusty",
             Compiler::Strucpp => "https://github.com/Autonomy-Logic/STruCpp",
         }
     }
@@ -73,6 +84,7 @@ impl Compiler {
         match self {
             Compiler::Ironplc => ironplc::PLACES,
             Compiler::Matiec => matiec::PLACES,
+            Compiler::Rusty => rusty::PLACES,
             Compiler::Strucpp => strucpp::PLACES,
         }
     }
@@ -94,6 +106,7 @@ impl Compiler {
         let engine = match self {
             Compiler::Ironplc => Ironplc::find(called, &mut search).map(boxed),
             Compiler::Matiec => Matiec::find(called, &mut search).map(boxed),
+            Compiler::Rusty => Rusty::find(called, &mut search).map(boxed),
             Compiler::Strucpp => Strucpp::find(called, &mut search).map(boxed),
         };
         Sought {

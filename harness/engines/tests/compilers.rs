@@ -127,6 +127,14 @@ fn matiec_behaves() {
 }
 
 #[test]
+fn rusty_behaves() {
+    let Some(engine) = here(Compiler::Rusty) else {
+        return;
+    };
+    behaves(engine.as_ref());
+}
+
+#[test]
 fn strucpp_behaves() {
     let Some(engine) = here(Compiler::Strucpp) else {
         return;

@@ -118,9 +118,23 @@ impl Builder {
     /// [`Outcome::Crashed`] where it cannot be built: the compiler under test neither rejected its program nor made one that
     /// runs. Otherwise as [`call`].
     pub(super) fn build(&self, driver: &str, folder: &Folder) -> Result<(), Outcome> {
+        self.build_with(driver, &[], folder)
+    }
+
+    /// The same, with further files and libraries to link.
+    ///
+    /// # Errors
+    /// As [`Builder::build`].
+    pub(super) fn build_with(
+        &self,
+        driver: &str,
+        further: &[OsString],
+        folder: &Folder,
+    ) -> Result<(), Outcome> {
         let words = self.language.words();
         folder.write(words.driver, driver).map_err(failed)?;
         let mut arguments = self.arguments(&[words.driver, "-I", ".", "-o", "driver"]);
+        arguments.extend_from_slice(further);
         arguments.extend(words.libraries.iter().map(OsString::from));
         let ended = call(&self.compiler, &arguments, folder)?;
         match ended.code()? {

@@ -17,6 +17,7 @@ use crate::process::Folder;
 use crate::{Ability, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session};
 use call::{Call, Execution, unsupported};
 pub use description::Description;
+pub(super) use pattern::DiagnosticPattern;
 use regex::Regex;
 use std::collections::{BTreeMap, BTreeSet};
 use std::env;

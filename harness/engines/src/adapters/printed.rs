@@ -86,3 +86,11 @@ pub(super) fn raw(ty: ElementaryType, bits: u64) -> u64 {
         _ => ty.wrap(i128::from(bits)),
     }
 }
+
+/// The code units of a text that is printed with four hexadecimal digits each; `None` where that is nonsense.
+pub(super) fn units(digits: &str) -> Option<Vec<u16>> {
+    let units = digits.as_bytes().chunks(4);
+    units
+        .map(|unit| u16::from_str_radix(std::str::from_utf8(unit).ok()?, 16).ok())
+        .collect()
+}

@@ -69,7 +69,7 @@ impl DiagnosticPattern {
 
     /// The diagnostics of a text about the file `program`, in the order in which they stand there. Of one about another file
     /// the place is left out: it says nothing about a line of the program.
-    pub(super) fn diagnostics(&self, text: &str, program: &str) -> Vec<Diagnostic> {
+    pub(in crate::adapters) fn diagnostics(&self, text: &str, program: &str) -> Vec<Diagnostic> {
         let read = |captures: Captures<'_>| diagnostic(&captures, program);
         self.0.captures_iter(text).map(read).collect()
     }

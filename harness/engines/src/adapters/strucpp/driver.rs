@@ -122,17 +122,11 @@ fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
             Some(Value::plain(*ty, (days * DAY).cast_unsigned()))
         }
         Kind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => Some(Value::plain(*ty, bits()?)),
-        Kind::Elementary(ty) if ty.is_text() => Some(Value::text(*ty, units(shown.strip_prefix('\'')?)?)),
+        Kind::Elementary(ty) if ty.is_text() => {
+            Some(Value::text(*ty, printed::units(shown.strip_prefix('\'')?)?))
+        }
         Kind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
     }
-}
-
-/// The code units of a text, four hexadecimal digits each.
-fn units(digits: &str) -> Option<Vec<u16>> {
-    let units = digits.as_bytes().chunks(4);
-    units
-        .map(|unit| u16::from_str_radix(std::str::from_utf8(unit).ok()?, 16).ok())
-        .collect()
 }
 
 #[cfg(test)]
