@@ -43,16 +43,19 @@ pub struct ProcessLimits {
     pub reply: Duration,
     /// The longest line that it may answer, in bytes.
     pub line: usize,
+    /// How much memory it and all that it starts may hold, in bytes; only looked after on Linux.
+    pub memory: u64,
 }
 
 impl Default for ProcessLimits {
     /// One minute for `hello` and for each reply, since compilers of big programs take seconds; the longest line is
-    /// [`MAX_LINE`](crate::protocol::MAX_LINE) bytes.
+    /// [`MAX_LINE`](crate::protocol::MAX_LINE) bytes, and its memory 4 GiB.
     fn default() -> ProcessLimits {
         ProcessLimits {
             hello: Duration::from_secs(60),
             reply: Duration::from_secs(60),
             line: crate::protocol::MAX_LINE,
+            memory: connection::MEMORY,
         }
     }
 }

@@ -207,6 +207,7 @@ impl Conversation<'_> {
                 let limit = u64::try_from(self.limits.reply.as_millis()).unwrap_or(u64::MAX);
                 Err(format!("it does not answer within {}", Outcome::limit(limit)))
             }
+            Err(Failure::Memory(limit)) => Err(format!("it held more than {} MiB of memory", limit >> 20)),
             Err(Failure::Flood) => Err(format!("its answer is longer than {} bytes", self.limits.line)),
         }
     }

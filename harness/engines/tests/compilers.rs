@@ -1,7 +1,9 @@
 //! Real compilers behind their adapters. Where one is not on this machine, its test says so and has nothing to do.
 
 use std::io::Write;
-use stickler_engines::{Compiler, Engine, Observation, Outcome, RunRequest};
+use stickler_engines::{
+    Compiler, DescribedEngine, Description, Engine, Observation, Outcome, Places, RunRequest,
+};
 use stickler_types::{DialectName, Fault};
 
 /// The compiler, or nothing and a word about it.
@@ -115,6 +117,37 @@ fn ironplc_behaves() {
         "PROGRAM main VAR x : INT; END_VAR x := 1; END_PROGRAM",
     );
     assert!(matches!(rendered, Outcome::Rendered { .. }), "{rendered:?}");
+}
+
+#[test]
+fn a_description_of_ironplc_checks_as_its_adapter_does() {
+    let sought = Compiler::Ironplc.seek("ironplc", "ironplc", &Places::default());
+    let (Ok(adapter), Some(compiler)) = (&sought.engine, sought.located.first()) else {
+        // Not `eprintln`, which nobody sees when the test passes.
+        let _ = writeln!(
+            std::io::stderr(),
+            "skipped: there is no ironplcc to hold its description against"
+        );
+        return;
+    };
+    let description: Description = toml::from_str(include_str!("described/ironplc.toml")).unwrap();
+    let here = compiler.path.parent().unwrap();
+    let described = DescribedEngine::start("described", description, here).unwrap();
+    let (mut one, mut other) = (adapter.session().unwrap(), described.session().unwrap());
+    for body in [
+        "a := 1;",
+        "a := b;",
+        "a := nowhere_declared;",
+        "a := ;",
+        "a := 1; a.9 := 5;",
+        "a := REAL_TO_INT(b);",
+    ] {
+        let source = format!("PROGRAM main\nVAR\n    a : INT; b : DINT;\nEND_VAR\n    {body}\nEND_PROGRAM\n");
+        for &dialect in &described.identity().dialects {
+            let outcome = one.check(dialect, &source);
+            assert_eq!(other.check(dialect, &source), outcome, "{body} {dialect}");
+        }
+    }
 }
 
 #[test]

@@ -16,6 +16,7 @@ const LIMITS: ProcessLimits = ProcessLimits {
     hello: Duration::from_secs(60),
     reply: Duration::from_secs(60),
     line: 1 << 16,
+    memory: 4 << 30,
 };
 
 fn unruly(limits: ProcessLimits) -> ProcessEngine {
@@ -38,6 +39,13 @@ fn outcome_of(what: &str, limits: ProcessLimits) -> Outcome {
         "after {what}"
     );
     outcome
+}
+
+/// As [`outcome_of`], of what has little time to answer; the request afterwards has more.
+fn outcome_of_slow(what: &str, limits: ProcessLimits) -> Outcome {
+    let engine = unruly(limits);
+    let mut session = engine.session().unwrap();
+    please(session.as_mut(), what)
 }
 
 fn not_started(command_line: &str) -> String {
@@ -139,6 +147,52 @@ fn nonsense_is_an_error_and_quoted() {
     };
     assert!(message.contains("`compiling...`"), "{message}");
     assert!(matches!(outcome_of("binary", LIMITS), Outcome::Error { .. }));
+}
+
+#[test]
+fn half_an_answer_is_none() {
+    let limits = ProcessLimits {
+        reply: Duration::from_millis(300),
+        ..LIMITS
+    };
+    let outcome = outcome_of_slow("begin an answer", limits);
+    assert_eq!(outcome, Outcome::TimedOut { after_ms: 300 });
+    let Outcome::Error { message } = outcome_of("break off", LIMITS) else {
+        panic!("no error")
+    };
+    assert!(message.contains("which is no reply"), "{message}");
+}
+
+#[test]
+fn an_answer_to_a_request_that_was_not_made_is_an_error() {
+    for what in ["mistake the id", "run ahead"] {
+        let Outcome::Error { message } = outcome_of(what, LIMITS) else {
+            panic!("no error")
+        };
+        assert!(message.contains("out of turn"), "{message}");
+    }
+}
+
+#[test]
+fn a_process_that_ignores_signals_is_killed_all_the_same() {
+    let limits = ProcessLimits {
+        reply: Duration::from_millis(300),
+        ..LIMITS
+    };
+    let outcome = outcome_of_slow("ignore signals", limits);
+    assert_eq!(outcome, Outcome::TimedOut { after_ms: 300 });
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_process_that_holds_too_much_memory_has_crashed() {
+    let engine = unruly(ProcessLimits {
+        memory: 1 << 10,
+        ..LIMITS
+    });
+    let mut session = engine.session().unwrap();
+    let reason = "it held more than 0 MiB of memory".to_owned();
+    assert_eq!(please(session.as_mut(), "hang"), Outcome::Crashed { reason });
 }
 
 #[test]

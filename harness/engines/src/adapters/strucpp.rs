@@ -230,6 +230,9 @@ impl StrucppSession<'_> {
             Err(Failure::TimedOut) => Err(Outcome::TimedOut {
                 after_ms: u64::try_from(limits.time.as_millis()).unwrap_or(u64::MAX),
             }),
+            Err(Failure::Memory(limit)) => Err(Outcome::Crashed {
+                reason: format!("it held more than {} MiB of memory", limit >> 20),
+            }),
             Err(Failure::Flood) => Err(Outcome::Crashed {
                 reason: format!("it wrote more than {LONGEST} bytes"),
             }),

@@ -2,6 +2,7 @@
 
 use super::command_line::CommandLine;
 use super::group::{Group, Pipes, lock};
+use super::usage;
 use std::collections::VecDeque;
 use std::ffi::OsStr;
 use std::io::Read;
@@ -58,6 +59,11 @@ impl Child {
     /// Whether the process itself has ended; what it started may still hold its output open.
     pub(super) fn has_ended(&mut self) -> bool {
         self.group.has_ended()
+    }
+
+    /// How much memory it and all that it started hold, in bytes; 0 where the system does not tell.
+    pub(super) fn memory(&self) -> u64 {
+        usage::of_group(self.group.number()).unwrap_or_default().memory
     }
 
     /// Waits a moment for the end of a process that has nothing more to say, kills what is left of it, and tells how it

@@ -11,7 +11,11 @@ use std::time::{Duration, Instant};
 /// How many lines are read ahead of whoever waits for them. An engine that floods its output then waits, too.
 const AHEAD: usize = 1;
 
-/// How often somebody who waits for a line looks whether the process still lives.
+/// How much memory a process and all that it starts may hold where nobody says otherwise, in bytes: some compilers live in
+/// run-time systems that take much.
+pub(super) const MEMORY: u64 = 4 << 30;
+
+/// How often somebody who waits for a line looks whether the process still lives, and how much it holds.
 const LOOK: Duration = Duration::from_millis(100);
 
 /// A process and the two streams to and from it. Dropping it kills the process.
@@ -23,6 +27,8 @@ pub(crate) struct Connection {
     child: Child,
     requests: Sender<Vec<u8>>,
     replies: Receiver<Incoming>,
+    /// How much memory it may hold, in bytes.
+    memory: u64,
 }
 
 /// What came from a process.
@@ -41,6 +47,8 @@ pub(crate) enum Failure {
     TimedOut,
     /// It is longer than allowed.
     Flood,
+    /// The process holds more than this, in bytes.
+    Memory(u64),
 }
 
 impl Connection {
@@ -58,7 +66,14 @@ impl Connection {
             child,
             requests,
             replies,
+            memory: MEMORY,
         })
+    }
+
+    /// The same with another limit of memory.
+    pub(super) fn within(mut self, memory: u64) -> Connection {
+        self.memory = memory;
+        self
     }
 
     /// Sends a line, its line feed included, and waits for one line in return.
@@ -77,6 +92,9 @@ impl Connection {
                 Err(RecvTimeoutError::Disconnected) => return Err(Failure::Ended),
                 Err(RecvTimeoutError::Timeout) if self.child.has_ended() => return self.last_words(),
                 Err(RecvTimeoutError::Timeout) if left <= LOOK => return Err(Failure::TimedOut),
+                Err(RecvTimeoutError::Timeout) if self.child.memory() > self.memory => {
+                    return Err(Failure::Memory(self.memory));
+                }
                 Err(RecvTimeoutError::Timeout) => {}
             }
         }

@@ -15,8 +15,9 @@ impl CommandLine {
     /// # Errors
     /// Where it cannot be started, or answers anything but a `hello` of this protocol.
     pub(crate) fn greet(&self, limits: &ProcessLimits) -> Result<(Connection, Identity), EngineError> {
-        let mut connection =
-            Connection::open(self, limits.line).map_err(|reason| self.not_started(reason))?;
+        let mut connection = Connection::open(self, limits.line)
+            .map_err(|reason| self.not_started(reason))?
+            .within(limits.memory);
         let hello = message::line(&Request::Hello(HelloRequest { protocol: PROTOCOL }));
         let reply = match connection.exchange(hello, limits.hello) {
             Ok(reply) => reply,
@@ -40,6 +41,7 @@ fn unanswered(failure: Failure, connection: Connection, limits: &ProcessLimits) 
             let within = format!("it did not answer `hello` within {}", Outcome::limit(limit));
             with_words(within, &connection.kill())
         }
+        Failure::Memory(limit) => with_words(too_much(limit), &connection.kill()),
         Failure::Flood => {
             let flood = format!("its answer to `hello` is longer than {} bytes", limits.line);
             with_words(flood, &connection.kill())
@@ -47,7 +49,12 @@ fn unanswered(failure: Failure, connection: Connection, limits: &ProcessLimits) 
     }
 }
 
-fn with_words(reason: String, words: &str) -> String {
+/// What is told of a process that held more memory than this, in bytes.
+pub(super) fn too_much(limit: u64) -> String {
+    format!("it held more than {} MiB of memory", limit >> 20)
+}
+
+pub(super) fn with_words(reason: String, words: &str) -> String {
     match words {
         "" => reason,
         words => format!("{reason}; its stderr ends: {words}"),

@@ -3,6 +3,7 @@
 use super::ProcessLimits;
 use super::command_line::CommandLine;
 use super::connection::{Connection, Failure};
+use super::greeting::{too_much, with_words};
 use super::message::{self, Verb};
 use crate::protocol::Request;
 use crate::{Observation, Outcome, RunRequest, Session};
@@ -69,6 +70,9 @@ impl<'e> ProcessSession<'e> {
             },
             Failure::TimedOut => Outcome::TimedOut {
                 after_ms: u64::try_from(self.limits.reply.as_millis()).unwrap_or(u64::MAX),
+            },
+            Failure::Memory(limit) => Outcome::Crashed {
+                reason: with_words(too_much(limit), &connection.kill()),
             },
             Failure::Flood => Outcome::Error {
                 message: format!("its answer is longer than {} bytes", self.limits.line),

@@ -129,6 +129,8 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
         start
             .args(arguments)
             .current_dir(folder)
+            // What it would leave behind when it is killed goes with the folder.
+            .envs(["TMPDIR", "TEMP", "TMP"].map(|variable| (variable, folder)))
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
@@ -366,6 +368,17 @@ mod tests {
         let ended = shell("tail -f /dev/null & echo done; exit 0", LIMITS).unwrap();
         assert_eq!(ended.stdout, "done\n");
         assert_eq!(ended.code(), Ok(0));
+    }
+
+    #[test]
+    fn temporary_files_lie_in_the_folder_and_go_with_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let script = "echo text >\"$TMPDIR/left.tmp\"; mktemp >name; kill -KILL $$";
+        let ended = run(Path::new("sh"), &["-c", script], folder.path(), &LIMITS).unwrap();
+        assert!(ended.code().is_err());
+        assert!(folder.path().join("left.tmp").is_file());
+        let other = std::fs::read_to_string(folder.path().join("name")).unwrap();
+        assert_eq!(Path::new(other.trim()).parent(), Some(folder.path()));
     }
 
     #[test]

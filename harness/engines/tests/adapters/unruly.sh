@@ -27,6 +27,20 @@ while IFS= read -r line; do
     *'please: flood'*) while :; do printf 'xxxxxxxxxxxxxxxx'; done ;;
     *'please: talk'*) printf 'compiling...\n' ;;
     *'please: binary'*) printf '\377\376\n' ;;
+    *'please: begin an answer'*)
+        printf '{"type":"accep'
+        tail -f /dev/null
+        ;;
+    *'please: break off'*)
+        printf '{"type":"accepted","id":'
+        exit 0
+        ;;
+    *'please: mistake the id'*) answer 4294967295 ;;
+    *'please: run ahead'*) answer "$(($(number "$line") + 1))" ;;
+    *'please: ignore signals'*)
+        trap '' TERM INT HUP PIPE
+        while :; do tail -f /dev/null; done
+        ;;
     *'please: repeat'*)
         answer "$(number "$line")"
         answer "$(number "$line")"

@@ -5,14 +5,7 @@ use crate::adapters::ironplc::tests::{scripts, stand_in};
 use crate::{Observation, RunRequest};
 
 /// The checking half of the adapter `ironplc`, as a table.
-const IRONPLC: &str = r#"
-check = "{here}/ironplcc check --dialect {dialect} {file}"
-diagnostic = '^error\[(?<code>\w+)\]: (?<message>.*)$(?:\s+┌─ (?<file>.+):(?<line>\d+):(?<column>\d+)$)?'
-exit = { 0 = "accepted", 1 = "rejected" }
-codes = { P9001 = "unsupported", P9003 = "unsupported", P9997 = "unsupported", P9999 = "unsupported", P9998 = "crashed" }
-[dialects]
-ironplc-ed2 = "iec61131-3-ed2"
-"#;
+const IRONPLC: &str = include_str!("../../../tests/described/ironplc.toml");
 
 /// An engine of a table, whose paths lead from a folder.
 fn engine(table: &str, here: &Folder) -> DescribedEngine {
