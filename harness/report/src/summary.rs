@@ -186,13 +186,17 @@ fn failure(case: &CaseEvent) -> String {
     let expected = clip(&visible(&case.expected), SHOWN_LINES, SHOWN_CHARACTERS);
     let got = clip(&visible(&case.got), SHOWN_LINES, SHOWN_CHARACTERS);
     let difference = diff::text(&expected, &got);
-    let fence = fence(&difference);
+    let difference = match difference.as_str() {
+        // A pass that is not expected.
+        "" => String::new(),
+        text => format!("\n{fence}diff\n{text}{fence}\n", fence = fence(text)),
+    };
     let baseline = case.baseline.as_ref().map_or(String::new(), |note| {
         format!("- baseline: {}\n", inline(&noted(note)))
     });
     format!(
         "\n### {verdict}: {id}@{dialect} on {engine}\n\n{title}\n\n- basis: {basis}\n- at: {file}:{line}\n\
-         {baseline}- rerun: {rerun}\n\n{fence}diff\n{difference}{fence}\n",
+         {baseline}- rerun: {rerun}\n{difference}",
         verdict = case.verdict,
         id = inline(&case.id),
         dialect = inline(&case.dialect),

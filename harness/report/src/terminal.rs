@@ -343,7 +343,8 @@ Claims                      reference  matiec
     fn what_a_baseline_says_stands_with_the_case_and_what_is_out_of_date_with_the_end() {
         let (mut events, _) = sample::run_with_baseline();
         let text = shown(&events);
-        let note = "     baseline b/reference.toml:7 expects fail: rounds (https://example.org/1)\n";
+        let note =
+            "     baseline b/reference.toml:7 expects fail: rounds (https://example.org/1)\n     rerun    ";
         assert!(text.contains(note), "{text}");
         let outdated = "OUTDATED b/reference.toml:12: widening/gone* fits no case\n1 of 2 cases";
         assert!(text.contains(outdated), "{text}");

@@ -7,6 +7,7 @@
 mod bless;
 mod fold;
 mod held;
+mod owned;
 mod read;
 mod write;
 
@@ -80,20 +81,10 @@ impl Baseline {
 impl Entry {
     /// Whether the entry is about this case.
     fn covers(&self, id: &str, dialect: &str) -> bool {
-        // Most entries are about something else, and their beginning tells.
-        let (literal, is_pattern) = match self.case.as_str().split_once('*') {
-            Some((literal, _)) => (literal, true),
-            None => (self.case.as_str(), false),
-        };
-        if !(id.starts_with(literal) || literal.starts_with(id)) {
-            return false;
+        match self.case.is_pattern() {
+            true => self.case.fits(id, dialect),
+            false => self.case.names(id, dialect),
         }
-        self.names(id, dialect) || (is_pattern && self.case.fits(id, dialect))
-    }
-
-    /// Whether the entry is about this case alone, in one dialect or in all.
-    fn names(&self, id: &str, dialect: &str) -> bool {
-        self.case.names(id, dialect)
     }
 }
 

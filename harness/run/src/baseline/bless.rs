@@ -1,7 +1,8 @@
 //! Rewriting a baseline from what a run found. Expectations are never touched: a baseline only says what is known.
 
 use super::fold::{Folded, Key, Universe};
-use super::held::{Owned, Standing};
+use super::held::Standing;
+use super::owned::Owned;
 use super::{Baseline, Entry, write};
 use crate::Verdict;
 use crate::event::{CaseEvent, EngineHeader};

@@ -1,5 +1,7 @@
 //! A baseline held against the cases of a suite and the judgements of a run.
 
+use super::fold::Key;
+use super::owned::Owned;
 use super::{Baseline, Entry};
 use crate::event::{BaselineHeader, BaselineNote, OutdatedEntry};
 use crate::{Judgement, Verdict};
@@ -14,7 +16,10 @@ use stickler_types::DialectName;
 #[derive(Debug)]
 pub struct Held<'a> {
     header: BaselineHeader,
-    known: HashMap<(&'a str, DialectName), BaselineNote>,
+    /// What each entry says.
+    notes: Vec<BaselineNote>,
+    /// The index of the entry that each case belongs to.
+    owners: HashMap<Key<'a>, usize>,
 }
 
 /// Holds the baseline of an engine against the suite: which cases each entry is about, and which entries are out of date on
@@ -30,7 +35,7 @@ pub fn hold<'a>(baseline: &Baseline, suite: &'a Suite, engine: &Identity, today:
         .map(|entry| Standing::of(entry, &engine.version, today))
         .collect();
     let spoken = suite.cases.iter().filter(|case| engine.speaks(case.dialect));
-    let cases: Vec<(&str, DialectName)> = spoken.map(|case| (&*case.id, case.dialect)).collect();
+    let cases: Vec<Key<'_>> = spoken.map(|case| (&*case.id, case.dialect)).collect();
     let owned = Owned::of(&baseline.entries, &cases, |index| {
         standings[index] == Standing::Holds
     });
@@ -43,10 +48,6 @@ pub fn hold<'a>(baseline: &Baseline, suite: &'a Suite, engine: &Identity, today:
             why: standing.outdated(entry, fits)?,
         })
     });
-    let known = owned.owners.iter().map(|(&key, &index)| {
-        let entry = &baseline.entries[index];
-        (key, note(baseline, entry))
-    });
     Held {
         header: BaselineHeader {
             engine: engine.name.clone(),
@@ -54,7 +55,12 @@ pub fn hold<'a>(baseline: &Baseline, suite: &'a Suite, engine: &Identity, today:
             entries: baseline.entries.len() as u64,
             outdated: outdated.collect(),
         },
-        known: known.collect(),
+        notes: baseline
+            .entries
+            .iter()
+            .map(|entry| note(baseline, entry))
+            .collect(),
+        owners: owned.owners,
     }
 }
 
@@ -75,7 +81,7 @@ impl Held<'_> {
         dialect: DialectName,
         judgement: Judgement,
     ) -> (Judgement, Option<BaselineNote>) {
-        let Some(note) = self.known.get(&(id, dialect)) else {
+        let Some(note) = self.owners.get(&(id, dialect)).map(|&index| &self.notes[index]) else {
             return (judgement, None);
         };
         let verdict = match judgement.verdict {
@@ -94,46 +100,6 @@ fn note(baseline: &Baseline, entry: &Entry) -> BaselineNote {
         verdict: entry.verdict,
         reason: entry.reason.clone(),
         link: entry.link.clone(),
-    }
-}
-
-/// Which entry each case belongs to.
-pub(super) struct Owned<'a> {
-    /// The index of the entry, by id and dialect.
-    pub(super) owners: HashMap<(&'a str, DialectName), usize>,
-    /// Whether each entry is about any case at all, also where a more exact one takes all of them.
-    pub(super) fits: Vec<bool>,
-}
-
-impl<'a> Owned<'a> {
-    /// Gives each case to the entry that it belongs to, among those that `holds` lets take part.
-    pub(super) fn of(
-        entries: &[Entry],
-        cases: &[(&'a str, DialectName)],
-        holds: impl Fn(usize) -> bool,
-    ) -> Owned<'a> {
-        let mut owned = Owned {
-            owners: HashMap::new(),
-            fits: vec![false; entries.len()],
-        };
-        for &(id, dialect) in cases {
-            let mut owner: Option<(bool, usize)> = None;
-            for (index, entry) in entries.iter().enumerate() {
-                if !entry.covers(id, dialect.as_str()) {
-                    continue;
-                }
-                owned.fits[index] = true;
-                let exact = entry.names(id, dialect.as_str());
-                let first = owner.is_none_or(|(owner_is_exact, _)| exact && !owner_is_exact);
-                if first && holds(index) {
-                    owner = Some((exact, index));
-                }
-            }
-            if let Some((_, index)) = owner {
-                owned.owners.insert((id, dialect), index);
-            }
-        }
-        owned
     }
 }
 
