@@ -64,7 +64,7 @@ pub enum Command {
     /// Print one file in the normalised form of the reference
     #[command(after_help = RENDER_EXAMPLES)]
     Render(SourceArguments),
-    /// Serve the reference over the wire protocol on stdin and stdout, or find out whether an adapter keeps to it
+    /// Serve an engine over the wire protocol on stdin and stdout, or find out whether an adapter keeps to it
     #[command(after_help = engines::ENGINE_EXAMPLES)]
     Engine(EngineArguments),
     /// List the engines: what was found where, what each can do, and what is missing
@@ -120,8 +120,8 @@ pub struct RunArguments {
     /// Which cases.
     #[command(flatten)]
     pub selection: SelectionArguments,
-    /// Run them on this engine: `reference`, a compiler on this machine (`ironplc`, `matiec`, `strucpp`), or `cmd:COMMAND
-    /// LINE` for a program that speaks the wire protocol; may be repeated [default: reference]
+    /// Run them on this engine: a name that `stickler engines` lists, or `cmd:COMMAND LINE` for a program that speaks the
+    /// wire protocol; may be repeated [default: reference]
     #[arg(long, value_name = "ENGINE")]
     pub engine: Vec<String>,
     /// How exact a rejection or a fault must be to pass: `code` (the right codes on the right lines), `line`, or

@@ -133,6 +133,27 @@ fn a_described_compiler_is_listed_and_runs() {
 }
 
 #[test]
+fn every_engine_that_has_a_name_can_be_served_and_validated() {
+    let folder = folder("[engines.mine]\ncommand = \"'STICKLER' engine\"\n");
+    let page = |name: &str| {
+        let output = stickler(folder.path(), &["engine", "--validate", name]);
+        assert_eq!(
+            output.status.code(),
+            Some(0),
+            "{}{}",
+            shown(&output),
+            told(&output)
+        );
+        shown(&output)
+    };
+    assert!(page("reference").ends_with("its compiler gives what it must: 25 of 25.\n"));
+    assert_eq!(page("reference"), page("mine"));
+    let output = stickler(folder.path(), &["engine", "--validate", "no-such-adapter"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(told(&output).contains("no-such-adapter"), "{}", told(&output));
+}
+
+#[test]
 fn a_file_with_a_mistake_stops_what_would_need_it() {
     let folder = folder("[engines.matiec]\nic2c = \"/x\"\n");
     let output = stickler(folder.path(), &["engines"]);

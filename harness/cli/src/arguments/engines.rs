@@ -5,8 +5,11 @@ use clap::Args;
 /// `stickler engine`.
 #[derive(Args, Debug)]
 pub struct EngineArguments {
+    /// Serve this engine: a name that `stickler engines` lists [default: reference]
+    #[arg(long, value_name = "ENGINE", conflicts_with = "validate")]
+    pub engine: Option<String>,
     /// Start this adapter, ask it the questions of the smoke set, and tell whether it is broken or its compiler wrong: a
-    /// command with its arguments, or an engine that stickler.toml names by a command
+    /// command with its arguments, or the name of an engine
     #[arg(long, value_name = "CMD", num_args = 1.., allow_hyphen_values = true)]
     pub validate: Vec<String>,
 }
@@ -15,6 +18,7 @@ pub const ENGINE_EXAMPLES: &str = r#"Examples:
   $ echo '{"type":"hello","protocol":1}' | stickler engine
   {"type":"hello","protocol":1,"name":"reference",...}
 
+  stickler engine --engine ironplc                  a compiler with an adapter
   stickler engine --validate python3 my_adapter.py --quiet
 
 One JSON object a line; harness/engines/README.md describes them. --validate ends

@@ -1,4 +1,4 @@
-//! `stickler engine`: the reference over the wire protocol; with `--validate`, whether an adapter keeps to it.
+//! `stickler engine`: an engine over the wire protocol; with `--validate`, whether an adapter keeps to it.
 
 use crate::arguments::EngineArguments;
 use crate::exit::Exit;
@@ -6,9 +6,10 @@ use crate::{engines, interrupt, shell};
 use anstyle::{AnsiColor, Style};
 use anyhow::Context;
 use std::borrow::Cow;
+use std::env;
 use std::io::{self, Write};
-use stickler_configuration::Kind;
-use stickler_engines::{Check, Judgement, ProcessLimits, Reference, Validation, protocol};
+use stickler_configuration::{Configuration, Kind};
+use stickler_engines::{Check, Judgement, ProcessLimits, Validation, protocol};
 
 const BOLD: Style = Style::new().bold();
 const BAD: Style = AnsiColor::Red.on_default().bold();
@@ -21,8 +22,10 @@ pub fn execute(arguments: &EngineArguments, out: &mut dyn Write) -> anyhow::Resu
     if !arguments.validate.is_empty() {
         return validate(&arguments.validate, out);
     }
+    interrupt::at_once()?;
+    let engine = engines::by_name(arguments.engine.as_deref().unwrap_or(engines::REFERENCE))?;
     // The server flushes each reply, so it gets the stream itself and not the gathering one.
-    protocol::serve(&Reference::default(), io::stdin().lock(), io::stdout().lock())
+    protocol::serve(engine.as_ref(), io::stdin().lock(), io::stdout().lock())
         .context("the conversation broke off")?;
     Ok(Exit::AsExpected)
 }
@@ -30,19 +33,30 @@ pub fn execute(arguments: &EngineArguments, out: &mut dyn Write) -> anyhow::Resu
 fn validate(words: &[String], out: &mut dyn Write) -> anyhow::Result<Exit> {
     interrupt::at_once()?;
     let configuration = engines::configuration()?;
-    let entry = match words {
-        [name] => configuration.engine(name),
-        _ => None,
+    let (folder, line) = match words {
+        [name] if engines::names(&configuration).contains(&name.as_str()) => {
+            match configuration.engine(name).map(|entry| &entry.kind) {
+                Some(Kind::Command { line }) => (configuration.folder(), line.clone()),
+                // What speaks no protocol of its own is served by this program.
+                _ => (None, served(name, &configuration)?),
+            }
+        }
+        _ => (None, command_line(words)),
     };
-    let named = match entry.map(|entry| &entry.kind) {
-        Some(Kind::Command { line }) => Some(line.clone()),
-        _ => None,
-    };
-    let folder = named.as_ref().and(configuration.folder());
-    let line = named.unwrap_or_else(|| command_line(words));
     let validation = stickler_engines::validate(folder, &line, ProcessLimits::default())?;
     write_page(&validation, out)?;
     Ok(exit(&validation))
+}
+
+/// The command line by which this program serves an engine.
+fn served(name: &str, configuration: &Configuration) -> anyhow::Result<String> {
+    let program = env::current_exe().context("this program does not know where it is")?;
+    let mut words = vec![program.to_string_lossy().into_owned()];
+    words.extend(["engine", "--engine", name].map(str::to_owned));
+    if let Some(file) = configuration.path() {
+        words.extend(["--config".to_owned(), file.to_string_lossy().into_owned()]);
+    }
+    Ok(command_line(&words))
 }
 
 /// The words as one line that is split into them again. One word alone is a line already, as behind `cmd:`.

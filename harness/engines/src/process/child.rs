@@ -133,6 +133,10 @@ fn keep(kept: &mut VecDeque<u8>, piece: &[u8]) {
 
 /// The last lines that are not blank, in one line, without what would steer a terminal.
 pub(super) fn told(text: &str) -> String {
+    // A flood may be one line.
+    let from = text.len().saturating_sub(TAIL);
+    let from = (from..text.len()).find(|&at| text.is_char_boundary(at));
+    let text = &text[from.unwrap_or(0)..];
     let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
     let last = &lines[lines.len().saturating_sub(TOLD_LINES)..];
     let joined = last
@@ -157,6 +161,7 @@ mod tests {
         let many: String = (0..20).map(|number| format!("{number}\n")).collect();
         assert_eq!(told(&many), "12 | 13 | 14 | 15 | 16 | 17 | 18 | 19");
         assert_eq!(told(""), "");
+        assert_eq!(told(&"ä".repeat(1 << 20)), "ä".repeat(TAIL / 2));
     }
 
     #[test]

@@ -90,8 +90,28 @@ impl Ended {
     }
 }
 
-/// Which stream, and all that came from it; `None` where that was more than allowed.
-type StreamEnd = (Stream, Option<Vec<u8>>);
+/// Which stream, what came from it, and whether that is all: no more is kept than is allowed.
+type StreamEnd = (Stream, String, bool);
+
+/// What came from both streams; `None` where one has not ended.
+#[derive(Default)]
+struct Gathered {
+    stdout: Option<String>,
+    stderr: Option<String>,
+}
+
+impl Gathered {
+    fn is_whole(&self) -> bool {
+        self.stdout.is_some() && self.stderr.is_some()
+    }
+
+    fn keep(&mut self, stream: Stream, text: String) {
+        match stream {
+            Stream::Stdout => self.stdout = Some(text),
+            Stream::Stderr => self.stderr = Some(text),
+        }
+    }
+}
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Stream {
@@ -140,12 +160,12 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
         message: format!("`{}` could not be started: {reason}", program.display()),
     })?;
     let streams = collect(pipes, limits.output);
-    let (stdout, stderr) = gather(&mut group, &streams, deadline, limits)?;
+    let Gathered { stdout, stderr } = gather(&mut group, &streams, deadline, limits)?;
     let status = end(&mut group, deadline, limits)?;
     Ok(Ended {
         status,
-        stdout,
-        stderr,
+        stdout: stdout.unwrap_or_default(),
+        stderr: stderr.unwrap_or_default(),
     })
 }
 
@@ -167,7 +187,7 @@ fn read(which: Stream, stream: Option<impl Read + Send + 'static>, most: u64, se
         }
         let within = u64::try_from(bytes.len()).is_ok_and(|length| length <= most);
         // Nobody may be waiting any more.
-        let _ = sender.send((which, within.then_some(bytes)));
+        let _ = sender.send((which, text(bytes), within));
     });
 }
 
@@ -177,25 +197,56 @@ fn gather(
     streams: &Receiver<StreamEnd>,
     deadline: Instant,
     limits: &ToolLimits,
-) -> Result<(String, String), Outcome> {
-    let (mut stdout, mut stderr) = (None, None);
+) -> Result<Gathered, Outcome> {
+    let mut gathered = Gathered::default();
     let mut orphaned = false;
-    while stdout.is_none() || stderr.is_none() {
+    while !gathered.is_whole() {
         let left = deadline.saturating_duration_since(Instant::now());
-        match streams.recv_timeout(left.min(LOOK)) {
-            Ok((_, None)) => return Err(flooded(limits)),
-            Ok((Stream::Stdout, Some(bytes))) => stdout = Some(text(bytes)),
-            Ok((Stream::Stderr, Some(bytes))) => stderr = Some(text(bytes)),
+        let looked = match streams.recv_timeout(left.min(LOOK)) {
+            Ok((stream, text, within)) => {
+                gathered.keep(stream, text);
+                if within { Ok(()) } else { Err(flooded(limits)) }
+            }
             // What the process started holds its output open: with them gone the streams end.
             Err(RecvTimeoutError::Timeout) if group.has_ended() && !orphaned => {
                 orphaned = true;
                 group.kill();
+                Ok(())
             }
-            Err(RecvTimeoutError::Timeout) if left > LOOK => within(group, limits)?,
-            Err(_) => return Err(timed_out(limits)),
+            Err(RecvTimeoutError::Timeout) if left > LOOK => within(group, limits),
+            Err(_) => Err(timed_out(limits)),
+        };
+        if let Err(outcome) = looked {
+            return Err(with_last_words(outcome, group, streams, gathered));
         }
     }
-    Ok((stdout.unwrap_or_default(), stderr.unwrap_or_default()))
+    Ok(gathered)
+}
+
+/// A crash with the last that the process wrote, which is killed for that: then its streams end.
+fn with_last_words(
+    outcome: Outcome,
+    group: &mut Group,
+    streams: &Receiver<StreamEnd>,
+    mut gathered: Gathered,
+) -> Outcome {
+    let Outcome::Crashed { reason } = outcome else {
+        return outcome;
+    };
+    group.kill();
+    while !gathered.is_whole()
+        // A process that left its group may hold them open all the same.
+        && let Ok((stream, text, _)) = streams.recv_timeout(LOOK)
+    {
+        gathered.keep(stream, text);
+    }
+    let words = [gathered.stderr, gathered.stdout].into_iter().flatten();
+    let words = words.map(|text| told(&text)).find(|words| !words.is_empty());
+    let reason = match words {
+        Some(words) => format!("{reason}; its last words: {words}"),
+        None => reason,
+    };
+    Outcome::Crashed { reason }
 }
 
 fn text(bytes: Vec<u8>) -> String {
@@ -243,151 +294,4 @@ fn end(group: &mut Group, deadline: Instant, limits: &ToolLimits) -> Result<Exit
 }
 
 #[cfg(all(test, unix))]
-mod tests {
-    use super::*;
-
-    const LIMITS: ToolLimits = ToolLimits {
-        time: Duration::from_secs(60),
-        cpu: Duration::from_secs(60),
-        output: 1 << 16,
-        memory: 1 << 30,
-    };
-
-    fn shell(script: &str, limits: ToolLimits) -> Result<Ended, Outcome> {
-        run(Path::new("sh"), &["-c", script], Path::new("/"), &limits)
-    }
-
-    #[test]
-    fn both_streams_and_the_exit_code_are_told() {
-        let ended = shell("echo out; echo err >&2; exit 3", LIMITS).unwrap();
-        assert_eq!((ended.stdout.as_str(), ended.stderr.as_str()), ("out\n", "err\n"));
-        assert_eq!(ended.code(), Ok(3));
-    }
-
-    #[test]
-    fn a_signal_is_a_crash_with_the_last_words() {
-        let outcome = shell("echo bad luck >&2; kill -ABRT $$", LIMITS)
-            .unwrap()
-            .code()
-            .unwrap_err();
-        let Outcome::Crashed { reason } = outcome else {
-            panic!("no crash")
-        };
-        assert!(
-            reason.contains("signal: 6") && reason.ends_with("bad luck"),
-            "{reason}"
-        );
-    }
-
-    #[test]
-    fn what_takes_too_long_is_killed() {
-        let time = Duration::from_millis(300);
-        let hang = shell("tail -f /dev/null", ToolLimits { time, ..LIMITS });
-        assert_eq!(hang.unwrap_err(), Outcome::TimedOut { after_ms: 300 });
-        let silent = shell(
-            "exec >/dev/null 2>&1; tail -f /dev/null",
-            ToolLimits { time, ..LIMITS },
-        );
-        assert_eq!(silent.unwrap_err(), Outcome::TimedOut { after_ms: 300 });
-    }
-
-    #[test]
-    fn what_writes_without_end_is_killed() {
-        for flood in ["yes", "yes >&2"] {
-            let outcome = shell(flood, LIMITS).unwrap_err();
-            let reason = "it wrote more than 65536 bytes".to_owned();
-            assert_eq!(outcome, Outcome::Crashed { reason });
-        }
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn what_takes_too_much_memory_is_killed() {
-        let limits = ToolLimits {
-            memory: 1 << 10,
-            ..LIMITS
-        };
-        for script in ["tail -f /dev/null", "exec >/dev/null 2>&1; tail -f /dev/null"] {
-            let outcome = shell(script, limits).unwrap_err();
-            let reason = "it held more than 0 MiB of memory".to_owned();
-            assert_eq!(outcome, Outcome::Crashed { reason }, "{script}");
-        }
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn the_memory_of_what_a_process_started_counts_with_its_own() {
-        // Each shell alone holds less than it may.
-        let limits = ToolLimits {
-            memory: 8 << 20,
-            ..LIMITS
-        };
-        let outcome = shell(
-            "for each in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16; do sh -c 'tail -f /dev/null; :' & done; wait",
-            limits,
-        );
-        assert!(matches!(outcome, Err(Outcome::Crashed { .. })), "{outcome:?}");
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn what_computes_for_too_long_is_killed_although_its_children_did_it() {
-        let limits = ToolLimits {
-            cpu: Duration::from_millis(100),
-            ..LIMITS
-        };
-        for script in ["while :; do :; done", "sh -c 'while :; do :; done' & wait"] {
-            let outcome = shell(script, limits).unwrap_err();
-            let reason = "it took more than 0.1 seconds of processor time".to_owned();
-            assert_eq!(outcome, Outcome::Crashed { reason }, "{script}");
-        }
-    }
-
-    #[test]
-    fn what_ignores_the_signal_to_end_is_killed_all_the_same() {
-        let time = Duration::from_millis(300);
-        let stubborn = "trap '' TERM INT HUP; while :; do tail -f /dev/null; done";
-        let outcome = shell(stubborn, ToolLimits { time, ..LIMITS });
-        assert_eq!(outcome.unwrap_err(), Outcome::TimedOut { after_ms: 300 });
-    }
-
-    #[test]
-    fn what_is_not_executable_is_an_error_that_says_so() {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("compiler");
-        std::fs::write(&file, "#!/bin/sh\n").unwrap();
-        let nothing: [&str; 0] = [];
-        let Outcome::Error { message } = run(&file, &nothing, folder.path(), &LIMITS).unwrap_err() else {
-            panic!("no error")
-        };
-        assert!(message.contains("ermission denied"), "{message}");
-    }
-
-    #[test]
-    fn the_end_is_seen_although_a_child_holds_the_output() {
-        let ended = shell("tail -f /dev/null & echo done; exit 0", LIMITS).unwrap();
-        assert_eq!(ended.stdout, "done\n");
-        assert_eq!(ended.code(), Ok(0));
-    }
-
-    #[test]
-    fn temporary_files_lie_in_the_folder_and_go_with_it() {
-        let folder = tempfile::tempdir().unwrap();
-        let script = "echo text >\"$TMPDIR/left.tmp\"; mktemp >name; kill -KILL $$";
-        let ended = run(Path::new("sh"), &["-c", script], folder.path(), &LIMITS).unwrap();
-        assert!(ended.code().is_err());
-        assert!(folder.path().join("left.tmp").is_file());
-        let other = std::fs::read_to_string(folder.path().join("name")).unwrap();
-        assert_eq!(Path::new(other.trim()).parent(), Some(folder.path()));
-    }
-
-    #[test]
-    fn what_cannot_be_started_is_an_error() {
-        let nothing: [&str; 0] = [];
-        let outcome = run(Path::new("/no/such/program"), &nothing, Path::new("/"), &LIMITS).unwrap_err();
-        let Outcome::Error { message } = outcome else {
-            panic!("no error")
-        };
-        assert!(message.contains("/no/such/program"), "{message}");
-    }
-}
+mod tests;
