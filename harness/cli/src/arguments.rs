@@ -141,6 +141,9 @@ pub struct RunArguments {
     /// Run N cases at a time [default: one a processor]
     #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
     pub jobs: Option<u16>,
+    /// Give every program to a compiler alone, also where that takes much longer
+    #[arg(long)]
+    pub unpacked: bool,
     /// Write the reports to DIR [default: reports/latest beside the folder of the cases]
     #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
     pub report: Option<PathBuf>,

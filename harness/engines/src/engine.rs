@@ -31,11 +31,10 @@ pub trait Session {
     /// from an engine that can only check, [`Outcome::Accepted`].
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome;
 
-    /// Executes several programs of one dialect with less work than one after the other, and gives for each what
-    /// [`Session::run`] would give, or `None` where the pack as a whole tells nothing about it: such a program is asked about
-    /// again, in a smaller pack or alone. The order is that of the requests.
-    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Option<Outcome>> {
-        vec![None; requests.len()]
+    /// Executes several programs of one dialect with less work than one after the other, and says what that tells about
+    /// each, in the order of the requests.
+    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+        vec![Packed::Alone; requests.len()]
     }
 
     /// Checks a program without executing it: [`Outcome::Accepted`] or `Rejected`.
@@ -43,6 +42,17 @@ pub trait Session {
 
     /// Gives a program back as normalised source: [`Outcome::Rendered`] or `Rejected`.
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome;
+}
+
+/// What a pack tells about one of its programs.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Packed {
+    /// What [`Session::run`] would give.
+    Told(Outcome),
+    /// Nothing; it should be asked about in a smaller pack.
+    Unknown,
+    /// Nothing, and no other pack would tell more: it has to be asked about alone.
+    Alone,
 }
 
 /// Who an engine is and what it can do.

@@ -16,7 +16,7 @@ mod validate;
 
 pub use adapters::{Compiler, DescribedEngine, Description, FoundBy, Located, Place, Places, Sought};
 pub use engine::{
-    Ability, ClockStep, Engine, EngineError, Identity, Observation, RunRequest, Session, Setting,
+    Ability, ClockStep, Engine, EngineError, Identity, Observation, Packed, RunRequest, Session, Setting,
 };
 pub use grade::Grade;
 pub use guard::{guard, guarded};

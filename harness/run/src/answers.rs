@@ -1,7 +1,8 @@
 //! Asking an engine all that a case needs.
 
 use stickler_engines::{
-    ClockStep, Engine, EngineError, Observation, Outcome, RunRequest, Session, Setting, guard, guarded,
+    ClockStep, Engine, EngineError, Observation, Outcome, Packed, RunRequest, Session, Setting, guard,
+    guarded,
 };
 use stickler_suite::{Case, ClockSetting};
 use stickler_types::Value;
@@ -81,26 +82,24 @@ impl<'e> Desk<'e> {
         Ok(answers)
     }
 
-    /// Asks the engine to run several programs at a time; `None` where it has to be asked again about fewer. Of the
-    /// cases, none may need more than a run.
+    /// Asks the engine to run several programs at a time. Of the cases, none may need more than a run.
     ///
     /// # Errors
     /// As [`Desk::ask`]. An engine that panics has told nothing about any of them.
-    pub(crate) fn ask_pack(&mut self, cases: &[&Case]) -> Result<Vec<Option<Answers>>, EngineError> {
+    pub(crate) fn ask_pack(&mut self, cases: &[&Case]) -> Result<Vec<Packed>, EngineError> {
         let questions: Vec<Question<'_>> = cases.iter().map(|case| Question::of(case)).collect();
         let requests: Vec<RunRequest<'_>> = questions.iter().map(Question::request).collect();
         let session = self.session()?;
-        let mut outcomes = match guarded(|| session.run_pack(&requests)) {
-            Ok(outcomes) => outcomes,
+        let mut packed = match guarded(|| session.run_pack(&requests)) {
+            Ok(packed) => packed,
             Err(_) => {
                 self.session = None;
                 Vec::new()
             }
         };
         // Whatever an engine gives, it is one answer a case.
-        outcomes.resize(cases.len(), None);
-        let answers = |outcome: Option<Outcome>| outcome.map(Answers::of_run);
-        Ok(outcomes.into_iter().map(answers).collect())
+        packed.resize(cases.len(), Packed::Unknown);
+        Ok(packed)
     }
 
     fn session(&mut self) -> Result<&mut (dyn Session + 'e), EngineError> {

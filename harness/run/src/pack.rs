@@ -1,14 +1,14 @@
 //! Which cases are asked about together, and what becomes of those about which a pack told nothing.
 //!
 //! An engine that takes long to start is given several programs at a time. It gets together only what is likely to pass
-//! together: programs that must be accepted, or programs whose mistakes all lie behind reading them. About whatever it is
-//! not sure of it is asked again in packs of half the size, until the culprit stands alone; so packing changes no outcome.
+//! together: programs that must be accepted, or programs whose mistakes all lie behind reading them. About whatever a pack
+//! does not tell it is asked again, in packs of half the size, until the culprit stands alone; so packing changes no outcome.
 //!
 //! Basis: design, section 6.
 
 use crate::answers::{Answers, Desk};
 use std::time::{Duration, Instant};
-use stickler_engines::EngineError;
+use stickler_engines::{EngineError, Packed};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::{Code, DialectName};
 
@@ -93,30 +93,35 @@ pub(crate) fn settle(
         }
         let begun = Instant::now();
         let asked: Vec<&Case> = pack.iter().map(|&place| cases[place]).collect();
-        let answers = match asked[..] {
-            [case] => vec![Some(desk.ask(case)?)],
-            _ => desk.ask_pack(&asked)?,
-        };
+        if let [place] = pack[..] {
+            let answers = desk.ask(cases[place])?;
+            settled[place] = Some((answers, spent[place] + begun.elapsed()));
+            continue;
+        }
+        let packed = desk.ask_pack(&asked)?;
         let share = begun.elapsed() / u32::try_from(pack.len()).unwrap_or(u32::MAX);
-        let mut unsettled = Vec::new();
-        for (&place, answers) in pack.iter().zip(answers) {
+        let mut unknown = Vec::new();
+        let mut alone = Vec::new();
+        for (&place, packed) in pack.iter().zip(packed) {
             spent[place] += share;
-            match answers {
-                Some(answers) => settled[place] = Some((answers, spent[place])),
-                None => unsettled.push(place),
+            match packed {
+                Packed::Told(run) => settled[place] = Some((Answers::of_run(run), spent[place])),
+                Packed::Unknown => unknown.push(place),
+                Packed::Alone => alone.push(vec![place]),
             }
         }
-        halve(unsettled, pack.len(), &mut open);
+        halve(unknown, pack.len(), &mut open);
+        open.extend(alone.into_iter().rev());
     }
     Ok(settled)
 }
 
 /// Makes packs of what a pack of this size left over: two, unless it is much smaller already.
-fn halve(unsettled: Vec<usize>, size: usize, open: &mut Vec<Vec<usize>>) {
-    let pieces = if unsettled.len() * 2 > size { 2 } else { 1 };
-    let most = unsettled.len().div_ceil(pieces).max(1);
+fn halve(unknown: Vec<usize>, size: usize, open: &mut Vec<Vec<usize>>) {
+    let pieces = if unknown.len() * 2 > size { 2 } else { 1 };
+    let most = unknown.len().div_ceil(pieces).max(1);
     // The last is asked first: the front of the suite.
-    open.extend(unsettled.chunks(most).rev().map(<[usize]>::to_vec));
+    open.extend(unknown.chunks(most).rev().map(<[usize]>::to_vec));
 }
 
 #[cfg(test)]

@@ -13,6 +13,8 @@ use stickler_types::DialectName;
 pub struct Plan {
     /// How many workers; 0 is one a processor.
     pub jobs: usize,
+    /// Every program is given to an engine alone, also where the engine would take several at a time.
+    pub unpacked: bool,
     /// Cases that fit any of these; all where there is none.
     pub filters: Vec<Filter>,
     /// Cases of any of these dialects; all where there is none.
@@ -40,6 +42,7 @@ impl Default for Plan {
     fn default() -> Plan {
         Plan {
             jobs: 0,
+            unpacked: false,
             filters: Vec::new(),
             dialects: Vec::new(),
             shard: None,

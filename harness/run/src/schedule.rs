@@ -59,7 +59,7 @@ pub fn run(
         plan,
         jobs: &jobs,
         engines,
-        pack_sizes: engines.iter().map(|engine| engine.pack_size()).collect(),
+        pack_sizes: engines.iter().map(|engine| pack_size(plan, *engine)).collect(),
         held: &held,
         cancel,
         stop: AtomicBool::new(false),
@@ -101,6 +101,10 @@ const LARGEST_BATCH: usize = 64;
 
 /// A batch for engines that pack holds so many packs of each, for cases of several kinds alternate.
 const PACKS: usize = 2;
+
+fn pack_size(plan: &Plan, engine: &dyn Engine) -> usize {
+    if plan.unpacked { 1 } else { engine.pack_size() }
+}
 
 /// One case on one engine.
 #[derive(Clone, Copy)]

@@ -108,6 +108,7 @@ fn plan(arguments: &RunArguments) -> Plan {
     plan.rerun_prefix.push_str(&judged_alike(arguments));
     Plan {
         jobs: arguments.jobs.map_or(0, usize::from),
+        unpacked: arguments.unpacked,
         strict: arguments.strict,
         // Rounding a time to seconds fails only at the end of time.
         today: now.to_zoned(TimeZone::UTC).date(),

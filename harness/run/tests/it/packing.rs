@@ -4,7 +4,7 @@ use crate::fixtures::{Puppet, case, executed, rejected, rejection, suite};
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use stickler_engines::{Engine, EngineError, Identity, Outcome, Reference, RunRequest, Session};
+use stickler_engines::{Engine, EngineError, Identity, Outcome, Packed, Reference, RunRequest, Session};
 use stickler_run::{Event, Plan, run};
 use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
@@ -87,7 +87,7 @@ impl<E> Session for PackingSession<'_, E> {
         self.session.run(request)
     }
 
-    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Option<Outcome>> {
+    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
         assert!(
             requests
                 .iter()
@@ -97,7 +97,13 @@ impl<E> Session for PackingSession<'_, E> {
         self.engine.largest.fetch_max(requests.len(), Ordering::Relaxed);
         let outcomes: Vec<Outcome> = requests.iter().map(|request| self.session.run(request)).collect();
         let sure = (self.engine.sure)(&outcomes);
-        let told = |(outcome, sure): (Outcome, bool)| sure.then_some(outcome);
+        let told = |(outcome, sure)| {
+            if sure {
+                Packed::Told(outcome)
+            } else {
+                Packed::Unknown
+            }
+        };
         outcomes.into_iter().zip(sure).map(told).collect()
     }
 
@@ -208,6 +214,18 @@ fn accepted_and_rejected_programs_do_not_meet_and_unreadable_ones_stand_alone() 
         })
         .collect();
     assert!(ids.iter().copied().eq(suite.cases.iter().map(|case| &*case.id)));
+}
+
+#[test]
+fn an_unpacked_run_asks_about_each_program_alone() {
+    let packing = Packing::new(Puppet::new("puppet", |_| executed(&[])), 16, of_all_or_none);
+    let plan = Plan {
+        unpacked: true,
+        ..Plan::default()
+    };
+    let suite = numbered(64, |_, case| case);
+    run(&plan, &suite, &[&packing], &mut drop, &AtomicBool::new(false)).unwrap();
+    assert_eq!(packing.asked(), (0, 0, 64));
 }
 
 #[test]
