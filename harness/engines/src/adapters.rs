@@ -5,6 +5,7 @@
 //! be seen into something that it does show; no line of the program moves. What a compiler does wrong is its own: an
 //! adapter mends nothing.
 
+mod apart;
 mod builder;
 mod described;
 mod driver;

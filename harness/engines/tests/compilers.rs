@@ -2,7 +2,7 @@
 
 use std::io::Write;
 use stickler_engines::{
-    Compiler, DescribedEngine, Description, Engine, Observation, Outcome, Places, RunRequest,
+    Compiler, DescribedEngine, Description, Engine, Observation, Outcome, Packed, Places, RunRequest,
 };
 use stickler_types::{DialectName, Fault};
 
@@ -103,6 +103,80 @@ fn divides_by_zero(engine: &dyn Engine) {
         ),
         "{outcome:?}"
     );
+}
+
+/// Programs of every fate, some of which declare the same names.
+const COMPANY: [&str; 12] = [
+    "TYPE COLOR : (RED, GREEN); END_TYPE\nPROGRAM main\nVAR c : COLOR; n : INT; END_VAR\n    c := GREEN;\n    \
+     IF c = GREEN THEN n := 1; END_IF;\nEND_PROGRAM\n",
+    "TYPE COLOR : (GREEN, RED); END_TYPE\nPROGRAM main\nVAR c : COLOR := RED; n : INT; END_VAR\n    c := GREEN;\n    \
+     IF c = GREEN THEN n := 2; END_IF;\nEND_PROGRAM\n",
+    "FUNCTION ADDED : INT\nVAR_INPUT x : INT; END_VAR\n    ADDED := x + 3;\nEND_FUNCTION\n\
+     PROGRAM main\nVAR n : INT; END_VAR\n    n := ADDED(n);\nEND_PROGRAM\n",
+    "FUNCTION_BLOCK ADDED\nVAR_INPUT x : INT; END_VAR\nVAR y : INT; END_VAR\n    y := y + x;\nEND_FUNCTION_BLOCK\n\
+     PROGRAM main\nVAR b : ADDED; n : INT; END_VAR\n    b(x := 4);\n    n := 4;\nEND_PROGRAM\n",
+    "PROGRAM main\nVAR n : INT; END_VAR\n    n := unknown;\nEND_PROGRAM\n",
+    "FUNCTION NUMBER : INT\nVAR_INPUT x : INT; END_VAR\n    NUMBER := x;\nEND_FUNCTION\n\
+     PROGRAM main\nVAR n : INT; s : STRING; END_VAR\n    n := NUMBER(s) + NUMBER(s);\n    s := n;\nEND_PROGRAM\n",
+    "PROGRAM main\nVAR n : INT; END_VAR\n    n := ;\nEND_PROGRAM\n",
+    "PROGRAM main\nVAR n : INT; END_VAR\n    n := 5;\n    IF n > 1 THEN\nEND_PROGRAM\n",
+    "PROGRAM main\nVAR n : INT; z : INT; END_VAR\n    n := 5 / z;\nEND_PROGRAM\n",
+    "PROGRAM main\nVAR n : INT; list : ARRAY[1..3] OF INT; END_VAR\n    list[2] := 8;\n    n := list[2];\nEND_PROGRAM\n",
+    "PROGRAM other\nVAR n : INT; END_VAR\n    n := 10;\n    RETURN;\nEND_PROGRAM\n",
+    "(* a comment that does not end PROGRAM main\nVAR n : INT; END_VAR\nEND_PROGRAM\n",
+];
+
+/// Packs change nothing but the time that is taken.
+fn packs(engine: &dyn Engine) {
+    let observe = [Observation {
+        name: "n",
+        type_name: "INT",
+        after: None,
+    }];
+    let requests: Vec<RunRequest<'_>> = COMPANY
+        .iter()
+        .map(|source| RunRequest {
+            dialect: engine.identity().dialects[0],
+            source,
+            scans: 2,
+            observe: &observe,
+            clock: &[],
+            set: &[],
+        })
+        .collect();
+    assert!(engine.pack_size() > requests.len());
+    let mut session = engine.session().unwrap();
+    let alone: Vec<Outcome> = requests.iter().map(|request| session.run(request)).collect();
+    let packed = session.run_pack(&requests);
+    let mut left = Vec::new();
+    for ((source, alone), packed) in COMPANY.iter().zip(&alone).zip(packed) {
+        match packed {
+            Packed::Told(outcome) => assert_eq!(&outcome, alone, "{source}"),
+            Packed::Alone | Packed::Unknown => left.push(*source),
+        }
+    }
+    assert!(left.len() <= 4, "the pack tells nothing about {left:#?}");
+    let executed = |outcome: &&Outcome| matches!(outcome, Outcome::Executed { .. });
+    let rejected = |outcome: &&Outcome| matches!(outcome, Outcome::Rejected { .. });
+    let counted = (
+        alone.iter().filter(executed).count(),
+        alone.iter().filter(rejected).count(),
+    );
+    assert!(counted.0 >= 5 && counted.1 >= 4, "{counted:?}: {alone:#?}");
+}
+
+#[test]
+fn matiec_packs() {
+    if let Some(engine) = here(Compiler::Matiec) {
+        packs(engine.as_ref());
+    }
+}
+
+#[test]
+fn strucpp_packs() {
+    if let Some(engine) = here(Compiler::Strucpp) {
+        packs(engine.as_ref());
+    }
 }
 
 #[test]

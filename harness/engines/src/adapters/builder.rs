@@ -3,7 +3,7 @@
 use super::locate::{self, call, failed, first_error};
 use super::places::{Place, Search};
 use crate::Outcome;
-use crate::process::Folder;
+use crate::process::{Ended, Folder};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -131,22 +131,35 @@ impl Builder {
         further: &[OsString],
         folder: &Folder,
     ) -> Result<(), Outcome> {
-        let words = self.language.words();
-        folder.write(words.driver, driver).map_err(failed)?;
-        let mut arguments = self.arguments(&[words.driver, "-I", ".", "-o", "driver"]);
-        arguments.extend_from_slice(further);
-        arguments.extend(words.libraries.iter().map(OsString::from));
-        let ended = call(&self.compiler, &arguments, folder)?;
+        let ended = self.try_build(driver, further, folder)?;
         match ended.code()? {
             0 => Ok(()),
             _ => Err(Outcome::Crashed {
                 reason: format!(
                     "it accepts the program, and the {} that it wrote cannot be built: {}",
-                    words.name,
+                    self.language.words().name,
                     first_error(&ended)
                 ),
             }),
         }
+    }
+
+    /// As [`Builder::build_with`], and gives what the compiler said and how it ended.
+    ///
+    /// # Errors
+    /// As [`call`].
+    pub(super) fn try_build(
+        &self,
+        driver: &str,
+        further: &[OsString],
+        folder: &Folder,
+    ) -> Result<Ended, Outcome> {
+        let words = self.language.words();
+        folder.write(words.driver, driver).map_err(failed)?;
+        let mut arguments = self.arguments(&[words.driver, "-I", ".", "-o", "driver"]);
+        arguments.extend_from_slice(further);
+        arguments.extend(words.libraries.iter().map(OsString::from));
+        call(&self.compiler, &arguments, folder)
     }
 
     /// The arguments of every call, and these.

@@ -1,31 +1,124 @@
-//! A program that runs a translated one and prints what is observed of it.
+//! A program that runs translated ones and prints what is observed of them.
 
 use super::locate::{self, failed};
 use super::printed::{self, Kind};
 use crate::process::Folder;
 use crate::{NamedValue, Outcome, RunRequest};
+use std::fmt::Write;
 use stickler_types::{Fault, Value};
 
 /// The program, and how to read what it prints.
 pub(super) struct Driver<'r> {
     /// The program in C or C++.
     pub(super) text: String,
-    /// What it prints of each observed variable.
-    pub(super) kinds: Vec<Kind<'r>>,
+    /// Whom it runs, in order.
+    pub(super) subjects: Vec<Driven<'r>>,
     /// Reads one value; gives nothing where it is nonsense.
     pub(super) read: fn(&Kind<'_>, &str) -> Option<Value>,
     /// The exit codes by which it tells faults.
     pub(super) faults: &'static [(i32, Fault)],
 }
 
-impl Driver<'_> {
-    /// Runs the program that was built of it in a folder.
+/// A translated program that a driver runs.
+pub(super) struct Driven<'r> {
+    /// What was asked about it.
+    pub(super) request: RunRequest<'r>,
+    /// What is printed of each observed variable.
+    pub(super) kinds: Vec<Kind<'r>>,
+}
+
+/// How long one of several programs may run, in seconds, before it is run alone.
+const PATIENCE: u32 = 5;
+
+/// The end of the text of a driver, which calls `runs(number)` for one of `count` programs and gives what that returns as
+/// its exit code. Where there are several it takes the number of one, or else runs all of them one after the other, each in
+/// a process of its own, so that none sees what another left behind, and one that fails is the only one that does.
+pub(super) fn main(count: usize, runs: impl Fn(usize) -> String) -> String {
+    if count == 1 {
+        return format!("int main(void) {{\n    return {};\n}}\n", runs(0));
+    }
+    let mut text = "static int run(int number) {\n    switch (number) {\n".to_owned();
+    for number in 0..count {
+        // Writing into a String does not fail.
+        let _ = writeln!(text, "    case {number}: return {};", runs(number));
+    }
+    let _ = write!(
+        text,
+        "    }}\n    return 1;\n}}\n\
+         #include <stdlib.h>\n\
+         #if defined(__unix__) || defined(__APPLE__)\n\
+         #include <sys/types.h>\n#include <sys/wait.h>\n#include <unistd.h>\n\
+         static void run_each(void) {{\n    \
+         for (int number = 0; number < {count}; number++) {{\n        \
+         printf(\"\\n{BEGINS}%d\\n\", number);\n        fflush(stdout);\n        \
+         pid_t child = fork();\n        \
+         if (child == 0) {{\n            alarm({PATIENCE});\n            int code = run(number);\n            \
+         fflush(stdout);\n            _exit(code);\n        }}\n        \
+         int status = 1;\n        \
+         if (child > 0 && waitpid(child, &status, 0) == child && status == 0)\n            \
+         printf(\"\\n{ENDS}%d\\n\", number);\n    }}\n}}\n\
+         #else\n\
+         static void run_each(void) {{}}\n\
+         #endif\n\
+         int main(int count, char **given) {{\n    \
+         if (count > 1) return run(atoi(given[1]));\n    run_each();\n    return 0;\n}}\n"
+    );
+    text
+}
+
+/// Before what a program printed that was run among others, and its number.
+const BEGINS: &str = "< ";
+
+/// Behind it, where the program ran to its end.
+const ENDS: &str = "> ";
+
+impl<'r> Driver<'r> {
+    /// What it prints of the variables of its only program.
+    pub(super) fn kinds(&self) -> &[Kind<'r>] {
+        self.subjects.first().map_or(&[], |only| &only.kinds)
+    }
+
+    /// Runs its only program, which was built in a folder.
     ///
     /// # Errors
     /// As [`locate::execute`], and [`Outcome::Error`] for what is no value.
-    pub(super) fn execute(&self, folder: &Folder, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
+    pub(super) fn execute(&self, folder: &Folder) -> Result<Outcome, Outcome> {
+        let only = self.subjects.first();
+        let only = only.ok_or_else(|| failed("its driver runs nothing".to_owned()))?;
         let nothing: [&str; 0] = [];
-        let ended = locate::execute(&folder.path().join("driver"), &nothing, folder)?;
+        self.execute_one(only, &nothing, folder)
+    }
+
+    /// Runs all of its programs, which were built in a folder.
+    pub(super) fn execute_all(&self, folder: &Folder) -> Vec<Outcome> {
+        let nothing: [&str; 0] = [];
+        let ended = locate::execute(&folder.path().join("driver"), &nothing, folder).ok();
+        let printed = ended.filter(|ended| ended.status.success());
+        let printed = printed.map_or_else(String::new, |ended| ended.stdout);
+        let printed = parts(&printed, self.subjects.len());
+        let alone = |number: usize, subject: &Driven<'_>| {
+            let outcome = self.execute_one(subject, &[number.to_string()], folder);
+            outcome.unwrap_or_else(|outcome| outcome)
+        };
+        let subjects = self.subjects.iter().zip(printed).enumerate();
+        subjects
+            .map(|(number, (subject, printed))| match printed {
+                Some(printed) => match self.values(&printed, subject) {
+                    Ok(values) => Outcome::Executed { values },
+                    Err(_) => alone(number, subject),
+                },
+                None => alone(number, subject),
+            })
+            .collect()
+    }
+
+    fn execute_one<A: AsRef<std::ffi::OsStr>>(
+        &self,
+        subject: &Driven<'_>,
+        arguments: &[A],
+        folder: &Folder,
+    ) -> Result<Outcome, Outcome> {
+        let ended = locate::execute(&folder.path().join("driver"), arguments, folder)?;
         let faulted = |fault| Outcome::Faulted {
             fault,
             line: None,
@@ -36,7 +129,7 @@ impl Driver<'_> {
         }
         let code = ended.code()?;
         if code == 0 {
-            let values = self.values(&ended.stdout, request).map_err(failed)?;
+            let values = self.values(&ended.stdout, subject).map_err(failed)?;
             return Ok(Outcome::Executed { values });
         }
         let told = self.faults.iter().find(|(of, _)| *of == code);
@@ -44,11 +137,43 @@ impl Driver<'_> {
             .ok_or_else(|| ended.crashed())
     }
 
-    /// The values that it printed.
+    /// The values that it printed of a program.
     ///
     /// # Errors
     /// A fragment that says what is wrong with what it printed.
-    pub(super) fn values(&self, printed: &str, request: &RunRequest<'_>) -> Result<Vec<NamedValue>, String> {
-        printed::values(printed, request, &self.kinds, self.read)
+    pub(super) fn values(&self, printed: &str, subject: &Driven<'_>) -> Result<Vec<NamedValue>, String> {
+        printed::values(printed, &subject.request, &subject.kinds, self.read)
+    }
+}
+
+/// What was printed of each of so many programs that were run one after the other; `None` for one that did not run to its end.
+fn parts(printed: &str, count: usize) -> Vec<Option<String>> {
+    let mut parts: Vec<Option<String>> = vec![None; count];
+    let mut part = String::new();
+    for line in printed.lines().filter(|line| !line.is_empty()) {
+        if line.starts_with(BEGINS) {
+            part.clear();
+        } else if let Some(number) = line.strip_prefix(ENDS) {
+            let number = number.parse().ok();
+            if let Some(whole) = number.and_then(|number: usize| parts.get_mut(number)) {
+                *whole = Some(std::mem::take(&mut part));
+            }
+        } else {
+            part.push_str(line);
+            part.push('\n');
+        }
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parts;
+
+    #[test]
+    fn only_what_ran_to_its_end_has_printed_something() {
+        let printed = "\n< 0\n0 1\n1 2\n\n> 0\n\n< 1\n0 \n< 2\n\n> 2\n\n> 9\n\n> x\n";
+        let whole = Some("0 1\n1 2\n".to_owned());
+        assert_eq!(parts(printed, 3), [whole, None, Some(String::new())]);
     }
 }

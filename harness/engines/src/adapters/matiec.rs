@@ -8,16 +8,19 @@
 
 mod diagnostics;
 mod driver;
+mod pack;
 
 use super::builder::{self, Builder, Language};
 use super::locate::{self, call, failed};
 use super::places::{Place, Search};
 use super::source::{main_program, words};
 use super::witness::{Copies, translate_with};
-use crate::process::Folder;
-use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
-use driver::driver;
+use crate::process::{Ended, Folder};
+use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session};
+use driver::{Subject, driver};
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use stickler_types::DialectName;
 
 /// The configuration without which no C is written. It stands behind the program and moves no line of it.
@@ -54,6 +57,8 @@ pub(super) struct Matiec {
     compiler: PathBuf,
     library: PathBuf,
     builder: Builder,
+    /// See [`Matiec::taken`].
+    taken: OnceLock<HashSet<String>>,
 }
 
 impl Matiec {
@@ -78,8 +83,28 @@ impl Matiec {
             compiler,
             library,
             builder,
+            taken: OnceLock::new(),
         })
     }
+
+    /// Every word of its library, in capitals: the keywords, and the names that it declares.
+    fn taken(&self) -> &HashSet<String> {
+        self.taken.get_or_init(|| library_words(&self.library))
+    }
+}
+
+fn library_words(library: &Path) -> HashSet<String> {
+    // What cannot be read is seen by the compiler, which then says so.
+    let files = std::fs::read_dir(library).into_iter().flatten().flatten();
+    let paths = files.map(|file| file.path());
+    // Structured Text is in these; beside them lie programs of other kinds.
+    let texts = paths.filter(|path| path.extension().is_some_and(|extension| extension == "txt"));
+    let texts = texts.filter_map(|path| std::fs::read_to_string(path).ok());
+    let mut taken = HashSet::new();
+    for text in texts {
+        taken.extend(words(&text).map(|word| word.text.to_ascii_uppercase()));
+    }
+    taken
 }
 
 /// Where the library may be: in the source tree, or where it is installed.
@@ -101,6 +126,11 @@ impl Engine for Matiec {
         let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(MatiecSession { engine: self, folder }))
     }
+
+    /// From here on, what is spent on each start is less than what a culprit costs its pack.
+    fn pack_size(&self) -> usize {
+        128
+    }
 }
 
 /// A folder in which one program at a time is translated, built and run.
@@ -112,6 +142,10 @@ struct MatiecSession<'e> {
 impl Session for MatiecSession<'_> {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         self.try_run(request).unwrap_or_else(|outcome| outcome)
+    }
+
+    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+        pack::run(self, requests)
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
@@ -145,8 +179,12 @@ impl MatiecSession<'_> {
             return Ok(Outcome::Accepted);
         };
         let copies = Copies::of(request);
-        let driver =
-            driver(request, &copies, &main.name).map_err(|reason| Outcome::Unsupported { reason })?;
+        let subject = Subject {
+            request: *request,
+            copies: &copies,
+            program: main.name.clone(),
+        };
+        let driver = driver(&[subject]).map_err(|reason| Outcome::Unsupported { reason })?;
         let has_its_own = words(request.source).any(|word| word.is("CONFIGURATION"));
         let configuration = match has_its_own {
             true => String::new(),
@@ -156,11 +194,16 @@ impl MatiecSession<'_> {
             self.translate(&format!("{text}{configuration}"))
         })?;
         self.engine.builder.build(&driver.text, &self.folder)?;
-        driver.execute(&self.folder, request)
+        driver.execute(&self.folder)
     }
 
     /// Translates a program to C.
     fn translate(&self, source: &str) -> Result<(), Outcome> {
+        diagnostics::outcome(&self.compile(source)?)
+    }
+
+    /// Has the compiler say what it has to say of a program, and write its C.
+    fn compile(&self, source: &str) -> Result<Ended, Outcome> {
         self.folder.write("program.st", source).map_err(failed)?;
         for left in ["POUS.c", "POUS.h"] {
             // What an earlier program left behind must not be taken for this one.
@@ -175,7 +218,6 @@ impl MatiecSession<'_> {
             ".".as_ref(),
             "program.st".as_ref(),
         ];
-        let ended = call(&self.engine.compiler, &arguments, &self.folder)?;
-        diagnostics::outcome(&ended)
+        call(&self.engine.compiler, &arguments, &self.folder)
     }
 }

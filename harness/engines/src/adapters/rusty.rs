@@ -172,7 +172,7 @@ impl RustySession<'_> {
             (true, _) => Err("a program that may return early shows nothing".to_owned()),
             (_, 0) => Err("before the first scan nothing is shown".to_owned()),
             _ => self
-                .compile(&OBJECT, &instrumented(request, &main, &driver.kinds))
+                .compile(&OBJECT, &instrumented(request, &main, driver.kinds()))
                 .map_err(|outcome| {
                     format!(
                         "the calls that show its values are not accepted: {}",
@@ -190,7 +190,7 @@ impl RustySession<'_> {
         self.engine
             .builder
             .build_with(&driver.text, &further, &self.folder)?;
-        driver.execute(&self.folder, request)
+        driver.execute(&self.folder)
     }
 
     /// Calls the compiler on a program.

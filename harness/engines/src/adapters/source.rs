@@ -20,46 +20,84 @@ impl Word<'_> {
     }
 
     /// Where it ends, in bytes.
-    fn end(&self) -> usize {
+    pub(super) fn end(&self) -> usize {
         self.at + self.text.len()
     }
 }
 
-/// The words of a program, in order.
-pub(super) struct Words<'s> {
+/// What a program consists of, comments and pragmas left out.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Token<'s> {
+    /// A keyword or a name.
+    Word(Word<'s>),
+    /// Any other character; for a number its first digit, for a text its first quote.
+    Sign(u8),
+    /// A pragma.
+    Pragma,
+    /// A comment, a pragma or a text that does not end.
+    Unfinished,
+}
+
+/// The tokens of a program, in order.
+pub(super) struct Tokens<'s> {
     source: &'s str,
     at: usize,
 }
 
-/// The words of a program, in order.
-pub(super) fn words(source: &str) -> Words<'_> {
-    Words { source, at: 0 }
+/// The tokens of a program, in order.
+pub(super) fn tokens(source: &str) -> Tokens<'_> {
+    Tokens { source, at: 0 }
 }
 
-impl<'s> Iterator for Words<'s> {
-    type Item = Word<'s>;
+/// The words of a program, in order.
+pub(super) fn words(source: &str) -> impl Iterator<Item = Word<'_>> {
+    tokens(source).filter_map(|token| match token {
+        Token::Word(word) => Some(word),
+        Token::Sign(_) | Token::Pragma | Token::Unfinished => None,
+    })
+}
 
-    fn next(&mut self) -> Option<Word<'s>> {
+impl<'s> Iterator for Tokens<'s> {
+    type Item = Token<'s>;
+
+    fn next(&mut self) -> Option<Token<'s>> {
         let bytes = self.source.as_bytes();
         while let Some(&byte) = bytes.get(self.at) {
             let rest = &bytes[self.at..];
             let at = self.at;
-            self.at += match byte {
-                b'(' if rest.starts_with(b"(*") => enclosed(rest, 2, b"*)"),
-                b'/' if rest.starts_with(b"/*") => enclosed(rest, 2, b"*/"),
-                b'/' if rest.starts_with(b"//") => enclosed(rest, 2, b"\n"),
-                b'{' => enclosed(rest, 1, b"}"),
-                b'\'' | b'"' => quoted(rest, byte),
-                b'0'..=b'9' => length(rest, |byte| is_of_a_word(byte) || byte == b'#'),
-                byte if is_of_a_word(byte) => {
-                    self.at += length(rest, is_of_a_word);
-                    let text = &self.source[at..self.at];
-                    return Some(Word { text, at });
+            let (length, token) = match byte {
+                b'(' if rest.starts_with(b"(*") => skipped(rest, enclosed(rest, 2, b"*)"), None),
+                b'/' if rest.starts_with(b"/*") => skipped(rest, enclosed(rest, 2, b"*/"), None),
+                // The end of the text ends it as well.
+                b'/' if rest.starts_with(b"//") => (enclosed(rest, 2, b"\n").unwrap_or(rest.len()), None),
+                b'{' => skipped(rest, enclosed(rest, 1, b"}"), Some(Token::Pragma)),
+                b'\'' | b'"' => skipped(rest, quoted(rest, byte), Some(Token::Sign(byte))),
+                b'0'..=b'9' => {
+                    let length = length(rest, |byte| is_of_a_word(byte) || byte == b'#');
+                    (length, Some(Token::Sign(byte)))
                 }
-                _ => 1,
+                byte if is_of_a_word(byte) => {
+                    let length = length(rest, is_of_a_word);
+                    let text = &self.source[at..at + length];
+                    (length, Some(Token::Word(Word { text, at })))
+                }
+                byte if byte.is_ascii_whitespace() => (1, None),
+                byte => (1, Some(Token::Sign(byte))),
             };
+            self.at += length;
+            if token.is_some() {
+                return token;
+            }
         }
         None
+    }
+}
+
+/// How far something reaches that does or does not end, and what it is.
+fn skipped<'s>(rest: &[u8], length: Option<usize>, token: Option<Token<'s>>) -> (usize, Option<Token<'s>>) {
+    match length {
+        Some(length) => (length, token),
+        None => (rest.len(), Some(Token::Unfinished)),
     }
 }
 
@@ -71,24 +109,24 @@ fn length(rest: &[u8], belongs: impl Fn(u8) -> bool) -> usize {
     rest.iter().take_while(|&&byte| belongs(byte)).count()
 }
 
-/// How far something reaches that ends with `close`; to the end of the text where that is missing.
-fn enclosed(rest: &[u8], open: usize, close: &[u8]) -> usize {
+/// How far something reaches that ends with `close`; `None` where that is missing.
+fn enclosed(rest: &[u8], open: usize, close: &[u8]) -> Option<usize> {
     let inside = &rest[open.min(rest.len())..];
     let found = inside.windows(close.len()).position(|window| window == close);
-    found.map_or(rest.len(), |found| open + found + close.len())
+    found.map(|found| open + found + close.len())
 }
 
-/// How far a text in quotes reaches, in which `$` takes the next character for itself.
-fn quoted(rest: &[u8], quote: u8) -> usize {
+/// How far a text in quotes reaches, in which `$` takes the next character for itself; `None` where it does not end.
+fn quoted(rest: &[u8], quote: u8) -> Option<usize> {
     let mut at = 1;
     while let Some(&byte) = rest.get(at) {
         at += match byte {
             b'$' => 2,
-            byte if byte == quote => return at + 1,
+            byte if byte == quote => return Some(at + 1),
             _ => 1,
         };
     }
-    rest.len()
+    None
 }
 
 /// Where the main program stands in a source text: the one that is called `main`, otherwise the first.
@@ -122,7 +160,7 @@ pub(super) fn main_program(source: &str) -> Option<MainProgram> {
 }
 
 /// The rest of a program whose first word was read.
-fn program(words: &mut Words<'_>) -> Option<MainProgram> {
+fn program<'s>(words: &mut impl Iterator<Item = Word<'s>>) -> Option<MainProgram> {
     let name = words.next()?;
     let mut returns = false;
     let end = words.find(|word| {
@@ -165,9 +203,24 @@ mod tests {
         let source = "a (* b *) 'c $' d' \"e\" // f\n/* g */ {h} 16#FF h2 ä T#1s (* i";
         let found: Vec<&str> = words(source).map(|word| word.text).collect();
         assert_eq!(found, ["a", "h2", "T"]);
-        for unfinished in ["'open", "(*", "{", "//", "'$", "/*", "\"$"] {
-            assert_eq!(words(unfinished).count(), 0, "{unfinished}");
+        for unfinished in ["'open", "(*", "{", "'$", "/*", "\"$"] {
+            assert!(tokens(unfinished).eq([Token::Unfinished]), "{unfinished}");
         }
+        assert_eq!(tokens("// the end").count(), 0);
+    }
+
+    #[test]
+    fn signs_stand_between_words() {
+        let found: Vec<Token<'_>> = tokens("a:=5;{p}'t'").collect();
+        let word = Word { text: "a", at: 0 };
+        let signs = [b':', b'=', b'5', b';'].map(Token::Sign);
+        let expected = [
+            &[Token::Word(word)],
+            &signs[..],
+            &[Token::Pragma, Token::Sign(b'\'')],
+        ]
+        .concat();
+        assert_eq!(found, expected);
     }
 
     #[test]

@@ -7,6 +7,7 @@
 //! Basis: strucpp: `strucpp --help`, its `compile` function, and the C++ that it writes; measured on version 0.6.
 
 mod driver;
+mod pack;
 
 use super::builder::{self, Builder, Language};
 use super::locate::{self, failed};
@@ -14,10 +15,14 @@ use super::places::{Place, Search};
 use super::source::main_program;
 use super::witness::{Copies, translate_with};
 use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits};
-use crate::{Ability, Diagnostic, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
-use driver::{HEADER, driver};
+use crate::{
+    Ability, Diagnostic, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session,
+};
+use driver::{HEADER, Subject, driver};
 use serde::Deserialize;
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use stickler_types::DialectName;
 
 /// The program that Node runs.
@@ -46,6 +51,12 @@ pub(super) struct Strucpp {
     identity: Identity,
     translator: CommandLine,
     builder: Builder,
+    /// Its run-time headers.
+    headers: PathBuf,
+    /// See [`Strucpp::taken`].
+    taken: OnceLock<HashSet<String>>,
+    /// Translators of sessions that are gone, for those to come: Node takes its time to start.
+    idle: Mutex<Vec<Connection>>,
     /// Holds the program that Node runs.
     _script: Folder,
 }
@@ -59,7 +70,8 @@ impl Strucpp {
         let command = search.script(COMPILER)?;
         let node = search.program(NODE)?;
         let package = package(&command)?;
-        let builder = Builder::find(search, Language::Cpp, package.join("src/runtime/include"), HEADER)?;
+        let headers = package.join("src/runtime/include");
+        let builder = Builder::find(search, Language::Cpp, headers.clone(), HEADER)?;
         let folder = Folder::new()?;
         let version = locate::version(&node, &[&command.to_string_lossy(), "--version"], &folder)?;
         let script = folder.write("translator.mjs", TRANSLATOR)?;
@@ -79,9 +91,33 @@ impl Strucpp {
                 arguments.map(|path| path.to_string_lossy().into_owned()).to_vec(),
             ),
             builder,
+            headers,
+            taken: OnceLock::new(),
+            idle: Mutex::new(Vec::new()),
             _script: folder,
         })
     }
+
+    /// The names in capitals of its run-time headers, for it writes those of a program in capitals: what a program may not
+    /// call its own in a namespace of its own, where it would hide what it clashes with when it is alone.
+    fn taken(&self) -> &HashSet<String> {
+        self.taken.get_or_init(|| {
+            // What cannot be read is seen by the compiler, which then says so.
+            let files = std::fs::read_dir(&self.headers).into_iter().flatten().flatten();
+            let texts = files.filter_map(|file| std::fs::read_to_string(file.path()).ok());
+            texts.fold(HashSet::new(), |mut taken, text| {
+                taken.extend(capitals(&text));
+                taken
+            })
+        })
+    }
+}
+
+fn capitals(text: &str) -> impl Iterator<Item = String> + '_ {
+    let words = text.split(|character: char| !(character.is_ascii_alphanumeric() || character == '_'));
+    let capitals = words.filter(|word| !word.bytes().any(|byte| byte.is_ascii_lowercase()));
+    // Of a type `X` it makes an `IEC_X` as well.
+    capitals.map(|word| word.strip_prefix("IEC_").unwrap_or(word).to_owned())
 }
 
 /// The package that a command belongs to: the nearest folder around it that has what is needed.
@@ -111,8 +147,13 @@ impl Engine for Strucpp {
         Ok(Box::new(StrucppSession {
             engine: self,
             folder,
-            translator: None,
+            translator: self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop(),
         }))
+    }
+
+    /// More in one C++ text take more memory, and little less time for each.
+    fn pack_size(&self) -> usize {
+        48
     }
 }
 
@@ -124,14 +165,25 @@ struct StrucppSession<'e> {
     translator: Option<Connection>,
 }
 
+impl Drop for StrucppSession<'_> {
+    fn drop(&mut self) {
+        let mut idle = self.engine.idle.lock().unwrap_or_else(PoisonError::into_inner);
+        idle.extend(self.translator.take());
+    }
+}
+
 impl Session for StrucppSession<'_> {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         self.try_run(request).unwrap_or_else(|outcome| outcome)
     }
 
+    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+        pack::run(self, requests)
+    }
+
     fn check(&mut self, _: DialectName, source: &str) -> Outcome {
         match self.translate(source) {
-            Ok(()) => Outcome::Accepted,
+            Ok(_) => Outcome::Accepted,
             Err(outcome) => outcome,
         }
     }
@@ -178,22 +230,52 @@ impl Told {
     }
 }
 
+/// A program that was accepted, and what its driver is to see of it.
+struct Accepted<'r> {
+    subject: Subject<'r>,
+    translated: Translated,
+}
+
 impl StrucppSession<'_> {
     fn try_run(&mut self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
+        match self.accepted(request)? {
+            Some(accepted) => self.build_and_run(&accepted),
+            None => Ok(Outcome::Accepted),
+        }
+    }
+
+    /// Has a program translated that is to be run; `None` where it has no main program and is accepted.
+    ///
+    /// # Errors
+    /// What is to be said of a program that is not accepted.
+    fn accepted<'r>(&mut self, request: &RunRequest<'r>) -> Result<Option<Accepted<'r>>, Outcome> {
         let Some(main) = main_program(request.source) else {
             self.translate(request.source)?;
-            return Ok(Outcome::Accepted);
+            return Ok(None);
         };
+        driver::kinds(request).map_err(|reason| Outcome::Unsupported { reason })?;
         let copies = Copies::of(request);
-        let driver =
-            driver(request, &copies, &main.name).map_err(|reason| Outcome::Unsupported { reason })?;
-        translate_with(request, &main, copies.witnesses(), |text| self.translate(text))?;
+        let translated = translate_with(request, &main, copies.witnesses(), |text| self.translate(text))?;
+        let subject = Subject {
+            request: *request,
+            copies,
+            program: main.name,
+        };
+        Ok(Some(Accepted { subject, translated }))
+    }
+
+    /// Builds and runs a program that was accepted.
+    fn build_and_run(&self, accepted: &Accepted<'_>) -> Result<Outcome, Outcome> {
+        let write = |name: &str, text: &str| self.folder.write(name, text).map(drop).map_err(failed);
+        write("program.cpp", &accepted.translated.program)?;
+        write("generated.hpp", &accepted.translated.header)?;
+        let driver = driver(&[&accepted.subject]).map_err(|reason| Outcome::Unsupported { reason })?;
         self.engine.builder.build(&driver.text, &self.folder)?;
-        driver.execute(&self.folder, request)
+        driver.execute(&self.folder)
     }
 
     /// Translates a program to C++.
-    fn translate(&mut self, source: &str) -> Result<(), Outcome> {
+    fn translate(&mut self, source: &str) -> Result<Translated, Outcome> {
         let translated = self.ask(source)?;
         if let Some(reason) = translated.crash {
             return Err(Outcome::Crashed { reason });
@@ -201,13 +283,7 @@ impl StrucppSession<'_> {
         if !translated.success {
             return Err(rejected(translated.errors));
         }
-        self.folder
-            .write("program.cpp", &translated.program)
-            .map_err(failed)?;
-        self.folder
-            .write("generated.hpp", &translated.header)
-            .map_err(failed)?;
-        Ok(())
+        Ok(translated)
     }
 
     fn ask(&mut self, source: &str) -> Result<Translated, Outcome> {
@@ -271,6 +347,17 @@ mod tests {
         let places: Vec<_> = diagnostics.iter().map(|told| (told.line, told.column)).collect();
         assert_eq!(places, [(None, None), (Some(4), Some(2))]);
         assert!(matches!(rejected(Vec::new()), Outcome::Crashed { .. }));
+    }
+
+    #[test]
+    fn names_in_capitals_are_taken() {
+        let found: Vec<String> = capitals("using IEC_TIME = IECVar<TIME_t>; // an ADD_X").collect();
+        let named: Vec<&str> = found
+            .iter()
+            .map(String::as_str)
+            .filter(|name| !name.is_empty())
+            .collect();
+        assert_eq!(named, ["TIME", "ADD_X"]);
     }
 
     #[test]

@@ -54,7 +54,7 @@ pub(super) fn translate_with<T>(
 
 /// The program with its witnesses. Each line stays the line that it was: the declarations stand behind the program's
 /// name, the assignments before its `END_PROGRAM`.
-fn with_witnesses(source: &str, main: &MainProgram, witnesses: &[Witness]) -> String {
+pub(super) fn with_witnesses(source: &str, main: &MainProgram, witnesses: &[Witness]) -> String {
     let mut text = source[..main.inside.start].to_owned();
     text.push_str(" VAR");
     for witness in witnesses {

@@ -20,13 +20,30 @@ pub(super) fn outcome(ended: &Ended) -> Result<(), Outcome> {
     if code == 0 {
         return Ok(());
     }
-    let mut diagnostics: Vec<Diagnostic> = ended.stderr.lines().filter_map(diagnostic).collect();
+    let diagnostics = diagnostics(&ended.stderr);
     if diagnostics.is_empty() {
         return Err(ended.crashed());
     }
+    Err(rejected(diagnostics))
+}
+
+/// The diagnostics among what it wrote, in its order.
+pub(super) fn diagnostics(stderr: &str) -> Vec<Diagnostic> {
+    stderr.lines().filter_map(diagnostic).collect()
+}
+
+/// The rejection that these diagnostics are.
+pub(super) fn rejected(mut diagnostics: Vec<Diagnostic>) -> Outcome {
     diagnostics.sort_by_key(|diagnostic| (diagnostic.line, diagnostic.column));
     diagnostics.dedup();
-    Err(Outcome::Rejected { diagnostics })
+    Outcome::Rejected { diagnostics }
+}
+
+/// Whether these are all mistakes of programs that were read to their end. Then every mistake of every program is among
+/// them: it looks for all kinds, and a mistake keeps it from no other.
+pub(super) fn are_complete(diagnostics: &[Diagnostic], stderr: &str) -> bool {
+    let counted = format!("{} error(s) found. Bailing out!", diagnostics.len());
+    diagnostics.iter().all(|told| told.code.is_none()) && stderr.lines().any(|line| line.trim() == counted)
 }
 
 fn diagnostic(line: &str) -> Option<Diagnostic> {
@@ -77,6 +94,13 @@ mod tests {
             (found.code.as_deref(), found.line, found.column),
             (Some("P0002"), Some(3), None)
         );
+        let complete = |stderr: &str| are_complete(&diagnostics(stderr), stderr);
+        let meant = "a.st:3-4..3-9: error: one\na.st:7-4..7-9: error: two\n";
+        assert!(complete(&format!("{meant}2 error(s) found. Bailing out!\n")));
+        assert!(!complete(&format!("{meant}3 error(s) found. Bailing out!\n")));
+        assert!(!complete(meant));
+        let unread = "a.st:3: error: one\n\n1 error(s) found. Bailing out!\n";
+        assert!(!complete(unread));
         for other in [
             "program.st:3-4..3-9: warning: Lost precision",
             "1 error(s) found. Bailing out!",

@@ -3,47 +3,85 @@
 //! Basis: matiec: the C that `iec2c` writes: `NAME_init__`, `NAME_body__`, a structure of the variables in upper case, each
 //! with its `value`; durations and dates are seconds and nanoseconds, a STRING its length and its bytes.
 
-use crate::adapters::driver::Driver;
+use crate::adapters::driver::{self, Driven, Driver};
 use crate::adapters::printed::{self, Kind};
 use crate::adapters::witness::Copies;
 use crate::{RunRequest, Setting};
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
 
-/// The driver of a request; `program` is the name of the main program.
+/// What a driver is to run: what was asked about a program, what of it is copied, and the name of its main program.
+pub(super) struct Subject<'r, 'c> {
+    pub(super) request: RunRequest<'r>,
+    pub(super) copies: &'c Copies,
+    pub(super) program: String,
+}
+
+/// The driver of translated programs, which stand in one text.
 ///
 /// # Errors
 /// A fragment that says what cannot be observed or set.
-pub(super) fn driver<'r>(
-    request: &RunRequest<'r>,
-    copies: &Copies,
-    program: &str,
-) -> Result<Driver<'r>, String> {
-    let kinds = printed::kinds(request, has)?;
-    let program = program.to_ascii_uppercase();
-    let mut text = format!(
-        "#include \"stickler.h\"\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n#include \"POUS.c\"\n\
-         static {program} program;\n{PRINTERS}"
-    );
-    write_look(&mut text, request, copies, &kinds);
-    // Writing into a String does not fail.
-    let _ = write!(
-        text,
-        "int main(void) {{\n    {program}_init__(&program, 0);\n    \
-         for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
-        request.scans
-    );
-    write_before(&mut text, request)?;
-    let _ = write!(
-        text,
-        "        {program}_body__(&program);\n        look(scan);\n    }}\n    look(0);\n    return 0;\n}}\n"
-    );
+pub(super) fn driver<'r>(subjects: &[Subject<'r, '_>]) -> Result<Driver<'r>, String> {
+    let mut text = "#include \"stickler.h\"\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n\
+                    #include \"POUS.c\"\n"
+        .to_owned();
+    write_memory(&mut text, subjects);
+    text.push_str(PRINTERS);
+    let mut driven = Vec::with_capacity(subjects.len());
+    for (number, subject) in subjects.iter().enumerate() {
+        let kinds = printed::kinds(&subject.request, has)?;
+        write_look(&mut text, number, subject, &kinds);
+        write_run(&mut text, number, subject)?;
+        driven.push(Driven {
+            request: subject.request,
+            kinds,
+        });
+    }
+    text.push_str(&driver::main(subjects.len(), |number| format!("run_{number}()")));
     Ok(Driver {
         text,
-        kinds,
+        subjects: driven,
         read: value,
         faults: &[],
     })
+}
+
+/// The variables of the programs. Only one program runs in a process, and so they have the same place: whatever one does
+/// beside its variables, it finds there what it would find alone.
+fn write_memory(text: &mut String, subjects: &[Subject<'_, '_>]) {
+    text.push_str("static struct {\n    char before[65536];\n    union {\n");
+    for (number, subject) in subjects.iter().enumerate() {
+        // Writing into a String does not fail.
+        let _ = writeln!(
+            text,
+            "        {} p{number};",
+            subject.program.to_ascii_uppercase()
+        );
+    }
+    text.push_str("    } program;\n    char behind[65536];\n} memory;\n");
+}
+
+/// Where a variable of a program is.
+fn place(number: usize, variable: &str) -> String {
+    format!("memory.program.p{number}.{}.value", variable.to_ascii_uppercase())
+}
+
+/// The function that runs a program.
+fn write_run(text: &mut String, number: usize, subject: &Subject<'_, '_>) -> Result<(), String> {
+    let program = subject.program.to_ascii_uppercase();
+    let _ = write!(
+        text,
+        "static int run_{number}(void) {{\n    {program}_init__(&memory.program.p{number}, 0);\n    \
+         for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
+        subject.request.scans
+    );
+    write_before(text, number, &subject.request)?;
+    let _ = write!(
+        text,
+        "        {program}_body__(&memory.program.p{number});\n        look_{number}(scan);\n    }}\n    \
+         look_{number}(0);\n    return 0;\n}}\n"
+    );
+    Ok(())
 }
 
 /// Whether the compiler has values of a type.
@@ -70,15 +108,14 @@ static void print_text(int number, STRING value) {
 ";
 
 /// The function that prints what is to be seen after a scan; 0 stands for the end.
-fn write_look(text: &mut String, request: &RunRequest<'_>, copies: &Copies, kinds: &[Kind<'_>]) {
-    text.push_str("static void look(unsigned long scan) {\n");
-    for (number, (asked, kind)) in request.observe.iter().zip(kinds).enumerate() {
-        let name = copies.variable(asked);
-        let variable = format!("program.{}.value", name.to_ascii_uppercase());
+fn write_look(text: &mut String, number: usize, subject: &Subject<'_, '_>, kinds: &[Kind<'_>]) {
+    let _ = writeln!(text, "static void look_{number}(unsigned long scan) {{");
+    for (asked_as, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
+        let variable = place(number, subject.copies.variable(asked));
         let call = match kind {
-            Kind::Elementary(ty) if is_time(*ty) => format!("print_time({number}, {variable})"),
-            Kind::Elementary(ty) if ty.is_text() => format!("print_text({number}, {variable})"),
-            _ => format!("print_bits({number}, &{variable}, sizeof {variable})"),
+            Kind::Elementary(ty) if is_time(*ty) => format!("print_time({asked_as}, {variable})"),
+            Kind::Elementary(ty) if ty.is_text() => format!("print_text({asked_as}, {variable})"),
+            _ => format!("print_bits({asked_as}, &{variable}, sizeof {variable})"),
         };
         let _ = writeln!(text, "    if (scan == {}UL) {call};", asked.after.unwrap_or(0));
     }
@@ -86,7 +123,7 @@ fn write_look(text: &mut String, request: &RunRequest<'_>, copies: &Copies, kind
 }
 
 /// What happens before scans: the clock goes on, and variables are written.
-fn write_before(text: &mut String, request: &RunRequest<'_>) -> Result<(), String> {
+fn write_before(text: &mut String, number: usize, request: &RunRequest<'_>) -> Result<(), String> {
     for step in request.clock {
         let (seconds, rest) = split(step.nanoseconds);
         let _ = writeln!(
@@ -100,14 +137,14 @@ fn write_before(text: &mut String, request: &RunRequest<'_>) -> Result<(), Strin
             text,
             "        if (scan == {}UL) {{ {} }}",
             setting.before,
-            written(setting)?
+            written(number, setting)?
         );
     }
     Ok(())
 }
 
 /// The statement that writes a variable.
-fn written(setting: &Setting<'_>) -> Result<String, String> {
+fn written(number: usize, setting: &Setting<'_>) -> Result<String, String> {
     let cannot = || format!("its driver cannot write {}", setting.name);
     let Value::Plain { ty, raw } = *setting.value else {
         return Err(cannot());
@@ -115,7 +152,7 @@ fn written(setting: &Setting<'_>) -> Result<String, String> {
     if setting.name.contains(['.', '[']) {
         return Err(cannot());
     }
-    let variable = format!("program.{}.value", setting.name.to_ascii_uppercase());
+    let variable = place(number, setting.name);
     Ok(if is_time(ty) {
         let (seconds, rest) = split(raw.cast_signed());
         format!("{variable} = (TIME){{{seconds}, {rest}}};")
@@ -173,6 +210,15 @@ mod tests {
         }
     }
 
+    /// The driver of one program.
+    fn alone<'r>(request: &RunRequest<'r>) -> Result<Driver<'r>, String> {
+        driver(&[Subject {
+            request: *request,
+            copies: &Copies::of(request),
+            program: "main".to_owned(),
+        }])
+    }
+
     fn request<'a>(observe: &'a [Observation<'a>]) -> RunRequest<'a> {
         RunRequest {
             dialect: DialectName::Matiec,
@@ -195,9 +241,9 @@ mod tests {
             observation("b", "BOOL"),
         ];
         let request = request(&observe);
-        let driver = driver(&request, &Copies::of(&request), "main").unwrap();
+        let driver = alone(&request).unwrap();
         let printed = "1 3fc00000\n0 ffff\n2 1 500000000\n3 '6127\n4 1\n5 1\n";
-        let values = driver.values(printed, &request).unwrap();
+        let values = driver.values(printed, &driver.subjects[0]).unwrap();
         let values: Vec<String> = values
             .iter()
             .map(|(name, value)| format!("{name}={value}"))
@@ -214,7 +260,10 @@ mod tests {
             ]
         );
         for nonsense in ["0 ffff\n", "7 0\n", "0\n", "x 0\n", "0 gg\n", "4 9\n", "3 61\n"] {
-            assert!(driver.values(nonsense, &request).is_err(), "{nonsense}");
+            assert!(
+                driver.values(nonsense, &driver.subjects[0]).is_err(),
+                "{nonsense}"
+            );
         }
     }
 
@@ -243,16 +292,38 @@ mod tests {
             }],
             ..request(&observe)
         };
-        let driver = driver(&request, &Copies::of(&request), "main").unwrap();
+        let driver = alone(&request).unwrap();
         for line in [
-            "static MAIN program;",
-            "if (scan == 0UL) print_time(0, program.X.value);",
-            "if (scan == 2UL) print_bits(1, &program.STICKLER_WITNESS_0.value, sizeof program.STICKLER_WITNESS_0.value);",
-            "if (scan == 0UL) print_bits(2, &program.STICKLER_WITNESS_0.value, sizeof program.STICKLER_WITNESS_0.value);",
-            "if (scan == 0UL) print_bits(3, &program.STICKLER_WITNESS_1.value, sizeof program.STICKLER_WITNESS_1.value);",
+            "MAIN p0;",
+            "if (scan == 0UL) print_time(0, memory.program.p0.X.value);",
+            "if (scan == 2UL) print_bits(1, &memory.program.p0.STICKLER_WITNESS_0.value, sizeof memory.program.p0.STICKLER_WITNESS_0.value);",
+            "if (scan == 0UL) print_bits(2, &memory.program.p0.STICKLER_WITNESS_0.value, sizeof memory.program.p0.STICKLER_WITNESS_0.value);",
+            "if (scan == 0UL) print_bits(3, &memory.program.p0.STICKLER_WITNESS_1.value, sizeof memory.program.p0.STICKLER_WITNESS_1.value);",
             "if (scan == 2UL) __CURRENT_TIME = (TIME){1, 500000000};",
             "if (scan == 3UL) { unsigned long long bits = 18446744073709551614ULL;",
             "scan <= 3UL;",
+        ] {
+            assert!(driver.text.contains(line), "{line}\n{}", driver.text);
+        }
+    }
+
+    #[test]
+    fn several_programs_have_a_number_each_and_one_place() {
+        let observe = [observation("x", "INT")];
+        let request = request(&observe);
+        let copies = Copies::of(&request);
+        let subject = |program: &str| Subject {
+            request,
+            copies: &copies,
+            program: program.to_owned(),
+        };
+        let driver = driver(&[subject("first"), subject("second")]).unwrap();
+        for line in [
+            "FIRST p0;",
+            "SECOND p1;",
+            "SECOND_body__(&memory.program.p1);",
+            "print_bits(0, &memory.program.p1.X.value, sizeof memory.program.p1.X.value);",
+            "case 1: return run_1();",
         ] {
             assert!(driver.text.contains(line), "{line}\n{}", driver.text);
         }
@@ -268,7 +339,7 @@ mod tests {
         ] {
             let observe = [observation("x", type_name)];
             let request = request(&observe);
-            let reason = driver(&request, &Copies::of(&request), "main").err().unwrap();
+            let reason = alone(&request).err().unwrap();
             assert!(reason.contains(part), "{reason}");
         }
     }

@@ -5,7 +5,7 @@
 //! with a zero.
 
 use crate::RunRequest;
-use crate::adapters::driver::Driver;
+use crate::adapters::driver::{Driven, Driver};
 use crate::adapters::printed::{self, Kind};
 use crate::adapters::source::{MainProgram, words};
 use std::collections::BTreeMap;
@@ -90,7 +90,10 @@ pub(super) fn driver<'r>(request: &RunRequest<'r>) -> Result<Driver<'r>, String>
     );
     Ok(Driver {
         text,
-        kinds,
+        subjects: vec![Driven {
+            request: *request,
+            kinds,
+        }],
         read: value,
         faults: &[],
     })

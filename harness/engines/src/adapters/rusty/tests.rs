@@ -172,7 +172,7 @@ fn no_line_of_the_program_moves_and_its_name_does_not_meet_that_of_c() {
         clock: &[],
         set: &[],
     };
-    let kinds = driver(&request).unwrap().kinds;
+    let kinds = driver(&request).unwrap().subjects.remove(0).kinds;
     let text = instrumented(&request, &main_program(source).unwrap(), &kinds);
     assert_eq!(
         text,

@@ -4,7 +4,7 @@
 //! each with `get`; durations and times of day are nanoseconds, dates days, both together nanoseconds.
 
 use crate::RunRequest;
-use crate::adapters::driver::Driver;
+use crate::adapters::driver::{self, Driven, Driver};
 use crate::adapters::printed::{self, Kind};
 use crate::adapters::witness::Copies;
 use std::fmt::Write;
@@ -55,43 +55,90 @@ template<class T> static void print_text(int number, const T &value) {
 }
 ";
 
-/// The driver of a request; `program` is the name of the main program.
+/// What a driver is to run: what was asked about a program, what of it is copied, and the name of its main program.
+pub(super) struct Subject<'r> {
+    pub(super) request: RunRequest<'r>,
+    pub(super) copies: Copies,
+    pub(super) program: String,
+}
+
+/// The driver of translated programs: of the only one in `program.cpp`, or of several in `program_0.cpp` and so on, each in
+/// a namespace of its own.
 ///
 /// # Errors
 /// A fragment that says what cannot be observed or set.
-pub(super) fn driver<'r>(
-    request: &RunRequest<'r>,
-    copies: &Copies,
-    program: &str,
-) -> Result<Driver<'r>, String> {
+pub(super) fn driver<'r>(subjects: &[&Subject<'r>]) -> Result<Driver<'r>, String> {
+    let mut text = format!("#include \"stickler.hpp\"\n{PRINTERS}");
+    let mut driven = Vec::with_capacity(subjects.len());
+    for (number, subject) in subjects.iter().enumerate() {
+        let kinds = kinds(&subject.request)?;
+        if subjects.len() > 1 {
+            // Writing into a String does not fail.
+            let _ = write!(
+                text,
+                "namespace pack_{number} {{\nnamespace strucpp {{ using namespace ::strucpp; }}\n\
+                 #include \"program_{number}.cpp\"\n"
+            );
+            write_run(&mut text, subject, &kinds);
+            text.push_str("}\n");
+        } else {
+            text.push_str("#include \"program.cpp\"\n");
+            write_run(&mut text, subject, &kinds);
+        }
+        driven.push(Driven {
+            request: subject.request,
+            kinds,
+        });
+    }
+    let several = subjects.len() > 1;
+    text.push_str(&driver::main(subjects.len(), |number| match several {
+        true => format!("pack_{number}::run_subject()"),
+        false => "run_subject()".to_owned(),
+    }));
+    Ok(Driver {
+        text,
+        subjects: driven,
+        read: value,
+        faults: &[(SUBSCRIPT, Fault::SubscriptRange)],
+    })
+}
+
+/// What can be printed of what is observed.
+///
+/// # Errors
+/// As [`driver`].
+pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<Kind<'r>>, String> {
     if !request.set.is_empty() {
         return Err("its driver writes no variables between scans".to_owned());
     }
-    let kinds = printed::kinds(request, |_| true)?;
-    let program = program.to_ascii_uppercase();
-    let mut text = format!(
-        "#include \"stickler.hpp\"\n#include \"program.cpp\"\nstatic strucpp::Program_{program} program;\n{PRINTERS}\
-         static void look(unsigned long scan) {{\n"
+    printed::kinds(request, |_| true)
+}
+
+/// The functions that run a program and print what is to be seen after a scan; 0 stands for the end.
+fn write_run(text: &mut String, subject: &Subject<'_>, kinds: &[Kind<'_>]) {
+    let program = subject.program.to_ascii_uppercase();
+    let _ = write!(
+        text,
+        "static strucpp::Program_{program} program;\nstatic void look(unsigned long scan) {{\n"
     );
-    for (number, (asked, kind)) in request.observe.iter().zip(&kinds).enumerate() {
-        let variable = format!("program.{}.get()", copies.variable(asked).to_ascii_uppercase());
+    for (number, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
+        let variable = subject.copies.variable(asked).to_ascii_uppercase();
         let printer = match kind {
             Kind::Elementary(ty) if ty.is_text() => "print_text",
             _ => "print_bits",
         };
-        // Writing into a String does not fail.
         let _ = writeln!(
             text,
-            "    if (scan == {}UL) {printer}({number}, {variable});",
+            "    if (scan == {}UL) {printer}({number}, program.{variable}.get());",
             asked.after.unwrap_or(0)
         );
     }
     let _ = write!(
         text,
-        "}}\nint main() try {{\n    for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
-        request.scans
+        "}}\nstatic int run_subject() try {{\n    for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
+        subject.request.scans
     );
-    for step in request.clock {
+    for step in subject.request.clock {
         let _ = writeln!(
             text,
             "        if (scan == {}UL) strucpp::__CURRENT_TIME_NS = {}LL;",
@@ -103,12 +150,6 @@ pub(super) fn driver<'r>(
         "        program.run();\n        look(scan);\n    }}\n    look(0);\n    return 0;\n\
          }} catch (const std::out_of_range &) {{\n    return {SUBSCRIPT};\n}}\n"
     );
-    Ok(Driver {
-        text,
-        kinds,
-        read: value,
-        faults: &[(SUBSCRIPT, Fault::SubscriptRange)],
-    })
 }
 
 /// A value as it was printed; `None` where that is nonsense.
@@ -165,7 +206,20 @@ mod tests {
             }],
             set: &[],
         };
-        let driver = driver(&request, &Copies::of(&request), "main").unwrap();
+        let subject = Subject {
+            request,
+            copies: Copies::of(&request),
+            program: "main".to_owned(),
+        };
+        let both = driver(&[&subject, &subject]).unwrap();
+        for line in [
+            "namespace pack_1 {",
+            "#include \"program_1.cpp\"",
+            "case 1: return pack_1::run_subject();",
+        ] {
+            assert!(both.text.contains(line), "{line}\n{}", both.text);
+        }
+        let driver = driver(&[&subject]).unwrap();
         for line in [
             "static strucpp::Program_MAIN program;",
             "if (scan == 0UL) print_text(3, program.S.get());",
@@ -175,7 +229,7 @@ mod tests {
             assert!(driver.text.contains(line), "{line}\n{}", driver.text);
         }
         let printed = "0 ffff\n1 3ff8000000000000\n2 59682f00\n3 '00610027\n4 '00e4\n5 4d46\n6 ff\n";
-        let values = driver.values(printed, &request).unwrap();
+        let values = driver.values(printed, &driver.subjects[0]).unwrap();
         let values: Vec<String> = values
             .iter()
             .map(|(name, value)| format!("{name}={value}"))
@@ -193,7 +247,10 @@ mod tests {
             ]
         );
         for nonsense in ["0 ffff\n", "9 0\n", "0\n", "3 61\n"] {
-            assert!(driver.values(nonsense, &request).is_err(), "{nonsense}");
+            assert!(
+                driver.values(nonsense, &driver.subjects[0]).is_err(),
+                "{nonsense}"
+            );
         }
     }
 }

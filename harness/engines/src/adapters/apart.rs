@@ -1,0 +1,261 @@
+//! Keeping the names of programs apart that are to stand in one text.
+//!
+//! Every name that a program declares for all of its text, of its POUs, its types and the values of its enumerations, gets
+//! a suffix wherever it stands. No line moves, and a column can be led back.
+
+use super::source::{Token, tokens, words};
+use crate::Diagnostic;
+use std::collections::HashSet;
+
+/// Sections whose names a whole configuration shares, and what makes such a configuration.
+const SHARED: &[&str] = &[
+    "CONFIGURATION",
+    "RESOURCE",
+    "VAR_GLOBAL",
+    "VAR_EXTERNAL",
+    "VAR_CONFIG",
+    "VAR_ACCESS",
+    "NAMESPACE",
+    "CLASS",
+    "INTERFACE",
+    "USING",
+];
+
+/// What may stand beside others in a text.
+const UNITS: &[&str] = &["PROGRAM", "FUNCTION", "FUNCTION_BLOCK", "TYPE"];
+
+/// What else has an end of its own.
+const BLOCKS: &[&str] = &["STRUCT", "IF", "CASE", "FOR", "WHILE", "REPEAT"];
+
+/// The names that a program declares for all of its text, in capitals; `None` where it cannot stand among others: it shares
+/// something with a configuration or with the machine, it is not whole, or what it declares is `taken`, by the language or
+/// by the library of a compiler.
+pub(super) fn declared(source: &str, taken: &HashSet<String>) -> Option<HashSet<String>> {
+    let mut reader = Reader::default();
+    for token in tokens(source) {
+        reader.read(token)?;
+    }
+    let whole = reader.open.is_empty() && reader.names.is_disjoint(taken);
+    whole.then_some(reader.names)
+}
+
+/// What was read of a program so far.
+#[derive(Default)]
+struct Reader {
+    /// The units and blocks that have not ended, in capitals.
+    open: Vec<String>,
+    names: HashSet<String>,
+    last: Last,
+    /// The last word, in capitals.
+    word: String,
+    /// Within the list of the values of an enumeration.
+    in_list: bool,
+}
+
+/// The last token, as far as it matters.
+#[derive(Clone, Copy, PartialEq, Eq, Default)]
+enum Last {
+    /// The keyword before the name of a POU.
+    Unit,
+    Word,
+    /// A colon.
+    Colon,
+    #[default]
+    Other,
+}
+
+impl Reader {
+    /// Takes the next token; `None` where the program is no company for others.
+    fn read(&mut self, token: Token<'_>) -> Option<()> {
+        let last = std::mem::replace(&mut self.last, Last::Other);
+        match token {
+            Token::Unfinished | Token::Pragma | Token::Sign(b'%') => return None,
+            Token::Word(word) => self.word(word.text.to_ascii_uppercase(), last)?,
+            Token::Sign(b':') => {
+                // A name of a type stands before a colon, and not one of a field.
+                if last == Last::Word && self.open.last().is_some_and(|open| open == "TYPE") {
+                    self.names.insert(self.word.clone());
+                }
+                self.last = Last::Colon;
+            }
+            Token::Sign(b'(') => self.in_list |= last == Last::Colon,
+            Token::Sign(b')') => self.in_list = false,
+            Token::Sign(_) => {}
+        }
+        Some(())
+    }
+
+    fn word(&mut self, word: String, last: Last) -> Option<()> {
+        if SHARED.contains(&word.as_str()) {
+            return None;
+        }
+        if let Some(ended) = word.strip_prefix("END_") {
+            let open = self.open.pop()?;
+            let fits = open == ended || (ended == "VAR" && open.starts_with("VAR"));
+            return fits.then_some(());
+        }
+        if last == Last::Unit || self.in_list {
+            self.names.insert(word);
+            return Some(());
+        }
+        let unit = UNITS.contains(&word.as_str());
+        if unit || word == "VAR" || word.starts_with("VAR_") || BLOCKS.contains(&word.as_str()) {
+            if unit != self.open.is_empty() {
+                return None;
+            }
+            self.last = if unit && word != "TYPE" {
+                Last::Unit
+            } else {
+                Last::Other
+            };
+            self.open.push(word);
+            return Some(());
+        }
+        self.word = word;
+        self.last = Last::Word;
+        Some(())
+    }
+}
+
+/// Something written behind a name: the line, the column at which it begins and its length, all as they are after it.
+struct Insertion {
+    line: u32,
+    column: u32,
+    length: u32,
+}
+
+/// A program whose names have a suffix.
+pub(super) struct Apart {
+    /// Its text.
+    pub(super) text: String,
+    suffix: String,
+    insertions: Vec<Insertion>,
+}
+
+impl Apart {
+    /// Writes the suffix behind every one of these names, which are in capitals.
+    pub(super) fn of(source: &str, names: &HashSet<String>, suffix: &str) -> Apart {
+        let mut apart = Apart {
+            text: String::with_capacity(source.len() * 2),
+            suffix: suffix.to_owned(),
+            insertions: Vec::new(),
+        };
+        let length = column_of(suffix.len());
+        let mut written = 0;
+        for word in words(source).filter(|word| names.contains(&word.text.to_ascii_uppercase())) {
+            apart.text.push_str(&source[written..word.end()]);
+            written = word.end();
+            let line_start = apart.text.rfind('\n').map_or(0, |at| at + 1);
+            apart.insertions.push(Insertion {
+                line: column_of(1 + source[..written].matches('\n').count()),
+                column: column_of(apart.text.len() - line_start + 1),
+                length,
+            });
+            apart.text.push_str(suffix);
+        }
+        apart.text.push_str(&source[written..]);
+        apart
+    }
+
+    /// What a diagnostic of the text is of the program itself.
+    pub(super) fn original(&self, told: Diagnostic) -> Diagnostic {
+        let column = |line: Option<u32>, column: Option<u32>| Some(self.column(line?, column?));
+        Diagnostic {
+            column: column(told.line, told.column).or(told.column),
+            end_column: column(told.end_line, told.end_column).or(told.end_column),
+            message: without(&told.message, &self.suffix),
+            ..told
+        }
+    }
+
+    fn column(&self, line: u32, column: u32) -> u32 {
+        let before = self.insertions.iter().filter(|insertion| insertion.line == line);
+        let moved = before.map(|insertion| column.saturating_sub(insertion.column).min(insertion.length));
+        column - moved.sum::<u32>().min(column)
+    }
+}
+
+/// Texts of programs are no longer than numbers of this kind reach.
+fn column_of(number: usize) -> u32 {
+    u32::try_from(number).unwrap_or(u32::MAX)
+}
+
+/// A text without a suffix, which may be written in capitals.
+fn without(text: &str, suffix: &str) -> String {
+    text.replace(suffix, "").replace(&suffix.to_ascii_uppercase(), "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(source: &str) -> Option<Vec<String>> {
+        let taken = HashSet::from(["TON".to_owned()]);
+        let mut names: Vec<String> = declared(source, &taken)?.into_iter().collect();
+        names.sort();
+        Some(names)
+    }
+
+    #[test]
+    fn names_are_those_of_units_types_and_enumerations() {
+        let source = "TYPE Color : (RED, Green) := RED; PAIR : STRUCT a : INT; k : (ON, OFF); END_STRUCT; END_TYPE\n\
+                      FUNCTION f : INT VAR_INPUT x : INT; END_VAR f := x; END_FUNCTION\n\
+                      PROGRAM main VAR c : Color; w : (UP, DOWN); END_VAR IF c = RED THEN c := GREEN; END_IF; END_PROGRAM";
+        let expected = [
+            "COLOR", "DOWN", "F", "GREEN", "MAIN", "OFF", "ON", "PAIR", "RED", "UP",
+        ];
+        assert_eq!(names(source).unwrap(), expected);
+    }
+
+    #[test]
+    fn what_is_no_company_for_others_is_known() {
+        for source in [
+            "PROGRAM main VAR_EXTERNAL x : INT; END_VAR END_PROGRAM",
+            "PROGRAM main VAR x AT %IX0.0 : BOOL; END_VAR END_PROGRAM",
+            "PROGRAM main {pragma} END_PROGRAM",
+            "PROGRAM main (* open END_PROGRAM",
+            "PROGRAM main IF a THEN END_PROGRAM",
+            "PROGRAM main",
+            "END_PROGRAM",
+            "IF a THEN END_IF",
+            "PROGRAM main PROGRAM other END_PROGRAM END_PROGRAM",
+            "FUNCTION_BLOCK TON END_FUNCTION_BLOCK",
+        ] {
+            assert_eq!(names(source), None, "{source}");
+        }
+    }
+
+    #[test]
+    fn names_get_their_suffix_and_diagnostics_are_led_back() {
+        let source =
+            "FUNCTION f : INT (* f *)\n  f := 'f';\nEND_FUNCTION\nPROGRAM p x := F(f(y)); END_PROGRAM";
+        let names = HashSet::from(["F".to_owned(), "P".to_owned()]);
+        let apart = Apart::of(source, &names, "_in_pack_7");
+        assert_eq!(
+            apart.text,
+            "FUNCTION f_in_pack_7 : INT (* f *)\n  f_in_pack_7 := 'f';\nEND_FUNCTION\n\
+             PROGRAM p_in_pack_7 x := F_in_pack_7(f_in_pack_7(y)); END_PROGRAM"
+        );
+        // Every column of the original, looked up in the text and led back.
+        for (number, (before, after)) in source.lines().zip(apart.text.lines()).enumerate() {
+            let line = column_of(number + 1);
+            let kept = after.replace("_in_pack_7", "~~~~~~~~~~");
+            let columns = kept.char_indices().filter(|(_, character)| *character != '~');
+            let led_back: Vec<u32> = columns
+                .map(|(at, _)| apart.column(line, column_of(at + 1)))
+                .collect();
+            let expected: Vec<u32> = (1..=column_of(before.len())).collect();
+            assert_eq!(led_back, expected, "{before}");
+        }
+        let told = apart.original(Diagnostic {
+            line: Some(4),
+            column: Some(26),
+            end_line: Some(4),
+            end_column: Some(37),
+            message: "no F_IN_PACK_7 and no f_in_pack_7".to_owned(),
+            ..Diagnostic::default()
+        });
+        assert_eq!((told.column, told.end_column), (Some(16), Some(17)));
+        assert_eq!(told.message, "no F and no f");
+    }
+}

@@ -1,0 +1,403 @@
+//! Many programs in one text: `iec2c` and the C compiler start once for all of them.
+//!
+//! `iec2c` names the line of every mistake in the meaning of a program, and mistakes of one program keep it from those of no
+//! other: such programs are rejected at once, and the others go on without them. Where it does not get as far, or its C cannot be
+//! built, the programs that it complains of are asked about alone. What one program does when it runs, no other sees.
+
+use super::driver::{Subject, driver};
+use super::{MatiecSession, configuration, diagnostics};
+use crate::adapters::apart::{Apart, declared};
+use crate::adapters::source::{MainProgram, main_program};
+use crate::adapters::witness::{Copies, with_witnesses};
+use crate::{Diagnostic, Outcome, Packed, RunRequest};
+use std::collections::{BTreeSet, HashSet};
+
+/// What stands behind the names of a program, and then its number.
+const SUFFIX: &str = "_in_pack_";
+
+/// So often programs are taken out and the rest goes on; then whoever gave the pack makes smaller ones.
+const ROUNDS: usize = 12;
+
+/// A program that may stand among others.
+struct Member<'r> {
+    /// Its place among the requests.
+    place: usize,
+    request: RunRequest<'r>,
+    copies: Copies,
+    main: MainProgram,
+    /// The names that have to be kept apart.
+    names: HashSet<String>,
+}
+
+impl<'r> Member<'r> {
+    fn of(place: usize, request: &RunRequest<'r>, taken: &HashSet<String>) -> Option<Member<'r>> {
+        let names = declared(request.source, taken)?;
+        let main = main_program(request.source)?;
+        let copies = Copies::of(request);
+        // Such a program may be asked about more than once.
+        let copied_for_nothing = !copies.witnesses().is_empty() && (main.returns || request.scans == 0);
+        // The driver looks for variables under the names that they have.
+        let seen = request.observe.iter().map(|asked| asked.name);
+        let set = request.set.iter().map(|setting| setting.name);
+        let renamed = seen.chain(set).any(|path| names.contains(&base(path)));
+        let fits = !(copied_for_nothing || renamed || request.source.to_ascii_lowercase().contains(SUFFIX));
+        fits.then_some(Member {
+            place,
+            request: *request,
+            copies,
+            main,
+            names,
+        })
+    }
+
+    fn suffix(&self) -> String {
+        format!("{SUFFIX}{}", self.place)
+    }
+
+    /// Its text, with its names kept apart.
+    fn apart(&self) -> Apart {
+        let witnesses = self.copies.witnesses();
+        let suffix = self.suffix();
+        if witnesses.is_empty() {
+            return Apart::of(self.request.source, &self.names, &suffix);
+        }
+        let text = with_witnesses(self.request.source, &self.main, witnesses);
+        Apart::of(&text, &self.names, &suffix)
+    }
+}
+
+/// The variable that a path begins with, in capitals.
+fn base(path: &str) -> String {
+    let end = path.find(['.', '[']).unwrap_or(path.len());
+    path[..end].to_ascii_uppercase()
+}
+
+/// Several programs in one text, each with the line before its first.
+struct Joined {
+    text: String,
+    members: Vec<(u32, Apart)>,
+}
+
+impl Joined {
+    fn of(members: &[Member<'_>]) -> Joined {
+        let mut joined = Joined {
+            text: String::new(),
+            members: Vec::with_capacity(members.len()),
+        };
+        let mut lines = 0;
+        for member in members {
+            let apart = member.apart();
+            joined.text.push_str(&apart.text);
+            joined.text.push('\n');
+            let before = lines;
+            lines += u32::try_from(apart.text.matches('\n').count() + 1).unwrap_or(u32::MAX);
+            joined.members.push((before, apart));
+        }
+        if let Some(first) = members.first() {
+            let program = format!("{}{}", first.main.name, first.suffix());
+            joined.text.push_str(&configuration(&program));
+        }
+        joined
+    }
+
+    /// The number of the member that has this line; `None` for what stands behind all of them.
+    fn member(&self, line: u32) -> Option<usize> {
+        let behind = self.members.partition_point(|(before, _)| *before < line);
+        let number = behind.checked_sub(1)?;
+        let (before, apart) = &self.members[number];
+        let lines = u32::try_from(apart.text.matches('\n').count() + 1).unwrap_or(u32::MAX);
+        (line - before <= lines).then_some(number)
+    }
+
+    /// A diagnostic as it is of a program alone, and the number of that; `None` where it is of none.
+    fn original(&self, told: Diagnostic) -> Option<(usize, Diagnostic)> {
+        let number = self.member(told.line?)?;
+        let (before, apart) = &self.members[number];
+        let own = |line: Option<u32>| line.map(|line| line.saturating_sub(*before));
+        let told = Diagnostic {
+            line: own(told.line),
+            end_line: own(told.end_line),
+            ..told
+        };
+        Some((number, apart.original(told)))
+    }
+}
+
+/// What is known of a pack after a round.
+enum Known {
+    /// All ran.
+    Outcomes(Vec<Outcome>),
+    /// Some are rejected, by these; the others were looked at, too.
+    Rejected(Vec<Vec<Diagnostic>>),
+    /// Some are to be asked about alone.
+    Suspects(BTreeSet<usize>),
+    /// Nothing is known of any of them.
+    Nothing,
+}
+
+/// As [`Session::run_pack`](crate::Session::run_pack).
+pub(super) fn run(session: &MatiecSession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+    let mut answers = vec![Packed::Alone; requests.len()];
+    let taken = session.engine.taken();
+    let member = |(place, request)| Member::of(place, request, taken);
+    let mut members: Vec<Member<'_>> = requests.iter().enumerate().filter_map(member).collect();
+    for _ in 0..ROUNDS {
+        if members.len() < 2 {
+            break;
+        }
+        match look(session, &members) {
+            Known::Outcomes(known) => {
+                for (member, outcome) in members.drain(..).zip(known) {
+                    answers[member.place] = Packed::Told(outcome);
+                }
+            }
+            Known::Rejected(told) => reject(&mut members, told, &mut answers),
+            Known::Suspects(suspects) => {
+                for number in suspects.into_iter().rev() {
+                    members.remove(number);
+                }
+            }
+            Known::Nothing => break,
+        }
+    }
+    for member in members {
+        answers[member.place] = Packed::Unknown;
+    }
+    answers
+}
+
+/// Takes out the programs that are rejected. One to which variables were added is to be asked about alone: it is not sure whose
+/// mistake it is.
+fn reject(members: &mut Vec<Member<'_>>, told: Vec<Vec<Diagnostic>>, answers: &mut [Packed]) {
+    let mut told = told.into_iter();
+    members.retain(|member| {
+        let told = told.next().unwrap_or_default();
+        if told.is_empty() {
+            return true;
+        }
+        if member.copies.witnesses().is_empty() {
+            answers[member.place] = Packed::Told(diagnostics::rejected(told));
+        }
+        false
+    });
+}
+
+/// Translates, builds and runs programs in one text.
+fn look(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
+    let joined = Joined::of(members);
+    let Ok(ended) = session.compile(&joined.text) else {
+        return Known::Nothing;
+    };
+    match diagnostics::outcome(&ended) {
+        Ok(()) => build(session, members),
+        Err(Outcome::Rejected { .. }) => refused(&joined, &ended.stderr),
+        Err(_) => Known::Nothing,
+    }
+}
+
+/// What it is that `iec2c` does not accept.
+fn refused(joined: &Joined, stderr: &str) -> Known {
+    let diagnostics = diagnostics::diagnostics(stderr);
+    let complete = diagnostics::are_complete(&diagnostics, stderr);
+    let mut told: Vec<Vec<Diagnostic>> = joined.members.iter().map(|_| Vec::new()).collect();
+    for diagnostic in diagnostics {
+        let Some((number, original)) = joined.original(diagnostic) else {
+            return Known::Nothing;
+        };
+        told[number].push(original);
+    }
+    if complete {
+        return Known::Rejected(told);
+    }
+    let mut suspects = BTreeSet::new();
+    for (number, told) in told.iter().enumerate().filter(|(_, told)| !told.is_empty()) {
+        suspects.insert(number);
+        // What is wrong at the beginning of a program may be the end of the one before.
+        if number > 0 && told.iter().any(|told| told.line == Some(1)) {
+            suspects.insert(number - 1);
+        }
+    }
+    Known::Suspects(suspects)
+}
+
+/// Builds and runs what was translated.
+fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
+    let subjects: Vec<Subject<'_, '_>> = members
+        .iter()
+        .map(|member| Subject {
+            request: member.request,
+            copies: &member.copies,
+            program: format!("{}{}", member.main.name, member.suffix()),
+        })
+        .collect();
+    let Ok(driver) = driver(&subjects) else {
+        let cannot = |number: &usize| driver(&subjects[*number..=*number]).is_err();
+        return suspected((0..subjects.len()).filter(cannot).collect());
+    };
+    let Ok(ended) = session
+        .engine
+        .builder
+        .try_build(&driver.text, &[], &session.folder)
+    else {
+        return Known::Nothing;
+    };
+    if ended.status.success() {
+        return Known::Outcomes(driver.execute_all(&session.folder));
+    }
+    let read = |name: &str| std::fs::read_to_string(session.folder.path().join(name)).unwrap_or_default();
+    let places = named(
+        &ended.stderr,
+        [("POUS.c:", read("POUS.c")), ("POUS.h:", read("POUS.h"))],
+    );
+    let numbers = members.iter().enumerate();
+    suspected(
+        numbers
+            .filter(|(_, member)| places.contains(&member.place))
+            .map(|(number, _)| number)
+            .collect(),
+    )
+}
+
+fn suspected(suspects: BTreeSet<usize>) -> Known {
+    if suspects.is_empty() {
+        Known::Nothing
+    } else {
+        Known::Suspects(suspects)
+    }
+}
+
+/// The programs that a C compiler names in its errors, or in whose part of these files they stand.
+fn named(stderr: &str, files: [(&str, String); 2]) -> BTreeSet<usize> {
+    let mut named: BTreeSet<usize> = numbers(stderr).collect();
+    for line in stderr.lines().filter(|line| line.contains("error")) {
+        for (name, text) in &files {
+            let number = line.split_once(name).and_then(|(_, rest)| {
+                let digits = rest.split(':').next()?;
+                digits.parse::<usize>().ok()
+            });
+            let before: Vec<&str> = text.lines().take(number.unwrap_or(0)).collect();
+            let nearest = before.iter().rev().find_map(|line| numbers(line).next());
+            named.extend(nearest);
+        }
+    }
+    named
+}
+
+/// The numbers behind the suffixes in a text.
+fn numbers(text: &str) -> impl Iterator<Item = usize> + '_ {
+    let suffix = SUFFIX.to_ascii_uppercase();
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let (_, behind) = rest.split_once(&suffix)?;
+        rest = behind;
+        let digits: String = behind.chars().take_while(char::is_ascii_digit).collect();
+        Some(digits.parse().ok())
+    })
+    .flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Engine, Observation, Reference};
+    use stickler_types::DialectName;
+
+    const PROGRAMS: [&str; 4] = [
+        "TYPE COLOR : (RED, GREEN); END_TYPE\nPROGRAM main\nVAR c : COLOR; n : INT; END_VAR\n  c := GREEN;\nEND_PROGRAM",
+        "FUNCTION f : INT\nVAR_INPUT x : INT; END_VAR\n  f := x;\nEND_FUNCTION\n\
+         PROGRAM main VAR n : INT; b : BOOL; END_VAR\n  n := f(n) + f(b);\n  b := n;\nEND_PROGRAM\n",
+        "TYPE COLOR : (GREEN, BLUE); END_TYPE\nPROGRAM main\nVAR c : COLOR; END_VAR\n  c := GREEN;\nEND_PROGRAM",
+        "PROGRAM main\nVAR n : SINT; f : INT; END_VAR\n  n := f;\nEND_PROGRAM",
+    ];
+
+    fn request<'a>(source: &'a str, observe: &'a [Observation<'a>]) -> RunRequest<'a> {
+        RunRequest {
+            dialect: DialectName::Matiec,
+            source,
+            scans: 1,
+            observe,
+            clock: &[],
+            set: &[],
+        }
+    }
+
+    fn members<'r>(programs: &[&'r str], observe: &'r [Observation<'r>]) -> Vec<Member<'r>> {
+        let taken = HashSet::new();
+        let numbered = programs.iter().enumerate();
+        numbered
+            .map(|(place, source)| Member::of(place, &request(source, observe), &taken).unwrap())
+            .collect()
+    }
+
+    /// The reference finds in the text of all of them what it finds in each alone.
+    #[test]
+    fn joined_programs_are_what_they_are_alone() {
+        let reference = Reference::new();
+        let mut session = reference.session().unwrap();
+        let mut check = |source: &str| match session.check(DialectName::Matiec, source) {
+            Outcome::Rejected { diagnostics } => diagnostics,
+            Outcome::Accepted => Vec::new(),
+            other => panic!("{other:?}"),
+        };
+        let joined = Joined::of(&members(&PROGRAMS, &[]));
+        let mut found: Vec<Vec<Diagnostic>> = PROGRAMS.iter().map(|_| Vec::new()).collect();
+        let (programs, _) = joined.text.split_once("\nCONFIGURATION").unwrap();
+        for told in check(programs) {
+            let (number, told) = joined.original(told).unwrap();
+            found[number].push(told);
+        }
+        let alone: Vec<Vec<Diagnostic>> = PROGRAMS.iter().map(|program| check(program)).collect();
+        assert_eq!(alone.iter().map(Vec::len).collect::<Vec<_>>(), [0, 2, 0, 1]);
+        for (found, alone) in found.iter().zip(&alone) {
+            let places = |told: &[Diagnostic]| -> Vec<_> {
+                let place = |told: &Diagnostic| (told.line, told.column, told.end_column, told.code.clone());
+                told.iter().map(place).collect()
+            };
+            assert_eq!(places(found), places(alone));
+        }
+    }
+
+    #[test]
+    fn lines_are_those_of_their_programs() {
+        let joined = Joined::of(&members(&PROGRAMS, &[]));
+        let of = |lines: std::ops::Range<u32>| lines.map(|line| joined.member(line)).collect::<Vec<_>>();
+        assert_eq!(of(1..6), [Some(0); 5]);
+        // The second ends with a line feed, and its last line is empty.
+        assert_eq!(of(6..15), [Some(1); 9]);
+        assert_eq!(of(15..20), [Some(2); 5]);
+        assert_eq!(of(20..24), [Some(3); 4]);
+        assert_eq!(joined.member(24), None);
+        assert_eq!(joined.member(0), None);
+    }
+
+    #[test]
+    fn a_program_whose_variable_would_be_renamed_stands_alone() {
+        let taken = HashSet::new();
+        let observe = ["n", "c.x"].map(|name| Observation {
+            name,
+            type_name: "INT",
+            after: None,
+        });
+        let alone = |source: &str| Member::of(0, &request(source, &observe), &taken).is_none();
+        assert!(!alone("PROGRAM main VAR n : INT; END_VAR END_PROGRAM"));
+        assert!(alone("PROGRAM n VAR n : INT; END_VAR END_PROGRAM"));
+        assert!(alone(
+            "TYPE C : INT; END_TYPE PROGRAM main VAR c : C; END_VAR END_PROGRAM"
+        ));
+        assert!(alone("PROGRAM main VAR n_IN_PACK_3 : INT; END_VAR END_PROGRAM"));
+        assert!(alone("PROGRAM main VAR n : INT; END_VAR RETURN; END_PROGRAM"));
+    }
+
+    #[test]
+    fn what_a_c_compiler_complains_of_is_found() {
+        let c = "void MAIN_IN_PACK_3_body__() {\n  x = y;\n}\nvoid MAIN_IN_PACK_12_body__() {\n  x = z;\n"
+            .to_owned();
+        let h = "// PROGRAM MAIN_IN_PACK_5\ntypedef struct {\n  what x;\n".to_owned();
+        let stderr = "In file included from driver.c:5:\nPOUS.c:5:3: error: 'x' undeclared\n\
+                      ./POUS.h:3:1: error: unknown type name\nin function `F_IN_PACK_7': undefined\n";
+        let found: Vec<usize> = named(stderr, [("POUS.c:", c), ("POUS.h:", h)])
+            .into_iter()
+            .collect();
+        assert_eq!(found, [5, 7, 12]);
+    }
+}

@@ -1,0 +1,124 @@
+//! Many programs in one C++ program: the C++ compiler, which takes most of the time, starts once for all of them.
+//!
+//! Each program is translated alone, and so whatever is not accepted is told at once. The C++ of those that are accepted stands
+//! side by side, each in a namespace of its own. What one program does when it runs, no other sees.
+
+use super::driver::{Subject, driver};
+use super::{Accepted, StrucppSession};
+use crate::adapters::apart::declared;
+use crate::{Outcome, Packed, RunRequest};
+use std::collections::BTreeSet;
+
+/// So often programs are taken out and the rest goes on; then whoever gave the pack makes smaller ones.
+const ROUNDS: usize = 4;
+
+/// As [`Session::run_pack`](crate::Session::run_pack).
+pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+    let mut answers = vec![Packed::Alone; requests.len()];
+    let mut members = Vec::with_capacity(requests.len());
+    for (place, request) in requests.iter().enumerate() {
+        match session.accepted(request) {
+            Ok(Some(accepted)) if declared(request.source, session.engine.taken()).is_some() => {
+                members.push((place, accepted));
+            }
+            Ok(Some(_)) => {}
+            Ok(None) => answers[place] = Packed::Told(Outcome::Accepted),
+            Err(outcome) => answers[place] = Packed::Told(outcome),
+        }
+    }
+    for _ in 0..ROUNDS {
+        if members.len() < 2 {
+            break;
+        }
+        match build_and_run(session, &members) {
+            Ok(known) => {
+                for ((place, _), outcome) in members.drain(..).zip(known) {
+                    answers[place] = Packed::Told(outcome);
+                }
+            }
+            Err(suspects) if suspects.is_empty() => break,
+            Err(suspects) => {
+                for number in suspects.into_iter().rev() {
+                    members.remove(number);
+                }
+            }
+        }
+    }
+    for (place, _) in members {
+        answers[place] = Packed::Unknown;
+    }
+    answers
+}
+
+/// Builds and runs programs in one C++ program.
+///
+/// # Errors
+/// The numbers of those that the C++ compiler complains of; none where it says nothing of the kind.
+fn build_and_run(
+    session: &StrucppSession<'_>,
+    members: &[(usize, Accepted<'_>)],
+) -> Result<Vec<Outcome>, BTreeSet<usize>> {
+    for (number, (_, accepted)) in members.iter().enumerate() {
+        let text = in_a_namespace(&accepted.translated.header, &accepted.translated.program);
+        let written = session.folder.write(&format!("program_{number}.cpp"), &text);
+        written.map_err(|_| BTreeSet::new())?;
+    }
+    let subjects: Vec<&Subject<'_>> = members.iter().map(|(_, accepted)| &accepted.subject).collect();
+    let driver = driver(&subjects).map_err(|_| BTreeSet::new())?;
+    let built = session
+        .engine
+        .builder
+        .try_build(&driver.text, &[], &session.folder);
+    let ended = built.map_err(|_| BTreeSet::new())?;
+    if ended.status.success() {
+        return Ok(driver.execute_all(&session.folder));
+    }
+    let named = |(mark, end)| numbers(&ended.stderr, mark, end);
+    let named: BTreeSet<usize> = [("program_", '.'), ("pack_", ':')]
+        .into_iter()
+        .flat_map(named)
+        .collect();
+    Err(named
+        .into_iter()
+        .filter(|number| *number < members.len())
+        .collect())
+}
+
+/// The C++ of a program without the lines that a namespace must not have: what they include is there already.
+fn in_a_namespace(header: &str, program: &str) -> String {
+    let kept = |line: &&str| {
+        let line = line.trim_start();
+        !(line.starts_with("#include") || line.starts_with("#pragma once"))
+    };
+    let lines = header.lines().chain(program.lines()).filter(kept);
+    lines.flat_map(|line| [line, "\n"]).collect()
+}
+
+/// The numbers between these marks in a text.
+fn numbers(text: &str, mark: &str, end: char) -> Vec<usize> {
+    let behind = text.split(mark).skip(1);
+    let number = |behind: &str| behind.split_once(end)?.0.parse().ok();
+    behind.filter_map(number).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_programs_that_a_compiler_complains_of_are_named() {
+        let stderr = "In file included from driver.cpp:9:\nprogram_12.cpp:3:1: error: no\n\
+                      driver.cpp: In function 'int pack_7::run_subject()':\nprogram_x.cpp";
+        assert_eq!(numbers(stderr, "program_", '.'), [12]);
+        assert_eq!(numbers(stderr, "pack_", ':'), [7]);
+    }
+
+    #[test]
+    fn what_is_included_already_is_left_out() {
+        let text = in_a_namespace(
+            "#pragma once\n#include <array>\n#undef OVERFLOW\nnamespace strucpp {}\n",
+            "#include \"generated.hpp\"\nint x;\n",
+        );
+        assert_eq!(text, "#undef OVERFLOW\nnamespace strucpp {}\nint x;\n");
+    }
+}
