@@ -242,7 +242,7 @@ impl Matching {
         if !self.found.engines.iter().any(|(_, new)| *new == case.engine) {
             return;
         }
-        let verdict = known::came(&case);
+        let verdict = case.came();
         let cases = self.known.get_mut(&case.engine);
         let Some(known) = cases.and_then(|cases| cases.remove(&key(&case))) else {
             return self.found.added.push(Lone {
@@ -269,7 +269,7 @@ impl Matching {
             dialect: case.dialect.clone(),
             engine: case.engine.clone(),
             old,
-            new: known::came(&case),
+            new: case.came(),
             expectation_changed,
             detail: (*detailed <= DETAILED).then(|| {
                 Box::new(Detail {

@@ -120,6 +120,19 @@ pub struct CaseEvent {
     pub baseline: Option<BaselineNote>,
 }
 
+impl CaseEvent {
+    /// What came of the case, whatever a baseline expects.
+    #[must_use]
+    pub fn came(&self) -> Verdict {
+        match (self.verdict, &self.baseline) {
+            (Verdict::Xfail, Some(note)) => note.verdict,
+            (Verdict::Xfail, None) => Verdict::Fail,
+            (Verdict::Xpass, _) => Verdict::Pass,
+            (verdict, _) => verdict,
+        }
+    }
+}
+
 /// Something recorded and not judged.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Observed {

@@ -43,9 +43,9 @@ impl Known {
     /// What is kept of a case.
     pub(super) fn of(case: &CaseEvent) -> Known {
         let said = said(case);
-        let tells_more = came(case) != Verdict::Pass || !case.observations.is_empty();
+        let tells_more = case.came() != Verdict::Pass || !case.observations.is_empty();
         Known {
-            verdict: came(case),
+            verdict: case.came(),
             expected: fingerprint(&case.expected),
             said: fingerprint(&said),
             text: tells_more.then(|| clip(&said, KEPT_LINES, KEPT_CHARACTERS).into_boxed_str()),
@@ -59,7 +59,7 @@ impl Known {
 
     /// How the case looks in the newer run. What an engine says while it dies need not be the same twice.
     pub(super) fn look(&self, case: &CaseEvent) -> Look {
-        match (result(self.verdict), result(came(case))) {
+        match (result(self.verdict), result(case.came())) {
             (Result::Dead, Result::Dead) | (Result::Unsupported, Result::Unsupported) => Look::Alike,
             (_, Result::Dead) => Look::Changed(Kind::Crashed),
             (Result::Right, Result::Wrong | Result::Unsupported) => Look::Changed(Kind::Broken),
@@ -79,16 +79,6 @@ impl Known {
             // It did what was expected, and that has not changed.
             None => expected_alike.then(|| case.expected.clone()),
         }
-    }
-}
-
-/// What came of a case, whatever a baseline expects.
-pub(super) fn came(case: &CaseEvent) -> Verdict {
-    match (case.verdict, &case.baseline) {
-        (Verdict::Xfail, Some(note)) => note.verdict,
-        (Verdict::Xfail, None) => Verdict::Fail,
-        (Verdict::Xpass, _) => Verdict::Pass,
-        (verdict, _) => verdict,
     }
 }
 

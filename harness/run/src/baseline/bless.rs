@@ -40,12 +40,7 @@ impl EngineRun {
             return;
         }
         let Ok(dialect) = case.dialect.parse() else { return };
-        let verdict = match (case.verdict, &case.baseline) {
-            (Verdict::Xpass, _) => Verdict::Pass,
-            (Verdict::Xfail, Some(note)) => note.verdict,
-            (verdict, _) => verdict,
-        };
-        self.verdicts.insert((case.id.clone(), dialect), verdict);
+        self.verdicts.insert((case.id.clone(), dialect), case.came());
     }
 
     fn verdict(&self, (id, dialect): Key<'_>) -> Option<Verdict> {
