@@ -73,7 +73,7 @@ pub enum Command {
     /// Explain a diagnostic code, or list all of them
     #[command(after_help = EXPLAIN_EXAMPLES)]
     Explain(ExplainArguments),
-    /// Show which types convert implicitly: what the documents say beside what an engine does
+    /// Show which types convert implicitly: what the documents say beside what engines do
     #[command(after_help = MATRIX_EXAMPLES)]
     Matrix(MatrixArguments),
     /// Show what a conversion function gives for boundary values, dialects side by side
@@ -232,9 +232,9 @@ pub struct ExplainArguments {
 /// `stickler matrix`.
 #[derive(Args, Debug)]
 pub struct MatrixArguments {
-    /// Ask this engine: `reference`, or `cmd:COMMAND LINE`
-    #[arg(long, value_name = "ENGINE", default_value = "reference")]
-    pub engine: String,
+    /// Ask this engine, as for `stickler run`; may be repeated, and all stand in one table [default: reference]
+    #[arg(long, value_name = "ENGINE")]
+    pub engine: Vec<String>,
     /// Read the cases from DIR [default: conformance-cases here or in a folder above]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
@@ -370,6 +370,7 @@ const MATRIX_EXAMPLES: &str = "\
 Examples:
   stickler matrix
   stickler matrix --dialect plcnext
+  stickler matrix --engine ironplc --engine reference
   stickler matrix --engine 'cmd:my-adapter'";
 
 const CONVERSIONS_EXAMPLES: &str = "\

@@ -1,26 +1,18 @@
-//! `stickler matrix`: which types convert implicitly, documents beside an engine.
+//! `stickler matrix`: which types convert implicitly, documents beside engines.
+
+mod ask;
+mod table;
 
 use crate::arguments::MatrixArguments;
 use crate::case_folder::{self, CaseFolder};
+use crate::engines::Named;
 use crate::exit::Exit;
-use crate::{engines, interrupt};
-use anstyle::{AnsiColor, Style};
-use std::collections::BTreeMap;
+use crate::progress::Progress;
+use crate::{engines, interrupt, shell};
 use std::io::{self, Write};
-use stickler_engines::{Outcome, Session};
-use stickler_suite::{Case, MatrixCell, Word};
+use stickler_suite::{Case, MatrixCell};
 use stickler_types::{DialectName, ElementaryType};
-
-const BOLD: Style = Style::new().bold();
-const DIM: Style = Style::new().dimmed();
-const YES: Style = AnsiColor::Green.on_default();
-const BAD: Style = AnsiColor::Red.on_default().bold();
-
-/// How wide a table may be.
-const WIDTH: usize = 80;
-
-/// How wide the first column is: the longest name of a type and a space.
-const HEAD: usize = 8;
+use table::{Column, Documents, Matrix};
 
 /// The probe whose cells the matrix is made of.
 const PROBE: &str = "assignment";
@@ -49,18 +41,14 @@ const TYPES: [ElementaryType; 20] = [
     ElementaryType::String,
 ];
 
-/// What the documents say of each pair, from the case files.
-type Documents = BTreeMap<(ElementaryType, ElementaryType), Word>;
-
-/// Shows one table a dialect.
+/// Shows one table a dialect, with all engines that speak it.
 ///
 /// # Errors
-/// No folder of cases, or an engine that cannot be run.
+/// No folder of cases, or an engine that cannot be run or speaks none of the dialects.
 pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let suite = CaseFolder::locate(arguments.cases.as_deref())?.load();
     interrupt::at_once()?;
-    let engine = engines::by_name(&arguments.engine)?;
-    let mut session = engine.session()?;
+    let engines = engines::by_names(&arguments.engine)?;
     let mut exit = case_folder::exit_of(&suite);
     if !suite.cases.iter().any(|case| case.cell.is_some()) {
         return Ok(case_folder::nothing_selected(&suite));
@@ -70,15 +58,24 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     } else {
         &arguments.dialect
     };
-    let spoken = engines::spoken(engine.identity(), asked)?;
-    for dialect in &spoken {
-        let matrix = Matrix::new(*dialect, documents(&suite.cases, *dialect), session.as_mut());
+    for named in &engines {
+        engines::spoken(named.identity(), asked)?;
+    }
+    for dialect in asked {
+        let speaking = engines.iter().filter(|named| named.identity().speaks(*dialect));
+        let speaking: Vec<&Named> = speaking.collect();
+        if speaking.is_empty() {
+            continue;
+        }
+        let matrix = gather(*dialect, documents(&suite.cases, *dialect), &speaking)?;
         matrix.write(out)?;
-        if matrix.differing() > 0 {
+        // The next table may take a compiler a minute.
+        out.flush()?;
+        if matrix.differs() {
             exit = exit.worst(Exit::Failures);
         }
     }
-    legend(&engine.identity().name, out)?;
+    legend(&engines, out)?;
     Ok(exit)
 }
 
@@ -98,218 +95,74 @@ fn documents(cases: &[Case], dialect: DialectName) -> Documents {
         .collect()
 }
 
-/// One dialect: what is said and what is done.
-struct Matrix {
-    dialect: DialectName,
-    types: Vec<ElementaryType>,
-    documents: Documents,
-    answers: BTreeMap<(ElementaryType, ElementaryType), Answer>,
+/// Asks each engine for every pair of the types that are shown.
+///
+/// # Errors
+/// An engine that cannot be started.
+fn gather(dialect: DialectName, documents: Documents, engines: &[&Named]) -> anyhow::Result<Matrix> {
+    let named = |ty: &ElementaryType| documents.keys().any(|(row, column)| row == ty || column == ty);
+    let types: Vec<ElementaryType> = ElementaryType::ALL
+        .into_iter()
+        .filter(|ty| TYPES.contains(ty) || named(ty))
+        .collect();
+    let of_row = |row: ElementaryType| types.iter().map(move |column| (row, *column));
+    let pairs: Vec<ask::Pair> = types.iter().flat_map(|row| of_row(*row)).collect();
+    let bar = Progress::new((pairs.len() * engines.len()) as u64);
+    let mut columns = Vec::with_capacity(engines.len());
+    for named in engines {
+        let answers = ask::answers(named.engine.as_ref(), dialect, &pairs, &|| bar.advance(0))?;
+        columns.push(Column {
+            engine: named.identity().name.clone(),
+            answers: pairs.iter().copied().zip(answers).collect(),
+        });
+    }
+    bar.finish();
+    Ok(Matrix {
+        dialect,
+        types,
+        documents,
+        engines: columns,
+    })
 }
 
-/// What an engine makes of a value of one type in a variable of another. Basis: design, section 2, rule 3 (a crash is no
-/// rejection).
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Answer {
-    Accepts,
-    Rejects,
-    /// It says that it cannot tell, which contradicts no document.
-    Unsupported,
-    /// It crashed, took too long or answered nonsense.
-    Fails,
-}
-
-impl Matrix {
-    fn new(dialect: DialectName, documents: Documents, session: &mut dyn Session) -> Matrix {
-        let named = |ty: &ElementaryType| documents.keys().any(|(row, column)| row == ty || column == ty);
-        let types: Vec<ElementaryType> = ElementaryType::ALL
-            .into_iter()
-            .filter(|ty| TYPES.contains(ty) || named(ty))
-            .collect();
-        let pairs = types
-            .iter()
-            .flat_map(|row| types.iter().map(|column| (*row, *column)));
-        let answers = pairs.map(|pair| (pair, answer(session, dialect, pair))).collect();
-        Matrix {
-            dialect,
-            types,
-            documents,
-            answers,
-        }
-    }
-
-    /// Whether the engine does what the documents do not say.
-    fn differs(&self, pair: (ElementaryType, ElementaryType)) -> bool {
-        match (self.documents.get(&pair), self.answer(pair)) {
-            (_, Answer::Unsupported) | (Some(Word::Open) | None, _) => false,
-            (Some(Word::Yes | Word::Same), answer) => answer != Answer::Accepts,
-            (Some(Word::No), answer) => answer != Answer::Rejects,
-        }
-    }
-
-    fn answer(&self, pair: (ElementaryType, ElementaryType)) -> Answer {
-        self.answers.get(&pair).copied().unwrap_or(Answer::Unsupported)
-    }
-
-    fn differing(&self) -> usize {
-        self.documents.keys().filter(|pair| self.differs(**pair)).count()
-    }
-
-    fn write(&self, out: &mut dyn Write) -> io::Result<()> {
-        let (said, differing) = (self.documents.len(), self.differing());
-        writeln!(
-            out,
-            "{BOLD}{}{BOLD:#}  the documents speak of {said} pairs, {differing} differ",
-            self.dialect
-        )?;
-        for columns in self.blocks() {
-            write!(out, "{:HEAD$}", "")?;
-            columns
-                .iter()
-                .try_for_each(|column| write!(out, " {BOLD}{:>1$}{BOLD:#}", column.name(), width(*column)))?;
-            writeln!(out)?;
-            for row in &self.types {
-                write!(out, "{BOLD}{:<HEAD$}{BOLD:#}", row.name())?;
-                columns
-                    .iter()
-                    .try_for_each(|column| self.write_cell((*row, *column), out))?;
-                writeln!(out)?;
-            }
-            writeln!(out)?;
-        }
-        Ok(())
-    }
-
-    /// The columns, in pieces that fit the width.
-    fn blocks(&self) -> Vec<&[ElementaryType]> {
-        let mut blocks = Vec::new();
-        let (mut start, mut used) = (0, HEAD);
-        for (index, column) in self.types.iter().enumerate() {
-            let needed = 1 + width(*column);
-            if used + needed > WIDTH {
-                blocks.push(&self.types[start..index]);
-                (start, used) = (index, HEAD);
-            }
-            used += needed;
-        }
-        blocks.push(&self.types[start..]);
-        blocks
-    }
-
-    fn write_cell(&self, pair: (ElementaryType, ElementaryType), out: &mut dyn Write) -> io::Result<()> {
-        let answer = self.answer(pair);
-        let said = match self.documents.get(&pair) {
-            Some(Word::Yes) => 'y',
-            Some(Word::Same) => '=',
-            Some(Word::No) => 'n',
-            Some(Word::Open) => '?',
-            None => ' ',
-        };
-        let done = match answer {
-            Answer::Accepts => '+',
-            Answer::Rejects => '-',
-            Answer::Unsupported => '?',
-            Answer::Fails => 'x',
-        };
-        let differs = self.differs(pair);
-        let mark = if differs { '!' } else { ' ' };
-        let style = match (differs, answer) {
-            (true, _) | (_, Answer::Fails) => BAD,
-            (false, Answer::Accepts) => YES,
-            (false, Answer::Rejects | Answer::Unsupported) => DIM,
-        };
-        // At the right, so that no line ends in blanks.
-        let padding = width(pair.1) - 3;
-        write!(out, " {:padding$}{style}{mark}{said}{done}{style:#}", "")
-    }
-}
-
-fn width(column: ElementaryType) -> usize {
-    column.name().len().max(3)
-}
-
-/// Whether the engine takes a value of one type for a variable of the other.
-fn answer(session: &mut dyn Session, dialect: DialectName, pair: (ElementaryType, ElementaryType)) -> Answer {
-    let (from, into) = (pair.0.name(), pair.1.name());
-    let source = format!(
-        "PROGRAM main\nVAR\n    from : {from};\n    into : {into};\nEND_VAR\n    into := from;\nEND_PROGRAM\n"
-    );
-    match session.check(dialect, &source) {
-        Outcome::Accepted => Answer::Accepts,
-        Outcome::Rejected { .. } => Answer::Rejects,
-        Outcome::Unsupported { .. } => Answer::Unsupported,
-        Outcome::Executed { .. } | Outcome::Faulted { .. } | Outcome::Rendered { .. } => Answer::Fails,
-        Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => Answer::Fails,
-    }
-}
-
-fn legend(engine: &str, out: &mut dyn Write) -> io::Result<()> {
+fn legend(engines: &[Named], out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "A row is the value's type, a column the target's. In a cell, first the documents:"
     )?;
+    match engines {
+        [named] => {
+            let engine = &named.identity().name;
+            writeln!(
+                out,
+                "y yes, n no, = same type, ? open, blank not said; then the engine ({engine}):"
+            )?;
+        }
+        _ => writeln!(
+            out,
+            "y yes, n no, = same type, ? open, blank not said; then the engines, as above:"
+        )?,
+    }
+    let differ = if engines.len() == 1 {
+        "they differ"
+    } else {
+        "one differs"
+    };
     writeln!(
         out,
-        "y yes, n no, = same type, ? open, blank not said; then the engine ({engine}):"
+        "+ accepts, - rejects, ? cannot tell, x fails. ! stands where {differ}."
     )?;
-    writeln!(
-        out,
-        "+ accepts, - rejects, ? cannot tell, x fails. ! stands where they differ."
-    )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Answer, Documents, Matrix};
-    use stickler_engines::{Outcome, RunRequest, Session};
-    use stickler_suite::Word;
-    use stickler_types::{DialectName, ElementaryType};
-
-    /// Answers every check alike.
-    struct Always(Outcome);
-
-    impl Session for Always {
-        fn run(&mut self, _: &RunRequest<'_>) -> Outcome {
-            self.0.clone()
-        }
-
-        fn check(&mut self, _: DialectName, _: &str) -> Outcome {
-            self.0.clone()
-        }
-
-        fn render(&mut self, _: DialectName, _: &str) -> Outcome {
-            self.0.clone()
-        }
+    if engines.len() > 1 {
+        let asked: Vec<String> = engines
+            .iter()
+            .map(|named| format!(" --engine {}", shell::quote(&named.asked_for)))
+            .collect();
+        writeln!(
+            out,
+            "What a conversion function gives on each: {} conversions REAL_TO_INT{}",
+            shell::program(),
+            asked.concat()
+        )?;
     }
-
-    /// What an outcome is shown as, and whether it differs from a document that says yes, and from one that says no.
-    fn judged(outcome: Outcome) -> (Answer, bool, bool) {
-        let widening = (ElementaryType::Sint, ElementaryType::Int);
-        let narrowing = (ElementaryType::Int, ElementaryType::Sint);
-        let documents = Documents::from([(widening, Word::Yes), (narrowing, Word::No)]);
-        let matrix = Matrix::new(DialectName::Matiec, documents, &mut Always(outcome));
-        (
-            matrix.answer(widening),
-            matrix.differs(widening),
-            matrix.differs(narrowing),
-        )
-    }
-
-    #[test]
-    fn a_crash_is_no_rejection_and_what_is_unsupported_contradicts_nothing() {
-        let reason = String::new;
-        assert_eq!(judged(Outcome::Accepted), (Answer::Accepts, false, true));
-        let diagnostics = Vec::new();
-        assert_eq!(
-            judged(Outcome::Rejected { diagnostics }),
-            (Answer::Rejects, true, false)
-        );
-        let unsupported = Outcome::Unsupported { reason: reason() };
-        assert_eq!(judged(unsupported), (Answer::Unsupported, false, false));
-        let crashed = Outcome::Crashed { reason: reason() };
-        assert_eq!(judged(crashed), (Answer::Fails, true, true));
-        assert_eq!(
-            judged(Outcome::TimedOut { after_ms: 1 }),
-            (Answer::Fails, true, true)
-        );
-    }
+    Ok(())
 }

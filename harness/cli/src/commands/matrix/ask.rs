@@ -1,0 +1,131 @@
+//! Asking an engine which types it takes for which.
+
+use anyhow::{Context, Result};
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+use stickler_engines::{Engine, Outcome, Session, guard};
+use stickler_types::{DialectName, ElementaryType};
+
+/// A value's type, and the type of the variable that it is assigned to.
+pub type Pair = (ElementaryType, ElementaryType);
+
+/// What an engine makes of a value of one type in a variable of another. Basis: design, section 2, rule 3 (a crash is no
+/// rejection).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Answer {
+    /// It takes the program.
+    Accepts,
+    /// It does not.
+    Rejects,
+    /// It says that it cannot tell, which contradicts no document.
+    Unsupported,
+    /// It crashed, took too long or answered nonsense.
+    Fails,
+}
+
+/// The answer for each pair, in their order. Compilers take their time to start, so several are asked at once, each in a
+/// session of its own; `told` is called after each answer.
+///
+/// # Errors
+/// Where the engine cannot be started.
+pub fn answers(
+    engine: &dyn Engine,
+    dialect: DialectName,
+    pairs: &[Pair],
+    told: &(dyn Fn() + Sync),
+) -> Result<Vec<Answer>> {
+    let next = AtomicUsize::new(0);
+    let workers = thread::available_parallelism().map_or(1, NonZero::get);
+    let mut answers = vec![Answer::Unsupported; pairs.len()];
+    let work = || -> Result<Vec<(usize, Answer)>> {
+        let mut session = engine.session()?;
+        let mut found = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(pair) = pairs.get(index) else {
+                return Ok(found);
+            };
+            let outcome = ask(session.as_mut(), dialect, *pair);
+            if let Outcome::Crashed { .. } = outcome {
+                session = engine.session()?;
+            }
+            found.push((index, answer(&outcome)));
+            told();
+        }
+    };
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..workers.min(pairs.len())).map(|_| scope.spawn(work)).collect();
+        for worker in workers {
+            // The closure panics nowhere, and what an engine does is guarded.
+            let found = worker
+                .join()
+                .ok()
+                .context("a thread that asked the engine ended early")??;
+            for (index, answer) in found {
+                answers[index] = answer;
+            }
+        }
+        Ok(answers)
+    })
+}
+
+fn ask(session: &mut dyn Session, dialect: DialectName, (from, into): Pair) -> Outcome {
+    // No name here is a keyword of any edition, as `from` is in charts.
+    let source = format!(
+        "PROGRAM main\nVAR\n    given : {from};\n    taken : {into};\nEND_VAR\n    taken := given;\nEND_PROGRAM\n"
+    );
+    guard(|| session.check(dialect, &source))
+}
+
+fn answer(outcome: &Outcome) -> Answer {
+    match outcome {
+        Outcome::Accepted => Answer::Accepts,
+        Outcome::Rejected { .. } => Answer::Rejects,
+        Outcome::Unsupported { .. } => Answer::Unsupported,
+        Outcome::Executed { .. } | Outcome::Faulted { .. } | Outcome::Rendered { .. } => Answer::Fails,
+        Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => Answer::Fails,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Answer, answer, answers};
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use stickler_engines::{Outcome, Reference};
+    use stickler_types::{DialectName, ElementaryType};
+
+    #[test]
+    fn a_crash_is_no_rejection() {
+        let reason = String::new;
+        assert_eq!(answer(&Outcome::Accepted), Answer::Accepts);
+        let diagnostics = Vec::new();
+        assert_eq!(answer(&Outcome::Rejected { diagnostics }), Answer::Rejects);
+        let unsupported = Outcome::Unsupported { reason: reason() };
+        assert_eq!(answer(&unsupported), Answer::Unsupported);
+        assert_eq!(answer(&Outcome::Crashed { reason: reason() }), Answer::Fails);
+        assert_eq!(answer(&Outcome::TimedOut { after_ms: 1 }), Answer::Fails);
+    }
+
+    #[test]
+    fn each_pair_gets_its_own_answer_however_many_are_asked_at_once() {
+        let pairs: Vec<_> = ElementaryType::ALL
+            .into_iter()
+            .map(|ty| (ElementaryType::Sint, ty))
+            .collect();
+        let told = AtomicUsize::new(0);
+        let count = || {
+            told.fetch_add(1, Ordering::Relaxed);
+        };
+        let found = answers(&Reference::default(), DialectName::Matiec, &pairs, &count).unwrap();
+        // In matiec only the identities convert.
+        for (pair, answer) in pairs.iter().zip(&found) {
+            let expected = match pair.0 == pair.1 {
+                true => Answer::Accepts,
+                false => Answer::Rejects,
+            };
+            assert_eq!(*answer, expected, "{pair:?}");
+        }
+        assert_eq!(told.load(Ordering::Relaxed), pairs.len());
+    }
+}

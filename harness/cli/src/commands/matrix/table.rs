@@ -1,0 +1,248 @@
+//! One table: what the documents of a dialect say, and what engines do.
+
+use super::ask::{Answer, Pair};
+use anstyle::{AnsiColor, Style};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use stickler_suite::Word;
+use stickler_types::{DialectName, ElementaryType};
+
+const BOLD: Style = Style::new().bold();
+const DIM: Style = Style::new().dimmed();
+const YES: Style = AnsiColor::Green.on_default();
+const BAD: Style = AnsiColor::Red.on_default().bold();
+
+/// How wide a table may be.
+const WIDTH: usize = 80;
+
+/// How wide the first column is: the longest name of a type and a space.
+const HEAD: usize = 8;
+
+/// What the documents say of each pair, from the case files.
+pub type Documents = BTreeMap<Pair, Word>;
+
+/// One dialect: what is said, and what each engine does.
+pub struct Matrix {
+    /// The dialect.
+    pub dialect: DialectName,
+    /// The types of its rows and columns.
+    pub types: Vec<ElementaryType>,
+    /// What is said.
+    pub documents: Documents,
+    /// The engines that speak the dialect, each with what it does, in their order.
+    pub engines: Vec<Column>,
+}
+
+/// What one engine does.
+pub struct Column {
+    /// Its name.
+    pub engine: String,
+    /// Its answers.
+    pub answers: BTreeMap<Pair, Answer>,
+}
+
+impl Column {
+    fn answer(&self, pair: Pair) -> Answer {
+        self.answers.get(&pair).copied().unwrap_or(Answer::Unsupported)
+    }
+
+    /// Whether the engine does what the documents do not say.
+    fn differs(&self, documents: &Documents, pair: Pair) -> bool {
+        match (documents.get(&pair), self.answer(pair)) {
+            (_, Answer::Unsupported) | (Some(Word::Open) | None, _) => false,
+            (Some(Word::Yes | Word::Same), answer) => answer != Answer::Accepts,
+            (Some(Word::No), answer) => answer != Answer::Rejects,
+        }
+    }
+
+    fn differing(&self, documents: &Documents) -> usize {
+        documents
+            .keys()
+            .filter(|pair| self.differs(documents, **pair))
+            .count()
+    }
+}
+
+impl Matrix {
+    /// Whether any engine does anywhere what the documents do not say.
+    pub fn differs(&self) -> bool {
+        self.engines
+            .iter()
+            .any(|engine| engine.differing(&self.documents) > 0)
+    }
+
+    /// Writes the table, in pieces that fit the terminal.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        self.write_heading(out)?;
+        for columns in self.blocks() {
+            write!(out, "{:HEAD$}", "")?;
+            columns.iter().try_for_each(|column| {
+                write!(out, " {BOLD}{:>1$}{BOLD:#}", column.name(), self.width(*column))
+            })?;
+            writeln!(out)?;
+            for row in &self.types {
+                write!(out, "{BOLD}{:<HEAD$}{BOLD:#}", row.name())?;
+                columns
+                    .iter()
+                    .try_for_each(|column| self.write_cell((*row, *column), out))?;
+                writeln!(out)?;
+            }
+            writeln!(out)?;
+        }
+        Ok(())
+    }
+
+    fn write_heading(&self, out: &mut dyn Write) -> io::Result<()> {
+        write!(
+            out,
+            "{BOLD}{}{BOLD:#}  the documents speak of {} pairs",
+            self.dialect,
+            self.documents.len()
+        )?;
+        match &self.engines[..] {
+            [engine] => writeln!(out, ", {} differ", engine.differing(&self.documents)),
+            engines => {
+                let told = |column: &Column| {
+                    let differing = column.differing(&self.documents);
+                    format!("{differing} differ on {}", column.engine)
+                };
+                let told: Vec<String> = engines.iter().map(told).collect();
+                writeln!(out, ": {}", told.join(", "))
+            }
+        }
+    }
+
+    /// The columns, in pieces that fit the width.
+    fn blocks(&self) -> Vec<&[ElementaryType]> {
+        let mut blocks = Vec::new();
+        let (mut start, mut used) = (0, HEAD);
+        for (index, column) in self.types.iter().enumerate() {
+            let needed = 1 + self.width(*column);
+            if used + needed > WIDTH && index > start {
+                blocks.push(&self.types[start..index]);
+                (start, used) = (index, HEAD);
+            }
+            used += needed;
+        }
+        blocks.push(&self.types[start..]);
+        blocks
+    }
+
+    /// How wide a column is: its name, or the mark, what is said and a sign an engine.
+    fn width(&self, column: ElementaryType) -> usize {
+        column.name().len().max(self.signs())
+    }
+
+    fn signs(&self) -> usize {
+        2 + self.engines.len()
+    }
+
+    fn write_cell(&self, pair: Pair, out: &mut dyn Write) -> io::Result<()> {
+        let said = match self.documents.get(&pair) {
+            Some(Word::Yes) => 'y',
+            Some(Word::Same) => '=',
+            Some(Word::No) => 'n',
+            Some(Word::Open) => '?',
+            None => ' ',
+        };
+        let differs = |engine: &Column| engine.differs(&self.documents, pair);
+        let mark = if self.engines.iter().any(differs) {
+            '!'
+        } else {
+            ' '
+        };
+        // At the right, so that no line ends in blanks.
+        let padding = self.width(pair.1) - self.signs();
+        write!(out, " {:padding$}{BAD}{mark}{BAD:#}{said}", "")?;
+        for engine in &self.engines {
+            let answer = engine.answer(pair);
+            let style = match (differs(engine), answer) {
+                (true, _) | (_, Answer::Fails) => BAD,
+                (false, Answer::Accepts) => YES,
+                (false, Answer::Rejects | Answer::Unsupported) => DIM,
+            };
+            write!(out, "{style}{}{style:#}", sign(answer))?;
+        }
+        Ok(())
+    }
+}
+
+fn sign(answer: Answer) -> char {
+    match answer {
+        Answer::Accepts => '+',
+        Answer::Rejects => '-',
+        Answer::Unsupported => '?',
+        Answer::Fails => 'x',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Column, Documents, Matrix};
+    use crate::commands::matrix::ask::Answer;
+    use std::collections::BTreeMap;
+    use stickler_suite::Word;
+    use stickler_types::{DialectName, ElementaryType};
+
+    const WIDENING: (ElementaryType, ElementaryType) = (ElementaryType::Sint, ElementaryType::Int);
+    const NARROWING: (ElementaryType, ElementaryType) = (ElementaryType::Int, ElementaryType::Sint);
+
+    fn documents() -> Documents {
+        Documents::from([(WIDENING, Word::Yes), (NARROWING, Word::No)])
+    }
+
+    fn always(engine: &str, answer: Answer) -> Column {
+        Column {
+            engine: engine.to_owned(),
+            answers: BTreeMap::from([(WIDENING, answer), (NARROWING, answer)]),
+        }
+    }
+
+    #[test]
+    fn what_is_unsupported_contradicts_nothing_and_a_crash_both_answers() {
+        for (answer, widening, narrowing) in [
+            (Answer::Accepts, false, true),
+            (Answer::Rejects, true, false),
+            (Answer::Unsupported, false, false),
+            (Answer::Fails, true, true),
+        ] {
+            let column = always("e", answer);
+            let differs = |pair| column.differs(&documents(), pair);
+            assert_eq!(
+                (differs(WIDENING), differs(NARROWING)),
+                (widening, narrowing),
+                "{answer:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn several_engines_stand_in_one_cell_which_is_marked_where_one_of_them_differs() {
+        let matrix = Matrix {
+            dialect: DialectName::Matiec,
+            types: vec![ElementaryType::Sint, ElementaryType::Int],
+            documents: documents(),
+            engines: vec![
+                always("a", Answer::Accepts),
+                always("b", Answer::Rejects),
+                always("c", Answer::Unsupported),
+            ],
+        };
+        let mut bytes = Vec::new();
+        matrix.write(&mut bytes).unwrap();
+        let shown = anstream::adapter::strip_bytes(&bytes).into_vec();
+        assert_eq!(
+            String::from_utf8(shown).unwrap(),
+            "\
+matiec  the documents speak of 2 pairs: 1 differ on a, 1 differ on b, 0 differ on c
+          SINT   INT
+SINT       ??? !y+-?
+INT      !n+-?   ???
+
+"
+        );
+    }
+}
