@@ -14,11 +14,12 @@ pub enum Exit {
     /// All is as expected.
     AsExpected,
     /// An engine did not do what a case expects, or an entry of its baseline is out of date; `check`, `eval` and `render`: the program is rejected or faults;
-    /// `matrix`: a cell differs; `conversions`: a value contradicts a document; `lint`: a finding.
+    /// `matrix`: a cell differs; `conversions`: a value contradicts a document; `lint`: a finding;
+    /// `engine --validate`: the adapter keeps to the protocol and its compiler is wrong.
     Failures,
     /// The command line, a case file, or a file or folder that was named cannot be used.
     Usage,
-    /// An engine could not be run at all.
+    /// An engine could not be run at all; `engines`: one that was named cannot be; `engine --validate`: the adapter is broken.
     EngineNotRun,
     /// The filters left no case, or the engines support none of those that they left.
     NothingTested,

@@ -106,7 +106,7 @@ fn a_described_compiler_is_listed_and_runs() {
     let list = shown(&output);
     for part in [
         "described  unknown\n  named in    stickler.toml:1\n  run         ",
-        "\n  dialects    matiec\n  can         check, execute, scans\n",
+        "\n  dialects    matiec\n  can         check, execute, scans\n  judged by   code\n",
         "\nabsent  not here\n",
         "there is no `no-such-compiler` on PATH, which `check` names\n  install     https://example.org\n",
     ] {

@@ -70,6 +70,9 @@ struct Listed<'n> {
     version: Option<String>,
     dialects: Vec<&'static str>,
     abilities: Vec<String>,
+    /// How exactly its rejections are judged.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    grade: Option<&'static str>,
     /// Where `stickler.toml` names it.
     #[serde(skip_serializing_if = "Option::is_none")]
     named_in: Option<&'n str>,
@@ -126,6 +129,7 @@ impl<'n> Listed<'n> {
             version: identity.map(|identity| identity.version.clone()),
             dialects: dialects.iter().map(|dialect| dialect.as_str()).collect(),
             abilities: abilities.iter().map(ToString::to_string).collect(),
+            grade: identity.map(|identity| identity.grade.as_str()),
             named_in: entry.map(|entry| entry.written.as_str()),
             problem: sought.engine.as_ref().err().map(problem),
             places: sought.located.into_iter().map(FoundPlace::from).collect(),
@@ -170,6 +174,7 @@ fn write_entry(engine: &Listed<'_>, gap: bool, out: &mut dyn Write) -> io::Resul
     if engine.here {
         row("dialects", &engine.dialects.join(", "))?;
         row("can", &engine.abilities.join(", "))?;
+        row("judged by", engine.grade.unwrap_or_default())?;
     }
     if let Some(problem) = &engine.problem {
         let text = output::wrap(problem);

@@ -11,6 +11,7 @@ mod values;
 
 use super::locate;
 use super::places::{FoundBy, Located, may_be_executed, on_path};
+use super::plain::without_colours;
 use super::source::main_program;
 use super::witness::{Copies, translate_with};
 use crate::process::Folder;
@@ -91,7 +92,14 @@ impl DescribedEngine {
         let ended = call
             .run(&template.0, 0)
             .map_err(|outcome| format!("`version`: {}", locate::reason(&outcome)))?;
+        if !ended.status.success() {
+            return Err(match ended.crashed() {
+                Outcome::Crashed { reason } => format!("`version`: {reason}"),
+                other => locate::reason(&other),
+            });
+        }
         let said = locate::said(&ended).ok_or("`version` prints nothing")?;
+        let said = without_colours(&said);
         // The expression is a constant that a test reads; without it the whole line is the version.
         let number = Regex::new(r"\d+(\.\d+)+[0-9A-Za-z.+-]*").ok();
         let number = number.and_then(|number| Some(number.find(&said)?.as_str().to_owned()));
@@ -121,7 +129,7 @@ fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option
             let shown = program.display();
             return Err(format!("`{shown}` is not executable; allow it by `chmod +x`"));
         }
-        _ => (program, FoundBy::Configuration(key.to_owned())),
+        _ => (program, FoundBy::Configuration("stickler.toml".to_owned())),
     };
     Ok(Some(Located { key, path, by }))
 }

@@ -1,16 +1,19 @@
 //! A program that is run once, such as a compiler: what it wrote, how it ended, and what it may take.
 
+mod output;
+
 use super::child::told;
-use super::group::{Group, Pipes};
+use super::group::Group;
 use super::usage;
 use crate::Outcome;
+use output::{Output, Waited};
 use std::ffi::OsStr;
-use std::io::Read;
 use std::path::Path;
 use std::process::{Command, ExitStatus, Stdio};
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
-use std::thread;
 use std::time::{Duration, Instant};
+
+/// How long a stream may take to end when its process has and all that it started was killed.
+const GRACE: Duration = Duration::from_secs(1);
 
 /// How often somebody who waits looks after the process and its memory.
 const LOOK: Duration = Duration::from_millis(100);
@@ -90,35 +93,6 @@ impl Ended {
     }
 }
 
-/// Which stream, what came from it, and whether that is all: no more is kept than is allowed.
-type StreamEnd = (Stream, String, bool);
-
-/// What came from both streams; `None` where one has not ended.
-#[derive(Default)]
-struct Gathered {
-    stdout: Option<String>,
-    stderr: Option<String>,
-}
-
-impl Gathered {
-    fn is_whole(&self) -> bool {
-        self.stdout.is_some() && self.stderr.is_some()
-    }
-
-    fn keep(&mut self, stream: Stream, text: String) {
-        match stream {
-            Stream::Stdout => self.stdout = Some(text),
-            Stream::Stderr => self.stderr = Some(text),
-        }
-    }
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Stream {
-    Stdout,
-    Stderr,
-}
-
 /// Runs a program in a folder, without input, to its end.
 ///
 /// # Errors
@@ -159,98 +133,56 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
     .map_err(|reason| Outcome::Error {
         message: format!("`{}` could not be started: {reason}", program.display()),
     })?;
-    let streams = collect(pipes, limits.output);
-    let Gathered { stdout, stderr } = gather(&mut group, &streams, deadline, limits)?;
-    let status = end(&mut group, deadline, limits)?;
+    let mut output = Output::of(pipes, limits.output);
+    let status = watch(&mut group, &mut output, deadline, limits)
+        .and_then(|()| end(&mut group, deadline, limits))
+        .map_err(|outcome| with_last_words(outcome, &output))?;
+    let (stdout, stderr) = output.texts();
     Ok(Ended {
         status,
-        stdout: stdout.unwrap_or_default(),
-        stderr: stderr.unwrap_or_default(),
+        stdout,
+        stderr,
     })
 }
 
-/// Reads both streams in the background.
-fn collect(pipes: Pipes, most: u64) -> Receiver<StreamEnd> {
-    let (sender, streams) = mpsc::channel();
-    read(Stream::Stdout, pipes.stdout, most, sender.clone());
-    read(Stream::Stderr, pipes.stderr, most, sender);
-    streams
-}
-
-/// The thread ends with the stream; a process that outlives its group may keep it, which costs nothing else.
-fn read(which: Stream, stream: Option<impl Read + Send + 'static>, most: u64, sender: Sender<StreamEnd>) {
-    thread::spawn(move || {
-        let mut bytes = Vec::new();
-        if let Some(stream) = stream {
-            // What was read before an error is what there is.
-            let _ = stream.take(most.saturating_add(1)).read_to_end(&mut bytes);
-        }
-        let within = u64::try_from(bytes.len()).is_ok_and(|length| length <= most);
-        // Nobody may be waiting any more.
-        let _ = sender.send((which, text(bytes), within));
-    });
-}
-
 /// Waits for the end of both streams, and looks after the process meanwhile.
-fn gather(
+fn watch(
     group: &mut Group,
-    streams: &Receiver<StreamEnd>,
+    output: &mut Output,
     deadline: Instant,
     limits: &ToolLimits,
-) -> Result<Gathered, Outcome> {
-    let mut gathered = Gathered::default();
-    let mut orphaned = false;
-    while !gathered.is_whole() {
+) -> Result<(), Outcome> {
+    let mut orphaned = None;
+    while output.is_open() {
         let left = deadline.saturating_duration_since(Instant::now());
-        let looked = match streams.recv_timeout(left.min(LOOK)) {
-            Ok((stream, text, within)) => {
-                gathered.keep(stream, text);
-                if within { Ok(()) } else { Err(flooded(limits)) }
-            }
-            // What the process started holds its output open: with them gone the streams end.
-            Err(RecvTimeoutError::Timeout) if group.has_ended() && !orphaned => {
-                orphaned = true;
-                group.kill();
-                Ok(())
-            }
-            Err(RecvTimeoutError::Timeout) if left > LOOK => within(group, limits),
-            Err(_) => Err(timed_out(limits)),
-        };
-        if let Err(outcome) = looked {
-            return Err(with_last_words(outcome, group, streams, gathered));
+        match output.wait(left.min(LOOK)) {
+            Waited::Ended => {}
+            Waited::Flooded => return Err(flooded(limits)),
+            Waited::InVain if group.has_ended() => match orphaned {
+                // What the process started holds its output open: with them gone the streams end.
+                None => {
+                    orphaned = Some(Instant::now());
+                    group.kill();
+                }
+                // Somebody left the group, and is not waited for.
+                Some(since) if since.elapsed() > GRACE => return Ok(()),
+                Some(_) => {}
+            },
+            Waited::InVain if left > LOOK => within(group, limits)?,
+            Waited::InVain => return Err(timed_out(limits)),
         }
     }
-    Ok(gathered)
+    Ok(())
 }
 
-/// A crash with the last that the process wrote, which is killed for that: then its streams end.
-fn with_last_words(
-    outcome: Outcome,
-    group: &mut Group,
-    streams: &Receiver<StreamEnd>,
-    mut gathered: Gathered,
-) -> Outcome {
-    let Outcome::Crashed { reason } = outcome else {
-        return outcome;
-    };
-    group.kill();
-    while !gathered.is_whole()
-        // A process that left its group may hold them open all the same.
-        && let Ok((stream, text, _)) = streams.recv_timeout(LOOK)
-    {
-        gathered.keep(stream, text);
+/// A crash with the last that the process wrote.
+fn with_last_words(outcome: Outcome, output: &Output) -> Outcome {
+    match (outcome, output.last_words()) {
+        (Outcome::Crashed { reason }, words) if !words.is_empty() => Outcome::Crashed {
+            reason: format!("{reason}; its last words: {words}"),
+        },
+        (outcome, _) => outcome,
     }
-    let words = [gathered.stderr, gathered.stdout].into_iter().flatten();
-    let words = words.map(|text| told(&text)).find(|words| !words.is_empty());
-    let reason = match words {
-        Some(words) => format!("{reason}; its last words: {words}"),
-        None => reason,
-    };
-    Outcome::Crashed { reason }
-}
-
-fn text(bytes: Vec<u8>) -> String {
-    String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
 }
 
 fn timed_out(limits: &ToolLimits) -> Outcome {

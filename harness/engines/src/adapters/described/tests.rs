@@ -232,6 +232,14 @@ fn a_program_that_is_not_there_or_may_not_be_executed_is_told_before_the_first_c
         ),
         ("bin/st {file}", "bin/st`, which `check` names"),
         ("{here}/text {file}", "not executable"),
+        (
+            "sh {file}\"\nversion = \"sh -c 'echo no licence >&2; exit 3'",
+            "its last words: no licence",
+        ),
+        (
+            "sh {file}\"\nversion = \"sh -c 'exit 0'",
+            "`version` prints nothing",
+        ),
     ] {
         let table = format!("check = \"{command}\"\n[dialects]\nironplc-ed2 = \"\"\n");
         let description: Description = toml::from_str(&table).unwrap();

@@ -143,6 +143,26 @@ fn temporary_files_lie_in_the_folder_and_go_with_it() {
     assert_eq!(Path::new(other.trim()).parent(), Some(folder.path()));
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn what_leaves_its_group_is_not_waited_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let made = Command::new("mkfifo")
+        .args([folder.path().join("ready"), folder.path().join("end")])
+        .status();
+    assert!(made.unwrap().success());
+    // The group must not be killed before the child has left it.
+    let script = "setsid sh -c 'echo >ready; read line <end' & read line <ready; echo done";
+    let ended = run(Path::new("sh"), &["-c", script], folder.path(), &LIMITS).unwrap();
+    assert_eq!((ended.stdout.as_str(), ended.code()), ("done\n", Ok(0)));
+    // It ends once somebody has had the other side of this open.
+    drop(
+        std::fs::OpenOptions::new()
+            .write(true)
+            .open(folder.path().join("end")),
+    );
+}
+
 #[test]
 fn what_cannot_be_started_is_an_error() {
     let nothing: [&str; 0] = [];
