@@ -19,6 +19,13 @@ pub trait Engine: Send + Sync {
     /// [`EngineError`] where the engine cannot be started (exit code 3 of the command line).
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError>;
 
+    /// The command line by which a person has this engine do the same with a program, without Stickler: for a POSIX shell,
+    /// with `file` (a name that needs no quotes) in the current folder. `None` where there is none.
+    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
+        let _ = (dialect, file);
+        None
+    }
+
     /// How many programs [`Session::run_pack`] is best given at a time; 1 where it gains nothing.
     fn pack_size(&self) -> usize {
         1

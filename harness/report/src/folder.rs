@@ -1,6 +1,7 @@
 //! The folder of a run's reports: every file is opened before the run, and each event goes to all of them.
 
 use crate::ReportError;
+use crate::discrepancies::Discrepancies;
 use crate::events::{self, EventLog};
 use crate::junit::Junit;
 use crate::overview::Overview;
@@ -16,6 +17,7 @@ pub struct Reports {
     results: Results,
     junit: Junit,
     summary: Summary,
+    discrepancies: Discrepancies,
     /// The event at hand as JSON: two files hold it, and it is serialised once.
     json: Vec<u8>,
 }
@@ -33,6 +35,7 @@ impl Reports {
             results: Results::create(folder.join("results.json"))?,
             junit: Junit::create(folder.join("junit.xml"))?,
             summary: Summary::create(folder.join("summary.md"))?,
+            discrepancies: Discrepancies::create(folder)?,
             json: Vec::new(),
         })
     }
@@ -47,6 +50,7 @@ impl Reports {
         self.events.take(event, &self.json)?;
         self.results.take(event, &self.json)?;
         self.junit.take(event);
+        self.discrepancies.take(event);
         Ok(())
     }
 
@@ -58,6 +62,7 @@ impl Reports {
         self.events.flush()?;
         self.results.finish(overview)?;
         self.junit.finish(overview)?;
+        self.discrepancies.finish(overview)?;
         self.summary.finish(overview)
     }
 }

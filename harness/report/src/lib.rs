@@ -6,6 +6,7 @@
 //! | `results` | `results.json` | programs |
 //! | `junit` | `junit.xml` | CI services |
 //! | [`summary`] | `summary.md` | a CI step summary, a pull request |
+//! | `discrepancies` | `discrepancies/ENGINE/*.md` | those who write a compiler |
 //! | [`terminal`] | (the terminal) | whoever started the run |
 //! | [`comparison`] | (the terminal) | whoever wants to know what became of an older run |
 //!
@@ -20,6 +21,7 @@
 pub mod claims;
 pub mod comparison;
 pub mod diff;
+mod discrepancies;
 mod error;
 pub mod events;
 mod folder;

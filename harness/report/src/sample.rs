@@ -1,5 +1,6 @@
 //! A small run for the tests of this crate.
 
+use std::collections::BTreeMap;
 use stickler_run::{
     BaselineHeader, BaselineNote, CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Grade,
     Header, Observed, OutdatedEntry, Totals, Verdict,
@@ -29,6 +30,7 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
         duration_us: 12,
         rerun: format!("stickler run --filter 'widening/{id}@ironplc-ed2'"),
         observations: Vec::new(),
+        program: None,
         baseline: None,
     }
 }
@@ -119,6 +121,7 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
             version: "0.1.0".to_owned(),
             dialects: vec!["ironplc-ed2".to_owned()],
             strict: Grade::Code,
+            commands: BTreeMap::from([("ironplc-ed2".to_owned(), "ironplcc check program.st".to_owned())]),
         }],
         cases: cases.len() as u64,
         filters: Vec::new(),

@@ -210,7 +210,7 @@ fn failure(case: &CaseEvent) -> String {
 }
 
 /// Three backticks, or more than any line of the text has.
-fn fence(text: &str) -> String {
+pub(crate) fn fence(text: &str) -> String {
     let longest = text
         .split(|character| character != '`')
         .map(str::len)
@@ -220,12 +220,12 @@ fn fence(text: &str) -> String {
 }
 
 /// A text as inline code; two backticks, so that one in the text does no harm.
-fn code(text: &str) -> String {
+pub(crate) fn code(text: &str) -> String {
     format!("`` {} ``", visible(text).replace(['\n', '\t'], " "))
 }
 
 /// A text that Markdown and HTML leave alone, on one line.
-fn inline(text: &str) -> String {
+pub(crate) fn inline(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in clip(&visible(text).replace('\n', " "), 1, SHOWN_CHARACTERS).chars() {
         if matches!(

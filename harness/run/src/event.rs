@@ -10,10 +10,14 @@ pub use totals::Totals;
 pub use verdict::Verdict;
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use stickler_engines::Grade;
 
 /// The version of the event format.
 pub const FORMAT: u32 = 1;
+
+/// What the file of a program is called in [`EngineHeader::commands`].
+pub const PROGRAM: &str = "program.st";
 
 /// One event; as JSON, one object on one line, tagged by `type`.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -73,6 +77,10 @@ pub struct EngineHeader {
     /// How exact its rejections and faults had to be to pass.
     #[serde(default)]
     pub strict: Grade,
+    /// By dialect, the command by which a person has this engine do the same with [`PROGRAM`], without Stickler; none where
+    /// the engine knows of none.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub commands: BTreeMap<String, String>,
 }
 
 /// A case on an engine.
@@ -115,6 +123,9 @@ pub struct CaseEvent {
     /// What was recorded and not judged.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub observations: Vec<Observed>,
+    /// The whole program, where the engine did not do with it what was expected; of all others the case has it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub program: Option<String>,
     /// What the engine's baseline says of the case, where it says something.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub baseline: Option<BaselineNote>,

@@ -22,7 +22,7 @@ pub use baseline::{
     Baseline, BaselineError, Blessing, Change, ChangeKind, EngineRun, Entry, Held, bless, hold,
 };
 pub use event::{BaselineHeader, BaselineNote, OutdatedEntry};
-pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed};
+pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, PROGRAM};
 pub use event::{Totals, Verdict};
 pub use filter::Filter;
 pub use judge::{Judgement, is_open, judge, rendered_bodies};

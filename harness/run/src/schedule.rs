@@ -1,11 +1,11 @@
 //! Running cases on workers, and giving their events on in order from the caller's own thread.
 
 use crate::answers::{Answers, Desk};
-use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header};
+use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM};
 use crate::judge::{is_open, judge};
 use crate::pack::{packs, settle};
 use crate::reorder::{Dispenser, Reorder};
-use crate::{Held, Plan, RunError, Summary, Totals, select};
+use crate::{Held, Plan, RunError, Summary, Totals, Verdict, select};
 use std::sync::Mutex;
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -264,6 +264,7 @@ impl Floor<'_> {
             duration_us,
             rerun: self.plan.rerun(case, engine),
             observations: judgement.observations,
+            program: lacking(judgement.verdict).then(|| case.source.to_string()),
             baseline,
         }
     }
@@ -339,5 +340,18 @@ fn engine_header(plan: &Plan, engine: &dyn Engine) -> EngineHeader {
         version: identity.version.clone(),
         dialects: identity.dialects.iter().map(ToString::to_string).collect(),
         strict: plan.strict(identity),
+        commands: identity
+            .dialects
+            .iter()
+            .filter_map(|dialect| Some((dialect.to_string(), engine.own_command(*dialect, PROGRAM)?)))
+            .collect(),
+    }
+}
+
+/// Whether an engine did not do what was expected of it, be that known or not.
+const fn lacking(verdict: Verdict) -> bool {
+    match verdict {
+        Verdict::Fail | Verdict::Xfail | Verdict::Crash | Verdict::Timeout | Verdict::Error => true,
+        Verdict::Pass | Verdict::Xpass | Verdict::Unsupported => false,
     }
 }

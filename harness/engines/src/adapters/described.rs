@@ -24,7 +24,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::env;
 use std::path::{Path, PathBuf};
 use stickler_types::DialectName;
-use template::{Placeholder, Template};
+use template::{Filling, Placeholder, Template};
 use values::Printed;
 
 /// An engine that is a description.
@@ -165,6 +165,36 @@ impl Engine for DescribedEngine {
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
         let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(DescribedSession { engine: self, folder }))
+    }
+
+    /// Its commands as its table has them, one after the other.
+    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
+        let description = &self.description;
+        let mut dialects = description.dialects.iter();
+        let (_, word) = dialects.find(|(name, _)| name.0 == dialect)?;
+        let run = description.run.as_ref();
+        let first = match run {
+            Some(_) => description.compile.as_ref(),
+            None => description.check.as_ref().or(description.compile.as_ref()),
+        };
+        let filling = Filling {
+            file,
+            dialect: word,
+            folder: Path::new("."),
+            scans: 1,
+            // Where the table stands is this machine's own affair.
+            here: Path::new(""),
+        };
+        let templates = first.iter().flat_map(|commands| &commands.0).chain(run);
+        let commands = templates.map(|template| {
+            let (program, arguments) = template.0.filled(&filling);
+            let program = program.file_name()?.to_str()?.to_owned();
+            let words = std::iter::once(program.as_str()).chain(arguments.iter().map(String::as_str));
+            shlex::try_join(words).ok()
+        });
+        commands
+            .collect::<Option<Vec<String>>>()
+            .map(|commands| commands.join(" && "))
     }
 }
 

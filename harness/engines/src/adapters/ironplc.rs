@@ -80,6 +80,13 @@ impl Engine for Ironplc {
         let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(IronplcSession { engine: self, folder }))
     }
+
+    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
+        let dialect = dialect_name(dialect).ok()?;
+        Some(format!(
+            "ironplcc compile --dialect {dialect} {file} -o program.iplc && ironplcvm run program.iplc --scans 1 --dump-vars -"
+        ))
+    }
 }
 
 /// A folder in which one program at a time is compiled and run.

@@ -131,6 +131,11 @@ impl Engine for Matiec {
     fn pack_size(&self) -> usize {
         128
     }
+
+    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
+        // Its library is elsewhere on every machine.
+        (dialect == DialectName::Matiec).then(|| format!("iec2c -i -I lib -T . {file}"))
+    }
 }
 
 /// A folder in which one program at a time is translated, built and run.

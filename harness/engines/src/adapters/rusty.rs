@@ -119,6 +119,12 @@ impl Engine for Rusty {
         let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(RustySession { engine: self, folder }))
     }
+
+    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
+        self.identity
+            .speaks(dialect)
+            .then(|| format!("plc --check {file}"))
+    }
 }
 
 /// A folder in which one program at a time is compiled, built and run.

@@ -155,6 +155,11 @@ impl Engine for Strucpp {
     fn pack_size(&self) -> usize {
         48
     }
+
+    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
+        let speaks = self.identity.speaks(dialect);
+        speaks.then(|| format!("strucpp --no-default-libs {file} -o program.cpp --build --cxx-flags -w"))
+    }
 }
 
 /// A translator that lives as long as it answers, and a folder in which one program at a time is built and run.

@@ -36,6 +36,7 @@ fn ran(but: &[(&str, Verdict)]) -> EngineRun {
         version: "1.2".to_owned(),
         dialects: vec!["ironplc-ed2".to_owned(), "ironplc-ed3".to_owned()],
         strict: Grade::Code,
+        commands: std::collections::BTreeMap::new(),
     });
     for case in whole().cases {
         if case.dialect == DialectName::Matiec {

@@ -1,0 +1,196 @@
+//! `discrepancies/ENGINE/NN-….md`: what an engine does otherwise than documents say, one page a cluster of cases, each ready
+//! to be pasted into a tracker: the smallest program, the compiler's own command, what must come and why, what came.
+//!
+//! A cluster is the cases of one case file and claim with one symptom. Of each only its smallest program is kept, so that
+//! memory does not grow with the number of cases.
+
+mod page;
+mod symptom;
+
+use crate::ReportError;
+use crate::observations::probe;
+use crate::overview::{Overview, kept};
+use crate::pending::PendingFile;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use stickler_run::{CaseEvent, Event, Verdict};
+use symptom::Symptom;
+
+/// What the folder is called in a folder of reports.
+const NAME: &str = "discrepancies";
+
+/// How many clusters of one engine are kept; cases that belong to none of them are counted.
+const MOST: usize = 300;
+
+/// Gathers the clusters of a run.
+pub(crate) struct Discrepancies {
+    folder: PathBuf,
+    engines: BTreeMap<String, Engine>,
+}
+
+/// What one engine does otherwise.
+#[derive(Default)]
+struct Engine {
+    clusters: BTreeMap<Key, Cluster>,
+    /// How many cases belong to clusters that are not kept.
+    left_out: u64,
+}
+
+/// What cases of a cluster have in common.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Key {
+    basis: String,
+    /// The ids of a case file begin alike.
+    file: String,
+    symptom: Symptom,
+}
+
+/// Cases that most probably fail for one reason.
+struct Cluster {
+    /// The case with the smallest program.
+    smallest: CaseEvent,
+    /// How many cases there are, by probe and dialect.
+    cases: BTreeMap<(String, String), u64>,
+}
+
+impl Discrepancies {
+    /// Removes the pages that an earlier run left in this folder of reports.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where they cannot be removed.
+    pub(crate) fn create(reports: &Path) -> Result<Discrepancies, ReportError> {
+        let folder = reports.join(NAME);
+        remove_pages(&folder)?;
+        Ok(Discrepancies {
+            folder,
+            engines: BTreeMap::new(),
+        })
+    }
+
+    /// Adds one event.
+    pub(crate) fn take(&mut self, event: &Event) {
+        match event {
+            // A case with a program is one that did not come out as expected; what an engine says it cannot do contradicts
+            // nothing.
+            Event::Case(case) if case.program.is_some() && case.came() != Verdict::Unsupported => {
+                self.take_case(case);
+            }
+            Event::Header(_) | Event::Case(_) | Event::Footer(_) => {}
+        }
+    }
+
+    fn take_case(&mut self, case: &CaseEvent) {
+        let file = case.id.split("::").next().unwrap_or(&case.id);
+        let key = Key {
+            basis: case.basis.clone(),
+            file: file.to_owned(),
+            symptom: Symptom::of(case),
+        };
+        let engine = crate::overview::entry(&mut self.engines, &case.engine);
+        if engine.clusters.len() >= MOST && !engine.clusters.contains_key(&key) {
+            engine.left_out += 1;
+            return;
+        }
+        let cluster = engine.clusters.entry(key).or_insert_with(|| Cluster {
+            smallest: kept(case),
+            cases: BTreeMap::new(),
+        });
+        let counted = (probe(&case.id).to_owned(), case.dialect.clone());
+        *cluster.cases.entry(counted).or_default() += 1;
+        if size(case) < size(&cluster.smallest) {
+            cluster.smallest = kept(case);
+        }
+    }
+
+    /// Writes the pages. A run that was cut short has none.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where that fails.
+    pub(crate) fn finish(self, overview: &Overview) -> Result<(), ReportError> {
+        let (Some(header), Some(_)) = (&overview.header, &overview.footer) else {
+            return Ok(());
+        };
+        for (name, engine) in &self.engines {
+            let folder = self.folder.join(file_name(name));
+            fs::create_dir_all(&folder).map_err(ReportError::writing(&folder))?;
+            let about = header.engines.iter().find(|engine| engine.name == *name);
+            // What most cases show comes first.
+            let mut clusters: Vec<(&Key, &Cluster)> = engine.clusters.iter().collect();
+            clusters.sort_by_key(|(_, cluster)| std::cmp::Reverse(cluster.number()));
+            let mut index = page::index(name, about, clusters.len(), engine.left_out);
+            for (number, (key, cluster)) in clusters.into_iter().enumerate() {
+                let file = page_name(number + 1, key);
+                index.push_str(&page::entry(&file, key, cluster));
+                write(folder.join(file), &page::page(name, about, key, cluster))?;
+            }
+            write(folder.join("README.md"), &index)?;
+        }
+        Ok(())
+    }
+}
+
+impl Cluster {
+    fn number(&self) -> u64 {
+        self.cases.values().sum()
+    }
+}
+
+fn size(case: &CaseEvent) -> usize {
+    case.program.as_ref().map_or(usize::MAX, String::len)
+}
+
+fn write(path: PathBuf, text: &str) -> Result<(), ReportError> {
+    let mut file = PendingFile::create(path)?;
+    let path = file.path().to_owned();
+    file.write_all(text.as_bytes())
+        .map_err(ReportError::writing(&path))?;
+    file.commit()
+}
+
+/// `03-bit-access-outside-short-line-of-P4025.md`
+fn page_name(number: usize, key: &Key) -> String {
+    let mut name = file_name(&format!("{}-{}", key.file, key.symptom.word()));
+    name.truncate(80);
+    format!("{number:02}-{name}.md")
+}
+
+/// A name that every file system takes: what is no letter, digit, point or line becomes a line.
+fn file_name(name: &str) -> String {
+    let safe = |character: char| match character {
+        'a'..='z' | 'A'..='Z' | '0'..='9' | '-' | '_' => character,
+        _ => '-',
+    };
+    name.chars().map(safe).collect()
+}
+
+/// Removes the pages of all engines, and the folders that are empty then. What somebody else put there stays.
+fn remove_pages(folder: &Path) -> Result<(), ReportError> {
+    for engine in entries(folder) {
+        for page in entries(&engine) {
+            let name = page
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned();
+            let numbered = name.starts_with(|character: char| character.is_ascii_digit());
+            if name == "README.md" || (numbered && name.ends_with(".md")) {
+                fs::remove_file(&page).map_err(ReportError::writing(&page))?;
+            }
+        }
+        // A folder in which something is left is no error.
+        let _ = fs::remove_dir(&engine);
+    }
+    let _ = fs::remove_dir(folder);
+    Ok(())
+}
+
+/// What is in a folder; nothing where there is none.
+fn entries(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.map(|entry| entry.path()).collect()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,106 @@
+//! One page, and the list of an engine's pages.
+
+use super::{Cluster, Key};
+use crate::summary::{code, fence, inline};
+use crate::text::{counted, noted, visible};
+use std::fmt::Write;
+use stickler_run::{EngineHeader, PROGRAM};
+
+/// How the list of an engine's pages begins.
+pub(super) fn index(name: &str, about: Option<&EngineHeader>, pages: usize, left_out: u64) -> String {
+    let mut text = format!(
+        "# What {} does otherwise than documents say\n\n",
+        called(name, about)
+    );
+    let pages = counted(pages as u64, "page", "pages");
+    // Writing to a String cannot fail.
+    let _ = write!(
+        text,
+        "{pages}, each about the cases of one file and claim with one symptom, so most probably with one cause. Each is ready \
+         to be sent to those who write the compiler, once somebody has read it.\n\n"
+    );
+    if left_out > 0 {
+        let cases = counted(left_out, "case", "cases");
+        let _ = write!(
+            text,
+            "{cases} more fit none of these; `events.jsonl` has them.\n\n"
+        );
+    }
+    text.push_str("| cases | page | claim |\n|--:|---|---|\n");
+    text
+}
+
+/// The line about one page.
+pub(super) fn entry(file: &str, key: &Key, cluster: &Cluster) -> String {
+    format!(
+        "| {} | [{}: {}]({file}) | {} |\n",
+        cluster.number(),
+        inline(&key.file),
+        inline(&key.symptom.to_string()),
+        inline(&key.basis)
+    )
+}
+
+/// The page of a cluster.
+pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster: &Cluster) -> String {
+    let case = &cluster.smallest;
+    let mut text = format!(
+        "# {}: {}\n\n{}.\n\n",
+        called(name, about),
+        inline(&key.symptom.to_string()),
+        inline(&case.title)
+    );
+    let program = case.program.as_deref().map(visible).unwrap_or_default();
+    block(
+        &mut text,
+        &format!("Save this as `{PROGRAM}`:"),
+        "iecst",
+        &program,
+    );
+    let command = about.and_then(|about| about.commands.get(&case.dialect));
+    match command {
+        Some(command) => block(&mut text, "and run", "sh", command),
+        None => text.push_str("and give it to the compiler.\n\n"),
+    }
+    let basis = format!("Expected, by *{}*:", inline(&case.basis));
+    block(&mut text, &basis, "", &visible(&case.expected));
+    block(&mut text, "Got:", "", &visible(&case.got));
+    let _ = write!(text, "Lines are those of `{PROGRAM}`. ");
+    others(&mut text, cluster);
+    if let Some(note) = &case.baseline {
+        let _ = write!(text, "It is known: {}.\n\n", inline(&noted(note)));
+    }
+    let _ = writeln!(
+        text,
+        "Found by Stickler, in its dialect `{}`: {}",
+        case.dialect,
+        code(&case.rerun)
+    );
+    text
+}
+
+/// How many cases show the same, and which.
+fn others(text: &mut String, cluster: &Cluster) {
+    let number = cluster.number();
+    if number == 1 {
+        text.push_str("One case shows this.\n\n");
+        return;
+    }
+    let _ = write!(text, "{number} cases show this:\n\n");
+    for ((probe, dialect), cases) in &cluster.cases {
+        let _ = writeln!(text, "- {cases} of {} in {}", code(probe), inline(dialect));
+    }
+    text.push('\n');
+}
+
+fn called(name: &str, about: Option<&EngineHeader>) -> String {
+    let version = about.map_or("", |about| about.version.as_str());
+    inline(format!("{name} {version}").trim_end())
+}
+
+/// A sentence and a block of code that nothing in it can leave.
+fn block(text: &mut String, before: &str, language: &str, code: &str) {
+    let fence = fence(code);
+    let code = code.trim_end_matches('\n');
+    let _ = write!(text, "{before}\n\n{fence}{language}\n{code}\n{fence}\n\n");
+}
