@@ -79,12 +79,12 @@ fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), Failure> {
     };
     let id = request.get("id").and_then(Json::as_u64);
     let answers = |kinds: &[&str]| {
-        if kinds.contains(&kind(&read)) {
+        if kinds.contains(&read.word()) {
             Ok(())
         } else {
             Err(Failure::new(
                 "kind",
-                format!("a request is answered by `{}`", kind(&read)),
+                format!("a request is answered by `{}`", read.word()),
             ))
         }
     };
@@ -95,7 +95,7 @@ fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), Failure> {
         Some("run") => answers(&["executed", "rejected", "faulted", "error"])?,
         _ => answers(&["error"])?,
     }
-    if id_of(&read) != id && !matches!(read, Reply::Hello(_)) && id_of(&read).is_some() {
+    if read.id().is_some_and(|told| Some(told) != id) {
         return Err(Failure::new("id", format!("the request's id is {id:?}")));
     }
     match &read {
@@ -115,32 +115,6 @@ fn hold_error(message: &str) -> Result<(), Failure> {
         return Err(Failure::new("internal-error", message));
     }
     Ok(())
-}
-
-const fn kind(reply: &Reply) -> &'static str {
-    match reply {
-        Reply::Hello(_) => "hello",
-        Reply::Accepted(_) => "accepted",
-        Reply::Executed(_) => "executed",
-        Reply::Rejected(_) => "rejected",
-        Reply::Faulted(_) => "faulted",
-        Reply::Rendered(_) => "rendered",
-        Reply::Unsupported(_) => "unsupported",
-        Reply::Error(_) => "error",
-    }
-}
-
-const fn id_of(reply: &Reply) -> Option<u64> {
-    match reply {
-        Reply::Hello(_) => None,
-        Reply::Accepted(reply) => Some(reply.id),
-        Reply::Executed(reply) => Some(reply.id),
-        Reply::Rejected(reply) => Some(reply.id),
-        Reply::Faulted(reply) => Some(reply.id),
-        Reply::Rendered(reply) => Some(reply.id),
-        Reply::Unsupported(reply) => Some(reply.id),
-        Reply::Error(reply) => reply.id,
-    }
 }
 
 /// Every value that was asked for is there under its name, and spelled canonically; no other is.
