@@ -1,6 +1,6 @@
 //! Runs in which an engine is given several programs at a time: only the time that they take may change.
 
-use crate::fixtures::{Puppet, case, executed, rejected, rejection, suite};
+use crate::fixtures::{Puppet, case, executed, rejected, rejection, suite, timeless_events};
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -116,23 +116,16 @@ impl<E> Session for PackingSession<'_, E> {
     }
 }
 
-/// The events of a run, without what the clock says.
+/// The events of a run by so many workers.
 fn events(suite: &Suite, engines: &[&dyn Engine], jobs: usize) -> Vec<Event> {
-    let plan = Plan {
-        jobs,
-        ..Plan::default()
-    };
-    let mut events = Vec::new();
-    let mut sink = |mut event: Event| {
-        match &mut event {
-            Event::Header(_) => {}
-            Event::Case(case) => case.duration_us = 0,
-            Event::Footer(footer) => footer.duration_ms = 0,
-        }
-        events.push(event);
-    };
-    run(&plan, suite, engines, &mut sink, &AtomicBool::new(false)).unwrap();
-    events
+    timeless_events(
+        &Plan {
+            jobs,
+            ..Plan::default()
+        },
+        suite,
+        engines,
+    )
 }
 
 /// The number at the end of a case's id, which is the program that the puppets get.

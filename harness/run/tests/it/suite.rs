@@ -1,9 +1,9 @@
 //! The real suite on the real reference: no state is shared between cases, workers or runs.
 
+use crate::fixtures::timeless_events;
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
 use stickler_engines::Reference;
-use stickler_run::{Event, Plan, Shard, run};
+use stickler_run::{Event, Plan, Shard};
 use stickler_suite::Suite;
 
 /// One part of twenty is enough to meet every kind of case, and quick.
@@ -13,24 +13,7 @@ fn events(suite: &Suite, jobs: usize) -> Vec<Event> {
         shard: Some(Shard::new(1, 20).unwrap()),
         ..Plan::default()
     };
-    let mut events = Vec::new();
-    let mut sink = |mut event: Event| {
-        match &mut event {
-            Event::Header(_) => {}
-            Event::Case(case) => case.duration_us = 0,
-            Event::Footer(footer) => footer.duration_ms = 0,
-        }
-        events.push(event);
-    };
-    run(
-        &plan,
-        suite,
-        &[&Reference::new()],
-        &mut sink,
-        &AtomicBool::new(false),
-    )
-    .unwrap();
-    events
+    timeless_events(&plan, suite, &[&Reference::new()])
 }
 
 #[test]
