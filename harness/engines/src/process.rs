@@ -29,6 +29,8 @@ pub(crate) use tool::{Ended, ToolLimits, run as run_tool, run_with as run_tool_w
 /// Kills every process that an engine of this program has started, with all that they started, and removes the folders
 /// in which they worked. For a program that is about to end without ending its sessions, as at Ctrl-C: the processes
 /// have groups of their own, and so nobody else ends them.
+///
+/// Whoever calls it must end the program: a thread that works with a process does not return from it any more.
 pub fn kill_all_processes() {
     group::kill_all();
     folder::remove_all();

@@ -4,7 +4,7 @@ use process_wrap::std::{ChildWrapper, CommandWrap};
 use std::ffi::OsStr;
 use std::io;
 use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard, Weak};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -17,15 +17,33 @@ type Shared = Mutex<Box<dyn ChildWrapper>>;
 /// Every process that was started and has not been let go.
 static ALIVE: Mutex<Vec<Weak<Shared>>> = Mutex::new(Vec::new());
 
+/// Whether the program is about to end. Whoever starts a process holds this until the process is among [`ALIVE`], so that
+/// none is started behind the back of [`kill_all`].
+static ENDING: RwLock<bool> = RwLock::new(false);
+
 /// Kills every process that an engine of this program has started, with all that they started. For a program that is
 /// about to end without ending its sessions, as at Ctrl-C: the processes have groups of their own, and so nobody else
-/// ends them.
+/// ends them. No process starts after it, and no thread that works with one goes on: it would take the death of its engine
+/// for the engine's own doing, report it, and start the next one.
 pub(super) fn kill_all() {
+    *ENDING.write().unwrap_or_else(PoisonError::into_inner) = true;
     let alive = std::mem::take(&mut *lock(&ALIVE));
     for process in alive.iter().filter_map(Weak::upgrade) {
         // One that is gone already is what is wanted.
         let _ = lock(&process).start_kill();
     }
+}
+
+/// Holds the end of the program off for as long as the answer is kept; never returns where the end has begun.
+fn goes_on() -> RwLockReadGuard<'static, bool> {
+    let ending = ENDING.read().unwrap_or_else(PoisonError::into_inner);
+    if *ending {
+        drop(ending);
+        loop {
+            thread::park();
+        }
+    }
+    ending
 }
 
 /// What a mutex holds, also where somebody panicked who held it: nothing here is left half done.
@@ -56,6 +74,7 @@ impl Group {
         program: &OsStr,
         prepare: impl FnOnce(&mut Command),
     ) -> Result<(Group, Pipes), String> {
+        let ending = goes_on();
         let mut wrap = CommandWrap::with_new(program, prepare);
         #[cfg(unix)]
         wrap.wrap(process_wrap::std::ProcessGroup::leader());
@@ -75,6 +94,7 @@ impl Group {
         alive.retain(|process| process.strong_count() > 0);
         alive.push(Arc::downgrade(&wrapped));
         drop(alive);
+        drop(ending);
         let group = Group {
             wrapped,
             killed: false,
@@ -98,7 +118,10 @@ impl Group {
         loop {
             let look = lock(&self.wrapped).try_wait();
             match look {
-                Ok(Some(status)) => return Some(status),
+                Ok(Some(status)) => {
+                    drop(goes_on());
+                    return Some(status);
+                }
                 Ok(None) if Instant::now() < deadline => {}
                 Ok(None) | Err(_) => return None,
             }
@@ -110,6 +133,7 @@ impl Group {
 
     /// Kills what is left of the group.
     pub(super) fn kill(&mut self) {
+        drop(goes_on());
         if std::mem::replace(&mut self.killed, true) {
             return;
         }
