@@ -1,14 +1,9 @@
 //! Reductions from the outside, where a printed page is not enough: an engine with a wrong value, and Ctrl-C.
-#![cfg(unix)]
 
-mod common;
-
-use common::interrupt;
+use crate::common::{STICKLER, interrupt};
 use std::fs;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
-
-const COMMAND: &str = env!("CARGO_BIN_EXE_stickler");
 
 /// A program that divides, among other things.
 const PROGRAM: &str = "PROGRAM main
@@ -34,7 +29,7 @@ END_PROGRAM
 
 fn reduce(folder: &std::path::Path, engine: &str) -> Command {
     fs::write(folder.join("start.st"), PROGRAM).expect("a file in a folder of its own");
-    let mut command = Command::new(COMMAND);
+    let mut command = Command::new(STICKLER);
     command
         .args(["reduce", "start.st", "--dialect", "matiec", "--engine", engine])
         .current_dir(folder)
@@ -55,7 +50,7 @@ fn a_wrong_value_is_kept_and_all_else_goes() {
     let script = format!(
         "while IFS= read -r line; do\n\
          while case $line in *' MOD '*) ;; *) false ;; esac; do line=\"${{line%% MOD *}} / ${{line#* MOD }}\"; done\n\
-         printf '%s\\n' \"$line\"\ndone | '{COMMAND}' engine\n"
+         printf '%s\\n' \"$line\"\ndone | '{STICKLER}' engine\n"
     );
     fs::write(folder.path().join("divides.sh"), script).expect("a file");
     let output = reduce(folder.path(), "cmd:sh divides.sh")

@@ -1,6 +1,6 @@
 //! The command line from the outside: each file under `tests/cmd` is a test.
 //!
-//! `TRYCMD=overwrite cargo test -p stickler --test cli` writes down what the commands print now; read the difference
+//! `TRYCMD=overwrite cargo test -p stickler --test it pages` writes down what the commands print now; read the difference
 //! before it is committed.
 
 #[test]
@@ -16,14 +16,14 @@ fn each_command_prints_what_its_file_says() {
 #[test]
 fn the_readme_shows_what_conversions_prints() {
     let arguments = ["conversions", "REAL_TO_INT", "2.5", "-0.5", "1E10"];
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_stickler"))
+    let output = std::process::Command::new(crate::common::STICKLER)
         .args(arguments)
         .env("NO_COLOR", "1")
         .output()
         .expect("the command runs");
     let shown = String::from_utf8(output.stdout).expect("text");
     let example = format!("$ stickler {}\n{shown}```\n", arguments.join(" "));
-    let readme = include_str!("../../../README.md");
+    let readme = include_str!("../../../../README.md");
     assert!(
         readme.contains(&example),
         "the README does not show this:\n{example}"

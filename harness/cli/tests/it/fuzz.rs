@@ -1,25 +1,20 @@
 //! Campaigns from the outside: engines that are processes and have a defect, folders that cannot be used, Ctrl-C.
-#![cfg(unix)]
 
-mod common;
-
-use common::interrupt;
+use crate::common::{STICKLER, interrupt};
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-const COMMAND: &str = env!("CARGO_BIN_EXE_stickler");
-
 /// An engine that takes MOD for a division, after this script of sed on each request.
 fn defective(script: &str) -> String {
     let script = format!("{script}s/ MOD / \\/ /g");
-    format!("cmd:sh -c 'sed -u \"{script}\" | \"{COMMAND}\" engine'")
+    format!("cmd:sh -c 'sed -u \"{script}\" | \"{STICKLER}\" engine'")
 }
 
 /// What a command shows on both streams, and its exit code.
 fn stickler(arguments: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(COMMAND)
+    let output = Command::new(STICKLER)
         .args(arguments)
         .env("NO_COLOR", "1")
         .env("CARGO_MANIFEST_DIR", "")
@@ -242,7 +237,7 @@ fn an_input_of_libfuzzer_is_judged_alone() {
 #[test]
 fn ctrl_c_ends_a_campaign_with_what_it_has() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut campaign = Command::new(COMMAND)
+    let mut campaign = Command::new(STICKLER)
         .args([
             "fuzz",
             "--target",

@@ -1,28 +1,8 @@
 //! Two runs held against each other, and the parts of a run put together.
 
+use crate::common::{SUITE, output, text};
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
-
-const SUITE: &str = concat!(
-    env!("CARGO_MANIFEST_DIR"),
-    "/tests/cmd/suite.in/conformance-cases"
-);
-
-fn output(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stickler"))
-        // Rerun commands name `stickler` itself unless cargo ran it, and here cargo runs the tests.
-        .env("CARGO_MANIFEST_DIR", "")
-        .current_dir(folder)
-        .args(arguments)
-        .stdin(Stdio::null())
-        .output()
-        .expect("the command runs")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
 
 /// Runs the small suite and writes its reports to a folder.
 fn run(folder: &Path, report: &str, arguments: &[&str]) {

@@ -1,13 +1,11 @@
 //! Engines that `stickler.toml` names, and the list of all that there are.
-#![cfg(unix)]
 
+use crate::common::STICKLER;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output};
 use tempfile::TempDir;
-
-const STICKLER: &str = env!("CARGO_BIN_EXE_stickler");
 
 /// A folder with this `stickler.toml`; `STICKLER` in it stands for the program under test.
 fn folder(text: &str) -> TempDir {

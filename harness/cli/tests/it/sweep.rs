@@ -1,16 +1,13 @@
 //! A sweep that is interrupted, and sweeps of engines that are processes.
-#![cfg(unix)]
 
-mod common;
-
-use common::interrupt;
+use crate::common::{STICKLER, interrupt};
 use std::io::{BufRead, BufReader, Read};
 use std::process::{Command, Stdio};
 
 #[test]
 fn ctrl_c_tells_how_far_a_sweep_came() {
     // Billions of texts, so that it cannot end by itself before the signal comes.
-    let mut sweep = Command::new(env!("CARGO_BIN_EXE_stickler"))
+    let mut sweep = Command::new(STICKLER)
         .args(["sweep", "DINT_TO_STRING", "--jobs", "1"])
         .env("NO_COLOR", "1")
         .stdin(Stdio::null())
@@ -35,9 +32,8 @@ fn ctrl_c_tells_how_far_a_sweep_came() {
 
 /// What a sweep of an engine shows, and its exit code. `COMMAND` in the engine's command line stands for this command.
 fn swept(function: &str, dialect: &str, engine: &str) -> (Option<i32>, String) {
-    let command = env!("CARGO_BIN_EXE_stickler");
-    let engine = format!("cmd:{}", engine.replace("COMMAND", &format!("\"{command}\"")));
-    let output = Command::new(command)
+    let engine = format!("cmd:{}", engine.replace("COMMAND", &format!("\"{STICKLER}\"")));
+    let output = Command::new(STICKLER)
         .args([
             "sweep",
             function,

@@ -1,14 +1,9 @@
 //! Baselines from the outside: what a run says of them, and what `stickler bless` makes of a run.
-#![cfg(unix)]
 
+use crate::common::{SUITE, stickler};
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
-
-const SUITE: &str = concat!(
-    env!("CARGO_MANIFEST_DIR"),
-    "/tests/cmd/suite.in/conformance-cases"
-);
+use std::process::Output;
 
 /// An engine that rejects every program and cannot say where, but takes those that hold `$KNOWS`, without running them.
 const GRUMPY: &str = r#"while IFS= read -r line; do
@@ -49,9 +44,7 @@ impl Desk {
     }
 
     fn command(&self, arguments: &[&str], knows: &str) -> Ended {
-        let output = Command::new(env!("CARGO_BIN_EXE_stickler"))
-            // Rerun commands name `stickler` itself unless cargo ran it, and here cargo runs the tests.
-            .env("CARGO_MANIFEST_DIR", "")
+        let output = stickler(self.path(), arguments)
             .env(
                 "KNOWS",
                 if knows.is_empty() {
@@ -60,9 +53,6 @@ impl Desk {
                     knows
                 },
             )
-            .current_dir(self.path())
-            .args(arguments)
-            .stdin(Stdio::null())
             .output();
         Ended::of(output.expect("the command runs"))
     }

@@ -1,38 +1,14 @@
 //! What a run leaves behind: reports, exit codes, and a readable log when it is cut short.
 
-mod common;
-
-use common::interrupt;
+#[cfg(unix)]
+use crate::common::interrupt;
+use crate::common::{STICKLER, SUITE, output, stickler, text};
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Child, Command, Stdio};
 use stickler_report::events::{self, Completeness};
 use stickler_run::Event;
-
-const SUITE: &str = concat!(
-    env!("CARGO_MANIFEST_DIR"),
-    "/tests/cmd/suite.in/conformance-cases"
-);
-
-fn stickler(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_stickler"));
-    // Rerun commands name `stickler` itself unless cargo ran it, and here cargo runs the tests.
-    command
-        .env("CARGO_MANIFEST_DIR", "")
-        .current_dir(folder)
-        .args(arguments)
-        .stdin(Stdio::null());
-    command
-}
-
-fn output(folder: &Path, arguments: &[&str]) -> Output {
-    stickler(folder, arguments).output().expect("the command runs")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
 
 fn read_log(path: &Path) -> (Vec<Event>, Completeness) {
     let mut events = Vec::new();
@@ -79,7 +55,7 @@ fn the_rerun_command_of_a_failure_runs_that_case_alone() {
     });
     let rerun = rerun.expect("a failure");
     let arguments = rerun.strip_prefix("stickler ").expect("a command line");
-    let program = env!("CARGO_BIN_EXE_stickler");
+    let program = STICKLER;
     let shell = Command::new("sh")
         .current_dir(folder.path())
         .args(["-c", &format!("'{program}' {arguments}")])
@@ -244,7 +220,7 @@ fn ctrl_c_leaves_a_readable_log_that_is_marked_as_cut_short() {
 #[test]
 fn the_reference_in_a_process_of_its_own_does_what_it_does_in_this_one() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let process = format!("cmd:'{}' engine", env!("CARGO_BIN_EXE_stickler"));
+    let process = format!("cmd:'{STICKLER}' engine");
     // The process calls itself `reference`, too; that name stays with the reference, whichever is asked for first.
     for [first, second] in [["reference", &process], [&process, "reference"]] {
         does_the_same(folder.path(), first, second);

@@ -1,0 +1,17 @@
+//! The command line from the outside. One program holds all of these tests: each program of its own would be linked once
+//! more.
+
+#[cfg(unix)]
+mod bless;
+mod common;
+mod compare;
+#[cfg(unix)]
+mod engines;
+#[cfg(unix)]
+mod fuzz;
+mod pages;
+#[cfg(unix)]
+mod reduce;
+mod run;
+#[cfg(unix)]
+mod sweep;
