@@ -8,4 +8,5 @@ mod packing;
 mod rendering;
 mod scheduling;
 mod selecting;
+mod suggestions;
 mod suite;

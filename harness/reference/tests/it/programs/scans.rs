@@ -1,6 +1,6 @@
 //! Several scans: variables stay, the environment writes, and values are observed in between.
 
-use crate::support::{DIALECT, attempt_scans, program, spelled};
+use super::support::{DIALECT, attempt_scans, program, spelled};
 use stickler_reference::{Outcome, RequestError};
 use stickler_types::Fault;
 

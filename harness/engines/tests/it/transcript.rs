@@ -6,7 +6,7 @@ use stickler_engines::protocol::serve;
 
 #[test]
 fn the_conversation_in_the_readme_is_what_the_reference_says() {
-    let readme = include_str!("../README.md");
+    let readme = include_str!("../../README.md");
     let said = |mark: &str| {
         readme
             .lines()

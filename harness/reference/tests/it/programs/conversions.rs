@@ -1,6 +1,6 @@
 //! Values that change their type, implicitly and by functions, in every dialect.
 
-use crate::support::{assert_body, assert_diagnostics_in, assert_values_in, program};
+use super::support::{assert_body, assert_diagnostics_in, assert_values_in, program};
 use stickler_types::{Code, DialectName};
 
 #[test]

@@ -1,6 +1,6 @@
 //! Operators: widths, wrapping, mixed operands.
 
-use crate::support::assert_body;
+use super::support::assert_body;
 
 #[test]
 fn integers_wrap_in_their_declared_width() {

@@ -204,7 +204,7 @@ fn a_description_of_ironplc_checks_as_its_adapter_does() {
         );
         return;
     };
-    let description: Description = toml::from_str(include_str!("described/ironplc.toml")).unwrap();
+    let description: Description = toml::from_str(include_str!("../described/ironplc.toml")).unwrap();
     let here = compiler.path.parent().unwrap();
     let described = DescribedEngine::start("described", description, here).unwrap();
     let (mut one, mut other) = (adapter.session().unwrap(), described.session().unwrap());

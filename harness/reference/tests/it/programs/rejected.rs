@@ -1,6 +1,6 @@
 //! Programs that are not acceptable: codes, lines, places and suggestions.
 
-use crate::support::{DIALECT, assert_diagnostics, assert_diagnostics_in, attempt, place, program};
+use super::support::{DIALECT, assert_diagnostics, assert_diagnostics_in, attempt, place, program};
 use stickler_reference::{Outcome, check, check_bytes, render};
 use stickler_types::{Code, DialectName};
 

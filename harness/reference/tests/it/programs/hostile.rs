@@ -1,6 +1,6 @@
 //! Input that nobody would write: diagnostics, never a panic, a hang or memory without bound.
 
-use crate::support::{DIALECT, attempt, program};
+use super::support::{DIALECT, attempt, program};
 use stickler_reference::{Limits, Observation, Outcome, Request, check, check_bytes, render, run};
 use stickler_types::{Code, DialectName, Fault, Value};
 

@@ -1,6 +1,6 @@
 //! Properties of conversions between values that are no texts.
 
-use crate::draw::{conversion, dialects, each, number, one_of, pairs, raw, same};
+use super::draw::{conversion, dialects, each, number, one_of, pairs, raw, same};
 use stickler_reference::Dialect;
 use stickler_reference::conversion::{Conversion, function, implicit};
 use stickler_types::{ElementaryType, Family};

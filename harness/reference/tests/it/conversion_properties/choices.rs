@@ -1,6 +1,6 @@
 //! Properties of the choices from reals to integers, those that no dialect makes among them.
 
-use crate::draw::{conversion, each, number, one_of, raw};
+use super::draw::{conversion, each, number, one_of, raw};
 use stickler_reference::Dialect;
 use stickler_reference::conversion::{ConversionChoices, Outside, Rounding};
 use stickler_types::ElementaryType::{self, Lreal, Real};

@@ -1,6 +1,6 @@
 //! Declared types, initial values, and values of every shape by their names.
 
-use crate::support::{DIALECT, assert_body, assert_values, attempt, program};
+use super::support::{DIALECT, assert_body, assert_values, attempt, program};
 use stickler_reference::RequestError;
 
 const TYPES: &str = "

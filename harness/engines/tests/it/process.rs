@@ -1,5 +1,4 @@
 //! An engine in a process of its own, and all that it may do wrong.
-#![cfg(unix)]
 
 use std::fs;
 use std::path::Path;

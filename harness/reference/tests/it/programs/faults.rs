@@ -1,6 +1,6 @@
 //! Faults: what stops, on which line, and what remains.
 
-use crate::support::{assert_body, assert_fault, program};
+use super::support::{assert_body, assert_fault, program};
 use stickler_types::Fault;
 
 #[test]
@@ -30,7 +30,7 @@ fn a_subrange_is_guarded() {
 #[test]
 fn an_endless_loop_ends() {
     let source = program("n : LINT;", "WHILE TRUE DO\n  n := n + 1;\nEND_WHILE;");
-    let outcome = crate::support::attempt(crate::support::DIALECT, &source, &[]);
+    let outcome = super::support::attempt(super::support::DIALECT, &source, &[]);
     let ended = matches!(
         outcome,
         Ok(stickler_reference::Outcome::Faulted {

@@ -1,6 +1,6 @@
 //! Values of durations, dates and times of day, computed by hand.
 
-use crate::common::check;
+use super::common::check;
 use stickler_exact::{Choices, signatures, value};
 use stickler_types::{DialectName, ElementaryType, Value};
 

@@ -1,6 +1,6 @@
 //! Functions, function blocks and their parameters.
 
-use crate::support::{DIALECT, assert_values, assert_values_in};
+use super::support::{DIALECT, assert_values, assert_values_in};
 use stickler_types::DialectName;
 
 const SCALE: &str = "

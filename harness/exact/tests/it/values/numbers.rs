@@ -1,6 +1,6 @@
 //! Values of the number families, computed by hand from the documents and from the definition of IEC 60559.
 
-use crate::common::{check, check_by, literal, taking};
+use super::common::{check, check_by, literal, taking};
 use stickler_exact::{Choices, Outside, RealToInteger, expected, value};
 use stickler_types::{DialectName, ElementaryType, Value};
 

@@ -1,6 +1,6 @@
 //! Statements.
 
-use crate::support::assert_body;
+use super::support::assert_body;
 
 #[test]
 fn a_case_takes_values_ranges_and_the_rest() {

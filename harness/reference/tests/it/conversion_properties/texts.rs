@@ -1,6 +1,6 @@
 //! Properties of conversions to texts and back.
 
-use crate::draw::{conversion, dialects, each, number, one_of, raw, same};
+use super::draw::{conversion, dialects, each, number, one_of, raw, same};
 use arbitrary::Unstructured;
 use stickler_reference::conversion::{ConversionChoices, RealText, TextReading};
 use stickler_reference::{Dialect, conversion};

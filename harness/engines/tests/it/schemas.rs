@@ -1,5 +1,5 @@
 //! The published schemas are the ones that the code generates. To write them anew after a change of the
-//! protocol: `STICKLER_BLESS=1 cargo test -p stickler-engines --test schemas`.
+//! protocol: `STICKLER_BLESS=1 cargo test -p stickler-engines --test it schemas`.
 
 use std::path::Path;
 use stickler_engines::protocol::schemas;
@@ -17,7 +17,7 @@ fn published_schemas_are_those_of_the_code() {
             .replace("\r\n", "\n");
         assert!(
             published == schema.text,
-            "{} is out of date; run STICKLER_BLESS=1 cargo test -p stickler-engines --test schemas",
+            "{} is out of date; run STICKLER_BLESS=1 cargo test -p stickler-engines --test it schemas",
             schema.file
         );
     }

@@ -1,6 +1,6 @@
 //! Values as texts and texts as values, worked out by hand.
 
-use crate::common::{check, check_by};
+use super::common::{check, check_by};
 use stickler_exact::{BitStringText, Choices, RealText, TextReading};
 use stickler_types::DialectName;
 

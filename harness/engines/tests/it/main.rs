@@ -1,0 +1,9 @@
+//! The engines from the outside, in one program: each of its own would be linked once more.
+
+mod compilers;
+#[cfg(unix)]
+mod process;
+mod reference;
+mod schemas;
+mod server;
+mod transcript;
