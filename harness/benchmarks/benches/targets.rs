@@ -1,14 +1,14 @@
-//! How many inputs a second each target judges, without libFuzzer: `cargo bench -p stickler-fuzz -- parse`.
+//! How many inputs a second each target judges, without libFuzzer: `cargo bench -p stickler-benchmarks --bench targets -- parse`.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use std::path::Path;
 use std::{fs, io};
-use stickler_fuzz::Target;
+use stickler_generate::oracles::Target;
 
 fn corpora(criterion: &mut Criterion) {
     for target in Target::ALL {
-        let folder = Path::new("../corpus").join(target.name());
+        let folder = Path::new("../../corpus").join(target.name());
         let inputs = inputs(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
         assert!(
             !inputs.is_empty(),
