@@ -139,6 +139,14 @@ impl Claims {
         rows
     }
 
+    /// How an engine stands to all of them together.
+    pub fn of_engine(&self, engine: &str) -> Standing {
+        let mut sum = Standing::default();
+        let claims = self.engines.get(engine).into_iter().flat_map(BTreeMap::values);
+        claims.for_each(|standing| sum.add(*standing));
+        sum
+    }
+
     /// The documents, each with the sum of its sections; sorted by engine and document.
     pub fn documents(&self) -> Vec<Claim<'_>> {
         let mut documents: Vec<Claim<'_>> = Vec::new();

@@ -1,6 +1,7 @@
 //! The folder of a run's reports: every file is opened before the run, and each event goes to all of them.
 
 use crate::ReportError;
+use crate::badge::Badge;
 use crate::discrepancies::Discrepancies;
 use crate::events::{self, EventLog};
 use crate::junit::Junit;
@@ -17,6 +18,7 @@ pub struct Reports {
     results: Results,
     junit: Junit,
     summary: Summary,
+    badge: Badge,
     discrepancies: Discrepancies,
     /// The event at hand as JSON: two files hold it, and it is serialised once.
     json: Vec<u8>,
@@ -35,6 +37,7 @@ impl Reports {
             results: Results::create(folder.join("results.json"))?,
             junit: Junit::create(folder.join("junit.xml"))?,
             summary: Summary::create(folder.join("summary.md"))?,
+            badge: Badge::create(folder.join("badge.json"))?,
             discrepancies: Discrepancies::create(folder)?,
             json: Vec::new(),
         })
@@ -63,6 +66,7 @@ impl Reports {
         self.results.finish(overview)?;
         self.junit.finish(overview)?;
         self.discrepancies.finish(overview)?;
+        self.badge.finish(overview)?;
         self.summary.finish(overview)
     }
 }
@@ -105,7 +109,13 @@ mod tests {
     fn a_whole_run_leaves_every_report_and_nothing_else() {
         let folder = tempfile::tempdir().expect("a temporary folder");
         write(&folder.path().join("deep/er"), &sample::run());
-        let expected = ["events.jsonl", "junit.xml", "results.json", "summary.md"];
+        let expected = [
+            "badge.json",
+            "events.jsonl",
+            "junit.xml",
+            "results.json",
+            "summary.md",
+        ];
         assert_eq!(names(&folder.path().join("deep/er")), expected);
     }
 

@@ -161,7 +161,13 @@ fn the_parts_of_a_run_are_put_together_to_all_reports_of_the_whole() {
         "{}",
         text(&merged.stdout)
     );
-    for file in ["events.jsonl", "results.json", "junit.xml", "summary.md"] {
+    for file in [
+        "events.jsonl",
+        "results.json",
+        "junit.xml",
+        "summary.md",
+        "badge.json",
+    ] {
         assert!(folder.path().join("merged").join(file).exists(), "{file}");
     }
     let same = output(folder.path(), &["compare", "whole", "merged"]);

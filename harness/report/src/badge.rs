@@ -1,0 +1,173 @@
+//! `badge.json`: how much of what documents say an engine does, in one line, for the first page of its project.
+//!
+//! Basis of the keys: the endpoint badge of shields.io, which draws what a JSON file at any address says.
+
+use crate::ReportError;
+use crate::claims::Standing;
+use crate::overview::Overview;
+use crate::pending::PendingFile;
+use crate::text::counted;
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// The file, while the run goes on.
+pub(crate) struct Badge {
+    file: PendingFile,
+}
+
+/// What the file says.
+#[derive(PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Endpoint {
+    schema_version: u32,
+    label: &'static str,
+    message: String,
+    color: &'static str,
+}
+
+impl Badge {
+    /// Makes the file.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where it cannot be made.
+    pub(crate) fn create(path: PathBuf) -> Result<Badge, ReportError> {
+        Ok(Badge {
+            file: PendingFile::create(path)?,
+        })
+    }
+
+    /// Writes the file; a run that was cut short has none, since nobody could see from it what is missing.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where that fails.
+    pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
+        if overview.footer.is_none() {
+            return Ok(());
+        }
+        let path = self.file.path().to_owned();
+        serde_json::to_writer(&mut self.file, &endpoint(overview))
+            .map_err(|error| ReportError::writing(&path)(error.into()))?;
+        self.file.commit()
+    }
+}
+
+fn endpoint(overview: &Overview) -> Endpoint {
+    let engines = overview.engines();
+    let standings: Vec<Standing> = engines
+        .iter()
+        .map(|engine| overview.claims.of_engine(engine))
+        .collect();
+    let message = match standings[..] {
+        [standing] => alone(standing),
+        _ => {
+            let each = engines.iter().zip(&standings);
+            let each: Vec<String> = each
+                .map(|(engine, standing)| format!("{engine} {}", share(*standing)))
+                .collect();
+            each.join(", ")
+        }
+    };
+    let worst = standings.iter().filter_map(|standing| per_mille(*standing)).min();
+    Endpoint {
+        schema_version: 1,
+        label: "Stickler",
+        message,
+        color: color(worst),
+    }
+}
+
+/// The cases about which a document says something, and which the engine can run.
+fn decided(standing: Standing) -> u64 {
+    standing.passed + standing.failed
+}
+
+/// How many of a thousand such cases are right, never rounded up; `None` where there are none.
+fn per_mille(standing: Standing) -> Option<u64> {
+    (standing.passed * 1000).checked_div(decided(standing))
+}
+
+fn share(standing: Standing) -> String {
+    match per_mille(standing) {
+        Some(1000) => "100 %".to_owned(),
+        Some(share) => format!("{}.{} %", share / 10, share % 10),
+        None => "nothing tested".to_owned(),
+    }
+}
+
+/// What is said of the only engine, whose name whoever shows the badge knows.
+fn alone(standing: Standing) -> String {
+    match decided(standing) {
+        0 => share(standing),
+        cases => format!("{} of {}", share(standing), counted(cases, "case", "cases")),
+    }
+}
+
+/// The words of shields.io for how good that is.
+fn color(worst: Option<u64>) -> &'static str {
+    match worst {
+        None => "lightgrey",
+        Some(1000..) => "brightgreen",
+        Some(950..) => "green",
+        Some(800..) => "yellow",
+        Some(500..) => "orange",
+        Some(_) => "red",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::endpoint;
+    use crate::overview::Overview;
+    use crate::sample;
+    use stickler_run::{CaseEvent, Event, Verdict};
+
+    fn said(events: &[Event]) -> (String, &'static str) {
+        let mut overview = Overview::default();
+        events.iter().for_each(|event| overview.take(event));
+        let endpoint = endpoint(&overview);
+        (endpoint.message, endpoint.color)
+    }
+
+    fn cases(passed: usize, failed: usize) -> Vec<CaseEvent> {
+        let pass = std::iter::repeat_n(sample::case("a", Verdict::Pass), passed);
+        pass.chain(std::iter::repeat_n(sample::case("b", Verdict::Xfail), failed))
+            .collect()
+    }
+
+    #[test]
+    fn what_documents_leave_open_and_what_an_engine_cannot_run_does_not_count() {
+        let mut run = cases(2, 0);
+        run.extend([sample::open_case("open"), sample::case("c", Verdict::Unsupported)]);
+        assert_eq!(
+            said(&sample::run_of(run)),
+            ("100 % of 2 cases".to_owned(), "brightgreen")
+        );
+        let nothing = sample::run_of(vec![sample::open_case("open")]);
+        assert_eq!(said(&nothing), ("nothing tested".to_owned(), "lightgrey"));
+    }
+
+    #[test]
+    fn a_known_failure_is_a_failure_and_no_share_is_rounded_up_to_the_whole() {
+        assert_eq!(
+            said(&sample::run_of(cases(2999, 1))),
+            ("99.9 % of 3000 cases".to_owned(), "green")
+        );
+        assert_eq!(
+            said(&sample::run_of(cases(1, 2))),
+            ("33.3 % of 3 cases".to_owned(), "red")
+        );
+    }
+
+    #[test]
+    fn several_engines_stand_on_one_badge_whose_colour_is_that_of_the_last_of_them() {
+        let mut run = cases(3, 0);
+        run.extend(cases(4, 1).into_iter().map(|case| CaseEvent {
+            engine: "matiec".to_owned(),
+            ..case
+        }));
+        assert_eq!(
+            said(&sample::run_on(&["reference", "matiec"], run)),
+            ("reference 100 %, matiec 80.0 %".to_owned(), "yellow")
+        );
+    }
+}
