@@ -17,12 +17,13 @@ const NAME: &str = "conformance-cases";
 pub struct CaseFolder {
     /// The folder itself.
     pub path: PathBuf,
-    /// Where `reports/` stands by default: beside a folder that was found, here where one was named.
+    /// Where `reports/` stands by default: beside a folder that was found here or above, otherwise here.
     pub root: PathBuf,
 }
 
 impl CaseFolder {
-    /// The folder that was named, or else `conformance-cases` in the current folder or the nearest above it.
+    /// The folder that was named, or else `conformance-cases` in the current folder or the nearest above it, or else above
+    /// the program: whoever tests a compiler stands in its repository, and the program in a clone of this one.
     ///
     /// # Errors
     /// Where it is no folder, or none is found.
@@ -34,24 +35,41 @@ impl CaseFolder {
             }),
             Some(path) if path.exists() => bail!("{} is no folder", path.display()),
             Some(path) => bail!("there is no folder {}", path.display()),
-            None => CaseFolder::search(&env::current_dir().context("cannot tell the current folder")?),
+            None => {
+                let here = env::current_dir().context("cannot tell the current folder")?;
+                let program = env::current_exe().and_then(|program| program.canonicalize());
+                CaseFolder::search(&here, program.ok().as_deref())
+            }
         }
     }
 
-    fn search(here: &Path) -> anyhow::Result<CaseFolder> {
-        let Some(root) = here.ancestors().find(|folder| folder.join(NAME).is_dir()) else {
-            bail!("there is no folder {NAME} here or above; name one with --cases DIR")
+    /// # Errors
+    /// Where neither place has the cases.
+    fn search(here: &Path, program: Option<&Path>) -> anyhow::Result<CaseFolder> {
+        let above = |start: &Path| {
+            start
+                .ancestors()
+                .find(|folder| folder.join(NAME).is_dir())
+                .map(Path::to_owned)
         };
-        // Paths are shown, so a short one is better.
-        let root = if root == here {
-            PathBuf::new()
-        } else {
-            root.to_owned()
-        };
-        Ok(CaseFolder {
-            path: root.join(NAME),
-            root,
-        })
+        if let Some(root) = above(here) {
+            // Paths are shown, so a short one is better.
+            let root = if root == here { PathBuf::new() } else { root };
+            return Ok(CaseFolder {
+                path: root.join(NAME),
+                root,
+            });
+        }
+        // What a run leaves belongs to whoever calls it, not to the clone in which the program was built.
+        match program.and_then(above) {
+            Some(clone) => Ok(CaseFolder {
+                path: clone.join(NAME),
+                root: PathBuf::new(),
+            }),
+            None => bail!(
+                "there is no folder {NAME} here, above, or above the program itself; name one with --cases DIR"
+            ),
+        }
     }
 
     /// Reads the cases, and says on stderr what is wrong with their files.
@@ -107,5 +125,30 @@ pub fn plan(selection: &SelectionArguments, shard: Option<Shard>) -> Plan {
         shard,
         rerun_prefix,
         ..Plan::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CaseFolder, NAME};
+    use std::fs;
+    use std::path::PathBuf;
+
+    #[test]
+    fn cases_are_sought_here_and_above_and_then_above_the_program() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [clone, compiler] = ["stickler", "compiler"].map(|name| folder.path().join(name));
+        let (program, inside) = (clone.join("target/release/stickler"), compiler.join("tests"));
+        for made in [&clone.join(NAME), &inside] {
+            fs::create_dir_all(made).expect("a folder");
+        }
+        assert!(CaseFolder::search(&inside, None).is_err());
+        let found = CaseFolder::search(&inside, Some(&program)).expect("above the program");
+        assert_eq!((found.path, found.root), (clone.join(NAME), PathBuf::new()));
+        fs::create_dir(compiler.join(NAME)).expect("a folder");
+        let found = CaseFolder::search(&inside, Some(&program)).expect("above this folder");
+        assert_eq!((found.path, found.root), (compiler.join(NAME), compiler.clone()));
+        let found = CaseFolder::search(&compiler, Some(&program)).expect("here");
+        assert_eq!((found.path, found.root), (PathBuf::from(NAME), PathBuf::new()));
     }
 }
