@@ -2,7 +2,7 @@
 
 use stickler_exact::{Signature, expected};
 use stickler_generate::model::{Expression, ExpressionKind, Program, Type};
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, Value};
 
 use crate::expressions::each_expression;
 
@@ -70,7 +70,7 @@ fn of_conversion(signature: &Signature, operand: &Expression, dialect: DialectNa
 
 /// Basis: design, section 8, and the headings of the documents.
 fn of_widening(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> Option<String> {
-    if dialect == DialectName::Plcnext {
+    if dialect.base() == BuiltIn::Plcnext {
         return Some(format!("implicit-conversion-table: {from} to {to}"));
     }
     if !is_ironplc(dialect) {
@@ -92,7 +92,7 @@ fn of_widening(from: ElementaryType, to: ElementaryType, dialect: DialectName) -
 
 const fn is_ironplc(dialect: DialectName) -> bool {
     matches!(
-        dialect,
-        DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty
+        dialect.base(),
+        BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty
     )
 }

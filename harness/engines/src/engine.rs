@@ -69,7 +69,7 @@ pub struct Identity {
     pub name: String,
     /// The version, in the engine's own words.
     pub version: String,
-    /// The dialects it documents itself to speak.
+    /// The dialects it documents itself to speak; see [`Identity::asked_in`] for those that extend them.
     pub dialects: Vec<DialectName>,
     /// What it can do.
     pub abilities: Vec<Ability>,
@@ -84,10 +84,21 @@ impl Identity {
         self.abilities.contains(&ability)
     }
 
-    /// Whether the engine speaks this dialect.
+    /// Whether the engine speaks this dialect, or the one that it extends.
     #[must_use]
     pub fn speaks(&self, dialect: DialectName) -> bool {
-        self.dialects.contains(&dialect)
+        self.asked_in(dialect).is_some()
+    }
+
+    /// The dialect by whose name the engine is asked for programs of this one: by its own where the engine documents itself
+    /// to speak it. One that was defined is another name for what its base says the engine does, so an engine that has never
+    /// heard of it is asked by the base. `None` where it speaks neither.
+    #[must_use]
+    pub fn asked_in(&self, dialect: DialectName) -> Option<DialectName> {
+        let base = dialect.base().name();
+        [dialect, base]
+            .into_iter()
+            .find(|dialect| self.dialects.contains(dialect))
     }
 }
 
@@ -221,4 +232,27 @@ pub enum EngineError {
         /// Those that it names, in a list; `nothing` where it names none.
         spoken: String,
     },
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::{BuiltIn, Definition};
+
+    #[test]
+    fn who_does_not_know_a_defined_dialect_is_asked_by_its_base() {
+        let define = |name| DialectName::define(Definition::new(name, BuiltIn::Matiec, "here"));
+        let (known, unknown) = (define("announced").unwrap(), define("unheard-of").unwrap());
+        let identity = Identity {
+            name: "compiler".to_owned(),
+            version: String::new(),
+            dialects: vec![DialectName::Matiec, known],
+            abilities: Vec::new(),
+            grade: Grade::Code,
+        };
+        assert_eq!(identity.asked_in(known), Some(known));
+        assert_eq!(identity.asked_in(unknown), Some(DialectName::Matiec));
+        assert_eq!(identity.asked_in(DialectName::Matiec), Some(DialectName::Matiec));
+        assert!(!identity.speaks(DialectName::Plcnext));
+    }
 }

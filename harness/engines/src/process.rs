@@ -126,6 +126,7 @@ impl Engine for ProcessEngine {
         Ok(Box::new(ProcessSession::new(
             &self.command,
             &self.limits,
+            &self.identity,
             connection,
         )))
     }

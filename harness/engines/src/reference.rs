@@ -15,13 +15,17 @@ impl Reference {
     /// What the reference is called, in this process and in one of its own.
     pub const NAME: &str = "reference";
 
-    /// The reference under the name `reference`, with the version of this workspace.
+    /// The reference under the name `reference`, with the version of this workspace. It speaks the dialects that there are
+    /// now, those that were defined among them.
     #[must_use]
     pub fn new() -> Reference {
         let identity = Identity {
             name: Reference::NAME.to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            dialects: DialectName::ALL.to_vec(),
+            dialects: DialectName::ALL
+                .into_iter()
+                .chain(DialectName::defined())
+                .collect(),
             abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
             grade: Grade::Code,
         };

@@ -3,6 +3,7 @@
 //! Whatever is not said here is open. An overloaded name (`TO_INT`) is open whatever it is given, for no document of a
 //! dialect has it: the ForgeIEC page says that every conversion is `<SRC>_TO_<DST>`, and so does IronPLC's.
 
+mod stated;
 mod texts;
 
 use crate::choices::Choices;
@@ -10,7 +11,7 @@ use crate::real::{self, Real, Rounding, Whole};
 use crate::signature::{Operation, Signature};
 use crate::value::value;
 use crate::{bcd, integer, moment};
-use stickler_types::{DialectName, ElementaryType, Family, Value};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, Value};
 
 /// What a call gives.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -24,22 +25,48 @@ pub struct Expected {
 /// What a call of a conversion function must give in a dialect, and by which document.
 ///
 /// Takes a signature of [`crate::signatures`] and one operand for each of its types. Where no document says what the call
-/// gives, the basis is `None` and the value is that of stickler-design: §8. See [`value`] for operands that do not fit.
+/// gives, the basis is `None` and the value is that of stickler-design: §8. In a dialect that was defined, what the definition
+/// states goes before the documents of its base, and the basis is the definition's. See [`value`] for operands that do not fit.
 #[must_use]
 pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
+    let choices = Choices::of(dialect);
     let basis = match (&signature.operands[..], operands) {
+        (&[from], [operand]) if signature.takes(operands) => {
+            let call = Call {
+                signature,
+                from,
+                to: signature.result,
+                rules: Rules::of(dialect),
+            };
+            match dialect.definition() {
+                None => call.basis(operand),
+                Some(definition) => call.stated(operand, definition, &choices),
+            }
+        }
+        _ => None,
+    };
+    Expected {
+        value: value(signature, operands, &choices),
+        basis,
+    }
+}
+
+/// Whether something that the definition of a dialect states decides what a call gives: with another word in its place, the
+/// call would give something else. Never in a dialect that was not defined, and not where the operands do not fit.
+#[must_use]
+pub fn is_overridden(signature: &Signature, operands: &[Value], dialect: DialectName) -> bool {
+    let Some(definition) = dialect.definition() else {
+        return false;
+    };
+    match (&signature.operands[..], operands) {
         (&[from], [operand]) if signature.takes(operands) => Call {
             signature,
             from,
             to: signature.result,
             rules: Rules::of(dialect),
         }
-        .basis(operand),
-        _ => None,
-    };
-    Expected {
-        value: value(signature, operands, &Choices::of(dialect)),
-        basis,
+        .is_overridden(operand, definition, &Choices::of(dialect)),
+        _ => false,
     }
 }
 
@@ -62,10 +89,10 @@ enum Rules {
 
 impl Rules {
     const fn of(dialect: DialectName) -> Rules {
-        match dialect {
-            DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty => Rules::Ironplc,
-            DialectName::Matiec => Rules::Matiec,
-            DialectName::Plcnext => Rules::Plcnext,
+        match dialect.base() {
+            BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty => Rules::Ironplc,
+            BuiltIn::Matiec => Rules::Matiec,
+            BuiltIn::Plcnext => Rules::Plcnext,
         }
     }
 

@@ -1,12 +1,13 @@
 //! The catalogue of conversion functions: every name of a dialect with its signatures.
 //!
-//! It is written out once for each dialect, from pairs of types and a few patterns of names, and looked up afterwards.
+//! It is written out once for all dialects that have the same functions, from pairs of types and a few patterns of names, and looked up afterwards.
 
 use crate::pair;
 use crate::signature::{Operation, Signature};
 use std::collections::HashMap;
 use std::sync::LazyLock;
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::definition::Flag;
+use stickler_types::{BuiltIn, DialectName, ElementaryType};
 
 /// Every signature of a function in a dialect; none where the dialect has no conversion function of this name.
 ///
@@ -67,35 +68,68 @@ fn short_spelling(name: &str) -> String {
     name.replace("TIME_OF_DAY", "TOD").replace("DATE_AND_TIME", "DT")
 }
 
-/// The functions of one dialect.
+/// The functions of the dialects that have the same.
 struct Catalogue {
     names: Vec<String>,
     by_name: HashMap<String, Vec<Signature>>,
 }
 
-/// One for each dialect, in the order of the declaration.
-static CATALOGUES: LazyLock<[Catalogue; DialectName::ALL.len()]> =
-    LazyLock::new(|| DialectName::ALL.map(Catalogue::written_out));
+/// Each at the [index](Features::index) of its features.
+static CATALOGUES: [LazyLock<Catalogue>; 4] = [
+    LazyLock::new(|| Catalogue::written_out(Features::at(0))),
+    LazyLock::new(|| Catalogue::written_out(Features::at(1))),
+    LazyLock::new(|| Catalogue::written_out(Features::at(2))),
+    LazyLock::new(|| Catalogue::written_out(Features::at(3))),
+];
+
+/// What makes the functions of one dialect others than those of another.
+#[derive(Clone, Copy)]
+struct Features {
+    /// Bit 0: the types of the third edition.
+    third_edition: bool,
+    /// Bit 1: ROUND and its kin.
+    roundings: bool,
+}
+
+impl Features {
+    fn of(dialect: DialectName) -> Features {
+        Features {
+            third_edition: has_third_edition(dialect),
+            roundings: stated(dialect, Flag::RoundingFunctions).unwrap_or(dialect.base() != BuiltIn::Matiec),
+        }
+    }
+
+    const fn at(index: usize) -> Features {
+        Features {
+            third_edition: index & 1 != 0,
+            roundings: index & 2 != 0,
+        }
+    }
+
+    fn index(self) -> usize {
+        usize::from(self.third_edition) | usize::from(self.roundings) << 1
+    }
+}
 
 impl Catalogue {
     fn of(dialect: DialectName) -> &'static Catalogue {
-        &CATALOGUES[dialect as usize]
+        &CATALOGUES[Features::of(dialect).index()]
     }
 
-    fn written_out(dialect: DialectName) -> Catalogue {
+    fn written_out(features: Features) -> Catalogue {
         let mut catalogue = Catalogue {
             names: Vec::new(),
             by_name: HashMap::new(),
         };
         let types: Vec<ElementaryType> = ElementaryType::ALL
             .into_iter()
-            .filter(|ty| has_third_edition(dialect) || !ty.is_third_edition())
+            .filter(|ty| features.third_edition || !ty.is_third_edition())
             .collect();
         catalogue.add_pairs(&types);
         catalogue.add_truncations();
         catalogue.add_bcd();
         catalogue.add_concatenations(&types);
-        if dialect != DialectName::Matiec {
+        if features.roundings {
             catalogue.add_roundings();
         }
         catalogue
@@ -230,6 +264,12 @@ const REALS: [ElementaryType; 2] = [ElementaryType::Real, ElementaryType::Lreal]
 /// Whether a dialect has the types that the third edition added.
 ///
 /// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); stickler-design: §8.
-pub(crate) const fn has_third_edition(dialect: DialectName) -> bool {
-    !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec)
+pub(crate) fn has_third_edition(dialect: DialectName) -> bool {
+    stated(dialect, Flag::ThirdEditionTypes)
+        .unwrap_or(!matches!(dialect.base(), BuiltIn::IronplcEd2 | BuiltIn::Matiec))
+}
+
+/// What the definition of a dialect states, where it has one.
+fn stated(dialect: DialectName, flag: Flag) -> Option<bool> {
+    dialect.definition().and_then(|definition| definition.flag(flag))
 }

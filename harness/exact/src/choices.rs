@@ -1,6 +1,9 @@
 //! The points in which systems convert differently, and what each dialect chooses.
 
-use stickler_types::DialectName;
+use stickler_types::definition::{
+    BitStringTextWord, OutOfRangeWord, RealTextWord, RoundingWord, TextReadingWord,
+};
+use stickler_types::{BuiltIn, Definition, DialectName};
 
 /// Everything that a conversion depends on besides its types and its operand.
 ///
@@ -78,7 +81,15 @@ impl Choices {
     /// Basis: ironplc-type-conversions: Explicit Conversion Functions and forgeiec-conversion-functions: Range and precision
     /// (truncation); stickler-design: §8 for all that is open. The texts of `matiec` are measured (10 digits, `16#ff`).
     #[must_use]
-    pub const fn of(dialect: DialectName) -> Choices {
+    pub fn of(dialect: DialectName) -> Choices {
+        let base = Choices::of_base(dialect.base());
+        match dialect.definition() {
+            None => base,
+            Some(definition) => base.overridden(definition),
+        }
+    }
+
+    const fn of_base(base: BuiltIn) -> Choices {
         let ironplc = Choices {
             real_to_integer: RealToInteger::Truncate,
             outside: Outside::Wrap,
@@ -86,17 +97,53 @@ impl Choices {
             real_text: RealText::Shortest,
             bit_string_text: BitStringText::FullWidth,
         };
-        match dialect {
-            DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty => ironplc,
-            DialectName::Matiec => Choices {
+        match base {
+            BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty => ironplc,
+            BuiltIn::Matiec => Choices {
                 real_text: RealText::SignificantDigits(10),
                 bit_string_text: BitStringText::Shortest,
                 ..ironplc
             },
-            DialectName::Plcnext => Choices {
+            BuiltIn::Plcnext => Choices {
                 real_to_integer: RealToInteger::HalfToEven,
                 ..ironplc
             },
         }
+    }
+
+    /// These, with what a definition states in place of what they say.
+    fn overridden(mut self, definition: &Definition) -> Choices {
+        if let Some(stated) = &definition.rounding {
+            self.real_to_integer = match stated.value {
+                RoundingWord::Truncate => RealToInteger::Truncate,
+                RoundingWord::HalfToEven => RealToInteger::HalfToEven,
+                RoundingWord::HalfAwayFromZero => RealToInteger::HalfAwayFromZero,
+            };
+        }
+        if let Some(stated) = &definition.out_of_range {
+            self.outside = match stated.value {
+                OutOfRangeWord::Wrap => Outside::Wrap,
+                OutOfRangeWord::Saturate => Outside::Saturate,
+            };
+        }
+        if let Some(stated) = &definition.text_reading {
+            self.text_reading = match stated.value {
+                TextReadingWord::WholeText => TextReading::WholeText,
+                TextReadingWord::LeadingNumber => TextReading::LeadingNumber,
+            };
+        }
+        if let Some(stated) = &definition.real_text {
+            self.real_text = match stated.value {
+                RealTextWord::Shortest => RealText::Shortest,
+                RealTextWord::SignificantDigits(digits) => RealText::SignificantDigits(digits),
+            };
+        }
+        if let Some(stated) = &definition.bit_string_text {
+            self.bit_string_text = match stated.value {
+                BitStringTextWord::FullWidth => BitStringText::FullWidth,
+                BitStringTextWord::Shortest => BitStringText::Shortest,
+            };
+        }
+        self
     }
 }

@@ -6,7 +6,8 @@
 //! what the function `<FROM>_TO_<TO>` gives.
 
 use crate::catalogue::has_third_edition;
-use stickler_types::{DialectName, ElementaryType, Family};
+use stickler_types::definition::Cell;
+use stickler_types::{BuiltIn, DialectName, ElementaryType, Family};
 
 /// What documents say of a pair of types.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -21,7 +22,7 @@ pub enum Word {
 
 /// Whether a value of the type `from` stands where `to` is expected, in a dialect. A type stands for itself.
 ///
-/// Types that the dialect does not have convert to nothing, and nothing to them.
+/// Types that the dialect does not have convert to nothing, and nothing to them. What a definition states of a pair is so.
 ///
 /// Basis: ironplc-type-conversions: Implicit Type Widening, Cross-family widening; forgeiec-conversion-functions: matiec
 /// conformance; implicit-conversion-table: SEM1189 table; implicit-conversion-rules: ANY_DURATION, for TIME and LTIME, which are
@@ -34,12 +35,22 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
     if !has_third_edition(dialect) && (from.is_third_edition() || to.is_third_edition()) {
         return Word::No;
     }
-    match dialect {
-        DialectName::IronplcEd2 | DialectName::IronplcEd3 => ironplc(from, to),
-        DialectName::IronplcRusty if is_cross_family(from, to) => Word::Yes,
-        DialectName::IronplcRusty => ironplc(from, to),
-        DialectName::Matiec => Word::No,
-        DialectName::Plcnext => plcnext(from, to),
+    if let Some(cell) = dialect
+        .definition()
+        .and_then(|definition| definition.cell(from, to))
+    {
+        return match cell.value {
+            Cell::Yes => Word::Yes,
+            Cell::No => Word::No,
+            Cell::Open => Word::Open,
+        };
+    }
+    match dialect.base() {
+        BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 => ironplc(from, to),
+        BuiltIn::IronplcRusty if is_cross_family(from, to) => Word::Yes,
+        BuiltIn::IronplcRusty => ironplc(from, to),
+        BuiltIn::Matiec => Word::No,
+        BuiltIn::Plcnext => plcnext(from, to),
     }
 }
 

@@ -49,7 +49,7 @@ mod signature;
 mod text;
 mod value;
 
-pub use basis::{Expected, expected};
+pub use basis::{Expected, expected, is_overridden};
 pub use bulk::Bulk;
 pub use catalogue::{functions, signatures};
 pub use choices::{BitStringText, Choices, Outside, RealText, RealToInteger, TextReading};

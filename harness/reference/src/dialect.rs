@@ -1,7 +1,9 @@
 //! The one place where a dialect's name becomes behaviour.
 
 use crate::conversion::{BitStringText, ConversionChoices, RealText, Rounding};
-use stickler_types::{DialectName, ElementaryType};
+use std::collections::BTreeMap;
+use stickler_types::definition::{Cell, Flag};
+use stickler_types::{BuiltIn, Definition, DialectName, ElementaryType, Stated};
 
 /// The language rules of one documented system. Each field names a choice that the sources make differently
 /// (section 8 of the design, which names the basis of each); nothing else in this crate asks for a dialect's
@@ -12,6 +14,8 @@ pub struct Dialect {
     pub name: DialectName,
     /// Which pairs of elementary types convert implicitly.
     pub widening: Widening,
+    /// The pairs of which a definition says something else.
+    pub cells: Option<&'static Cells>,
     /// Bit string to strictly wider integer is implicit (`--allow-cross-family-widening`).
     pub cross_family_widening: bool,
     /// An untyped integer literal may stand for a REAL or LREAL.
@@ -34,6 +38,9 @@ pub struct Dialect {
     /// What conversion functions, and implicit conversions, do where systems differ.
     pub conversions: ConversionChoices,
 }
+
+/// What a definition states of pairs of types: of the value, and of the target.
+pub type Cells = BTreeMap<(ElementaryType, ElementaryType), Stated<Cell>>;
 
 /// Which pairs of elementary types convert implicitly.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -60,14 +67,43 @@ pub enum PartialAccess {
 impl Dialect {
     /// The rules of the dialect of this name.
     #[must_use]
-    pub const fn of(name: DialectName) -> Dialect {
-        match name {
-            DialectName::IronplcEd2 => Dialect::ironplc_ed2(),
-            DialectName::IronplcEd3 => Dialect::ironplc_ed3(),
-            DialectName::IronplcRusty => Dialect::ironplc_rusty(),
-            DialectName::Matiec => Dialect::matiec(),
-            DialectName::Plcnext => Dialect::plcnext(),
+    pub fn of(name: DialectName) -> Dialect {
+        let base = match name.base() {
+            BuiltIn::IronplcEd2 => Dialect::ironplc_ed2(),
+            BuiltIn::IronplcEd3 => Dialect::ironplc_ed3(),
+            BuiltIn::IronplcRusty => Dialect::ironplc_rusty(),
+            BuiltIn::Matiec => Dialect::matiec(),
+            BuiltIn::Plcnext => Dialect::plcnext(),
+        };
+        match name.definition() {
+            None => base,
+            Some(definition) => Dialect {
+                name,
+                ..base.overridden(definition)
+            },
         }
+    }
+
+    /// These rules, with what a definition states in place of what they say.
+    fn overridden(mut self, definition: &'static Definition) -> Dialect {
+        for (flag, stated) in &definition.flags {
+            let on = stated.value;
+            match flag {
+                Flag::CrossFamilyWidening => self.cross_family_widening = on,
+                Flag::PartialAccessSyntax if on => self.partial_access = PartialAccess::BitsOnly,
+                Flag::PartialAccessSyntax => self.partial_access = PartialAccess::Disabled,
+                Flag::BitAccess => self.bit_access = on,
+                Flag::IntegerLiteralAsReal => self.integer_literal_as_real = on,
+                Flag::IntegerLiteralAsBitString => self.integer_literal_as_bit_string = on,
+                Flag::LineComments => self.line_comments = on,
+                Flag::NestedComments => self.nested_comments = on,
+                Flag::ThirdEditionTypes => self.third_edition_types = on,
+                Flag::RoundingFunctions => self.only_standard_rounding = !on,
+            }
+        }
+        self.cells = Some(&definition.cells);
+        self.conversions = self.conversions.overridden(definition);
+        self
     }
 
     /// IronPLC with the second edition, its default.
@@ -78,6 +114,7 @@ impl Dialect {
         Dialect {
             name: DialectName::IronplcEd2,
             widening: Widening::Ironplc,
+            cells: None,
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: false,
@@ -133,6 +170,7 @@ impl Dialect {
         Dialect {
             name: DialectName::Matiec,
             widening: Widening::None,
+            cells: None,
             cross_family_widening: false,
             integer_literal_as_real: false,
             integer_literal_as_bit_string: true,
@@ -159,6 +197,7 @@ impl Dialect {
         Dialect {
             name: DialectName::Plcnext,
             widening: Widening::Plcnext,
+            cells: None,
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: true,
@@ -182,6 +221,8 @@ impl Dialect {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::conversion::Outside;
+    use stickler_types::definition::{OutOfRangeWord, RoundingWord};
 
     #[test]
     fn every_name_has_its_own_dialect() {
@@ -195,5 +236,59 @@ mod tests {
         let has = |name| Dialect::of(name).has(ElementaryType::Ltime);
         assert_eq!(DialectName::ALL.map(has), [false, true, true, false, true]);
         assert!(Dialect::ironplc_ed2().has(ElementaryType::Time));
+    }
+
+    #[test]
+    fn a_definition_overrides_its_base_and_nothing_else() {
+        fn stated<T>(value: T) -> Stated<T> {
+            Stated {
+                value,
+                basis: "mine: test".to_owned(),
+            }
+        }
+        let flags = Flag::ALL
+            .iter()
+            .map(|flag| (*flag, stated(*flag == Flag::LineComments)));
+        let pair = |from, to, cell| ((from, to), stated(cell));
+        let name = DialectName::define(Definition {
+            cells: BTreeMap::from([
+                pair(ElementaryType::Int, ElementaryType::Bool, Cell::Yes),
+                pair(ElementaryType::Sint, ElementaryType::Int, Cell::No),
+                pair(ElementaryType::Bool, ElementaryType::Int, Cell::Open),
+            ]),
+            flags: flags.collect(),
+            rounding: Some(stated(RoundingWord::HalfAwayFromZero)),
+            out_of_range: Some(stated(OutOfRangeWord::Saturate)),
+            ..Definition::new("reference-overrides", BuiltIn::IronplcEd3, "here")
+        })
+        .expect("the name is free");
+        let mine = Dialect::of(name);
+        assert!(
+            mine.line_comments && !mine.nested_comments && !mine.bit_access && mine.only_standard_rounding
+        );
+        assert!(!mine.integer_literal_as_real && !mine.third_edition_types);
+        assert_eq!(mine.partial_access, PartialAccess::Disabled);
+        assert_eq!(mine.conversions.real_to_integer, Rounding::HalfAwayFromZero);
+        assert_eq!(mine.conversions.outside, Outside::Saturate);
+        assert_eq!(mine.conversions.real_text, RealText::Shortest);
+        let accepts = |from: &str, into: &str, dialect| {
+            let text =
+                format!("PROGRAM main\nVAR\n a : {from};\n b : {into};\nEND_VAR\n b := a;\nEND_PROGRAM\n");
+            crate::check(&text, dialect).is_empty()
+        };
+        for (from, into, in_mine, in_base) in [
+            ("INT", "BOOL", true, false),
+            ("SINT", "INT", false, true),
+            ("BOOL", "INT", true, false),
+            ("INT", "DINT", true, true),
+            ("DINT", "INT", false, false),
+        ] {
+            assert_eq!(accepts(from, into, name), in_mine, "{from} to {into}");
+            assert_eq!(
+                accepts(from, into, DialectName::IronplcEd3),
+                in_base,
+                "{from} to {into}"
+            );
+        }
     }
 }

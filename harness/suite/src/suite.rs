@@ -5,7 +5,7 @@ use std::path::Path;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
-use stickler_types::DialectName;
+use stickler_types::{DefinedDialect, DialectName};
 
 use crate::assembly::TypeNames;
 use crate::error::Mistake;
@@ -240,15 +240,27 @@ fn duplicates(cases: &[Case], withdrawn: &[WithdrawnCase]) -> Vec<(usize, CaseFi
 }
 
 /// A set of dialects.
-#[derive(Clone, Copy, Debug, Default)]
-struct DialectSet(u32);
+#[derive(Clone, Debug, Default)]
+struct DialectSet {
+    /// A bit each for those of documented systems.
+    built_in: u32,
+    /// The others; there are few.
+    defined: Vec<DefinedDialect>,
+}
 
 impl DialectSet {
     /// Adds a dialect; false where it was there.
     fn insert(&mut self, dialect: DialectName) -> bool {
-        let bit = 1 << dialect as u32;
-        let is_new = self.0 & bit == 0;
-        self.0 |= bit;
+        if let DialectName::Defined(defined) = dialect {
+            let is_new = !self.defined.contains(&defined);
+            if is_new {
+                self.defined.push(defined);
+            }
+            return is_new;
+        }
+        let bit = 1 << dialect.base() as u32;
+        let is_new = self.built_in & bit == 0;
+        self.built_in |= bit;
         is_new
     }
 }

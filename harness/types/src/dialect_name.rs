@@ -1,9 +1,14 @@
 //! The names of the dialects; what a dialect means is the reference's affair.
 
+use crate::definition::{Definition, TakenName};
+use std::cmp::Ordering;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::str::FromStr;
+use std::sync::{PoisonError, RwLock};
 
-/// A named set of language rules, taken from one documented system.
+/// A named set of language rules: of one documented system, or of a dialect that was defined as another one with some rules
+/// overridden.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum DialectName {
     /// IronPLC as documented, with the second edition of the standard.
@@ -16,10 +21,41 @@ pub enum DialectName {
     Matiec,
     /// PLCnext Engineer, as the page and the table on its implicit conversions document it.
     Plcnext,
+    /// A dialect that was defined after this program was built; it goes by its [base](DialectName::base) wherever its
+    /// definition does not say otherwise.
+    Defined(DefinedDialect),
 }
 
+/// The dialects of documented systems, which every other one extends. Rules that no definition overrides are told apart by
+/// these.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum BuiltIn {
+    /// [`DialectName::IronplcEd2`].
+    IronplcEd2,
+    /// [`DialectName::IronplcEd3`].
+    IronplcEd3,
+    /// [`DialectName::IronplcRusty`].
+    IronplcRusty,
+    /// [`DialectName::Matiec`].
+    Matiec,
+    /// [`DialectName::Plcnext`].
+    Plcnext,
+}
+
+/// A dialect that was [defined](DialectName::define). Those that were defined earlier are less.
+#[derive(Clone, Copy)]
+pub struct DefinedDialect {
+    /// How many were defined before.
+    index: usize,
+    definition: &'static Definition,
+}
+
+/// The dialects that were defined, in their order. They live as long as the process: a name is copied into every case.
+static DEFINED: RwLock<Vec<DefinedDialect>> = RwLock::new(Vec::new());
+
 impl DialectName {
-    /// Every dialect, in the order of the declaration, which is the order in which reports name them.
+    /// Every dialect of a documented system, in the order of the declaration, which is the order in which reports name them.
+    /// Those that were [defined](DialectName::defined) are not among them.
     pub const ALL: [DialectName; 5] = [
         DialectName::IronplcEd2,
         DialectName::IronplcEd3,
@@ -36,7 +72,104 @@ impl DialectName {
             DialectName::IronplcRusty => "ironplc-rusty",
             DialectName::Matiec => "matiec",
             DialectName::Plcnext => "plcnext",
+            DialectName::Defined(defined) => defined.definition.name.as_str(),
         }
+    }
+
+    /// The dialect of a documented system that this one is, or goes by where its definition says nothing else.
+    pub const fn base(self) -> BuiltIn {
+        match self {
+            DialectName::IronplcEd2 => BuiltIn::IronplcEd2,
+            DialectName::IronplcEd3 => BuiltIn::IronplcEd3,
+            DialectName::IronplcRusty => BuiltIn::IronplcRusty,
+            DialectName::Matiec => BuiltIn::Matiec,
+            DialectName::Plcnext => BuiltIn::Plcnext,
+            DialectName::Defined(defined) => defined.definition.base,
+        }
+    }
+
+    /// What was said when the dialect was defined; `None` for one of a documented system.
+    pub const fn definition(self) -> Option<&'static Definition> {
+        match self {
+            DialectName::Defined(defined) => Some(defined.definition),
+            _ => None,
+        }
+    }
+
+    /// Defines a dialect, for as long as the process lives. What is defined again in the same way stays what it is.
+    ///
+    /// # Errors
+    /// [`TakenName`] where a dialect is called so already; names that differ in case only are taken for one.
+    pub fn define(definition: Definition) -> Result<DialectName, TakenName> {
+        let mut defined = DEFINED.write().unwrap_or_else(PoisonError::into_inner);
+        if let Some(same) = defined.iter().find(|other| *other.definition == definition) {
+            return Ok(DialectName::Defined(*same));
+        }
+        let others = defined.iter().map(|other| other.definition.name.as_str());
+        let built_in = DialectName::ALL.iter().map(|dialect| dialect.as_str());
+        if let Some(taken) = built_in
+            .chain(others)
+            .find(|name| name.eq_ignore_ascii_case(&definition.name))
+        {
+            return Err(TakenName(taken.to_owned()));
+        }
+        let dialect = DefinedDialect {
+            index: defined.len(),
+            definition: Box::leak(Box::new(definition)),
+        };
+        defined.push(dialect);
+        Ok(DialectName::Defined(dialect))
+    }
+
+    /// Every dialect that was defined, in the order of the definitions.
+    pub fn defined() -> Vec<DialectName> {
+        let defined = DEFINED.read().unwrap_or_else(PoisonError::into_inner);
+        defined.iter().copied().map(DialectName::Defined).collect()
+    }
+}
+
+impl BuiltIn {
+    /// The name of the dialect.
+    pub const fn name(self) -> DialectName {
+        match self {
+            BuiltIn::IronplcEd2 => DialectName::IronplcEd2,
+            BuiltIn::IronplcEd3 => DialectName::IronplcEd3,
+            BuiltIn::IronplcRusty => DialectName::IronplcRusty,
+            BuiltIn::Matiec => DialectName::Matiec,
+            BuiltIn::Plcnext => DialectName::Plcnext,
+        }
+    }
+}
+
+impl fmt::Debug for DefinedDialect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.definition.name)
+    }
+}
+
+impl PartialEq for DefinedDialect {
+    fn eq(&self, other: &DefinedDialect) -> bool {
+        self.index == other.index
+    }
+}
+
+impl Eq for DefinedDialect {}
+
+impl PartialOrd for DefinedDialect {
+    fn partial_cmp(&self, other: &DefinedDialect) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for DefinedDialect {
+    fn cmp(&self, other: &DefinedDialect) -> Ordering {
+        self.index.cmp(&other.index)
+    }
+}
+
+impl Hash for DefinedDialect {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.index.hash(state);
     }
 }
 
@@ -48,19 +181,34 @@ impl fmt::Display for DialectName {
 
 /// A text that names no [`DialectName`].
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
-#[error(
-    "unknown dialect `{0}`; the dialects are `ironplc-ed2`, `ironplc-ed3`, `ironplc-rusty`, `matiec` and `plcnext`"
-)]
+#[error("unknown dialect `{0}`; the dialects are {known}", known = known())]
 pub struct UnknownDialect(pub String);
+
+/// The names of the dialects, those that were defined among them, in words; of hundreds the first few.
+fn known() -> String {
+    const MOST: usize = 12;
+    let all = DialectName::ALL.into_iter().chain(DialectName::defined());
+    let mut names: Vec<String> = all.map(|dialect| format!("`{dialect}`")).collect();
+    let last = match names.len().checked_sub(MOST) {
+        Some(more) if more > 0 => {
+            names.truncate(MOST);
+            format!("{more} more")
+        }
+        _ => names.pop().unwrap_or_default(),
+    };
+    format!("{} and {last}", names.join(", "))
+}
 
 impl FromStr for DialectName {
     type Err = UnknownDialect;
 
     /// Reads exactly what [`DialectName::as_str`] gives.
     fn from_str(text: &str) -> Result<DialectName, UnknownDialect> {
+        let named = |dialect: &DialectName| dialect.as_str() == text;
         DialectName::ALL
             .into_iter()
-            .find(|dialect| dialect.as_str() == text)
+            .find(named)
+            .or_else(|| DialectName::defined().into_iter().find(named))
             .ok_or_else(|| UnknownDialect(text.to_owned()))
     }
 }
@@ -73,6 +221,8 @@ mod tests {
     fn every_dialect_is_read_back_from_its_name() {
         for dialect in DialectName::ALL {
             assert_eq!(dialect.to_string().parse(), Ok(dialect));
+            assert_eq!(dialect.base().name(), dialect);
+            assert_eq!(dialect.definition(), None);
         }
     }
 
@@ -86,5 +236,24 @@ mod tests {
                 "{message} does not name {dialect}"
             );
         }
+    }
+
+    #[test]
+    fn a_dialect_that_was_defined_is_read_back_and_goes_by_its_base() {
+        let define = |name| DialectName::define(Definition::new(name, BuiltIn::Matiec, "here"));
+        let (first, second) = (define("first-of-two").unwrap(), define("second-of-two").unwrap());
+        assert_eq!("first-of-two".parse(), Ok(first));
+        assert_eq!(second.to_string(), "second-of-two");
+        assert_eq!(first.base(), BuiltIn::Matiec);
+        assert!(DialectName::Plcnext < first && first < second);
+        assert!(DialectName::defined().contains(&first) && !DialectName::ALL.contains(&first));
+        let message = "third-of-two".parse::<DialectName>().unwrap_err().to_string();
+        assert!(message.contains("`first-of-two`"), "{message}");
+        assert_eq!(define("first-of-two"), Ok(first));
+        for taken in ["First-Of-Two", "matiec", "MATIEC"] {
+            assert!(define(taken).is_err(), "{taken}");
+        }
+        let otherwise = Definition::new("first-of-two", BuiltIn::Plcnext, "there");
+        assert!(DialectName::define(otherwise).is_err());
     }
 }

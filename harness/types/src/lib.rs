@@ -5,6 +5,7 @@
 //! gives. It knows neither the syntax of Structured Text beyond single literals, nor cases.
 
 pub mod code;
+pub mod definition;
 pub mod dialect_name;
 pub mod elementary;
 pub mod fault;
@@ -12,7 +13,8 @@ pub mod literal;
 pub mod value;
 
 pub use code::{Code, UnknownCode};
-pub use dialect_name::{DialectName, UnknownDialect};
+pub use definition::{Definition, Stated};
+pub use dialect_name::{BuiltIn, DefinedDialect, DialectName, UnknownDialect};
 pub use elementary::{ElementaryType, Family};
 pub use fault::{Fault, UnknownFault};
 pub use literal::LiteralError;

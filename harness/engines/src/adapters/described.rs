@@ -170,8 +170,7 @@ impl Engine for DescribedEngine {
     /// Its commands as its table has them, one after the other.
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         let description = &self.description;
-        let mut dialects = description.dialects.iter();
-        let (_, word) = dialects.find(|(name, _)| name.0 == dialect)?;
+        let word = self.word(dialect)?;
         let run = description.run.as_ref();
         let first = match run {
             Some(_) => description.compile.as_ref(),
@@ -195,6 +194,17 @@ impl Engine for DescribedEngine {
         commands
             .collect::<Option<Vec<String>>>()
             .map(|commands| commands.join(" && "))
+    }
+}
+
+impl DescribedEngine {
+    /// The compiler's own word for a dialect; `None` where it does not speak it.
+    fn word(&self, dialect: DialectName) -> Option<&str> {
+        let asked_in = self.identity.asked_in(dialect)?;
+        let mut dialects = self.description.dialects.iter();
+        dialects
+            .find(|(name, _)| name.0 == asked_in)
+            .map(|(_, word)| word.as_str())
     }
 }
 
@@ -318,9 +328,10 @@ impl DescribedSession<'_> {
     }
 
     fn call(&self, dialect: DialectName) -> Result<Call<'_>, Outcome> {
-        let dialects = &self.engine.description.dialects;
-        let found = dialects.iter().find(|(name, _)| name.0 == dialect);
-        let (_, word) = found.ok_or_else(|| unsupported(&format!("it does not speak {dialect}")))?;
+        let word = self
+            .engine
+            .word(dialect)
+            .ok_or_else(|| unsupported(&format!("it does not speak {dialect}")))?;
         Ok(Call {
             engine: self.engine,
             folder: &self.folder,

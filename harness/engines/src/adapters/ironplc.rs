@@ -17,7 +17,7 @@ use crate::{Ability, Engine, EngineError, Grade, Identity, NamedValue, Outcome, 
 use dump::Dump;
 use sight::{Blind, Experienced, Sights};
 use std::path::{Path, PathBuf};
-use stickler_types::{DialectName, Fault};
+use stickler_types::{BuiltIn, DialectName, Fault};
 
 const COMPILER: Place = Place {
     key: "ironplcc",
@@ -114,11 +114,11 @@ impl Session for IronplcSession<'_> {
 
 /// The compiler's name of a dialect.
 fn dialect_name(dialect: DialectName) -> Result<&'static str, Outcome> {
-    match dialect {
-        DialectName::IronplcEd2 => Ok("iec61131-3-ed2"),
-        DialectName::IronplcEd3 => Ok("iec61131-3-ed3"),
-        DialectName::IronplcRusty => Ok("rusty"),
-        DialectName::Matiec | DialectName::Plcnext => Err(Outcome::Unsupported {
+    match dialect.base() {
+        BuiltIn::IronplcEd2 => Ok("iec61131-3-ed2"),
+        BuiltIn::IronplcEd3 => Ok("iec61131-3-ed3"),
+        BuiltIn::IronplcRusty => Ok("rusty"),
+        BuiltIn::Matiec | BuiltIn::Plcnext => Err(Outcome::Unsupported {
             reason: format!("it does not speak {dialect}"),
         }),
     }

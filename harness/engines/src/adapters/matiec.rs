@@ -21,7 +21,7 @@ use driver::{Subject, driver};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
-use stickler_types::DialectName;
+use stickler_types::{BuiltIn, DialectName};
 
 /// The configuration without which no C is written. It stands behind the program and moves no line of it.
 fn configuration(program: &str) -> String {
@@ -134,7 +134,7 @@ impl Engine for Matiec {
 
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         // Its library is elsewhere on every machine.
-        (dialect == DialectName::Matiec).then(|| format!("iec2c -i -I lib -T . {file}"))
+        (dialect.base() == BuiltIn::Matiec).then(|| format!("iec2c -i -I lib -T . {file}"))
     }
 }
 
@@ -168,8 +168,8 @@ impl Session for MatiecSession<'_> {
 }
 
 fn speaks(dialect: DialectName) -> Result<(), Outcome> {
-    match dialect {
-        DialectName::Matiec => Ok(()),
+    match dialect.base() {
+        BuiltIn::Matiec => Ok(()),
         _ => Err(Outcome::Unsupported {
             reason: format!("it does not speak {dialect}"),
         }),

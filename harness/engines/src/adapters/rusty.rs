@@ -19,7 +19,7 @@ use crate::{Ability, Diagnostic, Engine, EngineError, Grade, Identity, Outcome, 
 use driver::{HEADER, driver, instrumented};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use stickler_types::{Code, DialectName};
+use stickler_types::{BuiltIn, Code, DialectName};
 
 const COMPILER: Place = Place {
     key: "plc",
@@ -157,8 +157,8 @@ fn unsupported(reason: &str) -> Outcome {
 }
 
 fn speaks(dialect: DialectName) -> Result<(), Outcome> {
-    match dialect {
-        DialectName::IronplcRusty => Ok(()),
+    match dialect.base() {
+        BuiltIn::IronplcRusty => Ok(()),
         _ => Err(unsupported(&format!("it does not speak {dialect}"))),
     }
 }

@@ -6,13 +6,14 @@ use super::connection::{Connection, Failure};
 use super::greeting::{too_much, with_words};
 use super::message::{self, Verb};
 use crate::protocol::Request;
-use crate::{Observation, Outcome, RunRequest, Session};
+use crate::{Identity, Observation, Outcome, RunRequest, Session};
 use stickler_types::DialectName;
 
 /// A session: a process that lives as long as it answers.
 pub(super) struct ProcessSession<'e> {
     command: &'e CommandLine,
     limits: &'e ProcessLimits,
+    identity: &'e Identity,
     /// `None` after a failure, until the next request.
     connection: Option<Connection>,
     /// The id of the last request.
@@ -24,14 +25,21 @@ impl<'e> ProcessSession<'e> {
     pub(super) fn new(
         command: &'e CommandLine,
         limits: &'e ProcessLimits,
+        identity: &'e Identity,
         connection: Connection,
     ) -> ProcessSession<'e> {
         ProcessSession {
             command,
             limits,
+            identity,
             connection: Some(connection),
             id: 0,
         }
+    }
+
+    /// The name by which the process knows the dialect; one that it does not know, it is told all the same, to say so.
+    fn asked_in(&self, dialect: DialectName) -> DialectName {
+        self.identity.asked_in(dialect).unwrap_or(dialect)
     }
 
     fn next_id(&mut self) -> u64 {
@@ -83,16 +91,22 @@ impl<'e> ProcessSession<'e> {
 
 impl Session for ProcessSession<'_> {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        let request = &RunRequest {
+            dialect: self.asked_in(request.dialect),
+            ..*request
+        };
         let message = message::run(self.next_id(), request);
         self.ask(&message, Verb::Run, request.observe)
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        let dialect = self.asked_in(dialect);
         let message = Request::Check(message::program(self.next_id(), dialect, source));
         self.ask(&message, Verb::Check, &[])
     }
 
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        let dialect = self.asked_in(dialect);
         let message = Request::Render(message::program(self.next_id(), dialect, source));
         self.ask(&message, Verb::Render, &[])
     }

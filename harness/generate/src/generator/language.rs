@@ -5,7 +5,7 @@ use super::literals;
 use crate::dialect::{has_bits, has_third_edition};
 use std::sync::LazyLock;
 use stickler_exact::{Signature, Word, expected, functions, implicit, signatures};
-use stickler_types::{DialectName, ElementaryType, Family};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, Family};
 
 /// How much of what a conversion gives is said by documents.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -50,7 +50,7 @@ static LANGUAGES: [LazyLock<Language>; DialectName::ALL.len()] = [
 
 impl Language {
     pub fn of(dialect: DialectName) -> &'static Language {
-        &LANGUAGES[dialect as usize]
+        &LANGUAGES[dialect.base() as usize]
     }
 
     /// The types that become `into` without a call.
@@ -81,9 +81,9 @@ impl Language {
     /// Basis: iec-61131-3: 6.6.1 (formal calls); ironplc-problem-codes: P4018 speaks of the number of arguments and makes no
     /// difference for calls by names, and its compiler refuses them, so that it is open there.
     pub fn leaves_inputs_out(&self, open: bool) -> bool {
-        match self.dialect {
-            DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty => open,
-            DialectName::Matiec | DialectName::Plcnext => true,
+        match self.dialect.base() {
+            BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty => open,
+            BuiltIn::Matiec | BuiltIn::Plcnext => true,
         }
     }
 

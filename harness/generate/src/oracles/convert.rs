@@ -37,7 +37,7 @@ pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
 
 fn call(input: &mut Unstructured<'_>) -> arbitrary::Result<(DialectName, &'static Signature, Vec<Value>)> {
     let dialect = *input.choose(&DialectName::ALL)?;
-    let signature = input.choose(&CONVERSIONS[dialect as usize])?;
+    let signature = input.choose(&CONVERSIONS[dialect.base() as usize])?;
     let operands = signature.operands.iter().map(|ty| operand(*ty, input));
     Ok((dialect, signature, operands.collect::<arbitrary::Result<_>>()?))
 }
@@ -139,7 +139,7 @@ mod tests {
     #[test]
     fn every_conversion_of_every_dialect_can_be_called() {
         for dialect in DialectName::ALL {
-            for signature in &CONVERSIONS[dialect as usize] {
+            for signature in &CONVERSIONS[dialect.base() as usize] {
                 let zeros = signature
                     .operands
                     .iter()

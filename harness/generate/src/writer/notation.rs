@@ -2,7 +2,7 @@
 
 use super::sheet::Sheet;
 use crate::model::LiteralForm;
-use stickler_types::{DialectName, ElementaryType, Family, Value};
+use stickler_types::{BuiltIn, ElementaryType, Family, Value};
 
 impl Sheet<'_> {
     /// A literal behind its prefix in another notation; nothing where there is none but the canonical one.
@@ -51,8 +51,8 @@ impl Sheet<'_> {
     /// Basis: ironplc-type-conversions: Integer and Real Types ("bare integer literals"); no in matiec, open in PLCnext.
     const fn takes_whole_reals(&self) -> bool {
         matches!(
-            self.program.dialect,
-            DialectName::IronplcEd2 | DialectName::IronplcEd3 | DialectName::IronplcRusty
+            self.program.dialect.base(),
+            BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty
         )
     }
 }

@@ -1,6 +1,11 @@
 //! The choices in which conversion functions of documented systems differ. A dialect is made of one of each;
 //! which rules ask for which choice is said at [`super::ConversionRule`].
 
+use stickler_types::Definition;
+use stickler_types::definition::{
+    BitStringTextWord, OutOfRangeWord, RealTextWord, RoundingWord, TextReadingWord,
+};
+
 /// How a real number becomes an integer.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Rounding {
@@ -93,6 +98,52 @@ impl ConversionChoices {
         ConversionChoices {
             real_to_integer,
             ..self
+        }
+    }
+
+    /// The same choices, but for those that a definition makes otherwise.
+    #[must_use]
+    pub fn overridden(self, definition: &Definition) -> ConversionChoices {
+        let Definition {
+            rounding,
+            out_of_range,
+            text_reading,
+            real_text,
+            bit_string_text,
+            ..
+        } = definition;
+        ConversionChoices {
+            real_to_integer: rounding
+                .as_ref()
+                .map_or(self.real_to_integer, |stated| match stated.value {
+                    RoundingWord::Truncate => Rounding::TowardZero,
+                    RoundingWord::HalfToEven => Rounding::HalfToEven,
+                    RoundingWord::HalfAwayFromZero => Rounding::HalfAwayFromZero,
+                }),
+            outside: out_of_range
+                .as_ref()
+                .map_or(self.outside, |stated| match stated.value {
+                    OutOfRangeWord::Wrap => Outside::Wrap,
+                    OutOfRangeWord::Saturate => Outside::Saturate,
+                }),
+            text_reading: text_reading
+                .as_ref()
+                .map_or(self.text_reading, |stated| match stated.value {
+                    TextReadingWord::WholeText => TextReading::WholeText,
+                    TextReadingWord::LeadingNumber => TextReading::LeadingNumber,
+                }),
+            real_text: real_text
+                .as_ref()
+                .map_or(self.real_text, |stated| match stated.value {
+                    RealTextWord::Shortest => RealText::Shortest,
+                    RealTextWord::SignificantDigits(digits) => RealText::SignificantDigits(digits),
+                }),
+            bit_string_text: bit_string_text.as_ref().map_or(self.bit_string_text, |stated| {
+                match stated.value {
+                    BitStringTextWord::FullWidth => BitStringText::FullWidth,
+                    BitStringTextWord::Shortest => BitStringText::Shortest,
+                }
+            }),
         }
     }
 }

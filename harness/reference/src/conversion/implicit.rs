@@ -3,6 +3,7 @@
 use super::{Conversion, ConversionRule};
 use crate::dialect::{Dialect, Widening};
 use stickler_types::ElementaryType;
+use stickler_types::definition::Cell;
 
 /// Whether a value of one elementary type may stand where another is expected, and what becomes of it: the
 /// one place that decides. Takes the two types and the dialect; gives the conversion to perform, the identity
@@ -12,12 +13,16 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
     if from == to {
         return Some(Conversion::identity(from));
     }
-    let widens = match dialect.widening {
-        Widening::None => false,
-        Widening::Ironplc => {
-            ironplc(from, to) || (dialect.cross_family_widening && bit_string_fits_integer(from, to))
-        }
-        Widening::Plcnext => plcnext(from, to),
+    let widens = match dialect.cells.and_then(|cells| cells.get(&(from, to))) {
+        // Where acceptance is open, the reference accepts.
+        Some(cell) => cell.value != Cell::No,
+        None => match dialect.widening {
+            Widening::None => false,
+            Widening::Ironplc => {
+                ironplc(from, to) || (dialect.cross_family_widening && bit_string_fits_integer(from, to))
+            }
+            Widening::Plcnext => plcnext(from, to),
+        },
     };
     if !widens {
         return None;

@@ -1,0 +1,256 @@
+//! What the definition of a dialect states of a call, in place of what the documents of its base say.
+//!
+//! A choice *decides* a call if another choice in its place would give another value. Where nothing that the definition
+//! states decides, the documents say what they say. Where something does, the call is as the definition states, provided that
+//! somebody states every choice that decides it: REAL#127.5 to SINT with `rounding = "half-to-even"` is 128, which is outside,
+//! and what becomes of it neither IronPLC nor such a definition says.
+
+use super::{Call, Rules};
+use crate::choices::{BitStringText, Choices, Outside, RealText, RealToInteger, TextReading};
+use crate::signature::Operation;
+use crate::value::value;
+use stickler_types::{Definition, ElementaryType, Family, Value};
+
+/// A choice that a definition may make.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Key {
+    Rounding,
+    OutOfRange,
+    TextReading,
+    RealText,
+    BitStringText,
+}
+
+const KEYS: [Key; 5] = [
+    Key::Rounding,
+    Key::OutOfRange,
+    Key::TextReading,
+    Key::RealText,
+    Key::BitStringText,
+];
+
+impl Call<'_> {
+    /// The basis of the call in a dialect with this definition and these choices, which are its own.
+    pub(super) fn stated(
+        self,
+        operand: &Value,
+        definition: &'static Definition,
+        choices: &Choices,
+    ) -> Option<&'static str> {
+        let decides = |key: &Key| self.is_decided_by(*key, operand, choices);
+        let (stated, left): (Vec<Key>, Vec<Key>) = KEYS
+            .into_iter()
+            .filter(decides)
+            .partition(|key| key.stated_by(definition).is_some());
+        let Some(first) = stated.first() else {
+            return self.basis(operand);
+        };
+        let is_said =
+            stated.iter().all(|key| self.speaks(*key)) && left.iter().all(|key| self.documents(*key));
+        first.stated_by(definition).filter(|_| is_said)
+    }
+
+    /// Whether something that the definition states decides what the call gives.
+    pub(super) fn is_overridden(
+        self,
+        operand: &Value,
+        definition: &'static Definition,
+        choices: &Choices,
+    ) -> bool {
+        KEYS.into_iter()
+            .any(|key| key.stated_by(definition).is_some() && self.is_decided_by(key, operand, choices))
+    }
+
+    /// Whether another choice would give another value.
+    fn is_decided_by(self, key: Key, operand: &Value, choices: &Choices) -> bool {
+        let operands = std::slice::from_ref(operand);
+        let own = value(self.signature, operands, choices);
+        key.others(*choices)
+            .iter()
+            .any(|other| value(self.signature, operands, other) != own)
+    }
+
+    /// Whether a definition that makes this choice says something about the function: it speaks of `<SRC>_TO_<DST>`, and of what
+    /// its base's documents know. Whether a bit string gets the bits of a real or its number is another question.
+    fn speaks(self, key: Key) -> bool {
+        let is_pair =
+            self.signature.operation == Operation::Convert && !self.signature.function.starts_with("TO_");
+        let (from, to) = (self.from, self.to);
+        match key {
+            Key::Rounding => is_pair && from.is_real() && to.is_integer(),
+            Key::OutOfRange => {
+                from.is_real() && to.is_integer() && (is_pair || self.basis(&one(from)).is_some())
+            }
+            Key::TextReading => {
+                is_pair
+                    && from.family() == Family::Text
+                    && (to.is_integer() || to.is_bit_string() || to.is_real())
+            }
+            Key::RealText => is_pair && from.is_real() && to.family() == Family::Text,
+            Key::BitStringText => is_pair && from.is_bit_string() && to.family() == Family::Text,
+        }
+    }
+
+    /// Whether the documents of the base make this choice.
+    fn documents(self, key: Key) -> bool {
+        match key {
+            Key::Rounding => self.rules != Rules::Plcnext,
+            Key::OutOfRange => self.rules == Rules::Matiec,
+            Key::TextReading | Key::RealText | Key::BitStringText => false,
+        }
+    }
+}
+
+/// The number 1 of a real type.
+fn one(ty: ElementaryType) -> Value {
+    let bits = match ty {
+        ElementaryType::Real => u64::from(1.0_f32.to_bits()),
+        _ => 1.0_f64.to_bits(),
+    };
+    Value::plain(ty, bits)
+}
+
+impl Key {
+    /// The basis of what a definition states, if it makes this choice.
+    fn stated_by(self, definition: &'static Definition) -> Option<&'static str> {
+        match self {
+            Key::Rounding => definition.rounding.as_ref().map(|stated| &*stated.basis),
+            Key::OutOfRange => definition.out_of_range.as_ref().map(|stated| &*stated.basis),
+            Key::TextReading => definition.text_reading.as_ref().map(|stated| &*stated.basis),
+            Key::RealText => definition.real_text.as_ref().map(|stated| &*stated.basis),
+            Key::BitStringText => definition.bit_string_text.as_ref().map(|stated| &*stated.basis),
+        }
+    }
+
+    /// These choices with each of the others in the place of this one. Of the numbers of digits a few stand for all.
+    fn others(self, choices: Choices) -> Vec<Choices> {
+        let all: Vec<Choices> = match self {
+            Key::Rounding => [
+                RealToInteger::Truncate,
+                RealToInteger::HalfToEven,
+                RealToInteger::HalfAwayFromZero,
+            ]
+            .map(|real_to_integer| Choices {
+                real_to_integer,
+                ..choices
+            })
+            .to_vec(),
+            Key::OutOfRange => [Outside::Wrap, Outside::Saturate]
+                .map(|outside| Choices { outside, ..choices })
+                .to_vec(),
+            Key::TextReading => [TextReading::WholeText, TextReading::LeadingNumber]
+                .map(|text_reading| Choices {
+                    text_reading,
+                    ..choices
+                })
+                .to_vec(),
+            Key::RealText => [
+                RealText::Shortest,
+                RealText::SignificantDigits(1),
+                RealText::SignificantDigits(6),
+                RealText::SignificantDigits(17),
+            ]
+            .map(|real_text| Choices { real_text, ..choices })
+            .to_vec(),
+            Key::BitStringText => [BitStringText::FullWidth, BitStringText::Shortest]
+                .map(|bit_string_text| Choices {
+                    bit_string_text,
+                    ..choices
+                })
+                .to_vec(),
+        };
+        all.into_iter().filter(|other| *other != choices).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{expected, signatures};
+    use stickler_types::definition::{OutOfRangeWord, RoundingWord, TextReadingWord};
+    use stickler_types::{BuiltIn, Definition, DialectName, Stated, Value};
+
+    fn stated<T>(value: T, basis: &str) -> Option<Stated<T>> {
+        Some(Stated {
+            value,
+            basis: basis.to_owned(),
+        })
+    }
+
+    fn gives(function: &str, operand: &str, dialect: DialectName) -> (String, Option<&'static str>) {
+        let operand = Value::parse(operand).unwrap();
+        let signatures = signatures(function, dialect);
+        let signature = signatures
+            .iter()
+            .find(|signature| signature.takes(std::slice::from_ref(&operand)))
+            .unwrap();
+        let expected = expected(signature, &[operand], dialect);
+        (expected.value.to_string(), expected.basis)
+    }
+
+    #[test]
+    fn what_is_stated_is_expected_where_it_decides() {
+        let dialect = DialectName::define(Definition {
+            rounding: stated(RoundingWord::HalfToEven, "rounds: rounding"),
+            ..Definition::new("rounds", BuiltIn::IronplcEd3, "here")
+        })
+        .unwrap();
+        let rounding = Some("rounds: rounding");
+        let documented = Some("ironplc-type-conversions: Explicit Conversion Functions");
+        for (function, operand, value, basis) in [
+            ("REAL_TO_INT", "REAL#2.5", "INT#2", rounding),
+            ("REAL_TO_INT", "REAL#3.5", "INT#4", rounding),
+            ("REAL_TO_INT", "REAL#-2.75", "INT#-3", rounding),
+            ("REAL_TO_INT", "REAL#3.0", "INT#3", documented),
+            // What becomes of 128 nobody says.
+            ("REAL_TO_SINT", "REAL#127.5", "SINT#-128", None),
+            ("REAL_TO_SINT", "REAL#300.0", "SINT#44", None),
+            // No definition speaks of functions that no document has, nor of the bits of a real.
+            ("TO_INT", "REAL#3.5", "INT#4", None),
+            ("REAL_TO_WORD", "REAL#3.5", "WORD#16#0004", None),
+            (
+                "TRUNC",
+                "REAL#3.5",
+                "DINT#3",
+                Some("ironplc-type-conversions: Explicit Conversion Functions"),
+            ),
+        ] {
+            let (got, said) = gives(function, operand, dialect);
+            let said = match function {
+                // Which document has it is not the point here.
+                "TRUNC" => said.and(documented),
+                _ => said,
+            };
+            assert_eq!((got.as_str(), said), (value, basis), "{function}({operand})");
+        }
+    }
+
+    #[test]
+    fn what_is_stated_settles_what_documents_leave_open() {
+        let dialect = DialectName::define(Definition {
+            out_of_range: stated(OutOfRangeWord::Saturate, "saturates: out-of-range"),
+            text_reading: stated(TextReadingWord::LeadingNumber, "saturates: text-reading"),
+            ..Definition::new("saturates", BuiltIn::IronplcEd3, "here")
+        })
+        .unwrap();
+        let (outside, text) = (Some("saturates: out-of-range"), Some("saturates: text-reading"));
+        for (function, operand, value, basis) in [
+            ("REAL_TO_SINT", "REAL#300.0", "SINT#127", outside),
+            ("REAL_TO_SINT", "REAL#-1.0E30", "SINT#-128", outside),
+            ("TRUNC", "REAL#1.0E30", "DINT#2147483647", outside),
+            ("TO_SINT", "REAL#300.0", "SINT#127", None),
+            ("STRING_TO_INT", "STRING#'12abc'", "INT#12", text),
+            ("STRING_TO_INT", "STRING#'12'", "INT#12", None),
+        ] {
+            assert_eq!(
+                gives(function, operand, dialect),
+                (value.to_owned(), basis),
+                "{function}({operand})"
+            );
+        }
+        // NaN is 0 whatever is chosen, so nothing is stated of it.
+        assert_eq!(
+            gives("REAL_TO_SINT", "REAL#NaN", dialect),
+            ("SINT#0".to_owned(), None)
+        );
+    }
+}

@@ -1,0 +1,217 @@
+//! What a definition of a dialect may override of the one that it extends, and in which words.
+//!
+//! These are the words of `stickler.toml`. What they mean is said where the rules are: by the reference on its side, and by exact
+//! arithmetic on the other, each for itself.
+
+use crate::{BuiltIn, ElementaryType};
+use std::collections::BTreeMap;
+
+/// A dialect that is another one with some rules overridden.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Definition {
+    /// Its name.
+    pub name: String,
+    /// The dialect by which it goes wherever it says nothing else.
+    pub base: BuiltIn,
+    /// What it is, for people.
+    pub about: Option<String>,
+    /// Where it is defined, such as `stickler.toml:3`.
+    pub place: String,
+    /// Which pairs of types, of the value and of the target, convert implicitly, and which do not.
+    pub cells: BTreeMap<(ElementaryType, ElementaryType), Stated<Cell>>,
+    /// What the language has and has not.
+    pub flags: BTreeMap<Flag, Stated<bool>>,
+    /// How an integer is made of a real number.
+    pub rounding: Option<Stated<RoundingWord>>,
+    /// What becomes of a real number that lies outside the integer.
+    pub out_of_range: Option<Stated<OutOfRangeWord>>,
+    /// How much of a text must be a number.
+    pub text_reading: Option<Stated<TextReadingWord>>,
+    /// Which digits a real number has as text.
+    pub real_text: Option<Stated<RealTextWord>>,
+    /// How a bit string is written as text.
+    pub bit_string_text: Option<Stated<BitStringTextWord>>,
+}
+
+/// Something that a definition states.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Stated<T> {
+    /// What.
+    pub value: T,
+    /// The basis of an expectation that follows from it, as cases write one: `mine: rounding (stickler.toml:9)`.
+    pub basis: String,
+}
+
+/// A name under which no dialect can be defined, because another is called so.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error("there is a dialect `{0}` already")]
+pub struct TakenName(pub String);
+
+impl Definition {
+    /// A dialect that overrides nothing.
+    pub fn new(name: &str, base: BuiltIn, place: &str) -> Definition {
+        Definition {
+            name: name.to_owned(),
+            base,
+            about: None,
+            place: place.to_owned(),
+            cells: BTreeMap::new(),
+            flags: BTreeMap::new(),
+            rounding: None,
+            out_of_range: None,
+            text_reading: None,
+            real_text: None,
+            bit_string_text: None,
+        }
+    }
+
+    /// Whether it states this of what the language has; `None` where it says nothing.
+    pub fn flag(&self, flag: Flag) -> Option<bool> {
+        self.flags.get(&flag).map(|stated| stated.value)
+    }
+
+    /// What it states of a pair of types; `None` where it says nothing.
+    pub fn cell(&self, from: ElementaryType, to: ElementaryType) -> Option<&Stated<Cell>> {
+        self.cells.get(&(from, to))
+    }
+}
+
+/// Declares words that have a spelling of their own.
+macro_rules! words {
+    ($(#[$about:meta])* $name:ident { $($(#[$said:meta])* $word:ident = $text:literal,)* }) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        pub enum $name {
+            $($(#[$said])* $word,)*
+        }
+
+        impl $name {
+            /// Every one of them, in the order of the declaration.
+            pub const ALL: &'static [$name] = &[$($name::$word),*];
+
+            /// How it is written.
+            pub const fn as_str(self) -> &'static str {
+                match self {
+                    $($name::$word => $text,)*
+                }
+            }
+
+            /// The one that is written so.
+            #[must_use]
+            pub fn from_word(word: &str) -> Option<$name> {
+                $name::ALL.iter().copied().find(|known| known.as_str() == word)
+            }
+        }
+    };
+}
+
+words! {
+    /// What is stated of a pair of types, in the words of a matrix.
+    Cell {
+        /// A value of the one type stands wherever the other is expected, and becomes what the conversion function
+        /// `<FROM>_TO_<TO>` gives.
+        Yes = "yes",
+        /// That is an error.
+        No = "no",
+        /// Nobody says.
+        Open = "open",
+    }
+}
+
+words! {
+    /// What a language has or has not, under the names of options where the documents name one.
+    Flag {
+        /// A bit string converts implicitly to every strictly wider integer, or to none.
+        /// Basis: ironplc-type-conversions: Cross-family widening.
+        CrossFamilyWidening = "allow-cross-family-widening",
+        /// `.%Xn` selects a bit, and its wider forms are not supported; or every form is P4033.
+        /// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax.
+        PartialAccessSyntax = "allow-partial-access-syntax",
+        /// `.n` selects a bit.
+        BitAccess = "bit-access",
+        /// An untyped integer literal may stand for a REAL or LREAL.
+        IntegerLiteralAsReal = "integer-literal-as-real",
+        /// An untyped integer literal may be assigned or passed to a bit string.
+        IntegerLiteralAsBitString = "integer-literal-as-bit-string",
+        /// `//` begins a comment.
+        LineComments = "line-comments",
+        /// Comments nest.
+        NestedComments = "nested-comments",
+        /// LTIME, LDATE, LTOD, LDT, CHAR and WCHAR.
+        ThirdEditionTypes = "third-edition-types",
+        /// ROUND, CEIL, CEILING and FLOOR.
+        RoundingFunctions = "rounding-functions",
+    }
+}
+
+words! {
+    /// How a real number becomes an integer in `<SRC>_TO_<DST>`.
+    RoundingWord {
+        /// The fraction is dropped.
+        Truncate = "truncate",
+        /// To the nearest integer, from the middle to the even one.
+        HalfToEven = "half-to-even",
+        /// To the nearest integer, from the middle to the one with the greater magnitude.
+        HalfAwayFromZero = "half-away-from-zero",
+    }
+}
+
+words! {
+    /// What a real number becomes that lies outside the integer.
+    OutOfRangeWord {
+        /// The integer modulo 2^n.
+        Wrap = "wrap",
+        /// The nearest limit.
+        Saturate = "saturate",
+    }
+}
+
+words! {
+    /// How much of a text must be a number for it not to become 0.
+    TextReadingWord {
+        /// All of it, blanks at either end aside.
+        WholeText = "whole-text",
+        /// The longest part at its beginning that is a number.
+        LeadingNumber = "leading-number",
+    }
+}
+
+words! {
+    /// How a bit string is written as text.
+    BitStringTextWord {
+        /// `16#00FF`.
+        FullWidth = "full-width",
+        /// `16#ff`.
+        Shortest = "shortest",
+    }
+}
+
+/// Which digits a real number has as text.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum RealTextWord {
+    /// `shortest`: the fewest that read back to the same bits.
+    Shortest,
+    /// That many significant digits, as C's `printf` writes them with `%.{n}g`.
+    SignificantDigits(u8),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_word_is_read_back() {
+        for flag in Flag::ALL {
+            assert_eq!(Flag::from_word(flag.as_str()), Some(*flag));
+        }
+        assert_eq!(Cell::from_word("yes"), Some(Cell::Yes));
+        assert_eq!(Cell::from_word("Yes"), None);
+    }
+
+    #[test]
+    fn a_new_definition_says_nothing() {
+        let definition = Definition::new("mine", BuiltIn::Plcnext, "stickler.toml:1");
+        assert_eq!(definition.flag(Flag::BitAccess), None);
+        assert_eq!(definition.cell(ElementaryType::Int, ElementaryType::Bool), None);
+    }
+}
