@@ -1,5 +1,6 @@
 //! The file: where it is, and what stands in it.
 
+use crate::dialects::definitions;
 use crate::engines::{Entry, Place, entry};
 use crate::error::ConfigurationError;
 use crate::table::{Mistake, mistake, table};
@@ -8,23 +9,27 @@ use std::fs;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use toml::de::DeTable;
+use stickler_types::DialectName;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 /// What the file is called.
 pub const FILE_NAME: &str = "stickler.toml";
 
 /// Every key at the top of the file.
-const KEYS: [&str; 1] = ["engines"];
+const KEYS: [&str; 2] = ["engines", "dialects"];
 
 /// What `stickler.toml` says; empty where there is none.
 #[derive(Clone, Debug, Default)]
 pub struct Configuration {
     path: Option<PathBuf>,
     engines: BTreeMap<String, Entry>,
+    dialects: Vec<DialectName>,
 }
 
 impl Configuration {
-    /// Reads the file of `folder`, or that of the nearest folder above it which has one.
+    /// Reads the file of `folder`, or that of the nearest folder above it which has one. Its dialects are
+    /// [defined](DialectName::define) for the whole process; a file that is read again defines none a second time.
     ///
     /// # Errors
     /// [`ConfigurationError`] where there is one that cannot be used.
@@ -44,7 +49,7 @@ impl Configuration {
         }
     }
 
-    /// Reads a file.
+    /// Reads a file, and defines its dialects.
     ///
     /// # Errors
     /// [`ConfigurationError`] where it cannot be used.
@@ -61,7 +66,7 @@ impl Configuration {
         let text = fs::read_to_string(path).map_err(unreadable)?;
         let path = std::path::absolute(path).map_err(unreadable)?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        let engines = engines(&text, folder, shown).map_err(|mistake| {
+        let (engines, dialects) = contents(&text, folder, shown).map_err(|mistake| {
             let (line, column) = position(&text, mistake.span.start);
             ConfigurationError::Mistake {
                 path: shown.to_owned(),
@@ -73,6 +78,7 @@ impl Configuration {
         Ok(Configuration {
             path: Some(path),
             engines,
+            dialects,
         })
     }
 
@@ -94,32 +100,60 @@ impl Configuration {
         self.engines.get(name)
     }
 
+    /// The dialects that the file defines, in its order.
+    #[must_use]
+    pub fn dialects(&self) -> &[DialectName] {
+        &self.dialects
+    }
+
     /// Every engine that the file names, in the order of their names.
     pub fn engines(&self) -> impl Iterator<Item = (&str, &Entry)> {
         self.engines.iter().map(|(name, entry)| (name.as_str(), entry))
     }
 }
 
-fn engines(text: &str, folder: &Path, shown: &Path) -> Result<BTreeMap<String, Entry>, Mistake> {
+/// What a text says: the engines, and the dialects, which are defined before engines can name them.
+fn contents(
+    text: &str,
+    folder: &Path,
+    shown: &Path,
+) -> Result<(BTreeMap<String, Entry>, Vec<DialectName>), Mistake> {
     let document = DeTable::parse(text).map_err(|error| mistake(&error, 0..0, "of the file", &[]))?;
-    let mut engines = BTreeMap::new();
+    let document = document.get_ref();
+    if let Some((key, _)) = document
+        .iter()
+        .find(|(key, _)| !KEYS.contains(&key.get_ref().as_ref()))
+    {
+        let word = key.get_ref().as_ref();
+        return Err(Mistake::unknown_key(key.span(), word, "of the file", &KEYS));
+    }
     let written = |span: &Range<usize>| format!("{}:{}", shown.display(), position(text, span.start).0);
     let place = Place {
         folder,
         written: &written,
     };
-    for (key, value) in document.get_ref().iter() {
-        match key.get_ref().as_ref() {
-            "engines" => {
-                for (name, value) in table("engines", value)?.iter() {
-                    let (name, entry) = entry(name, value, place)?;
-                    engines.insert(name, entry);
-                }
-            }
-            word => return Err(Mistake::unknown_key(key.span(), word, "of the file", &KEYS)),
+    let dialects = match document.get("dialects") {
+        Some(value) => dialects(value, place)?,
+        None => Vec::new(),
+    };
+    let mut engines = BTreeMap::new();
+    if let Some(value) = document.get("engines") {
+        for (name, value) in table("engines", value)?.iter() {
+            let (name, entry) = entry(name, value, place)?;
+            engines.insert(name, entry);
         }
     }
-    Ok(engines)
+    Ok((engines, dialects))
+}
+
+/// Defines the dialects of the table `[dialects]`.
+fn dialects(value: &Spanned<DeValue<'_>>, place: Place<'_>) -> Result<Vec<DialectName>, Mistake> {
+    // All of them are right before the first is defined.
+    let definitions = definitions(table("dialects", value)?, place.written)?;
+    let define = |(definition, span)| {
+        DialectName::define(definition).map_err(|taken| Mistake::at(span, taken.to_string()))
+    };
+    definitions.into_iter().map(define).collect()
 }
 
 /// Line and column of a place in a text, from 1; the column in Unicode scalar values.

@@ -1,0 +1,251 @@
+//! The tables `[dialects.NAME]`.
+
+use crate::near::{advice, list};
+use crate::override_tables::{conversions, flags, implicit};
+use crate::table::{Mistake, table, text};
+use std::collections::BTreeMap;
+use std::ops::Range;
+use stickler_types::{BuiltIn, Definition, DialectName, Stated};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Every key of such a table.
+const KEYS: [&str; 6] = ["extends", "about", "source", "implicit", "flags", "conversions"];
+
+/// A name may be so long.
+const LONGEST_NAME: usize = 64;
+
+/// One dialect, while it is read.
+pub(crate) struct Draft<'d> {
+    pub(crate) definition: Definition,
+    /// What stands behind a key in the basis of what it overrides.
+    pub(crate) source: Option<String>,
+    /// Tells a place in the file for people.
+    pub(crate) written: &'d dyn Fn(&Range<usize>) -> String,
+}
+
+impl Draft<'_> {
+    /// What the file states at a place, with its basis.
+    pub(crate) fn stated<T>(&self, value: T, key: &str, at: &Range<usize>) -> Stated<T> {
+        let place = (self.written)(at);
+        let behind = self.source.as_ref().map(|source| format!("; {source}"));
+        let behind = behind.unwrap_or_default();
+        Stated {
+            value,
+            basis: format!("{}: {key} ({place}{behind})", self.definition.name),
+        }
+    }
+}
+
+/// A table of the file, by its name.
+struct Entry<'v, 'i> {
+    name: &'v str,
+    span: Range<usize>,
+    keys: &'v DeTable<'i>,
+}
+
+/// The definitions of a table `[dialects]`, in the order of the file.
+///
+/// # Errors
+/// What is wrong with the first that is wrong.
+pub(crate) fn definitions(
+    dialects: &DeTable<'_>,
+    written: &dyn Fn(&Range<usize>) -> String,
+) -> Result<Vec<(Definition, Range<usize>)>, Mistake> {
+    let mut entries = Vec::new();
+    for (key, value) in dialects.iter() {
+        let (name, span) = (key.get_ref().as_ref(), key.span());
+        check_name(name, &span)?;
+        let keys = table(&format!("dialects.{name}"), value)?;
+        entries.push(Entry { name, span, keys });
+    }
+    entries.sort_by_key(|entry| entry.span.start);
+    let by_name: BTreeMap<&str, usize> = (0..)
+        .map(|at| (entries[at].name, at))
+        .take(entries.len())
+        .collect();
+    let mut read: Vec<Option<Definition>> = vec![None; entries.len()];
+    for at in 0..entries.len() {
+        // Those that extend one another, each before the one that it extends.
+        let mut open = vec![at];
+        while let Some(&next) = open.last() {
+            match base(&entries[next], &by_name)? {
+                _ if read[next].is_some() => {
+                    open.pop();
+                }
+                Base::Defined(other, span) if read[other].is_none() => {
+                    if open.contains(&other) {
+                        return Err(in_a_circle(&entries[next], &span));
+                    }
+                    open.push(other);
+                }
+                Base::Defined(other, _) => {
+                    let entry = &entries[next];
+                    let start = read[other]
+                        .as_ref()
+                        .map(|other| taken_over(other, entry, written));
+                    read[next] = start.map(|start| definition(entry, start, written)).transpose()?;
+                }
+                Base::BuiltIn(base) => {
+                    let entry = &entries[next];
+                    let start = Definition::new(entry.name, base, &written(&entry.span));
+                    read[next] = Some(definition(entry, start, written)?);
+                }
+            }
+        }
+    }
+    let spans = entries.into_iter().map(|entry| entry.span);
+    Ok(read.into_iter().flatten().zip(spans).collect())
+}
+
+/// Refuses a name that would mean something else on the command line, in a filter or in a case's key.
+fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
+    let plain = |character: char| character.is_ascii_alphanumeric() || "-_.".contains(character);
+    let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic())
+        && name.chars().all(plain)
+        && name.len() <= LONGEST_NAME;
+    if !is_name {
+        let message = format!(
+            "`{}` cannot be the name of a dialect; it has letters, digits, `-`, `_` and `.`, a letter at its start, and no \
+             more than {LONGEST_NAME} of them",
+            name.escape_debug()
+        );
+        return Err(Mistake::at(span.clone(), message));
+    }
+    let taken = DialectName::ALL
+        .into_iter()
+        .find(|dialect| dialect.as_str().eq_ignore_ascii_case(name));
+    match taken {
+        Some(dialect) => {
+            let message = format!("there is a dialect `{dialect}` already; give this one another name");
+            Err(Mistake::at(span.clone(), message))
+        }
+        None => Ok(()),
+    }
+}
+
+/// What a dialect extends.
+enum Base {
+    BuiltIn(BuiltIn),
+    /// Another one of the file, by its place among them; where this one says so.
+    Defined(usize, Range<usize>),
+}
+
+fn base(entry: &Entry<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Result<Base, Mistake> {
+    let Some(extends) = entry.keys.get("extends") else {
+        let message = format!(
+            "`[dialects.{}]` does not say which dialect it extends, by `extends = \"…\"`; there are {}",
+            entry.name,
+            list(DialectName::ALL.map(DialectName::as_str))
+        );
+        return Err(Mistake::at(entry.span.clone(), message));
+    };
+    let name = text("extends", extends)?;
+    if let Some(built_in) = DialectName::ALL
+        .into_iter()
+        .find(|dialect| dialect.as_str() == name)
+    {
+        return Ok(Base::BuiltIn(built_in.base()));
+    }
+    if name == entry.name {
+        let message = format!("`{name}` cannot extend itself");
+        return Err(Mistake::at(extends.span(), message));
+    }
+    match by_name.get(name) {
+        Some(&at) => Ok(Base::Defined(at, extends.span())),
+        None => {
+            let built_in = DialectName::ALL.map(DialectName::as_str);
+            let names: Vec<&str> = built_in.into_iter().chain(by_name.keys().copied()).collect();
+            let message = format!("there is no dialect `{name}` to extend; {}", advice(name, &names));
+            Err(Mistake::at(extends.span(), message))
+        }
+    }
+}
+
+fn in_a_circle(entry: &Entry<'_, '_>, at: &Range<usize>) -> Mistake {
+    let message = format!(
+        "`{}` extends itself by way of others; one of them must extend {}",
+        entry.name,
+        list(DialectName::ALL.map(DialectName::as_str))
+    );
+    Mistake::at(at.clone(), message)
+}
+
+/// Reads one table, which overrides what `start` says.
+fn definition(
+    entry: &Entry<'_, '_>,
+    start: Definition,
+    written: &dyn Fn(&Range<usize>) -> String,
+) -> Result<Definition, Mistake> {
+    let words = |key: &str| entry.keys.get(key).map(|value| words(key, value)).transpose();
+    let mut draft = Draft {
+        definition: start,
+        source: words("source")?,
+        written,
+    };
+    draft.definition.about = words("about")?;
+    for (key, value) in entry.keys.iter() {
+        let whose = format!("dialects.{}.{}", entry.name, key.get_ref());
+        match key.get_ref().as_ref() {
+            "extends" | "about" | "source" => {}
+            "flags" => flags(table(&whose, value)?, &mut draft)?,
+            "conversions" => conversions(table(&whose, value)?, &mut draft)?,
+            // Which types there are depends on the flags.
+            "implicit" => {}
+            word => {
+                let whose = format!("of `[dialects.{}]`", entry.name);
+                return Err(Mistake::unknown_key(key.span(), word, &whose, &KEYS));
+            }
+        }
+    }
+    if let Some(value) = entry.keys.get("implicit") {
+        implicit(
+            table(&format!("dialects.{}.implicit", entry.name), value)?,
+            &mut draft,
+        )?;
+    }
+    Ok(draft.definition)
+}
+
+/// What another definition says, as if this one said it.
+fn taken_over(
+    other: &Definition,
+    entry: &Entry<'_, '_>,
+    written: &dyn Fn(&Range<usize>) -> String,
+) -> Definition {
+    fn said<T: Copy>(stated: &Stated<T>, name: &str) -> Stated<T> {
+        let rest = stated.basis.split_once(':').map_or("", |(_, rest)| rest);
+        Stated {
+            value: stated.value,
+            basis: format!("{name}:{rest}"),
+        }
+    }
+    let name = entry.name;
+    let cells = other.cells.iter();
+    let flags = other.flags.iter();
+    Definition {
+        name: name.to_owned(),
+        base: other.base,
+        about: None,
+        place: written(&entry.span),
+        cells: cells.map(|(pair, stated)| (*pair, said(stated, name))).collect(),
+        flags: flags.map(|(flag, stated)| (*flag, said(stated, name))).collect(),
+        rounding: other.rounding.as_ref().map(|stated| said(stated, name)),
+        out_of_range: other.out_of_range.as_ref().map(|stated| said(stated, name)),
+        text_reading: other.text_reading.as_ref().map(|stated| said(stated, name)),
+        real_text: other.real_text.as_ref().map(|stated| said(stated, name)),
+        bit_string_text: other.bit_string_text.as_ref().map(|stated| said(stated, name)),
+    }
+}
+
+/// A text for people, which stands on terminals and in reports.
+fn words(key: &str, value: &Spanned<DeValue<'_>>) -> Result<String, Mistake> {
+    let words = text(key, value)?;
+    match words.chars().any(char::is_control) {
+        true => Err(Mistake::at(
+            value.span(),
+            format!("`{key}` must be one line, without control characters"),
+        )),
+        false => Ok(words.to_owned()),
+    }
+}

@@ -1,0 +1,235 @@
+//! What a table `[dialects.NAME]` overrides: `implicit`, `flags` and `conversions`.
+
+use crate::dialects::Draft;
+use crate::near::{advice, list};
+use crate::table::{Mistake, text};
+use std::ops::Range;
+use stickler_types::definition::{
+    BitStringTextWord, Cell, Flag, OutOfRangeWord, RealTextWord, RoundingWord, TextReadingWord,
+};
+use stickler_types::{DialectName, ElementaryType};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// The keys of `conversions`.
+const CONVERSIONS: [&str; 5] = [
+    "rounding",
+    "out-of-range",
+    "text-reading",
+    "real-text",
+    "bit-string-text",
+];
+
+/// So many significant digits may be asked for; more than 17 a real number of 64 bits does not have.
+const DIGITS: std::ops::RangeInclusive<u8> = 1..=40;
+
+/// Reads `[dialects.NAME.flags]`.
+///
+/// # Errors
+/// A flag that there is not, or a value that is neither true nor false.
+pub(crate) fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mistake> {
+    for (key, value) in keys.iter() {
+        let word = key.get_ref().as_ref();
+        let Some(flag) = Flag::from_word(word) else {
+            let known: Vec<&str> = Flag::ALL.iter().map(|flag| flag.as_str()).collect();
+            return Err(Mistake::unknown_key(
+                key.span(),
+                word,
+                &of("flags", draft),
+                &known,
+            ));
+        };
+        let Some(on) = value.get_ref().as_bool() else {
+            let found = value.get_ref().type_str();
+            let message = format!("`{word}` must be true or false, and this is of type {found}");
+            return Err(Mistake::at(value.span(), message));
+        };
+        let stated = draft.stated(on, word, &key.span());
+        draft.definition.flags.insert(flag, stated);
+        if flag == Flag::CrossFamilyWidening {
+            cross_family(on, &key.span(), draft);
+        }
+    }
+    Ok(())
+}
+
+/// The flag is another word for cells of the matrix.
+/// Basis: ironplc-type-conversions: Cross-family widening ("an integer type of strictly greater bit width").
+fn cross_family(on: bool, at: &Range<usize>, draft: &mut Draft<'_>) {
+    let cell = if on { Cell::Yes } else { Cell::No };
+    for from in ElementaryType::ALL.into_iter().filter(|ty| ty.is_bit_string()) {
+        for to in ElementaryType::ALL.into_iter().filter(|ty| ty.is_integer()) {
+            if from.bits() < to.bits() {
+                let stated = draft.stated(cell, Flag::CrossFamilyWidening.as_str(), at);
+                draft.definition.cells.insert((from, to), stated);
+            }
+        }
+    }
+}
+
+/// Reads `[dialects.NAME.conversions]`.
+///
+/// # Errors
+/// A choice that there is not, or another word for one.
+pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mistake> {
+    for (key, value) in keys.iter() {
+        let (name, at) = (key.get_ref().as_ref(), &key.span());
+        match name {
+            "rounding" => {
+                let word = one_of(name, value, RoundingWord::ALL, RoundingWord::as_str)?;
+                draft.definition.rounding = Some(draft.stated(word, name, at));
+            }
+            "out-of-range" => {
+                let word = one_of(name, value, OutOfRangeWord::ALL, OutOfRangeWord::as_str)?;
+                draft.definition.out_of_range = Some(draft.stated(word, name, at));
+            }
+            "text-reading" => {
+                let word = one_of(name, value, TextReadingWord::ALL, TextReadingWord::as_str)?;
+                draft.definition.text_reading = Some(draft.stated(word, name, at));
+            }
+            "real-text" => {
+                let word = real_text(name, value)?;
+                draft.definition.real_text = Some(draft.stated(word, name, at));
+            }
+            "bit-string-text" => {
+                let word = one_of(name, value, BitStringTextWord::ALL, BitStringTextWord::as_str)?;
+                draft.definition.bit_string_text = Some(draft.stated(word, name, at));
+            }
+            _ => {
+                let whose = of("conversions", draft);
+                return Err(Mistake::unknown_key(at.clone(), name, &whose, &CONVERSIONS));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealTextWord, Mistake> {
+    let said = format!(
+        "`{name}` is \"shortest\", or a number of significant digits from {} to {}",
+        DIGITS.start(),
+        DIGITS.end()
+    );
+    let digits = value
+        .get_ref()
+        .as_integer()
+        .and_then(|number| u8::from_str_radix(number.as_str(), number.radix()).ok())
+        .filter(|digits| DIGITS.contains(digits));
+    match (value.get_ref().as_str(), digits) {
+        (Some("shortest"), _) => Ok(RealTextWord::Shortest),
+        (None, Some(digits)) => Ok(RealTextWord::SignificantDigits(digits)),
+        _ => Err(Mistake::at(value.span(), said)),
+    }
+}
+
+/// The one of `all` that a value names.
+fn one_of<T: Copy>(
+    key: &str,
+    value: &Spanned<DeValue<'_>>,
+    all: &[T],
+    as_str: impl Fn(T) -> &'static str,
+) -> Result<T, Mistake> {
+    let word = text(key, value)?;
+    all.iter()
+        .copied()
+        .find(|known| as_str(*known) == word)
+        .ok_or_else(|| {
+            let known: Vec<&str> = all.iter().map(|known| as_str(*known)).collect();
+            let message = format!("`{key}` is not `{word}`; {}", advice(word, &known));
+            Mistake::at(value.span(), message)
+        })
+}
+
+/// Reads `[dialects.NAME.implicit]`: `"FROM.TO" = "yes"`, with or without the quotes.
+///
+/// # Errors
+/// A type that there is not, or that the dialect does not have; a cell that says nothing; another word for one.
+pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mistake> {
+    for (key, value) in keys.iter() {
+        let name = key.get_ref().as_ref();
+        match (value.get_ref().as_table(), name.split_once('.')) {
+            // Without quotes TOML reads a table of its own.
+            (Some(columns), None) => {
+                for (column, value) in columns.iter() {
+                    let to = column.get_ref().as_ref();
+                    cell((name, &key.span()), (to, &column.span()), value, draft)?;
+                }
+            }
+            (None, Some((from, to))) => cell((from, &key.span()), (to, &key.span()), value, draft)?,
+            _ => {
+                let message = format!(
+                    "`{name}` names no pair of types; write the value's type, a point and the target's: `\"INT.BOOL\" = \"no\"`"
+                );
+                return Err(Mistake::at(key.span(), message));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn cell(
+    (from, from_at): (&str, &Range<usize>),
+    (to, to_at): (&str, &Range<usize>),
+    value: &Spanned<DeValue<'_>>,
+    draft: &mut Draft<'_>,
+) -> Result<(), Mistake> {
+    let key = format!("{from}.{to}");
+    let (from, to) = (elementary(from, from_at, draft)?, elementary(to, to_at, draft)?);
+    if from == to {
+        let message = format!("`{key}` needs no word; a type always stands for itself");
+        return Err(Mistake::at(to_at.clone(), message));
+    }
+    let word = one_of(&key, value, Cell::ALL, Cell::as_str)?;
+    if word != Cell::No && !has_meaning(from, to) {
+        let message = format!(
+            "`{key}` cannot be `{}`; there is no conversion from {from} to {to}",
+            word.as_str()
+        );
+        return Err(Mistake::at(value.span(), message));
+    }
+    let stated = draft.stated(word, &format!("implicit {from}.{to}"), from_at);
+    draft.definition.cells.insert((from, to), stated);
+    Ok(())
+}
+
+/// A type that the dialect has.
+fn elementary(name: &str, at: &Range<usize>, draft: &Draft<'_>) -> Result<ElementaryType, Mistake> {
+    let types = ElementaryType::ALL.map(ElementaryType::name);
+    let found = ElementaryType::ALL.into_iter().find(|ty| ty.name() == name);
+    let ty = found.ok_or_else(|| {
+        let message = format!("there is no type `{name}`; {}", advice(name, &types));
+        Mistake::at(at.clone(), message)
+    })?;
+    if ty.is_third_edition() && !has_third_edition(draft) {
+        let message = format!(
+            "`{}` has no type {ty}, for {} has none; `third-edition-types = true` among its flags gives it {}",
+            draft.definition.name,
+            draft.definition.base.name(),
+            list(
+                ElementaryType::ALL
+                    .into_iter()
+                    .filter(|ty| ty.is_third_edition())
+                    .map(ElementaryType::name)
+            )
+        );
+        return Err(Mistake::at(at.clone(), message));
+    }
+    Ok(ty)
+}
+
+fn has_third_edition(draft: &Draft<'_>) -> bool {
+    let base = || !stickler_exact::signatures("TO_LTIME", draft.definition.base.name()).is_empty();
+    draft
+        .definition
+        .flag(Flag::ThirdEditionTypes)
+        .unwrap_or_else(base)
+}
+
+/// Whether a conversion function for the pair exists; the dialect that is asked has all types.
+fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
+    !stickler_exact::signatures(&format!("{from}_TO_{to}"), DialectName::IronplcEd3).is_empty()
+}
+
+fn of(table: &str, draft: &Draft<'_>) -> String {
+    format!("of `[dialects.{}.{table}]`", draft.definition.name)
+}
