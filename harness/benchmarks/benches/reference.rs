@@ -5,7 +5,7 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use std::hint::black_box;
 use std::time::Duration;
 use stickler_reference::conversion::{Conversion, Parameter, function};
-use stickler_reference::{Dialect, Limits, Observation, Outcome, Request, check, run, syntax};
+use stickler_reference::{Dialect, Observation, Outcome, Request, check, run, syntax};
 use stickler_types::DialectName;
 
 const DIALECT: DialectName = DialectName::IronplcEd3;
@@ -66,18 +66,14 @@ fn large_source() -> String {
 }
 
 fn request(source: &str) -> Request<'_> {
-    Request {
-        dialect: DIALECT,
+    Request::once(
+        DIALECT,
         source,
-        scans: 1,
-        observe: &[Observation {
+        &[Observation {
             name: "into",
             after: None,
         }],
-        clock: &[],
-        set: &[],
-        limits: Limits::default(),
-    }
+    )
 }
 
 fn stages(criterion: &mut Criterion) {

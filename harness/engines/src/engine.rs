@@ -144,7 +144,24 @@ pub struct RunRequest<'a> {
     pub set: &'a [Setting<'a>],
 }
 
-impl RunRequest<'_> {
+impl<'a> RunRequest<'a> {
+    /// A program that runs one scan, to which nothing happens from outside.
+    #[must_use]
+    pub const fn once(
+        dialect: DialectName,
+        source: &'a str,
+        observe: &'a [Observation<'a>],
+    ) -> RunRequest<'a> {
+        RunRequest {
+            dialect,
+            source,
+            scans: 1,
+            observe,
+            clock: &[],
+            set: &[],
+        }
+    }
+
     /// Whether answering this needs the ability [`Ability::Scans`].
     #[must_use]
     pub fn needs_scans(&self) -> bool {
@@ -166,7 +183,17 @@ pub struct Observation<'a> {
     pub after: Option<u32>,
 }
 
-impl Observation<'_> {
+impl<'a> Observation<'a> {
+    /// A variable that is looked at after the last scan.
+    #[must_use]
+    pub const fn last(name: &'a str, type_name: &'a str) -> Observation<'a> {
+        Observation {
+            name,
+            type_name,
+            after: None,
+        }
+    }
+
     /// The name under which the value comes back: `q`, or `q@3` where it was asked for after the third scan.
     #[must_use]
     pub fn key(&self) -> String {

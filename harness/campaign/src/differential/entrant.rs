@@ -38,20 +38,9 @@ pub(crate) fn ask(session: &mut dyn Session, question: Question<'_>) -> Outcome 
     let observe: Vec<Observation<'_>> = question
         .values
         .iter()
-        .map(|(name, value)| Observation {
-            name,
-            type_name: value.type_name(),
-            after: None,
-        })
+        .map(|(name, value)| Observation::last(name, value.type_name()))
         .collect();
-    session.run(&RunRequest {
-        dialect: question.dialect,
-        source: question.text,
-        scans: 1,
-        observe: &observe,
-        clock: &[],
-        set: &[],
-    })
+    session.run(&RunRequest::once(question.dialect, question.text, &observe))
 }
 
 /// Asks an engine that has died over a program whether it still answers at all.

@@ -5,7 +5,7 @@ use crate::exit::Exit;
 use crate::{output, snippet, source_file};
 use anyhow::bail;
 use std::io::{self, Write};
-use stickler_reference::{Limits, Observation, Outcome, Request};
+use stickler_reference::{Observation, Outcome, Request};
 use stickler_types::Value;
 
 /// How many values are shown where none is asked for.
@@ -30,13 +30,8 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
         .map(|name| Observation { name, after: None })
         .collect();
     let request = Request {
-        dialect,
-        source: &text,
         scans: arguments.scans,
-        observe: &observe,
-        clock: &[],
-        set: &[],
-        limits: Limits::default(),
+        ..Request::once(dialect, &text, &observe)
     };
     match stickler_reference::run(&request) {
         Ok(Outcome::Executed { values }) => {

@@ -120,20 +120,9 @@ impl<'e> Asker<'e> {
         let names: Vec<String> = (1..=calls.len()).map(result_name).collect();
         let observe: Vec<Observation<'_>> = names
             .iter()
-            .map(|name| Observation {
-                name,
-                type_name: signature.result.name(),
-                after: None,
-            })
+            .map(|name| Observation::last(name, signature.result.name()))
             .collect();
-        let request = RunRequest {
-            dialect,
-            source: &source,
-            scans: 1,
-            observe: &observe,
-            clock: &[],
-            set: &[],
-        };
+        let request = RunRequest::once(dialect, &source, &observe);
         let outcome = guard(|| self.session.run(&request));
         if let Outcome::Crashed { .. } = outcome {
             self.session = self.engine.session()?;

@@ -171,11 +171,7 @@ mod tests {
     use super::*;
 
     fn observation(name: &str) -> Observation<'_> {
-        Observation {
-            name,
-            type_name: "INT",
-            after: None,
-        }
+        Observation::last(name, "INT")
     }
 
     #[test]

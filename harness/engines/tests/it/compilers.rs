@@ -28,12 +28,8 @@ fn ask(engine: &dyn Engine, source: &str, observe: &[(&str, &str, Option<u32>)],
         })
         .collect();
     engine.session().unwrap().run(&RunRequest {
-        dialect: engine.identity().dialects[0],
-        source,
         scans,
-        observe: &observe,
-        clock: &[],
-        set: &[],
+        ..RunRequest::once(engine.identity().dialects[0], source, &observe)
     })
 }
 
@@ -128,20 +124,12 @@ const COMPANY: [&str; 12] = [
 
 /// Packs change nothing but the time that is taken.
 fn packs(engine: &dyn Engine) {
-    let observe = [Observation {
-        name: "n",
-        type_name: "INT",
-        after: None,
-    }];
+    let observe = [Observation::last("n", "INT")];
     let requests: Vec<RunRequest<'_>> = COMPANY
         .iter()
         .map(|source| RunRequest {
-            dialect: engine.identity().dialects[0],
-            source,
             scans: 2,
-            observe: &observe,
-            clock: &[],
-            set: &[],
+            ..RunRequest::once(engine.identity().dialects[0], source, &observe)
         })
         .collect();
     assert!(engine.pack_size() > requests.len());

@@ -215,14 +215,7 @@ fn an_answer_to_another_question_is_an_error() {
     };
     assert!(message.contains("`render` by `accepted`"), "{message}");
     // An engine that can only check answers `run` so.
-    let request = RunRequest {
-        dialect: DialectName::Matiec,
-        source: "accept",
-        scans: 1,
-        observe: &[],
-        clock: &[],
-        set: &[],
-    };
+    let request = RunRequest::once(DialectName::Matiec, "accept", &[]);
     assert_eq!(session.run(&request), Outcome::Accepted);
 }
 

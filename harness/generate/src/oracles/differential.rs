@@ -107,20 +107,9 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<Tried, F
     let observed = program.observed();
     let observe: Vec<Observation<'_>> = observed
         .iter()
-        .map(|(name, ty)| Observation {
-            name,
-            type_name: ty.name(),
-            after: None,
-        })
+        .map(|(name, ty)| Observation::last(name, ty.name()))
         .collect();
-    let given = session.run(&RunRequest {
-        dialect: program.dialect,
-        source: &text,
-        scans: 1,
-        observe: &observe,
-        clock: &[],
-        set: &[],
-    });
+    let given = session.run(&RunRequest::once(program.dialect, &text, &observe));
     if let Outcome::Unsupported { .. } = given {
         return Ok(Tried::PassedOver("the engine does not support the program"));
     }

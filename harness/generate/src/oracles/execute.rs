@@ -9,7 +9,7 @@ use crate::random::{Random, bytes};
 use crate::variants::Variant;
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
-use stickler_reference::{Limits, Observation, Outcome, Request, RequestError, run};
+use stickler_reference::{Observation, Outcome, Request, RequestError, run};
 use stickler_types::{DialectName, Value};
 
 /// How many variants of a program are tried; which, the input says.
@@ -142,15 +142,7 @@ fn reference(
         .iter()
         .map(|(name, _)| Observation { name, after: None })
         .collect();
-    run(&Request {
-        dialect,
-        source,
-        scans: 1,
-        observe: &observe,
-        clock: &[],
-        set: &[],
-        limits: Limits::default(),
-    })
+    run(&Request::once(dialect, source, &observe))
 }
 
 fn rejected(diagnostics: &[stickler_reference::LocatedDiagnostic]) -> Failure {

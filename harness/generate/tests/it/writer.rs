@@ -75,15 +75,7 @@ fn run(program: &Program, text: &str) -> Result<Vec<(String, Value)>, String> {
         .iter()
         .map(|(name, _)| stickler_reference::Observation { name, after: None })
         .collect();
-    let outcome = stickler_reference::run(&stickler_reference::Request {
-        dialect: program.dialect,
-        source: text,
-        scans: 1,
-        observe: &names,
-        clock: &[],
-        set: &[],
-        limits: stickler_reference::Limits::default(),
-    });
+    let outcome = stickler_reference::run(&stickler_reference::Request::once(program.dialect, text, &names));
     match outcome {
         Ok(stickler_reference::Outcome::Executed { values }) => Ok(values),
         other => Err(format!("{other:?}\n{text}")),

@@ -22,6 +22,22 @@ pub struct Request<'a> {
     pub limits: Limits,
 }
 
+impl<'a> Request<'a> {
+    /// A program that runs one scan, to which nothing happens from outside, within the usual limits.
+    #[must_use]
+    pub fn once(dialect: DialectName, source: &'a str, observe: &'a [Observation<'a>]) -> Request<'a> {
+        Request {
+            dialect,
+            source,
+            scans: 1,
+            observe,
+            clock: &[],
+            set: &[],
+            limits: Limits::default(),
+        }
+    }
+}
+
 /// One value that is wanted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Observation<'a> {

@@ -10,19 +10,8 @@ use stickler_tabulate::suggestion::Suggestion;
 
 /// What is to be said of a suggestion that the reference does not follow.
 fn complaint(suggestion: &Suggestion, reference: &Reference) -> Option<String> {
-    let observe = [Observation {
-        name: "into",
-        type_name: suggestion.ty.name(),
-        after: None,
-    }];
-    let request = RunRequest {
-        dialect: suggestion.dialect,
-        source: &suggestion.program,
-        scans: 1,
-        observe: &observe,
-        clock: &[],
-        set: &[],
-    };
+    let observe = [Observation::last("into", suggestion.ty.name())];
+    let request = RunRequest::once(suggestion.dialect, &suggestion.program, &observe);
     let Ok(mut session) = reference.session() else {
         return Some("the reference has no session".to_owned());
     };

@@ -99,20 +99,9 @@ impl<'e> Asker<'e> {
         let observe: Vec<Observation<'_>> = program
             .observed
             .iter()
-            .map(|name| Observation {
-                name,
-                type_name: program.ty.name(),
-                after: None,
-            })
+            .map(|name| Observation::last(name, program.ty.name()))
             .collect();
-        let request = RunRequest {
-            dialect: self.dialect,
-            source: &program.source,
-            scans: 1,
-            observe: &observe,
-            clock: &[],
-            set: &[],
-        };
+        let request = RunRequest::once(self.dialect, &program.source, &observe);
         let outcome = guard(|| self.session.run(&request));
         if let Outcome::Crashed { .. } = outcome {
             // Where there is no new session the old one goes on refusing.

@@ -82,14 +82,7 @@ impl<'e> Subject<'e> {
     /// What the reference does: the values of all variables of an elementary type.
     fn expected(&self, dialect: DialectName, source: &str) -> Result<Outcome, EngineError> {
         let names = stickler_reference::variables(source, dialect, MOST);
-        let observe: Vec<Observation<'_>> = names
-            .iter()
-            .map(|name| Observation {
-                name,
-                type_name: "",
-                after: None,
-            })
-            .collect();
+        let observe: Vec<Observation<'_>> = names.iter().map(|name| Observation::last(name, "")).collect();
         let mut session = self.reference.session()?;
         let outcome = guard(|| session.run(&request(dialect, source, &observe)));
         Ok(match outcome {
@@ -114,11 +107,7 @@ impl<'e> Subject<'e> {
         };
         let observe: Vec<Observation<'_>> = values
             .iter()
-            .map(|(name, value)| Observation {
-                name,
-                type_name: value.type_name(),
-                after: None,
-            })
+            .map(|(name, value)| Observation::last(name, value.type_name()))
             .collect();
         let rejected = matches!(expected, Outcome::Rejected { .. });
         let outcome = if rejected && self.identity().can(Ability::Check) {
@@ -135,12 +124,5 @@ impl<'e> Subject<'e> {
 }
 
 fn request<'a>(dialect: DialectName, source: &'a str, observe: &'a [Observation<'a>]) -> RunRequest<'a> {
-    RunRequest {
-        dialect,
-        source,
-        scans: 1,
-        observe,
-        clock: &[],
-        set: &[],
-    }
+    RunRequest::once(dialect, source, observe)
 }

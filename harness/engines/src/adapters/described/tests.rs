@@ -34,12 +34,8 @@ fn ask(engine: &dyn Engine, what: &str, observe: &[(&str, &str, Option<u32>)], s
         .collect();
     let source = format!("PROGRAM main\n(* please: {what} *)\nEND_PROGRAM\n");
     engine.session().unwrap().run(&RunRequest {
-        dialect: DialectName::IronplcEd2,
-        source: &source,
         scans,
-        observe: &observe,
-        clock: &[],
-        set: &[],
+        ..RunRequest::once(DialectName::IronplcEd2, &source, &observe)
     })
 }
 

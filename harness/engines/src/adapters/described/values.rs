@@ -84,11 +84,7 @@ mod tests {
     use super::*;
 
     fn asked<'a>(name: &'a str, type_name: &'a str) -> Observation<'a> {
-        Observation {
-            name,
-            type_name,
-            after: None,
-        }
+        Observation::last(name, type_name)
     }
 
     #[test]

@@ -256,22 +256,11 @@ mod tests {
     const SOURCE: &str = "TYPE COLOR : (RED, GREEN); END_TYPE PROGRAM main END_PROGRAM";
 
     fn observation<'a>(name: &'a str, type_name: &'a str) -> Observation<'a> {
-        Observation {
-            name,
-            type_name,
-            after: None,
-        }
+        Observation::last(name, type_name)
     }
 
     fn request<'a>(observe: &'a [Observation<'a>]) -> RunRequest<'a> {
-        RunRequest {
-            dialect: DialectName::IronplcEd2,
-            source: SOURCE,
-            scans: 1,
-            observe,
-            clock: &[],
-            set: &[],
-        }
+        RunRequest::once(DialectName::IronplcEd2, SOURCE, observe)
     }
 
     fn seen(sights: &Sights, asked: &Observation<'_>, dump: &str) -> String {

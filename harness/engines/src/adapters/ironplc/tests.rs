@@ -67,21 +67,13 @@ fn asked(what: &str, observe: &[(&str, &str)]) -> Outcome {
     let (engine, _folder) = stand_in();
     let observe: Vec<Observation<'_>> = observe
         .iter()
-        .map(|&(name, type_name)| Observation {
-            name,
-            type_name,
-            after: None,
-        })
+        .map(|&(name, type_name)| Observation::last(name, type_name))
         .collect();
     let source = format!("PROGRAM main\n(* please: {what} *)\nEND_PROGRAM\n");
-    engine.session().unwrap().run(&RunRequest {
-        dialect: DialectName::IronplcEd2,
-        source: &source,
-        scans: 1,
-        observe: &observe,
-        clock: &[],
-        set: &[],
-    })
+    engine
+        .session()
+        .unwrap()
+        .run(&RunRequest::once(DialectName::IronplcEd2, &source, &observe))
 }
 
 #[test]

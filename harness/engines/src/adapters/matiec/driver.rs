@@ -203,11 +203,7 @@ mod tests {
     use stickler_types::DialectName;
 
     fn observation<'a>(name: &'a str, type_name: &'a str) -> Observation<'a> {
-        Observation {
-            name,
-            type_name,
-            after: None,
-        }
+        Observation::last(name, type_name)
     }
 
     /// The driver of one program.
@@ -221,12 +217,12 @@ mod tests {
 
     fn request<'a>(observe: &'a [Observation<'a>]) -> RunRequest<'a> {
         RunRequest {
-            dialect: DialectName::Matiec,
-            source: "TYPE COLOR : (RED, GREEN); END_TYPE",
             scans: 3,
-            observe,
-            clock: &[],
-            set: &[],
+            ..RunRequest::once(
+                DialectName::Matiec,
+                "TYPE COLOR : (RED, GREEN); END_TYPE",
+                observe,
+            )
         }
     }
 

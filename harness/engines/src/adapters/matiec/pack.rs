@@ -311,14 +311,7 @@ mod tests {
     ];
 
     fn request<'a>(source: &'a str, observe: &'a [Observation<'a>]) -> RunRequest<'a> {
-        RunRequest {
-            dialect: DialectName::Matiec,
-            source,
-            scans: 1,
-            observe,
-            clock: &[],
-            set: &[],
-        }
+        RunRequest::once(DialectName::Matiec, source, observe)
     }
 
     fn members<'r>(programs: &[&'r str], observe: &'r [Observation<'r>]) -> Vec<Member<'r>> {
@@ -373,11 +366,7 @@ mod tests {
     #[test]
     fn a_program_whose_variable_would_be_renamed_stands_alone() {
         let taken = HashSet::new();
-        let observe = ["n", "c.x"].map(|name| Observation {
-            name,
-            type_name: "INT",
-            after: None,
-        });
+        let observe = ["n", "c.x"].map(|name| Observation::last(name, "INT"));
         let alone = |source: &str| Member::of(0, &request(source, &observe), &taken).is_none();
         assert!(!alone("PROGRAM main VAR n : INT; END_VAR END_PROGRAM"));
         assert!(alone("PROGRAM n VAR n : INT; END_VAR END_PROGRAM"));

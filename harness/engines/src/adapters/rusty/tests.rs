@@ -78,12 +78,8 @@ fn asked(engine: &Rusty, what: &str, scans: u32) -> Outcome {
     });
     let source = format!("PROGRAM main\n(* please: {what} *)\nEND_PROGRAM\n");
     engine.session().unwrap().run(&RunRequest {
-        dialect: DialectName::IronplcRusty,
-        source: &source,
         scans,
-        observe: &observe,
-        clock: &[],
-        set: &[],
+        ..RunRequest::once(DialectName::IronplcRusty, &source, &observe)
     })
 }
 
@@ -159,19 +155,9 @@ fn rejections_crashes_and_faults_are_told_apart() {
 #[test]
 fn no_line_of_the_program_moves_and_its_name_does_not_meet_that_of_c() {
     let source = "TYPE C : (RED, GREEN); END_TYPE\nPROGRAM main\nVAR x : INT; c : C; END_VAR\n    x := 1; (* main *)\nEND_PROGRAM\n";
-    let observe = [("x", "INT"), ("c", "C"), ("s", "STRING")].map(|(name, type_name)| Observation {
-        name,
-        type_name,
-        after: None,
-    });
-    let request = RunRequest {
-        dialect: DialectName::IronplcRusty,
-        source,
-        scans: 1,
-        observe: &observe,
-        clock: &[],
-        set: &[],
-    };
+    let observe = [("x", "INT"), ("c", "C"), ("s", "STRING")]
+        .map(|(name, type_name)| Observation::last(name, type_name));
+    let request = RunRequest::once(DialectName::IronplcRusty, source, &observe);
     let kinds = driver(&request).unwrap().subjects.remove(0).kinds;
     let text = instrumented(&request, &main_program(source).unwrap(), &kinds);
     assert_eq!(

@@ -189,11 +189,7 @@ mod tests {
         ]
         .map(|asked| {
             let (name, type_name) = asked.split_once(' ').unwrap();
-            Observation {
-                name,
-                type_name,
-                after: None,
-            }
+            Observation::last(name, type_name)
         });
         let request = RunRequest {
             dialect: DialectName::IronplcEd3,

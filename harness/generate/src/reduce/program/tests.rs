@@ -38,22 +38,11 @@ fn outcome(bug: &Bug, given: &Program) -> Outcome {
     let observed = given.observed();
     let observe: Vec<Observation<'_>> = observed
         .iter()
-        .map(|(name, ty)| Observation {
-            name,
-            type_name: ty.name(),
-            after: None,
-        })
+        .map(|(name, ty)| Observation::last(name, ty.name()))
         .collect();
     let reference = Reference::new();
     let mut session = reference.session().expect("the reference is always there");
-    session.run(&RunRequest {
-        dialect: given.dialect,
-        source: &source,
-        scans: 1,
-        observe: &observe,
-        clock: &[],
-        set: &[],
-    })
+    session.run(&RunRequest::once(given.dialect, &source, &observe))
 }
 
 /// What must come of a program, where the documents settle it.

@@ -50,13 +50,9 @@ fn values(draft: &Draft, scans: u32) -> HashMap<String, String> {
         .map(|name| Observation { name, after: None })
         .collect();
     let outcome = run(&Request {
-        dialect: draft.dialect,
-        source: &draft.text,
         scans,
-        observe: &observe,
-        clock: &[],
-        set: &[],
         limits: Limits { steps: 100_000 },
+        ..Request::once(draft.dialect, &draft.text, &observe)
     });
     let values = match outcome {
         Ok(Outcome::Executed { values } | Outcome::Faulted { values, .. }) => values,

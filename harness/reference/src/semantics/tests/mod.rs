@@ -17,7 +17,7 @@ use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::semantics::check;
 use crate::source::LineIndex;
-use crate::{Limits, Observation, Outcome, Request, run};
+use crate::{Observation, Outcome, Request, run};
 use stickler_types::{DialectName, Value};
 
 pub(super) const ED2: DialectName = DialectName::IronplcEd2;
@@ -90,13 +90,8 @@ pub(super) fn gives_in(dialect: DialectName, text: &str, scans: u32, expected: &
         .map(|(name, _)| Observation { name, after: None })
         .collect();
     let outcome = run(&Request {
-        dialect,
-        source: text,
         scans,
-        observe: &observe,
-        clock: &[],
-        set: &[],
-        limits: Limits::default(),
+        ..Request::once(dialect, text, &observe)
     });
     assert_eq!(outcome, Ok(Outcome::Executed { values: expected }), "{text}");
 }

@@ -1,7 +1,7 @@
 //! Input that nobody would write: diagnostics, never a panic, a hang or memory without bound.
 
 use super::support::{DIALECT, attempt, program};
-use stickler_reference::{Limits, Observation, Outcome, Request, check, check_bytes, render, run};
+use stickler_reference::{Observation, Outcome, Request, check, check_bytes, render, run};
 use stickler_types::{Code, DialectName, Fault, Value};
 
 /// Everything that can be asked about a source text; gives its codes in the ordinary dialect.
@@ -194,15 +194,11 @@ fn the_longest_texts_are_converted_in_constants_and_as_the_program_runs() {
         ("a[12]", "INT#1"),
     ];
     for dialect in DialectName::ALL {
-        let outcome = run(&Request {
+        let outcome = run(&Request::once(
             dialect,
-            source: &source,
-            scans: 1,
-            observe: &expected.map(|(name, _)| Observation { name, after: None }),
-            clock: &[],
-            set: &[],
-            limits: Limits::default(),
-        });
+            &source,
+            &expected.map(|(name, _)| Observation { name, after: None }),
+        ));
         let values = expected.map(|(name, value)| {
             let value = Value::parse(value).expect("a typed literal");
             (name.to_owned(), value)
