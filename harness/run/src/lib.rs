@@ -16,6 +16,7 @@ mod reorder;
 mod schedule;
 mod select;
 mod shard;
+mod tell;
 
 pub use answers::{Answers, Desk, Rendering};
 pub use baseline::{
@@ -31,3 +32,4 @@ pub use schedule::run;
 pub use select::select;
 pub use shard::{Shard, ShardError};
 pub use stickler_engines::Grade;
+pub use tell::Teller;

@@ -2,10 +2,9 @@
 
 use crate::answers::{Answers, Desk};
 use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM};
-use crate::judge::{is_open, judge};
 use crate::pack::{packs, settle};
 use crate::reorder::{Dispenser, Reorder};
-use crate::{Held, Plan, RunError, Summary, Totals, Verdict, select};
+use crate::{Held, Plan, RunError, Summary, Teller, Totals, select};
 use std::sync::Mutex;
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -238,35 +237,12 @@ impl Floor<'_> {
     }
 
     fn event(&self, job: &Job<'_>, answers: &Answers, time: Duration) -> CaseEvent {
-        let Job { case, engine } = *job;
-        let duration_us = u64::try_from(time.as_micros()).unwrap_or(u64::MAX);
-        let identity = self.engines[engine].identity();
-        let judgement = judge(case, answers, self.plan.strict(identity));
-        let (judgement, baseline) = match &self.held[engine] {
-            Some(held) => held.apply(&case.id, case.dialect, judgement),
-            None => (judgement, None),
+        let teller = Teller {
+            plan: self.plan,
+            engine: self.engines[job.engine].identity(),
+            held: self.held[job.engine].as_ref(),
         };
-        let engine = &identity.name;
-        CaseEvent {
-            id: case.id.to_string(),
-            dialect: case.dialect.as_str().to_owned(),
-            engine: engine.clone(),
-            verdict: judgement.verdict,
-            open: is_open(case),
-            grade: judgement.grade,
-            basis: case.basis.to_string(),
-            file: case.file.to_string(),
-            line: case.line,
-            area: case.area.to_string(),
-            title: case.title.to_string(),
-            expected: judgement.expected,
-            got: judgement.got,
-            duration_us,
-            rerun: self.plan.rerun(case, engine),
-            observations: judgement.observations,
-            program: lacking(judgement.verdict).then(|| case.source.to_string()),
-            baseline,
-        }
+        teller.event(job.case, answers, time)
     }
 }
 
@@ -345,13 +321,5 @@ fn engine_header(plan: &Plan, engine: &dyn Engine) -> EngineHeader {
             .iter()
             .filter_map(|dialect| Some((dialect.to_string(), engine.own_command(*dialect, PROGRAM)?)))
             .collect(),
-    }
-}
-
-/// Whether an engine did not do what was expected of it, be that known or not.
-const fn lacking(verdict: Verdict) -> bool {
-    match verdict {
-        Verdict::Fail | Verdict::Xfail | Verdict::Crash | Verdict::Timeout | Verdict::Error => true,
-        Verdict::Pass | Verdict::Xpass | Verdict::Unsupported => false,
     }
 }
