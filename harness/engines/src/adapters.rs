@@ -21,12 +21,14 @@ mod strucpp;
 mod witness;
 
 use crate::{Engine, EngineError};
+pub use apart::declared;
 pub use described::{DescribedEngine, Description};
 use ironplc::Ironplc;
 use matiec::Matiec;
 use places::Search;
 pub use places::{FoundBy, Located, Place, Places};
 use rusty::Rusty;
+pub use source::{Token, Tokens, Word, tokens};
 use strucpp::Strucpp;
 
 /// A compiler for which there is an adapter.

@@ -15,6 +15,7 @@ mod reference;
 mod validate;
 
 pub use adapters::{Compiler, DescribedEngine, Description, FoundBy, Located, Place, Places, Sought};
+pub use adapters::{Token, Tokens, Word, declared, tokens};
 pub use engine::{
     Ability, ClockStep, Engine, EngineError, Identity, Observation, Packed, RunRequest, Session, Setting,
 };

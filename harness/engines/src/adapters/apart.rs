@@ -30,7 +30,8 @@ const BLOCKS: &[&str] = &["STRUCT", "IF", "CASE", "FOR", "WHILE", "REPEAT"];
 /// The names that a program declares for all of its text, in capitals; `None` where it cannot stand among others: it shares
 /// something with a configuration or with the machine, it is not whole, or what it declares is `taken`, by the language or
 /// by the library of a compiler.
-pub(super) fn declared(source: &str, taken: &HashSet<String>) -> Option<HashSet<String>> {
+#[must_use]
+pub fn declared(source: &str, taken: &HashSet<String>) -> Option<HashSet<String>> {
     let mut reader = Reader::default();
     for token in tokens(source) {
         reader.read(token)?;
@@ -48,6 +49,8 @@ struct Reader {
     last: Last,
     /// The last word, in capitals.
     word: String,
+    /// It was the first of its declaration.
+    first: bool,
     /// Within the list of the values of an enumeration.
     in_list: bool,
 }
@@ -60,6 +63,8 @@ enum Last {
     Word,
     /// A colon.
     Colon,
+    /// The keyword before the first declaration of a type, or the semicolon before any other.
+    Start,
     #[default]
     Other,
 }
@@ -72,14 +77,16 @@ impl Reader {
             Token::Unfinished | Token::Pragma | Token::Sign(b'%') => return None,
             Token::Word(word) => self.word(word.text.to_ascii_uppercase(), last)?,
             Token::Sign(b':') => {
-                // A name of a type stands before a colon, and not one of a field.
-                if last == Last::Word && self.open.last().is_some_and(|open| open == "TYPE") {
+                // A name of a type stands before a colon, and not one of a field; that of another type before an assignment.
+                let named = last == Last::Word && self.first;
+                if named && self.open.last().is_some_and(|open| open == "TYPE") {
                     self.names.insert(self.word.clone());
                 }
                 self.last = Last::Colon;
             }
             Token::Sign(b'(') => self.in_list |= last == Last::Colon,
             Token::Sign(b')') => self.in_list = false,
+            Token::Sign(b';') => self.last = Last::Start,
             Token::Sign(_) => {}
         }
         Some(())
@@ -103,15 +110,16 @@ impl Reader {
             if unit != self.open.is_empty() {
                 return None;
             }
-            self.last = if unit && word != "TYPE" {
-                Last::Unit
-            } else {
-                Last::Other
+            self.last = match word.as_str() {
+                "TYPE" => Last::Start,
+                _ if unit => Last::Unit,
+                _ => Last::Other,
             };
             self.open.push(word);
             return Some(());
         }
         self.word = word;
+        self.first = last == Last::Start;
         self.last = Last::Word;
         Some(())
     }
@@ -205,6 +213,12 @@ mod tests {
             "COLOR", "DOWN", "F", "GREEN", "MAIN", "OFF", "ON", "PAIR", "RED", "UP",
         ];
         assert_eq!(names(source).unwrap(), expected);
+    }
+
+    #[test]
+    fn a_type_by_which_another_is_declared_is_no_name_of_the_text() {
+        let source = "TYPE A : INT := 5; B : ARRAY[1..2] OF DINT := [1, 2]; C : STRUCT f : SINT := 1; END_STRUCT; D : A := 7; END_TYPE";
+        assert_eq!(names(source).unwrap(), ["A", "B", "C", "D"]);
     }
 
     #[test]

@@ -6,28 +6,30 @@ use std::ops::Range;
 
 /// A word of a program: a keyword or a name; no word of a comment, a text or a number.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Word<'s> {
+pub struct Word<'s> {
     /// As it is written.
-    pub(super) text: &'s str,
+    pub text: &'s str,
     /// Where it begins, in bytes.
-    pub(super) at: usize,
+    pub at: usize,
 }
 
 impl Word<'_> {
     /// Whether it is this keyword or name, in any case.
-    pub(super) fn is(&self, name: &str) -> bool {
+    #[must_use]
+    pub fn is(&self, name: &str) -> bool {
         self.text.eq_ignore_ascii_case(name)
     }
 
     /// Where it ends, in bytes.
-    pub(super) fn end(&self) -> usize {
+    #[must_use]
+    pub fn end(&self) -> usize {
         self.at + self.text.len()
     }
 }
 
 /// What a program consists of, comments and pragmas left out.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Token<'s> {
+pub enum Token<'s> {
     /// A keyword or a name.
     Word(Word<'s>),
     /// Any other character; for a number its first digit, for a text its first quote.
@@ -39,13 +41,14 @@ pub(super) enum Token<'s> {
 }
 
 /// The tokens of a program, in order.
-pub(super) struct Tokens<'s> {
+pub struct Tokens<'s> {
     source: &'s str,
     at: usize,
 }
 
 /// The tokens of a program, in order.
-pub(super) fn tokens(source: &str) -> Tokens<'_> {
+#[must_use]
+pub fn tokens(source: &str) -> Tokens<'_> {
     Tokens { source, at: 0 }
 }
 
