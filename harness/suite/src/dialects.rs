@@ -15,6 +15,8 @@ use crate::toml_text;
 pub struct Dialects {
     groups: BTreeMap<String, Vec<DialectName>>,
     entries: BTreeMap<DialectName, DialectEntry>,
+    /// Those of other definitions that take over the cases of their bases.
+    defined: Vec<DialectName>,
 }
 
 /// What `dialects.toml` says of one dialect.
@@ -55,11 +57,19 @@ impl Default for Dialects {
         Dialects {
             groups: BTreeMap::new(),
             entries: BTreeMap::new(),
+            defined: Vec::new(),
         }
     }
 }
 
 impl Dialects {
+    /// The same, and these dialects take over the cases of those that they were defined to extend.
+    pub(crate) fn with_defined(mut self, defined: &[DialectName]) -> Dialects {
+        self.defined
+            .extend(defined.iter().filter(|dialect| dialect.definition().is_some()));
+        self
+    }
+
     /// Reads `dialects.toml`: what of it can be used, and what is wrong with it.
     pub(crate) fn read(text: &str) -> (Dialects, Vec<Mistake>) {
         let lines = Lines::new(text);
@@ -110,8 +120,10 @@ impl Dialects {
                 .entries
                 .iter()
                 .filter(|(_, entry)| entry.extends == Some(base));
+            let defined = self.defined.iter().filter(|name| name.base().name() == base);
             let new: Vec<_> = extending
                 .map(|(&name, _)| name)
+                .chain(defined.copied())
                 .filter(|name| !found.contains(name))
                 .collect();
             found.extend(new);

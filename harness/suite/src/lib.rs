@@ -4,8 +4,8 @@
 //! [`Suite::load`] reads a folder of them. Whatever stands in a file, the rest of the suite still loads: mistakes are
 //! [`CaseFileError`]s, with file, line, key and a hint. [`lint`](fn@lint) also says what only a reader of the files would notice.
 //!
-//! This crate must not know the reference: what a case expects comes from its file, or from exact arithmetic in
-//! this crate, never from running anything.
+//! This crate must not know the reference: what a case expects comes from its file, from exact arithmetic, or from what the
+//! definition of a dialect states, never from running anything.
 
 mod arrival;
 mod assemble;
@@ -13,6 +13,7 @@ mod assembly;
 pub mod basis;
 pub mod boundaries;
 mod condition;
+mod defined;
 mod dialects;
 mod error;
 mod files;

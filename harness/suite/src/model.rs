@@ -52,6 +52,13 @@ impl Case {
     pub fn key(&self) -> String {
         format!("{}@{}", self.id, self.dialect)
     }
+
+    /// Whether what must happen is what the definition of the case's dialect states, and not what a document says of the
+    /// dialect that it extends.
+    pub fn is_stated(&self) -> bool {
+        let source = self.basis.split_once(':').map(|(source, _)| source);
+        self.dialect.definition().is_some() && source == Some(self.dialect.as_str())
+    }
 }
 
 /// What must happen when an engine is given a case's program.

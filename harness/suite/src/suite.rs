@@ -8,6 +8,7 @@ use serde::Deserialize;
 use stickler_types::{DefinedDialect, DialectName};
 
 use crate::assembly::TypeNames;
+use crate::defined::restate;
 use crate::error::Mistake;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
@@ -42,10 +43,19 @@ impl Suite {
     ///
     /// It never fails: what is wrong stands in [`Suite::errors`], also where `dir` does not exist.
     pub fn load(dir: &Path) -> Suite {
+        Suite::load_with(dir, &[])
+    }
+
+    /// The same, with the cases of these dialects that were [defined](DialectName::define): those of the dialect that each
+    /// extends, taken over as they are, but for what its definition states. A cell that it overrides expects what it says, and
+    /// a call of a conversion function what exact arithmetic gives by its choices. Whether anything else depends on what it
+    /// overrides, this crate cannot know.
+    pub fn load_with(dir: &Path, defined: &[DialectName]) -> Suite {
         let root = files::Root::new(dir);
         let mut suite = Suite::default();
         suite.read_version(&root);
         suite.read_dialects(&root);
+        suite.dialects = std::mem::take(&mut suite.dialects).with_defined(defined);
         let type_names = TypeNames::default();
         let listing = files::list(&root);
         suite.errors.extend(listing.errors);
@@ -55,6 +65,14 @@ impl Suite {
             .files
             .par_iter()
             .map(|file| read_file(file, dialects, &type_names))
+            .map(|mut harvest| {
+                let others = harvest
+                    .cases
+                    .iter_mut()
+                    .filter(|case| case.dialect.definition().is_some());
+                others.for_each(|case| restate(case, &type_names));
+                harvest
+            })
             .collect();
         suite
             .cases

@@ -9,6 +9,7 @@ use stickler_types::{DialectName, ElementaryType, Value};
 use crate::arrival::{Arrival, arrives};
 use crate::assemble::Assembler;
 use crate::assembly::TypeNames;
+use crate::defined::converted;
 use crate::model::{MatrixCell, Word};
 use crate::table::probe::{Probe, Target};
 use crate::table::types::{Input, TypeInfo};
@@ -41,6 +42,8 @@ pub(crate) struct Cell<'a> {
     pub(crate) prefix: String,
     pub(crate) place: Arc<MatrixCell>,
     pub(crate) basis: Arc<str>,
+    /// The dialect whose definition states this cell, where one does: then the matrix of the file has another word.
+    pub(crate) stated_by: Option<DialectName>,
 }
 
 /// What the cases of one cell in one group of dialects have in common.
@@ -78,11 +81,21 @@ pub(crate) fn declarations(row: &TypeInfo, column: &TypeInfo) -> String {
 }
 
 impl Cell<'_> {
+    /// What arrives in an elementary type. A pair that converts because a definition states so does what the conversion
+    /// function for the pair does.
+    fn arrives(&self, value: &Value, ty: ElementaryType) -> Option<Arrival> {
+        let documented = arrives(value, ty);
+        match (self.stated_by, &documented) {
+            (None, _) | (_, Some(Arrival::Exactly(_))) => documented,
+            (Some(dialect), _) => Some(converted(value, ty, dialect)),
+        }
+    }
+
     /// What arrives in a variable of the column's type; nothing where nothing says so.
     pub(crate) fn what_arrives(&self, input: &Input) -> Option<Arrival> {
         let value = input.value.as_ref()?;
         match self.column.base {
-            Some(ty) => arrives(value, ty),
+            Some(ty) => self.arrives(value, ty),
             None => (self.row.name == self.column.name).then(|| Arrival::Exactly(value.clone())),
         }
     }
@@ -137,7 +150,7 @@ impl CaseOf<'_, '_> {
             return Ok(());
         }
         let arrival = match &own {
-            Some(own) => elementary(own).and_then(|ty| arrives(input.value.as_ref()?, ty)),
+            Some(own) => elementary(own).and_then(|ty| cell.arrives(input.value.as_ref()?, ty)),
             None => cell.what_arrives(input),
         };
         let column = own.as_deref().unwrap_or(&cell.column.name);

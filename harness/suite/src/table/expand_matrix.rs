@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use stickler_types::{DialectName, Value};
+use stickler_types::{DialectName, ElementaryType, Value};
 
 use crate::arrival::Arrival;
 use crate::assemble::Assembler;
@@ -74,6 +74,53 @@ pub(crate) fn expand(
             probe.remarks(count, &mut harvest.remarks);
         }
     }
+}
+
+/// What is said of a cell.
+#[derive(Clone, Copy)]
+struct Said {
+    word: Word,
+    /// The dialect whose definition says so, and its basis; nothing where the matrix does.
+    stated: Option<(DialectName, &'static str)>,
+}
+
+/// What is said of a cell in which of the dialects: what the matrix says, and what definitions say instead. Only what a matrix says
+/// of implicit conversion they override.
+fn overridden(
+    probe: &Probe<'_>,
+    row: &str,
+    column: &TypeInfo,
+    word: Word,
+    dialects: &[DialectName],
+) -> Vec<(Said, Vec<DialectName>)> {
+    let stated = |dialect: &DialectName| {
+        let pair = (
+            ElementaryType::from_name(row)?,
+            ElementaryType::from_name(&column.name)?,
+        );
+        let stated = dialect.definition()?.cell(pair.0, pair.1)?;
+        Some(Said {
+            word: match stated.value {
+                stickler_types::definition::Cell::Yes => Word::Yes,
+                stickler_types::definition::Cell::No => Word::No,
+                stickler_types::definition::Cell::Open => Word::Open,
+            },
+            stated: Some((*dialect, &stated.basis)),
+        })
+    };
+    let by_matrix = Said { word, stated: None };
+    if dialects.iter().all(|dialect| dialect.definition().is_none()) || !probe.is_implicit_conversion() {
+        return vec![(by_matrix, dialects.to_vec())];
+    }
+    let (others, overriding): (Vec<DialectName>, Vec<DialectName>) =
+        dialects.iter().partition(|dialect| stated(dialect).is_none());
+    let mut said = vec![(by_matrix, others)];
+    said.extend(
+        overriding
+            .iter()
+            .filter_map(|dialect| Some((stated(dialect)?, vec![*dialect]))),
+    );
+    said
 }
 
 struct Expander<'a, 'h> {
@@ -166,14 +213,16 @@ impl Expander<'_, '_> {
                     .look()
                     .map_err(|message| Mistake::new(row.line, message))?;
                 if let Some(word) = word {
-                    self.cell(
-                        section,
-                        probe,
-                        (row, row_type),
-                        (column, *word),
-                        &inputs,
-                        &dialects,
-                    )?;
+                    for (said, dialects) in overridden(probe, &row.name, column, *word, &dialects) {
+                        self.cell(
+                            section,
+                            probe,
+                            (row, row_type),
+                            (column, said),
+                            &inputs,
+                            &dialects,
+                        )?;
+                    }
                 }
                 if self.harvest.mistakes.len() > MOST_MISTAKES {
                     return Err(Mistake::new(
@@ -191,7 +240,7 @@ impl Expander<'_, '_> {
         section: &Section<'_>,
         probe: &mut Probe<'_>,
         (row, row_type): (&MatrixRow, &TypeInfo),
-        (column, word): (&TypeInfo, Word),
+        (column, Said { word, stated }): (&TypeInfo, Said),
         inputs: &[Input],
         dialects: &[DialectName],
     ) -> Result<(), Mistake> {
@@ -213,7 +262,11 @@ impl Expander<'_, '_> {
                 column: Arc::clone(&column.name),
                 word,
             }),
-            basis: self.basis(section, probe, &texts, row.line),
+            basis: match stated {
+                Some((_, basis)) => basis.into(),
+                None => self.basis(section, probe, &texts, row.line),
+            },
+            stated_by: stated.map(|(dialect, _)| dialect),
         };
         for (active, members) in probe.program.groups(dialects, &texts) {
             probe.note_applied(&active);
@@ -332,7 +385,13 @@ impl Expander<'_, '_> {
             .as_ref()
             .or(section.title.as_ref())
             .unwrap_or(&self.table.title);
-        let title = title.fill(&mut self.scratch, &texts);
+        let title = match cell.stated_by {
+            Some(dialect) => {
+                let (row, column, word) = (&cell.row.name, &column.name, cell.word.as_str());
+                format!("{row} to {column} is `{word}` in {dialect}").into()
+            }
+            None => title.fill(&mut self.scratch, &texts),
+        };
         let basis = Arc::clone(&cell.basis);
         let group = Group {
             id,

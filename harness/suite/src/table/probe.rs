@@ -11,6 +11,7 @@ use crate::error::Mistake;
 use crate::frame::{self, FileContext, Frame, Withdrawal};
 use crate::header;
 use crate::ident;
+use crate::mark::{Claim, Known};
 use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::program::{Program, Remarks};
@@ -224,6 +225,23 @@ impl Probe<'_> {
     pub(crate) fn narrowed(&self, all: &[DialectName]) -> Vec<DialectName> {
         let narrows = |dialect: &DialectName| self.dialects.as_ref().is_none_or(|own| own.contains(dialect));
         all.iter().copied().filter(narrows).collect()
+    }
+
+    /// Whether a rejection by the probe is that of a value which does not convert to the type of its context; where it says of
+    /// no rejection, it shows what arrives.
+    ///
+    /// Basis: stickler-design: §7 (which code where).
+    pub(crate) fn is_implicit_conversion(&self) -> bool {
+        let is_code = |code: &str| ["P4022", "P4026", "P4027", "P4035"].contains(&code);
+        let mut codes = self.program.marks.iter().filter_map(|mark| match &mark.claim {
+            Claim::Error(codes) => Some(codes),
+            _ => None,
+        });
+        codes.all(|codes| {
+            codes
+                .iter()
+                .all(|code| matches!(code, Known::Now(code) if is_code(code.as_str())))
+        })
     }
 
     /// Notes that marks applied in a case.

@@ -1,6 +1,7 @@
 //! The case format from outside: files in, cases and mistakes out.
 
 mod common;
+mod defined;
 mod folder;
 mod matrices;
 mod programs;

@@ -1,0 +1,164 @@
+//! The cases of a dialect that was defined: taken over, but for what its definition states.
+
+use crate::common::folder;
+use std::collections::BTreeMap;
+use stickler_suite::{Acceptance, Case, Suite};
+use stickler_types::definition::{Cell, OutOfRangeWord, RoundingWord};
+use stickler_types::{BuiltIn, Code, Definition, DialectName, ElementaryType, Stated};
+
+/// A matrix of implicit conversions, one of another rule, a table of calls, and a program.
+const FILES: [(&str, &str); 4] = [
+    (
+        "a/widening.toml",
+        "title = 't'\nbasis = 'iec-61131-3: 6'\ndialects = ['ironplc']\nmatrix = \"\"\"\n     SINT INT BOOL\nSINT = yes no\nINT no = no\n\"\"\"\n\
+         [[probe]]\nname = 'p'\nobserve = 'into'\nsource = \"\"\"\nVAR data : {row} := {value}; into : {column} := {other}; END_VAR\n\
+         into := data; (*! error P4035 if no *)\n\"\"\"\n",
+    ),
+    (
+        "a/in-out.toml",
+        "title = 't'\nbasis = 'iec-61131-3: 6'\ndialects = ['ironplc']\nmatrix = \"\"\"\n    INT BOOL\nINT = no\n\"\"\"\n\
+         [[probe]]\nname = 'p'\nsource = \"\"\"\n{row} {column} (*! error P4059 if no *) (*! ok if = *)\n\"\"\"\n",
+    ),
+    (
+        "a/calls.toml",
+        "title = 't'\nbasis = 'iec-61131-3: 6'\ndialects = ['ironplc-ed3']\ncolumns = ['input', 'expected']\n\
+         rows = [['2.0', 'SINT#2'], ['2.5', 'SINT#2'], ['127.5', 'SINT#127'], ['300.0', 'open']]\n\
+         [[probe]]\nname = 'p'\nobserve = 'into : SINT'\nexpect = '{expected}'\nsource = \"\"\"\n\
+         PROGRAM main\nVAR\n    data : REAL := {input};\n    into : SINT;\nEND_VAR\n    into := REAL_TO_SINT(data);\nEND_PROGRAM\n\"\"\"\n",
+    ),
+    (
+        "a/program.st",
+        "(*!\ntitle = 't'\nbasis = 'iec-61131-3: 6'\ndialects = ['all']\n*)\nx; (*! ok in ironplc-ed3 *)\n",
+    ),
+];
+
+fn stated<T>(value: T, basis: &str) -> Stated<T> {
+    Stated {
+        value,
+        basis: basis.to_owned(),
+    }
+}
+
+/// The cases that a dialect has, by id.
+fn cases(definition: Definition) -> BTreeMap<String, Case> {
+    let dialect = DialectName::define(definition).unwrap();
+    let files: Vec<(&str, &str)> = FILES.to_vec();
+    let folder = folder(&files);
+    let root = folder.path().join("cases");
+    let suite = Suite::load_with(&root, &[dialect]);
+    assert_eq!(suite.errors, []);
+    let others = |suite: &Suite| {
+        suite
+            .cases
+            .iter()
+            .filter(|case| case.dialect != dialect)
+            .cloned()
+            .collect()
+    };
+    let (with, without): (Vec<Case>, Vec<Case>) = (others(&suite), others(&Suite::load(&root)));
+    assert_eq!(with, without, "the cases of other dialects stay what they are");
+    let own = suite.cases.into_iter().filter(|case| case.dialect == dialect);
+    own.map(|case| (case.id.to_string(), case)).collect()
+}
+
+fn values(case: &Case) -> Vec<String> {
+    case.expectation
+        .values
+        .iter()
+        .map(|value| value.value.to_string())
+        .collect()
+}
+
+#[test]
+fn what_overrides_nothing_takes_every_case_over_as_it_is() {
+    let own = cases(Definition::new("overrides-nothing", BuiltIn::IronplcEd3, "here"));
+    let suite = Suite::load(&folder(&FILES).path().join("cases"));
+    let base: Vec<&Case> = suite
+        .cases
+        .iter()
+        .filter(|case| case.dialect == DialectName::IronplcEd3)
+        .collect();
+    assert_eq!(own.len(), base.len());
+    for case in base {
+        let own = &own[&*case.id];
+        assert!(!own.is_stated());
+        assert_eq!(
+            *case,
+            Case {
+                dialect: case.dialect,
+                ..own.clone()
+            }
+        );
+    }
+}
+
+#[test]
+fn a_cell_that_is_overridden_expects_what_the_definition_says() {
+    use ElementaryType::{Bool, Int, Sint};
+    let own = cases(Definition {
+        cells: BTreeMap::from([
+            ((Sint, Int), stated(Cell::No, "cells: implicit SINT.INT")),
+            ((Int, Sint), stated(Cell::Yes, "cells: implicit INT.SINT")),
+            ((Int, Bool), stated(Cell::Open, "cells: implicit INT.BOOL")),
+        ]),
+        ..Definition::new("cells", BuiltIn::IronplcEd3, "here")
+    });
+    let rejected = &own["a/widening::p(SINT,INT)"];
+    assert_eq!(
+        rejected.expectation.diagnostics[0].code,
+        "P4035".parse::<Code>().unwrap()
+    );
+    assert_eq!(&*rejected.basis, "cells: implicit SINT.INT");
+    assert_eq!(&*rejected.title, "SINT to INT is `no` in cells");
+    assert!(rejected.is_stated());
+    // What fits arrives unchanged; of the rest IronPLC says that a conversion function wraps.
+    assert_eq!(values(&own["a/widening::p(INT,SINT,-128)"]), ["SINT#-128"]);
+    assert_eq!(values(&own["a/widening::p(INT,SINT,128)"]), ["SINT#-128"]);
+    let open: Vec<&Case> = own
+        .values()
+        .filter(|case| case.id.starts_with("a/widening::p(INT,BOOL"))
+        .collect();
+    assert!(!open.is_empty());
+    assert!(
+        open.iter()
+            .all(|case| case.expectation.accepted == Acceptance::Observed)
+    );
+    // A cell that nobody overrides, and a matrix that says nothing of implicit conversion.
+    for taken_over in ["a/widening::p(SINT,BOOL)", "a/in-out::p(INT,BOOL)", "a/program"] {
+        assert!(!own[taken_over].is_stated(), "{taken_over}");
+    }
+}
+
+#[test]
+fn a_call_expects_what_exact_arithmetic_gives_by_the_choices_of_the_definition() {
+    let rounding = stated(RoundingWord::HalfAwayFromZero, "calls: rounding");
+    let own = cases(Definition {
+        rounding: Some(rounding.clone()),
+        out_of_range: Some(stated(OutOfRangeWord::Saturate, "calls: out-of-range")),
+        ..Definition::new("calls", BuiltIn::IronplcEd3, "here")
+    });
+    for (id, expected, basis) in [
+        ("a/calls::p(2.0)", "SINT#2", "iec-61131-3: 6"),
+        ("a/calls::p(2.5)", "SINT#3", "calls: rounding"),
+        ("a/calls::p(127.5)", "SINT#127", "calls: out-of-range"),
+        // What the file leaves open.
+        ("a/calls::p(300.0)", "SINT#127", "calls: out-of-range"),
+    ] {
+        assert_eq!(
+            (values(&own[id]), &*own[id].basis),
+            (vec![expected.to_owned()], basis),
+            "{id}"
+        );
+    }
+    let own = cases(Definition {
+        rounding: Some(rounding),
+        ..Definition::new("calls-wrapping", BuiltIn::IronplcEd3, "here")
+    });
+    // It is 128, and nobody says what becomes of that.
+    let open = &own["a/calls::p(127.5)"];
+    assert_eq!(
+        (open.expectation.accepted, open.expectation.values.len()),
+        (Acceptance::Observed, 0)
+    );
+    assert_eq!(&*open.observe[0].name, "into");
+}
