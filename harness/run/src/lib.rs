@@ -2,7 +2,8 @@
 //!
 //! The way of a case: [`select`](select()) picks it, a worker of the [`schedule`](run()) asks an engine and
 //! gets [`Answers`], [`judge`](judge()) holds them against the expectation, the engine's [`Baseline`] says whether that was
-//! known, and the [`Judgement`] goes out as a [`CaseEvent`]. This crate does not know how events are shown.
+//! known, and the [`Judgement`] goes out as a [`CaseEvent`]. Of a dialect that was defined, [`leave_out`] takes out the cases
+//! before, of which nobody says what must happen. This crate does not know how events are shown.
 #![forbid(unsafe_code)]
 
 mod answers;
@@ -17,6 +18,7 @@ mod schedule;
 mod select;
 mod shard;
 mod tell;
+mod unstated;
 
 pub use answers::{Answers, Desk, Rendering};
 pub use baseline::{
@@ -33,3 +35,4 @@ pub use select::select;
 pub use shard::{Shard, ShardError};
 pub use stickler_engines::Grade;
 pub use tell::Teller;
+pub use unstated::leave_out;

@@ -90,7 +90,7 @@ pub fn run(
 }
 
 /// An engine in this process may recurse as deep as its own limits allow; two megabytes are too few for some.
-const STACK: usize = 16 << 20;
+pub(crate) const STACK: usize = 16 << 20;
 
 /// A batch grows while it takes less than this; then workers seldom meet, and slow engines still show
 /// progress.

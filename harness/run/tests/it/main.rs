@@ -10,3 +10,4 @@ mod scheduling;
 mod selecting;
 mod suggestions;
 mod suite;
+mod unstated;

@@ -1,0 +1,58 @@
+//! Cases of a dialect that was defined, of which nobody says what must happen there.
+//!
+//! Such a dialect takes over the cases of the one that it extends. What its definition states itself, cases expect already. What
+//! else depends on the rules that it overrides, the reference shows: it is asked under both. Where it no longer does what the
+//! documents of the base say, they do not speak of this dialect; and what it does instead is no expectation, for nobody has
+//! written that down. Such a case is left out, and counted.
+
+use crate::schedule::STACK;
+use crate::{Desk, Grade, Plan, RunError, is_open, judge, select};
+use rayon::prelude::*;
+use stickler_engines::{EngineError, Reference};
+use stickler_suite::Case;
+
+/// Takes out of the cases those that the plan selects and nobody states, in the order of the suite.
+///
+/// # Errors
+/// [`RunError::Workers`] where the system gives no threads; [`RunError::Engine`] where the reference has no session.
+pub fn leave_out(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case>, RunError> {
+    let taken_over =
+        |case: &&Case| case.dialect.definition().is_some() && !case.is_stated() && !is_open(case);
+    let selected: Vec<&Case> = select(plan, cases).into_iter().filter(taken_over).collect();
+    if selected.is_empty() {
+        return Ok(Vec::new());
+    }
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(plan.jobs)
+        .stack_size(STACK)
+        .thread_name(|index| format!("stickler-{index}"))
+        .build()?;
+    let reference = Reference::new();
+    let changed: Result<Vec<bool>, EngineError> = pool.install(|| {
+        selected
+            .par_iter()
+            .map_init(|| Desk::new(&reference), |desk, case| is_changed(desk, case))
+            .collect()
+    });
+    let gone = selected.iter().zip(changed?).filter(|(_, changed)| *changed);
+    let gone: Vec<Case> = gone.map(|(case, _)| (*case).clone()).collect();
+    let mut next = gone.iter().peekable();
+    cases.retain(|case| {
+        let is_next = |gone: &&Case| (&gone.id, gone.dialect) == (&case.id, case.dialect);
+        next.next_if(is_next).is_none()
+    });
+    Ok(gone)
+}
+
+/// Whether the reference meets what the case expects in the dialect that its own extends, and no longer in its own.
+fn is_changed(desk: &mut Desk<'_>, case: &Case) -> Result<bool, EngineError> {
+    let in_base = Case {
+        dialect: case.dialect.base().name(),
+        ..case.clone()
+    };
+    let mut happens = |case: &Case| {
+        let judgement = judge(case, &desk.ask(case)?, Grade::Code);
+        Ok::<_, EngineError>((judgement.verdict, judgement.got))
+    };
+    Ok(happens(&in_base)? != happens(case)?)
+}

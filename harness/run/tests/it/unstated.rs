@@ -1,0 +1,82 @@
+//! Cases of a dialect that was defined, of which nobody says what must happen, on the real suite.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use stickler_engines::Reference;
+use stickler_run::{Event, Filter, Plan, Verdict, leave_out, run};
+use stickler_suite::Suite;
+use stickler_types::definition::{Flag, RoundingWord};
+use stickler_types::{BuiltIn, Definition, DialectName, Stated};
+
+fn stated<T>(value: T) -> Stated<T> {
+    Stated {
+        value,
+        basis: "unstated: test".to_owned(),
+    }
+}
+
+#[test]
+fn what_changes_and_nobody_states_is_left_out_and_all_else_is_as_expected() {
+    let dialect = DialectName::define(Definition {
+        flags: BTreeMap::from([(Flag::NestedComments, stated(false))]),
+        rounding: Some(stated(RoundingWord::HalfToEven)),
+        ..Definition::new("unstated", BuiltIn::IronplcEd3, "here")
+    })
+    .unwrap();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+    let mut suite = Suite::load_with(&root, &[dialect]);
+    let plan = Plan {
+        filters: [
+            "language/comments*",
+            "*real-to-integer::*REAL,SINT*",
+            "conversion/idiom-round::*",
+            "widening/bool*",
+        ]
+        .map(Filter::new)
+        .to_vec(),
+        dialects: vec![dialect],
+        ..Plan::default()
+    };
+    let all = suite.cases.len();
+    let left_out = leave_out(&plan, &mut suite.cases).unwrap();
+    assert_eq!(suite.cases.len() + left_out.len(), all);
+    assert!(
+        left_out
+            .iter()
+            .all(|case| case.dialect == dialect && !case.is_stated())
+    );
+    let files: BTreeSet<&str> = left_out
+        .iter()
+        .filter_map(|case| case.id.split("::").next())
+        .collect();
+    assert_eq!(
+        Vec::from_iter(files),
+        ["conversion/idiom-round", "language/comments-nested"]
+    );
+    let mut stated = 0;
+    let summary = run(
+        &plan,
+        &suite,
+        &[&Reference::new()],
+        &mut |event| {
+            if let Event::Case(case) = event {
+                assert_eq!(case.verdict, Verdict::Pass, "{} {}", case.id, case.got);
+                stated += usize::from(case.basis.starts_with("unstated:"));
+            }
+        },
+        &AtomicBool::new(false),
+    );
+    let run = summary.unwrap().cases;
+    assert!(run > 100, "only {run} cases");
+    assert!(stated > 10, "only {stated} cases are stated");
+}
+
+#[test]
+fn of_dialects_of_documented_systems_nothing_is_left_out() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases/language");
+    let mut suite = Suite::load(&root);
+    let before = suite.cases.clone();
+    assert!(leave_out(&Plan::default(), &mut suite.cases).unwrap().is_empty());
+    assert_eq!(suite.cases, before);
+}
