@@ -14,7 +14,7 @@ pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use reduce::ReduceArguments;
 
 use crate::exit::Listing;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use numbers::whole;
 use std::path::PathBuf;
@@ -109,7 +109,7 @@ pub struct SelectionArguments {
     /// TEXT has a `*`, those that it fits from start to end
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
-    /// Only cases of this dialect; may be repeated
+    /// Only cases of this dialect, which stickler.toml may define; may be repeated [default: those of documented systems]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
 }
@@ -161,6 +161,10 @@ pub struct ListArguments {
     /// List claims instead: each section of each document, how many cases check it, and in which files
     #[arg(long)]
     pub basis: bool,
+    /// List instead the cases that a dialect of stickler.toml does not take over from the one that it extends, because
+    /// what it overrides changes them and no document says how
+    #[arg(long, conflicts_with = "basis")]
+    pub left_out: bool,
     /// Print one JSON object a line
     #[arg(long)]
     pub json: bool,
@@ -297,9 +301,20 @@ fn grades() -> impl TypedValueParser<Value = Grade> {
     PossibleValuesParser::new(Grade::ALL.map(Grade::as_str)).try_map(|name| name.parse::<Grade>())
 }
 
+/// The dialects that there are now. Those of stickler.toml are there once that was read.
 fn dialects() -> impl TypedValueParser<Value = DialectName> {
-    PossibleValuesParser::new(DialectName::ALL.map(DialectName::as_str))
-        .try_map(|name| name.parse::<DialectName>())
+    let shown = |dialect: DialectName| {
+        let value = PossibleValue::new(dialect.as_str());
+        match dialect
+            .definition()
+            .and_then(|definition| definition.about.as_deref())
+        {
+            Some(about) => value.help(about),
+            None => value,
+        }
+    };
+    let all = DialectName::ALL.into_iter().chain(DialectName::defined());
+    PossibleValuesParser::new(all.map(shown)).try_map(|name| name.parse::<DialectName>())
 }
 
 fn top_level_help() -> String {

@@ -1,6 +1,7 @@
 //! Where the cases are, and what is wrong with them.
 
 use crate::arguments::SelectionArguments;
+use crate::engines;
 use crate::exit::Exit;
 use crate::output;
 use crate::shell;
@@ -8,7 +9,8 @@ use anyhow::{Context, bail};
 use std::env;
 use std::path::{Path, PathBuf};
 use stickler_run::{Filter, Plan, Shard};
-use stickler_suite::Suite;
+use stickler_suite::{Case, Suite};
+use stickler_types::DialectName;
 
 /// The name of the folder that is looked for.
 const NAME: &str = "conformance-cases";
@@ -74,7 +76,12 @@ impl CaseFolder {
 
     /// Reads the cases, and says on stderr what is wrong with their files.
     pub fn load(&self) -> Suite {
-        let suite = Suite::load(&self.path);
+        self.load_with(&[])
+    }
+
+    /// The same, with those of dialects that stickler.toml defines.
+    pub fn load_with(&self, defined: &[DialectName]) -> Suite {
+        let suite = Suite::load_with(&self.path, defined);
         for error in &suite.errors {
             output::complain(&anyhow::anyhow!("{error}"));
         }
@@ -87,6 +94,38 @@ impl CaseFolder {
         }
         suite
     }
+}
+
+/// The dialects of stickler.toml that a command is about: those that are asked for, and the one at the end of a case's key. All
+/// others have no cases, so that a run of which nobody says anything else is the same everywhere.
+pub fn defined(asked: &[DialectName], key: Option<&str>) -> Vec<DialectName> {
+    let named = key.and_then(|key| key.rsplit_once('@')?.1.parse::<DialectName>().ok());
+    let asked = asked.iter().copied().chain(named);
+    asked.filter(|dialect| dialect.definition().is_some()).collect()
+}
+
+/// Takes out the selected cases of dialects of stickler.toml of which nobody says what must happen, and says how many.
+///
+/// # Errors
+/// Where the reference cannot be asked.
+pub fn leave_out(plan: &Plan, suite: &mut Suite) -> anyhow::Result<Vec<Case>> {
+    let left_out = stickler_run::leave_out(plan, &mut suite.cases)?;
+    for dialect in DialectName::defined() {
+        let number = left_out.iter().filter(|case| case.dialect == dialect).count();
+        let base = dialect.base().name();
+        let cases = match number {
+            0 => continue,
+            1 => format!("1 case of {base} is left out of {dialect}, because what it overrides changes it"),
+            _ => format!(
+                "{number} cases of {base} are left out of {dialect}, because what it overrides changes them"
+            ),
+        };
+        output::note(format!(
+            "{cases} and no document says how; `stickler list --dialect {dialect} --left-out` lists {}",
+            if number == 1 { "it" } else { "them" }
+        ));
+    }
+    Ok(left_out)
 }
 
 /// What broken case files mean for the exit code.
@@ -114,6 +153,10 @@ pub fn plan(selection: &SelectionArguments, shard: Option<Shard>) -> Plan {
     if let Some(folder) = &selection.cases {
         rerun_prefix.push_str(" --cases ");
         rerun_prefix.push_str(&shell::quote(&folder.to_string_lossy()));
+    }
+    if let Some(file) = engines::config_file() {
+        rerun_prefix.push_str(" --config ");
+        rerun_prefix.push_str(&shell::quote(&file.to_string_lossy()));
     }
     Plan {
         filters: selection

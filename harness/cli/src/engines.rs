@@ -1,8 +1,11 @@
 //! Engines by the names that people give them on the command line.
 
+use crate::arguments::Arguments;
 use crate::exit::{NoSuchEngine, SpeaksNone};
 use anyhow::Context;
+use clap::CommandFactory;
 use std::env;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use stickler_configuration::{Configuration, Kind};
@@ -21,11 +24,36 @@ pub const COMMAND: &str = "cmd:";
 /// The file that `--config` names.
 static FILE: OnceLock<PathBuf> = OnceLock::new();
 
-/// Has every engine sought by this file from now on, in place of the `stickler.toml` here or above. To be said once, before
-/// the first engine is sought.
-pub fn read_from(file: PathBuf) {
-    // A second file would be a mistake of this program; the first one stays.
-    let _ = FILE.set(file);
+/// Reads `stickler.toml`, or the file that the command line names, before the command line itself is read: it may name dialects
+/// which that file defines.
+///
+/// # Errors
+/// A [`ConfigurationError`](stickler_configuration::ConfigurationError) where the file cannot be used.
+pub fn configure() -> anyhow::Result<()> {
+    if let Some(file) = named_file() {
+        // Nobody was here before.
+        let _ = FILE.set(file);
+    }
+    match (FILE.get(), env::current_dir()) {
+        // Without a working directory there is none to read, and what needs it will say so.
+        (None, Err(_)) => Ok(()),
+        _ => configuration().map(|_| ()),
+    }
+}
+
+/// What stands behind `--config`. Whatever else is wrong with the command line is told later.
+fn named_file() -> Option<PathBuf> {
+    let mentions = |word: OsString| word.to_string_lossy().starts_with("--config");
+    if !env::args_os().any(mentions) {
+        return None;
+    }
+    let matches = Arguments::command().ignore_errors(true).try_get_matches().ok()?;
+    matches.try_get_one::<PathBuf>("config").ok()?.cloned()
+}
+
+/// The file that `--config` names.
+pub fn config_file() -> Option<&'static Path> {
+    FILE.get().map(PathBuf::as_path)
 }
 
 /// What `stickler.toml` says.

@@ -24,10 +24,18 @@ use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let mut arguments = Arguments::parse();
-    if let Some(file) = arguments.config.take() {
-        engines::read_from(file);
-    }
+    // The command line may name the dialects of stickler.toml.
+    let configured = engines::configure();
+    let arguments = match (Arguments::try_parse(), configured) {
+        (Ok(arguments), Ok(())) => arguments,
+        (Err(usage), Ok(())) => usage.exit(),
+        // Help is no less needed then.
+        (Err(usage), Err(_)) if !usage.use_stderr() => usage.exit(),
+        (_, Err(error)) => {
+            output::complain(&error);
+            return exit::of_error(&error).into();
+        }
+    };
     let mut out = output::stdout();
     let result = commands::execute(arguments, &mut out).and_then(|exit| {
         out.flush()?;

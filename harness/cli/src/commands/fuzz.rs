@@ -156,6 +156,13 @@ fn dialects_of(arguments: &FuzzArguments, engines: &[Named]) -> anyhow::Result<V
         [] => &DialectName::ALL[..],
         named => named,
     };
+    if let Some(defined) = asked.iter().find(|dialect| dialect.definition().is_some()) {
+        bail!(
+            "programs are made by the rules of documented systems alone, and {defined} overrides some; --dialect {} has those \
+             that it extends",
+            defined.base().name()
+        );
+    }
     let foreign = engines
         .iter()
         .filter(|named| named.asked_for != engines::REFERENCE);

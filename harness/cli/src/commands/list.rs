@@ -19,15 +19,24 @@ const DIM: Style = Style::new().dimmed();
 /// # Errors
 /// No folder of cases; nothing selected.
 pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let suite = CaseFolder::locate(arguments.selection.cases.as_deref())?.load();
-    let plan = case_folder::plan(&arguments.selection, None);
-    let cases = select(&plan, &suite.cases);
+    let selection = &arguments.selection;
+    let defined = case_folder::defined(&selection.dialect, selection.filter.as_deref());
+    let mut suite = CaseFolder::locate(selection.cases.as_deref())?.load_with(&defined);
+    let plan = case_folder::plan(selection, None);
+    let left_out = case_folder::leave_out(&plan, &mut suite)?;
+    let cases = match arguments.left_out {
+        true => left_out.iter().collect(),
+        false => select(&plan, &suite.cases),
+    };
     let withdrawn: Vec<Case> = suite
         .withdrawn
         .iter()
         .map(|withdrawn| withdrawn.case.clone())
         .collect();
-    let withdrawn = select(&plan, &withdrawn);
+    let withdrawn = match arguments.left_out {
+        true => Vec::new(),
+        false => select(&plan, &withdrawn),
+    };
     if cases.is_empty() && withdrawn.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));
     }

@@ -31,12 +31,17 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     let asked_for = asked_for(&engines);
     let engines: Vec<&dyn Engine> = engines.iter().map(|named| named.engine.as_ref()).collect();
     let folder = CaseFolder::locate(arguments.selection.cases.as_deref())?;
-    let suite = folder.load();
+    let defined = case_folder::defined(
+        &arguments.selection.dialect,
+        arguments.selection.filter.as_deref(),
+    );
+    let mut suite = folder.load_with(&defined);
     let plan = Plan {
         asked_for,
         baselines: baselines(arguments, &folder, &engines)?,
         ..plan(arguments)
     };
+    case_folder::leave_out(&plan, &mut suite)?;
     let selected = select(&plan, &suite.cases);
     if selected.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));

@@ -25,7 +25,8 @@ const LONGEST_NAME: usize = 200;
 /// # Errors
 /// No folder of cases; no such case, with those that look like it.
 pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let suite = CaseFolder::locate(arguments.cases.as_deref())?.load();
+    let defined = case_folder::defined(&[], Some(&arguments.case));
+    let suite = CaseFolder::locate(arguments.cases.as_deref())?.load_with(&defined);
     let withdrawn = suite.withdrawn.iter().map(|withdrawn| &withdrawn.case);
     let named: Vec<&Case> = suite
         .cases

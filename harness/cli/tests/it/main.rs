@@ -5,6 +5,7 @@
 mod bless;
 mod common;
 mod compare;
+mod dialects;
 #[cfg(unix)]
 mod engines;
 #[cfg(unix)]

@@ -1,0 +1,224 @@
+//! Dialects that `stickler.toml` defines, over a few tables of the real suite.
+
+use crate::common::{STICKLER, output, text};
+use serde_json::Value as Json;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+use tempfile::TempDir;
+
+const SUITE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../conformance-cases");
+
+/// The case files that the tests are run over: each kind of override is met by one.
+const FILES: [&str; 8] = [
+    "suite.toml",
+    "dialects.toml",
+    "widening/integer.toml",
+    "widening/bool.toml",
+    "widening/cross-family.toml",
+    "conversion/real-to-integer.toml",
+    "conversion/string-borderline.toml",
+    "language/comments-nested.st",
+];
+
+/// A promise of each kind.
+const MINE: &str = r#"
+[dialects.mine]
+extends = "ironplc-ed3"
+about = "MyPLC 2.1"
+source = "https://example.org/myplc"
+[dialects.mine.implicit]
+"INT.BOOL" = "yes"
+"SINT.INT" = "no"
+[dialects.mine.flags]
+nested-comments = false
+allow-cross-family-widening = true
+[dialects.mine.conversions]
+rounding = "half-away-from-zero"
+out-of-range = "saturate"
+text-reading = "leading-number"
+"#;
+
+/// A folder with the case files, with this stickler.toml, and with an empty one.
+fn folder(configuration: &str) -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for file in FILES {
+        let to = folder.path().join("conformance-cases").join(file);
+        fs::create_dir_all(to.parent().expect("a parent")).expect("a folder");
+        fs::copy(Path::new(SUITE).join(file), to).expect("the case file is there");
+    }
+    fs::write(folder.path().join("stickler.toml"), configuration).expect("a file");
+    fs::write(folder.path().join("empty.toml"), "").expect("a file");
+    folder
+}
+
+fn told(output: &Output) -> String {
+    text(&output.stderr)
+}
+
+/// The cases of the last run, by id and dialect.
+fn cases(folder: &Path) -> BTreeMap<String, Json> {
+    let results = fs::read_to_string(folder.join("reports/latest/results.json")).expect("a report");
+    let results: Json = serde_json::from_str(&results).expect("JSON");
+    let cases = results["cases"].as_array().expect("cases").iter();
+    cases
+        .map(|case| {
+            let key = |key: &str| case[key].as_str().expect("a text").to_owned();
+            (format!("{}@{}", key("id"), key("dialect")), case.clone())
+        })
+        .collect()
+}
+
+fn basis(case: &Json) -> &str {
+    case["basis"].as_str().expect("a basis")
+}
+
+#[test]
+fn promises_of_each_kind_are_kept_by_the_reference() {
+    let folder = folder(MINE);
+    let output = output(folder.path(), &["run", "--dialect", "mine"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stdout));
+    let note = "note: 1 case of ironplc-ed3 is left out of mine, because what it overrides changes it and no document says \
+                how; `stickler list --dialect mine --left-out` lists it\n";
+    assert_eq!(told(&output), note);
+    let cases = cases(folder.path());
+    assert!(cases.keys().all(|key| key.ends_with("@mine")));
+    let stated: BTreeSet<&str> = cases
+        .values()
+        .filter_map(|case| basis(case).strip_prefix("mine: ")?.split(" (").next())
+        .collect();
+    assert_eq!(
+        Vec::from_iter(stated),
+        [
+            "allow-cross-family-widening",
+            "implicit INT.BOOL",
+            "implicit SINT.INT",
+            "out-of-range",
+            "rounding",
+            "text-reading"
+        ]
+    );
+    let of = |id: &str| basis(&cases[&format!("{id}@mine")]).to_owned();
+    assert_eq!(
+        of("conversion/real-to-integer::variable(REAL,INT,2.5)"),
+        "mine: rounding (stickler.toml:13; https://example.org/myplc)"
+    );
+    assert_eq!(
+        of("widening/integer::assignment(INT,DINT,1)"),
+        "ironplc-type-conversions: Integer widening"
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_false_promise_fails_exactly_where_it_was_made() {
+    let folder = folder(MINE);
+    // Who does what the base does, and has never heard of the dialect.
+    let engine = format!("cmd:'{STICKLER}' engine --config empty.toml");
+    let output = output(folder.path(), &["run", "--dialect", "mine", "--engine", &engine]);
+    assert_eq!(output.status.code(), Some(1), "{}", told(&output));
+    let cases = cases(folder.path());
+    for (key, case) in &cases {
+        let (stated, fails) = (basis(case).starts_with("mine: "), case["verdict"] == "fail");
+        assert!(stated || !fails, "{key} fails, and nothing was promised");
+        // Of values some are the same by either choice; of types that convert or do not, none.
+        let is_cell = ["mine: implicit", "mine: allow"]
+            .iter()
+            .any(|start| basis(case).starts_with(start));
+        assert!(!is_cell || fails, "{key} is promised otherwise, and passes");
+    }
+    let fails = |id: &str| cases[&format!("{id}@mine")]["verdict"] == "fail";
+    assert!(fails("conversion/real-to-integer::variable(REAL,INT,2.5)"));
+    assert!(!fails("conversion/real-to-integer::variable(REAL,INT,1.0)"));
+}
+
+#[test]
+fn a_run_of_which_nobody_says_a_dialect_is_what_it_was() {
+    let folder = folder(MINE);
+    let output = |arguments: &[&str]| {
+        let output = output(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+        assert_eq!(told(&output), "");
+        text(&output.stdout)
+    };
+    let with = output(&["list"]);
+    assert!(!with.contains("@mine"));
+    assert_eq!(with, output(&["list", "--config", "empty.toml"]));
+}
+
+#[test]
+fn every_command_knows_the_dialect() {
+    let folder = folder(MINE);
+    let program = "PROGRAM main\nVAR\n    i : INT := 5;\n    b : BOOL;\n    r : REAL := 2.5;\nEND_VAR\n    b := i;\n    \
+                   i := REAL_TO_INT(r);\nEND_PROGRAM\n";
+    fs::write(folder.path().join("p.st"), program).expect("a file");
+    let shows = |arguments: &[&str], code: i32, part: &str| {
+        let output = output(folder.path(), arguments);
+        let all = text(&output.stdout) + &told(&output);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {all}");
+        assert!(all.contains(part), "{part}\nin\n{all}");
+    };
+    let mine = ["--dialect", "mine"];
+    let with = |arguments: &[&'static str]| [arguments, &mine].concat();
+    shows(&with(&["eval", "p.st"]), 0, "b = BOOL#TRUE\nr = REAL#2.5\n");
+    shows(&with(&["eval", "p.st"]), 0, "i = INT#3\n");
+    shows(&with(&["check", "p.st"]), 0, "");
+    shows(&with(&["render", "p.st"]), 0, "b := i;");
+    shows(&["check", "p.st", "--dialect", "ironplc-ed3"], 1, "P4035");
+    shows(
+        &with(&["conversions", "REAL_TO_INT", "2.5"]),
+        0,
+        "mine: rounding (stickler.toml:13; https://example.org/myplc)",
+    );
+    shows(&with(&["sweep", "SINT_TO_INT"]), 0, "mine");
+    shows(&with(&["matrix"]), 0, "0 differ");
+    shows(&["engines", "reference"], 0, "plcnext, mine");
+    shows(
+        &["show", "widening/integer::assignment(SINT,INT)@mine"],
+        0,
+        "SINT to INT is `no` in mine",
+    );
+    shows(
+        &with(&["list", "--left-out"]),
+        0,
+        "language/comments-nested@mine\n",
+    );
+    shows(
+        &["list", "--filter", "*(INT,BOOL,1)@mine"],
+        0,
+        "widening/bool::assignment(INT,BOOL,1)@mine\n",
+    );
+    shows(&["run", "--help"], 0, "MyPLC 2.1");
+    shows(
+        &with(&["fuzz", "--count", "1", "--engine", "reference"]),
+        2,
+        "mine overrides some; --dialect ironplc-ed3 has those",
+    );
+    shows(
+        &["eval", "p.st", "--dialect", "mien"],
+        2,
+        "a similar value exists: 'mine'",
+    );
+    shows(
+        &["eval", "p.st", "--config", "empty.toml", "--dialect", "mine"],
+        2,
+        "invalid value 'mine'",
+    );
+}
+
+#[test]
+fn a_mistake_in_the_file_is_told_before_anything_is_done() {
+    let folder = folder(&MINE.replace("\"half-away-from-zero\"", "\"half-away-from-nought\""));
+    let told_by = |arguments: &[&str], code: i32| {
+        let output = output(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}");
+        told(&output)
+    };
+    let message = "error: stickler.toml:13:12: `rounding` is not `half-away-from-nought`; there is `truncate`, `half-to-even` \
+                   and `half-away-from-zero`\n";
+    assert_eq!(told_by(&["run", "--dialect", "mine"], 2), message);
+    assert_eq!(told_by(&["list"], 2), message);
+    assert_eq!(told_by(&["run", "--help"], 0), "");
+    assert_eq!(told_by(&["list", "--config", "empty.toml"], 0), "");
+}
