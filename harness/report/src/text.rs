@@ -35,10 +35,24 @@ pub(crate) fn clip(text: &str, lines: usize, characters: usize) -> String {
     kept.join("\n")
 }
 
-fn clip_line(line: &str, characters: usize) -> String {
+/// A line of no more than so many characters, for a column of a table.
+pub(crate) fn shortened(line: &str, characters: usize) -> String {
     match line.char_indices().nth(characters) {
         None => line.to_owned(),
-        Some((end, _)) => format!("{} ... {} bytes more", &line[..end], line.len() - end),
+        Some(_) => line.chars().take(characters - 1).chain(['…']).collect(),
+    }
+}
+
+fn clip_line(line: &str, characters: usize) -> String {
+    let Some((end, _)) = line.char_indices().nth(characters) else {
+        return line.to_owned();
+    };
+    let clipped = format!("{} ... {} bytes more", &line[..end], line.len() - end);
+    // What is longer with the end cut off than with it, is whole.
+    if clipped.len() < line.len() {
+        clipped
+    } else {
+        line.to_owned()
     }
 }
 
@@ -93,7 +107,7 @@ pub(crate) fn duration(milliseconds: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{clip, duration, visible};
+    use super::{clip, duration, shortened, visible};
 
     #[test]
     fn an_escape_sequence_is_shown_and_not_obeyed() {
@@ -103,8 +117,19 @@ mod tests {
     #[test]
     fn what_is_clipped_is_said() {
         assert_eq!(clip("a\nb\nc\nd", 2, 10), "a\nb\n... 2 lines more");
-        assert_eq!(clip("abcdef", 2, 4), "abcd ... 2 bytes more");
+        let long = "abcdef".repeat(5);
+        assert_eq!(clip(&long, 2, 4), "abcd ... 26 bytes more");
+        assert_eq!(
+            clip("abcdef", 2, 4),
+            "abcdef",
+            "what is cut off is shorter than the word about it"
+        );
         assert_eq!(clip("äöü", 1, 3), "äöü");
+    }
+
+    #[test]
+    fn a_line_that_is_shortened_is_as_long_as_its_column() {
+        assert_eq!([shortened("äöüß", 4), shortened("äöüß?", 4)], ["äöüß", "äöü…"]);
     }
 
     #[test]

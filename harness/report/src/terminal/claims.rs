@@ -4,7 +4,7 @@ use super::{BAD, DIM};
 use crate::claims::Standing;
 use crate::overview::Overview;
 use crate::table::{Cell, Table};
-use crate::text::{clip, visible};
+use crate::text::{shortened, visible};
 use std::io::{self, Write};
 
 /// Writes one table: with a single engine its numbers, with several an engine a column.
@@ -29,7 +29,7 @@ fn of_several_engines(out: &mut dyn Write, overview: &Overview, engines: &[&str]
         let name = match row.sum {
             true => format!("  {}", row.source),
             false if row.failed() && !row.section.is_empty() => {
-                format!("    {}", clip(&visible(row.section), 1, 40))
+                format!("    {}", shortened(&visible(row.section), 40))
             }
             false => continue,
         };
@@ -74,7 +74,7 @@ fn of_one_engine(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
             (claim.engine, claim.source) == (document.engine, document.source) && claim.standing.failed > 0
         });
         for section in sections.filter(|claim| !claim.section.is_empty()) {
-            let name = clip(&visible(section.section), 1, 40);
+            let name = shortened(&visible(section.section), 40);
             table.row(claim_cells(format!("    {name}"), section.standing, unsupported));
         }
     }
