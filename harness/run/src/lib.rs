@@ -29,6 +29,7 @@ pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, He
 pub use event::{Totals, Verdict};
 pub use filter::Filter;
 pub use judge::{Judgement, is_open, judge, rendered_bodies};
+pub use pack::breaks_reading;
 pub use plan::{Plan, RunError, Summary};
 pub use schedule::run;
 pub use select::select;

@@ -38,7 +38,8 @@ fn company(case: &Case) -> Option<Company> {
 
 /// Whether a program with this mistake cannot be read, at least by a compiler that lacks what the mistake is about: it may
 /// then take what stands behind for part of it.
-fn breaks_reading(code: Code) -> bool {
+#[must_use]
+pub fn breaks_reading(code: Code) -> bool {
     // The registry numbers first what is found while reading.
     code.as_str().starts_with("P0")
         || matches!(
