@@ -3,6 +3,7 @@
 mod bless;
 mod compare;
 mod engines;
+mod export;
 mod fuzz;
 mod numbers;
 mod reduce;
@@ -10,6 +11,7 @@ mod reduce;
 pub use bless::BlessArguments;
 pub use compare::CompareArguments;
 pub use engines::{EngineArguments, EnginesArguments};
+pub use export::{ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use reduce::ReduceArguments;
 
@@ -97,6 +99,12 @@ pub enum Command {
     /// Put the parts of a run together, or those of a campaign
     #[command(after_help = fuzz::MERGE_EXAMPLES)]
     Merge(MergeArguments),
+    /// Write pages of self-checking programs, for a compiler that only lives behind an editor
+    #[command(after_help = export::EXPORT_EXAMPLES)]
+    Export(ExportArguments),
+    /// Judge and report what those pages left in their arrays of results
+    #[command(after_help = export::IMPORT_EXAMPLES)]
+    Import(ImportArguments),
 }
 
 /// Which cases a command works on.

@@ -8,7 +8,9 @@ mod engine;
 mod engines;
 mod eval;
 mod explain;
+mod export;
 mod fuzz;
+mod import;
 mod lint;
 mod list;
 mod matrix;
@@ -52,5 +54,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Reduce(arguments) => reduce::execute(&arguments, out),
         Command::Promote(arguments) => promote::execute(&arguments, out),
         Command::Merge(arguments) => merge::execute(&arguments, out),
+        Command::Export(arguments) => export::execute(&arguments, out),
+        Command::Import(arguments) => import::execute(&arguments, out),
     }
 }

@@ -6,6 +6,7 @@ mod bless;
 mod common;
 mod compare;
 mod dialects;
+mod export;
 #[cfg(unix)]
 mod engines;
 #[cfg(unix)]

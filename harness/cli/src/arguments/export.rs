@@ -1,0 +1,102 @@
+//! The arguments of `stickler export` and `stickler import`.
+
+use super::numbers::whole;
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use std::path::PathBuf;
+use stickler_export::With;
+use stickler_types::DialectName;
+
+/// `stickler export`.
+#[derive(Args, Debug)]
+pub struct ExportArguments {
+    /// The folder to write: an empty one, one that is not there yet, or that of an earlier export, which is replaced
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// The dialect of the cases
+    #[arg(long, value_name = "DIALECT", value_parser = super::dialects())]
+    pub dialect: DialectName,
+    /// Read the cases from DIR [default: conformance-cases here or in a folder above]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+    /// Only cases that TEXT names, as for `stickler run`
+    #[arg(long, value_name = "TEXT")]
+    pub filter: Option<String>,
+    /// No more than N cases, drawn evenly from first to last
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(1, u64::from(u32::MAX)), allow_negative_numbers = true)]
+    pub sample: Option<u32>,
+    /// Put up to N cases on a page
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = whole::<u16>(1, 1000), allow_negative_numbers = true)]
+    pub cases_per_page: u16,
+    /// Beside programs that must be accepted, also those that no document decides about (`open`), or those that must be
+    /// rejected (`rejected`), whose pages are only compiled: on pages of their own; may be repeated
+    #[arg(long, value_name = "KIND", value_parser = kinds(), hide_possible_values = true)]
+    pub with: Vec<With>,
+    /// Leave out the case of this id; may be repeated
+    #[arg(long, value_name = "CASE")]
+    pub without: Vec<String>,
+    /// Write the declarations and the statements of each page as files of their own too, for editors with a pane for each
+    #[arg(long)]
+    pub panes: bool,
+}
+
+/// `stickler import`.
+#[derive(Args, Debug)]
+pub struct ImportArguments {
+    /// What was copied out of the editor: a text with the arrays of pages, or with the messages about pages that are only
+    /// compiled; `-` reads stdin
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// The folder that `stickler export` wrote [default: that of the first FILE, where it is one, or else this one]
+    #[arg(long, value_name = "DIR")]
+    pub export: Option<PathBuf>,
+    /// What the compiler is called in reports, and in the name of its baseline
+    #[arg(long, value_name = "NAME", default_value = "imported")]
+    pub engine_name: String,
+    /// Its version
+    #[arg(long, value_name = "VERSION", default_value = "unknown")]
+    pub engine_version: String,
+    /// Expect what FILE says of it [default: reports/baselines/NAME.toml beside the folder of the cases, where there is one]
+    #[arg(long, value_name = "FILE", conflicts_with = "no_baseline")]
+    pub baseline: Vec<PathBuf>,
+    /// Expect every case to pass
+    #[arg(long)]
+    pub no_baseline: bool,
+    /// Where the cases are that a baseline is about [default: conformance-cases here or in a folder above]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+    /// Write the reports to DIR [default: reports/latest beside the folder of the cases, or here]
+    #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
+    pub report: Option<PathBuf>,
+    /// Write no reports
+    #[arg(long)]
+    pub no_report: bool,
+}
+
+fn kinds() -> impl TypedValueParser<Value = With> {
+    PossibleValuesParser::new(With::ALL.map(With::as_str)).map(|word| match word.as_str() {
+        "open" => With::Open,
+        _ => With::Rejected,
+    })
+}
+
+/// What the help of `export` ends with.
+pub const EXPORT_EXAMPLES: &str = "\
+Examples:
+  stickler export --dialect ironplc-ed3 --sample 256 pages
+  stickler export --dialect plcnext --filter widening/ --panes pages
+  stickler export --dialect matiec --filter conversion/ --with open pages
+  stickler export --dialect matiec --sample 500 --with rejected pages
+
+Each page is a program that fills an array `results`. Create a program in your editor, paste the page, let it run, copy
+the array, and give it to `stickler import`. What is left out is counted by the reason.";
+
+/// What the help of `import` ends with.
+pub const IMPORT_EXAMPLES: &str = "\
+Examples:
+  stickler import pages/copied.txt --engine-name codesys --engine-version 3.5.20
+  stickler import watch-1.txt watch-2.csv --export pages
+  xclip -o | stickler import - --export pages
+
+Rows of a watch list, `results[3] := 17`, lists of numbers and CSV are read, in any base. Cases whose results are not there are
+never taken for passes: the run counts as cut short, and the exit code is 2.";

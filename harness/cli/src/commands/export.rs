@@ -1,0 +1,81 @@
+//! `stickler export`: pages of programs for a compiler behind an editor.
+
+use crate::arguments::{ExportArguments, SelectionArguments};
+use crate::case_folder::{self, CaseFolder};
+use crate::exit::Exit;
+use crate::shell;
+use std::io::Write;
+use stickler_export::{ExportPlan, Exported, export};
+use stickler_run::select;
+use stickler_suite::Case;
+
+/// Writes the pages, and says what is on them and what is not.
+///
+/// # Errors
+/// A folder that holds something else, or cannot be written; no folder of cases.
+pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let folder = CaseFolder::locate(arguments.cases.as_deref())?;
+    let suite = folder.load();
+    let selection = SelectionArguments {
+        cases: arguments.cases.clone(),
+        filter: arguments.filter.clone(),
+        dialect: vec![arguments.dialect],
+    };
+    let selected: Vec<&Case> = select(&case_folder::plan(&selection, None), &suite.cases);
+    if selected.is_empty() {
+        return Ok(case_folder::nothing_selected(&suite));
+    }
+    let plan = ExportPlan {
+        dialect: arguments.dialect,
+        suite: suite.version.clone(),
+        cases_per_page: usize::from(arguments.cases_per_page),
+        with: arguments.with.iter().copied().collect(),
+        without: arguments.without.iter().cloned().collect(),
+        sample: arguments
+            .sample
+            .map(|sample| usize::try_from(sample).unwrap_or(usize::MAX)),
+        panes: arguments.panes,
+    };
+    let exported = export(&plan, &selected, &arguments.folder)?;
+    show(&exported, arguments, out)?;
+    let empty = if exported.cases == 0 {
+        Exit::NothingTested
+    } else {
+        Exit::AsExpected
+    };
+    Ok(empty.worst(case_folder::exit_of(&suite)))
+}
+
+fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -> std::io::Result<()> {
+    let folder = arguments.folder.display();
+    let pages = counted(exported.pages, "page", "pages");
+    let cases = counted(exported.cases, "case", "cases");
+    writeln!(out, "{folder}: {pages} with {cases} in {}", arguments.dialect)?;
+    if exported.compiled_only > 0 {
+        writeln!(out, "  {} of them only to be compiled", exported.compiled_only)?;
+    }
+    let left_out: usize = exported.left_out.values().sum();
+    if left_out > 0 {
+        writeln!(out, "{} left out:", counted(left_out, "case", "cases"))?;
+    }
+    for (reason, cases) in &exported.left_out {
+        writeln!(out, "  {cases:>6} {reason}")?;
+    }
+    if exported.cases > 0 {
+        let folder = shell::quote(&arguments.folder.to_string_lossy()).into_owned();
+        writeln!(
+            out,
+            "Next: paste each page, let it run, copy its array `results` into a file, and"
+        )?;
+        writeln!(
+            out,
+            "  {} import FILE --export {folder} --engine-name NAME",
+            shell::program()
+        )?;
+    }
+    Ok(())
+}
+
+fn counted(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
+}

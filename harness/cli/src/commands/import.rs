@@ -1,0 +1,205 @@
+//! `stickler import`: what was copied out of an editor, judged and reported as a run of any engine is.
+
+use crate::arguments::ImportArguments;
+use crate::case_folder::CaseFolder;
+use crate::exit::{self, Exit};
+use crate::{baselines, output, shell};
+use anyhow::{Context, bail};
+use jiff::tz::TimeZone;
+use jiff::{Timestamp, Unit};
+use std::fs;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use stickler_engines::{Ability, Grade, Identity, Reference};
+use stickler_export::{Export, Imported, MANIFEST, Source};
+use stickler_report::terminal::{self, Surroundings};
+use stickler_report::{Overview, ReportError, Reports};
+use stickler_run::{Held, Plan};
+use stickler_suite::Suite;
+use stickler_types::DialectName;
+
+/// Judges, writes the reports, shows a summary.
+///
+/// # Errors
+/// A folder that holds no export, a file that cannot be read, a baseline with a mistake, reports that cannot be written.
+pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let engine = engine(arguments)?;
+    let export = Export::read(&export_folder(arguments))?;
+    let sources: Vec<Source> = arguments
+        .files
+        .iter()
+        .map(|file| source(file))
+        .collect::<Result<_, _>>()?;
+    let cases = cases(arguments)?;
+    let root = cases
+        .as_ref()
+        .map_or_else(PathBuf::new, |folder| folder.root.clone());
+    let plan = plan(arguments, &export, &root, &engine)?;
+    // A baseline is held against all that the engine could be asked, not only against what was exported.
+    let suite = match (&cases, plan.baselines.is_empty()) {
+        (Some(folder), false) => folder.load(),
+        (None, false) => bail!("a baseline is about cases; say with --cases DIR where they are"),
+        (_, true) => Suite::default(),
+    };
+    let held = plan.hold(&suite, &engine);
+    let report = report_folder(arguments, &root);
+    let (imported, overview) = judged(
+        &export,
+        &sources,
+        &plan,
+        &engine,
+        held.as_ref(),
+        report.as_deref(),
+    )?;
+    let shown = report.map(|folder| folder.display().to_string());
+    let around = Surroundings {
+        reports: shown.as_deref(),
+    };
+    terminal::write(out, &overview, around)?;
+    // What was not understood comes behind what was.
+    out.flush()?;
+    tell(&imported, &export, &engine);
+    Ok(exit(&imported))
+}
+
+/// The compiler, as the person calls it. No adapter stands behind it that could lead its words back to a line of the case.
+fn engine(arguments: &ImportArguments) -> anyhow::Result<Identity> {
+    let name = arguments.engine_name.trim();
+    if name.is_empty() || name == Reference::NAME {
+        bail!("`{name}` is no name for a compiler that was imported; choose another with --engine-name");
+    }
+    Ok(Identity {
+        name: name.to_owned(),
+        version: arguments.engine_version.clone(),
+        dialects: DialectName::ALL.to_vec(),
+        abilities: vec![Ability::Check, Ability::Execute],
+        grade: Grade::Rejected,
+    })
+}
+
+fn export_folder(arguments: &ImportArguments) -> PathBuf {
+    if let Some(folder) = &arguments.export {
+        return folder.clone();
+    }
+    let beside = arguments.files.first().and_then(|file| file.parent());
+    match beside {
+        Some(folder) if folder.join(MANIFEST).is_file() => folder.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+fn source(file: &Path) -> anyhow::Result<Source> {
+    let mut bytes = Vec::new();
+    if file == Path::new("-") {
+        std::io::stdin()
+            .read_to_end(&mut bytes)
+            .context("cannot read stdin")?;
+    } else {
+        bytes = fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
+    }
+    Ok(Source {
+        name: file.display().to_string(),
+        bytes,
+    })
+}
+
+/// The folder of the cases, without which all is done but a baseline.
+fn cases(arguments: &ImportArguments) -> anyhow::Result<Option<CaseFolder>> {
+    match arguments.cases.as_deref() {
+        Some(named) => CaseFolder::locate(Some(named)).map(Some),
+        None => Ok(CaseFolder::locate(None).ok()),
+    }
+}
+
+fn plan(
+    arguments: &ImportArguments,
+    export: &Export,
+    root: &Path,
+    engine: &Identity,
+) -> anyhow::Result<Plan> {
+    let now = Timestamp::now();
+    let baselines = match arguments.no_baseline {
+        true => Vec::new(),
+        false => baselines::load(&arguments.baseline, root, &[&engine.name])?,
+    };
+    // Not the folder itself: that would replace the pages at hand.
+    let again = match export.folder().file_name() {
+        Some(name) => format!("{}-again", name.to_string_lossy()),
+        None => "again".to_owned(),
+    };
+    let mut rerun_prefix = format!("{} export {}", shell::program(), shell::quote(&again));
+    for kind in export.with() {
+        rerun_prefix.push_str(" --with ");
+        rerun_prefix.push_str(kind.as_str());
+    }
+    Ok(Plan {
+        baselines,
+        today: now.to_zoned(TimeZone::UTC).date(),
+        started: now.round(Unit::Second).unwrap_or(now).to_string(),
+        command: shell::command_line(),
+        rerun_prefix,
+        // A page of one case is how it is asked about again; no engine can be named there.
+        asked_for: [(engine.name.clone(), Reference::NAME.to_owned())].into(),
+        ..Plan::default()
+    })
+}
+
+fn report_folder(arguments: &ImportArguments, root: &Path) -> Option<PathBuf> {
+    match &arguments.report {
+        _ if arguments.no_report => None,
+        Some(named) => Some(named.clone()),
+        None => Some(root.join("reports").join("latest")),
+    }
+}
+
+fn judged(
+    export: &Export,
+    sources: &[Source],
+    plan: &Plan,
+    engine: &Identity,
+    held: Option<&Held<'_>>,
+    report: Option<&Path>,
+) -> Result<(Imported, Overview), ReportError> {
+    let mut reports = report.map(Reports::create).transpose()?;
+    let mut overview = Overview::default();
+    let mut broken = None;
+    let imported = export.import(sources, plan, engine, held, &mut |event| {
+        overview.take(&event);
+        if broken.is_none() {
+            broken = reports.as_mut().and_then(|reports| reports.take(&event).err());
+        }
+    });
+    if let Some(error) = broken {
+        return Err(error);
+    }
+    if let Some(reports) = reports {
+        reports.finish(&overview)?;
+    }
+    Ok((imported, overview))
+}
+
+fn tell(imported: &Imported, export: &Export, engine: &Identity) {
+    imported.notes.iter().for_each(output::note);
+    // Basis: design, section 6.
+    if imported.summary.totals.unexpected() > 0 {
+        output::note(format!(
+            "what is not as expected differs from {}, as its documents have it; it is no defect of {} by its own",
+            export.dialect(),
+            engine.name
+        ));
+    }
+}
+
+fn exit(imported: &Imported) -> Exit {
+    let summary = &imported.summary;
+    let whole = if imported.unjudged > 0 {
+        Exit::Usage
+    } else {
+        Exit::AsExpected
+    };
+    let judged = match summary.cases {
+        0 => Exit::Usage,
+        _ => exit::of_totals(&summary.totals, summary.outdated > 0),
+    };
+    judged.worst(whole)
+}

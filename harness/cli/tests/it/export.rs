@@ -1,0 +1,96 @@
+//! Pages for an editor, and what is copied back, through the command line: the reference stands in for what is behind the editor.
+
+use crate::common::{SUITE, output, text};
+use std::fs;
+use std::path::Path;
+
+fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let ended = output(folder, arguments);
+    (ended.status.code(), text(&ended.stdout), text(&ended.stderr))
+}
+
+/// Exports the small suite, and runs its first page.
+fn exported(folder: &Path) -> String {
+    let arguments = ["export", "--cases", SUITE, "--dialect", "matiec", "pages"];
+    let (code, shown, _) = run(folder, &arguments);
+    assert_eq!(code, Some(0), "{shown}");
+    assert!(shown.contains("must be rejected by the compiler"), "{shown}");
+    let page = [
+        "eval",
+        "pages/page-001.st",
+        "--dialect",
+        "matiec",
+        "--scans",
+        "200",
+    ];
+    let (code, shown, complaints) = run(folder, &page);
+    assert_eq!(code, Some(0), "{complaints}");
+    shown
+}
+
+#[test]
+fn what_a_page_computes_is_reported_like_a_run() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let copied = exported(folder.path());
+    fs::write(folder.path().join("pages/copied.txt"), &copied).expect("written");
+    let named = [
+        "--engine-name",
+        "editor",
+        "--engine-version",
+        "3.5",
+        "--report",
+        "told",
+    ];
+    let import = [&["import", "pages/copied.txt"], &named[..]].concat();
+    let (code, shown, notes) = run(folder.path(), &import);
+    // One case of the small suite is wrong on purpose, and fails here too.
+    assert_eq!(code, Some(1), "{shown}{notes}");
+    assert!(shown.contains("FAIL language/wrong-on-purpose"), "{shown}");
+    assert!(
+        shown.contains("stickler export pages-again --filter 'language/wrong-on-purpose' --dialect matiec"),
+        "{shown}"
+    );
+    assert!(shown.contains("Engine: editor 3.5"), "{shown}");
+    assert!(notes.contains("differs from matiec"), "{notes}");
+    for report in ["events.jsonl", "results.json", "junit.xml", "summary.md"] {
+        assert!(folder.path().join("told").join(report).exists(), "{report}");
+    }
+    // Its baseline is found by the name of the engine, like any other's.
+    fs::create_dir_all(folder.path().join("reports/baselines")).expect("a folder");
+    fs::write(
+        folder.path().join("reports/baselines/editor.toml"),
+        "[[expected]]\ncase = \"language/wrong-on-purpose\"\nverdict = \"fail\"\nreason = \"known\"\n",
+    )
+    .expect("written");
+    let with_cases = [&import[..], &["--cases", SUITE]].concat();
+    let (code, shown, notes) = run(folder.path(), &with_cases);
+    assert_eq!(code, Some(0), "{shown}{notes}");
+}
+
+#[test]
+fn what_is_not_whole_is_told_and_never_taken_for_a_pass() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let copied = exported(folder.path());
+    let cut: String = copied
+        .lines()
+        .filter(|line| !line.starts_with("results[20]"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    fs::write(folder.path().join("copied.txt"), cut).expect("written");
+    let import = ["import", "copied.txt", "--export", "pages", "--report", "told"];
+    let (code, shown, notes) = run(folder.path(), &import);
+    assert_eq!(code, Some(2), "{shown}");
+    assert!(shown.contains("Cut short after"), "{shown}");
+    assert!(
+        notes.contains("results[20] is missing") && notes.contains("not judged"),
+        "{notes}"
+    );
+    // A run that was cut short leaves its log and nothing else.
+    assert!(!folder.path().join("told/results.json").exists());
+    let (code, _, notes) = run(folder.path(), &["import", "copied.txt", "--no-report"]);
+    assert_eq!(code, Some(2));
+    assert!(notes.contains("holds no export"), "{notes}");
+    let (code, _, notes) = run(folder.path(), &["import", "nothing.txt", "--export", "pages"]);
+    assert_eq!(code, Some(2));
+    assert!(notes.contains("cannot read nothing.txt"), "{notes}");
+}

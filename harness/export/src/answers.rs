@@ -1,0 +1,115 @@
+//! What a person notes of cases that no array can tell about: `answers.txt`, a line a case.
+
+use crate::ExportError;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// What the file is called.
+pub const ANSWERS: &str = "answers.txt";
+
+pub(crate) const TEMPLATE: &str = "\
+# What an array of results cannot tell, a line a case: a word and the id that stands above the case in its page.
+#
+#   rejected ID      the compiler does not accept it; delete its lines from the page, so that the rest can run
+#   accepted ID      the compiler accepts it, though it was only compiled
+#   crashed  ID      the compiler crashed over it, or the controller stopped in it
+#
+# A later export into this folder leaves this file as it is.
+";
+
+/// What a person saw a compiler do with a case.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Answer {
+    Accepted,
+    Rejected,
+    Crashed,
+}
+
+/// The answers of a person, by the id of the case, and where each stands.
+pub(crate) type Answers = BTreeMap<String, (Answer, String)>;
+
+/// Reads the answers of a folder; none where there is no file of them.
+///
+/// # Errors
+/// [`ExportError::Read`]; [`ExportError::Answer`] with the line of what is no answer, or of one that contradicts another.
+pub(crate) fn read(folder: &Path) -> Result<Answers, ExportError> {
+    let path = folder.join(ANSWERS);
+    match fs::read_to_string(&path) {
+        Ok(text) => parse(&text, &path),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(Answers::new()),
+        Err(error) => Err(ExportError::Read(path, error)),
+    }
+}
+
+fn parse(text: &str, path: &Path) -> Result<Answers, ExportError> {
+    let mut answers = Answers::new();
+    for (number, line) in text.lines().enumerate() {
+        let line = line.trim_start_matches('\u{feff}').trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let at = format!("{}:{}", path.display(), number + 1);
+        let broken = |what: &str| ExportError::Answer(at.clone(), what.to_owned());
+        let (word, id) = line
+            .split_once(char::is_whitespace)
+            .ok_or_else(|| broken("a word and the id of a case are missing; such as `rejected widening/integer::assignment(SINT,INT,0)`"))?;
+        let answer = match word.to_ascii_lowercase().as_str() {
+            "accepted" => Answer::Accepted,
+            "rejected" => Answer::Rejected,
+            "crashed" => Answer::Crashed,
+            _ => {
+                return Err(broken(&format!(
+                    "`{word}` is no answer; the answers are `accepted`, `rejected` and `crashed`"
+                )));
+            }
+        };
+        let id = id.trim();
+        if let Some((other, before)) = answers.get(id)
+            && *other != answer
+        {
+            return Err(broken(&format!("{id} has another answer at {before}")));
+        }
+        answers.insert(id.to_owned(), (answer, at));
+    }
+    Ok(answers)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_are_a_word_and_an_id() {
+        let text = format!("{TEMPLATE}\r\n  Rejected  a/b::c(INT,*,1)\r\ncrashed x/y\naccepted z\n");
+        let answers = parse(&text, Path::new("answers.txt")).expect("answers");
+        let told: Vec<(&str, Answer)> = answers
+            .iter()
+            .map(|(id, (answer, _))| (id.as_str(), *answer))
+            .collect();
+        let expected = [
+            ("a/b::c(INT,*,1)", Answer::Rejected),
+            ("x/y", Answer::Crashed),
+            ("z", Answer::Accepted),
+        ];
+        assert_eq!(told, expected);
+    }
+
+    #[test]
+    fn what_is_no_answer_is_told_with_its_line() {
+        for (text, expected) in [
+            ("\nrejectd a/b\n", "answers.txt:2: `rejectd` is no answer"),
+            ("rejected", "answers.txt:1: a word and the id"),
+            (
+                "rejected a\naccepted a",
+                "answers.txt:2: a has another answer at answers.txt:1",
+            ),
+        ] {
+            let error = parse(text, Path::new("answers.txt"))
+                .expect_err("a mistake")
+                .to_string();
+            assert!(error.starts_with(expected), "{error}");
+        }
+    }
+}

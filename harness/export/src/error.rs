@@ -1,0 +1,33 @@
+//! What keeps an export from being written, or its results from being read.
+
+use std::io;
+use std::path::PathBuf;
+
+/// What keeps an export from being written, or its results from being read.
+#[derive(Debug, thiserror::Error)]
+pub enum ExportError {
+    /// The folder holds something else.
+    #[error(
+        "{} is not empty and holds no earlier export (there is no {} in it); name an empty folder, or one that is not there yet",
+        .0.display(), crate::MANIFEST
+    )]
+    NotEmpty(PathBuf),
+    /// The folder holds no export.
+    #[error(
+        "{} holds no export (there is no {} in it); name the folder that `stickler export` wrote with --export DIR",
+        .0.display(), crate::MANIFEST
+    )]
+    NoExport(PathBuf),
+    /// A file cannot be read.
+    #[error("cannot read {}", .0.display())]
+    Read(PathBuf, #[source] io::Error),
+    /// A file or folder cannot be written.
+    #[error("cannot write {}", .0.display())]
+    Write(PathBuf, #[source] io::Error),
+    /// The manifest is none.
+    #[error("{}: {}; export again", .0.display(), .1)]
+    Manifest(PathBuf, String),
+    /// A line of the person's answers is none: where it stands, and what is wrong.
+    #[error("{}: {}", .0, .1)]
+    Answer(String, String),
+}

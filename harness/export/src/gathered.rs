@@ -1,0 +1,246 @@
+//! Pasted arrays, each put to its page; and what they say of each case.
+
+use crate::look::{self, Look, Seen};
+use crate::manifest::{Manifest, PageRecord, StepRecord};
+use crate::page::{MAGIC, literal};
+use crate::paste::Array;
+use crate::ready::expected;
+use std::collections::BTreeMap;
+use stickler_engines::{NamedValue, Observation, Outcome};
+use stickler_suite::Case;
+
+/// The elements of each page that were pasted, by the page's place in the manifest.
+#[derive(Debug, Default)]
+pub(crate) struct Gathered {
+    pages: BTreeMap<usize, BTreeMap<usize, i32>>,
+}
+
+/// What an array says of a case.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) enum Told {
+    /// What the engine did, and the keys of the values that no number tells, and that are not those which must be.
+    Outcome(Outcome, Vec<String>),
+    /// Nothing of it was pasted.
+    Missing,
+    /// The page came to its end without it, or has not come to it.
+    NotRun,
+    /// Its elements hold what no page writes: which, and what.
+    Nonsense(String),
+}
+
+impl Gathered {
+    /// Takes an array.
+    ///
+    /// # Errors
+    /// Why it is the array of no page of this export; a sentence without its end.
+    pub(crate) fn take(&mut self, array: &Array, manifest: &Manifest) -> Result<Option<String>, String> {
+        let at = page_of(array, manifest)?;
+        let page = &manifest.pages[at];
+        if let Some((index, _)) = array.elements.range(page.elements..).next() {
+            return Err(format!(
+                "has an element {index}, and page {} ends with {}; copy only results[0] to results[{}]",
+                page.number,
+                page.elements - 1,
+                page.elements - 1
+            ));
+        }
+        let known = self.pages.entry(at).or_default();
+        let changed = array
+            .elements
+            .iter()
+            .any(|(index, value)| known.get(index).is_some_and(|known| known != value));
+        known.extend(array.elements.iter().map(|(index, value)| (*index, *value)));
+        Ok(changed.then(|| {
+            format!(
+                "page {} was given before with other values; these count",
+                page.number
+            )
+        }))
+    }
+
+    /// Whether nothing of a page was given.
+    pub(crate) fn is_without(&self, at: usize) -> bool {
+        !self.pages.contains_key(&at)
+    }
+
+    /// What the array of a page says of one of its cases.
+    pub(crate) fn told(&self, at: usize, page: &PageRecord, number: usize, case: &Case) -> Told {
+        let Some(elements) = self.pages.get(&at) else {
+            return Told::Missing;
+        };
+        let mut reading = Reading {
+            values: Vec::new(),
+            untold: Vec::new(),
+            contradiction: None,
+        };
+        for (place, step) in page
+            .steps
+            .iter()
+            .enumerate()
+            .filter(|(_, step)| step.case == number)
+        {
+            if let Err(told) = reading.take(elements, page, (place, step), case) {
+                return told;
+            }
+        }
+        match reading.contradiction {
+            Some(message) => Told::Outcome(Outcome::Error { message }, Vec::new()),
+            None => Told::Outcome(
+                Outcome::Executed {
+                    values: reading.values,
+                },
+                reading.untold,
+            ),
+        }
+    }
+
+    /// What is to be said of how far a page came; `None` where it came to its end and all of it was copied.
+    pub(crate) fn state(&self, at: usize, page: &PageRecord) -> Option<String> {
+        let elements = self.pages.get(&at)?;
+        let missing: Vec<usize> = (0..page.elements)
+            .filter(|index| !elements.contains_key(index))
+            .collect();
+        if let [first, ..] = missing[..] {
+            let last = missing.last().copied().unwrap_or(first);
+            return Some(match missing.len() {
+                1 => format!("results[{first}] is missing"),
+                length => {
+                    format!("{length} elements are missing between results[{first}] and results[{last}]")
+                }
+            });
+        }
+        let steps = page.steps.len();
+        let (begun, ended) = (elements[&4], elements[&5]);
+        if usize::try_from(ended) == Ok(steps) {
+            return (elements[&(page.elements - 1)] != page.identity).then(|| {
+                format!(
+                    "results[{}] is not what the page writes at its end",
+                    page.elements - 1
+                )
+            });
+        }
+        let stopped = usize::try_from(begun)
+            .ok()
+            .filter(|_| begun == ended.saturating_add(1));
+        let culprit = stopped
+            .and_then(|begun| page.steps.get(begun.checked_sub(1)?))
+            .map(|step| &page.cases[step.case].id);
+        Some(match culprit {
+            Some(id) => format!(
+                "{ended} of {steps} observations were made, and it is within the next; if it goes no further, note \
+                 `crashed {id}` in {}",
+                crate::ANSWERS
+            ),
+            None => format!("{ended} of {steps} observations were made; let it run on, and copy it again"),
+        })
+    }
+}
+
+/// The place of the page that an array is of.
+fn page_of(array: &Array, manifest: &Manifest) -> Result<usize, String> {
+    let element = |index: usize| array.elements.get(&index).copied();
+    match element(0) {
+        Some(MAGIC) => {}
+        _ if array.elements.values().all(|value| *value == 0) => {
+            return Err("holds nothing but zeros: its page did not run".to_owned());
+        }
+        None => return Err("has no results[0], so nobody can say of which page it is".to_owned()),
+        Some(other) => {
+            return Err(format!(
+                "is no array of results: results[0] is {other}, and a page writes {MAGIC} there"
+            ));
+        }
+    }
+    let Some(identity) = element(1) else {
+        return Err("has no results[1], so nobody can say of which page it is".to_owned());
+    };
+    // Of a page of another export, all three are hardly ever the same.
+    let is =
+        |index: usize, number: usize| element(index).is_none_or(|found| usize::try_from(found) == Ok(number));
+    let fits = |page: &PageRecord| is(2, page.number) && is(3, page.steps.len());
+    let found = manifest
+        .pages
+        .iter()
+        .position(|page| page.identity == identity && fits(page));
+    found.ok_or_else(|| match element(2) {
+        Some(number) => {
+            format!("is that of page {number} of another export; paste the page of this one and run it")
+        }
+        None => "is that of another export; paste the page of this one and run it".to_owned(),
+    })
+}
+
+/// A case's observations, read one after the other.
+struct Reading {
+    values: Vec<NamedValue>,
+    untold: Vec<String>,
+    contradiction: Option<String>,
+}
+
+impl Reading {
+    /// # Errors
+    /// What is to be said of the case where its observation does not stand in the array.
+    fn take(
+        &mut self,
+        elements: &BTreeMap<usize, i32>,
+        page: &PageRecord,
+        (place, step): (usize, &StepRecord),
+        case: &Case,
+    ) -> Result<(), Told> {
+        let element = |index: usize| elements.get(&index).copied().ok_or(Told::Missing);
+        let strange = |index: usize, value: i32| Told::Nonsense(format!("results[{index}] is {value}"));
+        let marker = element(step.place)?;
+        let own = page
+            .identity
+            .saturating_add(i32::try_from(place + 1).unwrap_or(i32::MAX));
+        match marker {
+            0 => return Err(Told::NotRun),
+            _ if marker != own => return Err(strange(step.place, marker)),
+            _ => {}
+        }
+        let compared = element(step.place + 1)?;
+        let Some(number) = step.observe else { return Ok(()) };
+        let Some(observe) = case.observe.get(number) else {
+            return Err(strange(step.place, marker));
+        };
+        let must_be = expected(case, number).map(|expected| &expected.value);
+        let comparable = must_be.is_some_and(|value| literal(value).is_some());
+        let equal = match compared {
+            1 | 2 if comparable => Some(compared == 1),
+            0 if !comparable => None,
+            _ => return Err(strange(step.place + 1, compared)),
+        };
+        let look = Look::of(&observe.ty);
+        let numbers: Vec<i32> = (0..look.pieces())
+            .map(|piece| element(step.place + 2 + piece))
+            .collect::<Result<_, Told>>()?;
+        let seen = match look {
+            Look::Numbers(ty) => look::value(ty, &numbers),
+            Look::Compared => Seen::Untold,
+        };
+        let observation = Observation {
+            name: &observe.name,
+            type_name: &observe.ty,
+            after: observe.after,
+        };
+        let key = observation.key();
+        match (seen, equal, must_be) {
+            (Seen::Nonsense, ..) => {
+                return Err(Told::Nonsense(format!(
+                    "results[{}] and those behind it are {numbers:?}",
+                    step.place + 2
+                )));
+            }
+            (Seen::Value(value), Some(equal), Some(must_be)) if equal != (value == *must_be) => {
+                let word = if equal { "equals" } else { "does not equal" };
+                self.contradiction = Some(format!(
+                    "the program's own comparison says that {key} {word} {must_be}, and its numbers say that it is {value}"
+                ));
+            }
+            (Seen::Value(value), ..) => self.values.push((key, value)),
+            (Seen::Untold, Some(true), Some(must_be)) => self.values.push((key, must_be.clone())),
+            (Seen::Untold, ..) => self.untold.push(key),
+        }
+        Ok(())
+    }
+}

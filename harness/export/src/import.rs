@@ -1,0 +1,320 @@
+//! What was copied out of an editor, judged and told as a run of any engine is.
+//!
+//! The judge is that of every run. A case about which nothing was copied is not judged, and a run that lacks one has no footer:
+//! every reader of its reports says that it was cut short.
+
+use crate::answers::{self, Answer, Answers};
+use crate::gathered::{Gathered, Told};
+use crate::manifest::Manifest;
+use crate::messages::{self, Messages};
+use crate::notes::{Unjudged, Without, shortened};
+use crate::paste;
+use crate::{ExportError, MANIFEST, With};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use stickler_engines::{Diagnostic, Identity, Outcome};
+use stickler_run::{EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Held, Plan, Summary, Teller};
+use stickler_suite::{Acceptance, Case};
+use stickler_types::DialectName;
+
+/// An export, read back.
+#[derive(Debug)]
+pub struct Export {
+    folder: PathBuf,
+    manifest: Manifest,
+    dialect: DialectName,
+    /// The cases of each page.
+    cases: Vec<Vec<Case>>,
+    answers: Answers,
+}
+
+/// A text that a person copied out of an editor.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// What the file is called.
+    pub name: String,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+}
+
+/// What became of an import.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Imported {
+    /// The verdicts. It is cut short where cases were not judged.
+    pub summary: Summary,
+    /// How many cases were not judged.
+    pub unjudged: u64,
+    /// Whatever has to be said of the texts, the pages and the answers, a sentence each, in their order.
+    pub notes: Vec<String>,
+}
+
+impl Export {
+    /// Reads the export of a folder, with the person's answers.
+    ///
+    /// # Errors
+    /// [`ExportError`] where the folder holds none, or its files cannot be understood.
+    pub fn read(folder: &Path) -> Result<Export, ExportError> {
+        let manifest = Manifest::read(folder)?;
+        let broken = |what: String| ExportError::Manifest(folder.join(MANIFEST), what);
+        let dialect: DialectName = manifest
+            .dialect
+            .parse()
+            .map_err(|_| broken(format!("there is no dialect `{}`", manifest.dialect)))?;
+        let page =
+            |page: &crate::manifest::PageRecord| page.cases.iter().map(|case| case.case(dialect)).collect();
+        let cases: Result<Vec<Vec<Case>>, String> = manifest.pages.iter().map(page).collect();
+        Ok(Export {
+            folder: folder.to_owned(),
+            cases: cases.map_err(broken)?,
+            answers: answers::read(folder)?,
+            manifest,
+            dialect,
+        })
+    }
+
+    /// The dialect of its cases.
+    #[must_use]
+    pub fn dialect(&self) -> DialectName {
+        self.dialect
+    }
+
+    /// What of its cases is beside those that must be accepted.
+    #[must_use]
+    pub fn with(&self) -> BTreeSet<With> {
+        let kinds = self
+            .cases
+            .iter()
+            .flatten()
+            .filter_map(|case| match case.expectation.accepted {
+                Acceptance::Required => None,
+                Acceptance::Observed => Some(With::Open),
+                Acceptance::Rejected => Some(With::Rejected),
+            });
+        kinds.collect()
+    }
+
+    /// Judges what was copied, as that of this engine. Events go to `sink`: a header, the cases that can be judged, in the order of the
+    /// pages, and a footer where those are all.
+    pub fn import(
+        &self,
+        sources: &[Source],
+        plan: &Plan,
+        engine: &Identity,
+        held: Option<&Held<'_>>,
+        sink: &mut dyn FnMut(Event),
+    ) -> Imported {
+        let mut imported = Imported::default();
+        let (gathered, messages) = self.gather(sources, &mut imported.notes);
+        let header = self.header(plan, engine, held);
+        imported.summary.outdated = header
+            .baselines
+            .iter()
+            .map(|held| held.outdated.len() as u64)
+            .sum();
+        sink(Event::Header(header));
+        let teller = Teller { plan, engine, held };
+        let mut without = Without::default();
+        for at in 0..self.manifest.pages.len() {
+            let given = self.given(at, &gathered, &messages);
+            self.page(at, given, &teller, (&mut imported, &mut without), sink);
+        }
+        without.tell(&mut imported.notes);
+        self.strangers(&mut imported.notes);
+        let totals = imported.summary.totals;
+        imported.summary.cancelled = imported.unjudged > 0;
+        if imported.unjudged == 0 {
+            sink(Event::Footer(Footer {
+                totals,
+                engines: vec![EngineTotals {
+                    name: engine.name.clone(),
+                    totals,
+                }],
+                duration_ms: 0,
+            }));
+        }
+        imported
+    }
+
+    fn gather(&self, sources: &[Source], notes: &mut Vec<String>) -> (Gathered, Messages) {
+        let (mut gathered, mut messages) = (Gathered::default(), Messages::default());
+        for source in sources {
+            let text = paste::decoded(&source.bytes);
+            let taken = messages.take(&text, &self.manifest);
+            if taken > 0 && !text.contains("results[") {
+                continue;
+            }
+            let pasted = paste::read(&text);
+            let complaints = pasted
+                .complaints
+                .iter()
+                .map(|told| format!("{}:{}:{}: {}", source.name, told.line, told.column, told.what));
+            notes.extend(shortened(complaints.collect()));
+            if pasted.arrays.is_empty() {
+                notes.push(format!("{}: there is no number in it", source.name));
+            }
+            for array in &pasted.arrays {
+                match gathered.take(array, &self.manifest) {
+                    Ok(note) => {
+                        notes.extend(note.map(|note| format!("{}:{}: {note}", source.name, array.line)))
+                    }
+                    Err(why) => notes.push(format!("{}:{}: the array {why}", source.name, array.line)),
+                }
+            }
+        }
+        (gathered, messages)
+    }
+
+    /// What was given of a page: what is said of each of its cases, whether anything was, and how it ended where that is to be said.
+    fn given(
+        &self,
+        at: usize,
+        gathered: &Gathered,
+        messages: &Messages,
+    ) -> (Vec<Told>, bool, Option<String>) {
+        let page = &self.manifest.pages[at];
+        let Some(compiled) = &page.compiled else {
+            let cases = self.cases[at].iter().enumerate();
+            let told = cases.map(|(number, case)| gathered.told(at, page, number, case));
+            return (told.collect(), gathered.is_without(at), gathered.state(at, page));
+        };
+        let missing = || page.cases.iter().map(|_| Told::Missing).collect();
+        match messages.told(at, compiled) {
+            messages::Told::Missing => (missing(), true, None),
+            messages::Told::Whole(cases) => (cases.into_iter().map(compiled_outcome).collect(), false, None),
+            messages::Told::Cut(last) => {
+                let hint = match last.and_then(|last| page.cases.get(last)) {
+                    Some(case) => format!(
+                        "; the last case with a message is {}: if the compiler reads no further, leave that one out by --without",
+                        case.id
+                    ),
+                    None => String::new(),
+                };
+                let state = format!(
+                    "the list of messages is not whole, for its first statement or its last is wrong and has none{hint}"
+                );
+                (missing(), false, Some(state))
+            }
+        }
+    }
+
+    fn page(
+        &self,
+        at: usize,
+        (told, is_without, state): (Vec<Told>, bool, Option<String>),
+        teller: &Teller<'_>,
+        (imported, without): (&mut Imported, &mut Without),
+        sink: &mut dyn FnMut(Event),
+    ) {
+        let page = &self.manifest.pages[at];
+        let mut unjudged = Unjudged::default();
+        for (case, told) in self.cases[at].iter().zip(told) {
+            let answer = self.answers.get(&*case.id);
+            let (outcome, untold) = match (told, answer) {
+                (Told::Outcome(outcome, untold), None) => (outcome, untold),
+                (Told::Outcome(outcome, untold), Some((_, place))) => {
+                    imported
+                        .notes
+                        .push(format!("{place}: {} has results, which count", case.id));
+                    (outcome, untold)
+                }
+                (_, Some((answer, place))) => (answered(*answer, place), Vec::new()),
+                (told, None) => {
+                    unjudged.add(&case.id, told);
+                    continue;
+                }
+            };
+            let answers = stickler_run::Answers::of_run(outcome);
+            let mut event = teller.event(case, &answers, Duration::ZERO);
+            for key in untold {
+                event.got = instead_of_missing(&event.got, &key);
+            }
+            imported.summary.totals.count(event.verdict);
+            imported.summary.cases += 1;
+            sink(Event::Case(event));
+        }
+        imported.unjudged += unjudged.count();
+        if is_without && unjudged.count() > 0 {
+            without.add(page.number, unjudged.count());
+            return;
+        }
+        unjudged.tell(page, state, &mut imported.notes);
+    }
+
+    /// Answers about cases that are on no page.
+    fn strangers(&self, notes: &mut Vec<String>) {
+        let on_a_page = |id: &str| self.cases.iter().flatten().any(|case| *case.id == *id);
+        let strangers = self.answers.iter().filter(|(id, _)| !on_a_page(id));
+        let told = strangers.map(|(id, (_, place))| format!("{place}: {id} is on no page of this export"));
+        notes.extend(shortened(told.collect()));
+    }
+
+    fn header(&self, plan: &Plan, engine: &Identity, held: Option<&Held<'_>>) -> Header {
+        Header {
+            format: FORMAT,
+            stickler: env!("CARGO_PKG_VERSION").to_owned(),
+            suite: self.manifest.suite.clone(),
+            started: plan.started.clone(),
+            command: plan.command.clone(),
+            engines: vec![EngineHeader {
+                name: engine.name.clone(),
+                version: engine.version.clone(),
+                dialects: vec![self.dialect.to_string()],
+                strict: plan.strict(engine),
+                commands: std::collections::BTreeMap::new(),
+            }],
+            cases: self.cases.iter().map(|cases| cases.len() as u64).sum(),
+            dialects: vec![self.dialect.to_string()],
+            baselines: held.map(|held| held.header().clone()).into_iter().collect(),
+            ..Header::default()
+        }
+    }
+
+    /// The folder that it was read from.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+}
+
+/// What a compiler did with a case by its first message. It names a line of the page, which is none of the case.
+fn compiled_outcome(message: Option<String>) -> Told {
+    let outcome = match message {
+        None => Outcome::Accepted,
+        Some(message) => Outcome::Rejected {
+            diagnostics: vec![Diagnostic {
+                message,
+                ..Diagnostic::default()
+            }],
+        },
+    };
+    Told::Outcome(outcome, Vec::new())
+}
+
+fn answered(answer: Answer, place: &str) -> Outcome {
+    match answer {
+        Answer::Accepted => Outcome::Accepted,
+        Answer::Rejected => Outcome::Rejected {
+            diagnostics: vec![Diagnostic {
+                message: format!("rejected, as noted at {place}"),
+                ..Diagnostic::default()
+            }],
+        },
+        Answer::Crashed => Outcome::Crashed {
+            reason: format!("as noted at {place}"),
+        },
+    }
+}
+
+/// The judge calls a value missing that it was not given; this one is there, and only no number can tell it.
+fn instead_of_missing(got: &str, key: &str) -> String {
+    let missing = format!("{key} is missing");
+    let lines: Vec<String> = got
+        .split('\n')
+        .map(|line| match line == missing {
+            true => format!("{key} is another value"),
+            false => line.to_owned(),
+        })
+        .collect();
+    lines.join("\n")
+}

@@ -1,0 +1,215 @@
+//! How the value of each type is seen in numbers of an array of `DINT`.
+//!
+//! `DINT` is the type that every compiler has and every watch list shows. The numbers are made by comparison, addition and
+//! subtraction within the value's own type, never by a conversion: conversions are what is tested. What cannot be taken
+//! apart in this way (a text, a character, a date, a time of day, the value of an enumeration) is only compared with the
+//! value that it must have.
+//!
+//! | types | numbers |
+//! |---|---|
+//! | `BOOL` | 0 or 1 |
+//! | `SINT`, `INT`, `DINT`, `USINT`, `UINT`, `BYTE`, `WORD` | the value |
+//! | `UDINT`, `DWORD` | value div 2^24, value mod 2^24 |
+//! | `LINT`, `ULINT`, `LWORD` | value div 2^48, value div 2^24 mod 2^24, value mod 2^24; each rounded down |
+//! | `REAL` | exponent, significand: significand · 2^(exponent − 23); an exponent of 9999 is no number, one of 9998 infinite |
+//! | `LREAL` | exponent, significand div 2^24, its magnitude mod 2^24: significand · 2^(exponent − 52) |
+//! | `TIME`, `LTIME` | sign (and 2 where there was a rest), units div 2^48, div 2^24 mod 2^24, mod 2^24; a unit is 1 ms, 1 ns |
+//!
+//! The sign of a zero is not seen: a case that expects -0.0 is not exported, and -0.0 counts as 0.0 where that is expected.
+
+use stickler_types::{ElementaryType, Family, Value};
+
+/// The exponent that stands for what is no number.
+pub(crate) const NAN: i32 = 9999;
+/// The exponent that stands for the infinities.
+pub(crate) const INFINITE: i32 = 9998;
+/// What stands in place of the sign where a duration has a part that is smaller than its unit, or could not be taken apart.
+pub(crate) const REST: i32 = 2;
+
+/// How a value is seen.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) enum Look {
+    /// In numbers.
+    Numbers(ElementaryType),
+    /// Only by comparison with what it must be.
+    Compared,
+}
+
+impl Look {
+    /// How values of a type are seen, by its name.
+    pub(crate) fn of(type_name: &str) -> Look {
+        match ElementaryType::from_name(type_name) {
+            Some(ty) if pieces(ty) > 0 => Look::Numbers(ty),
+            _ => Look::Compared,
+        }
+    }
+
+    /// How many elements the numbers of a value take.
+    pub(crate) fn pieces(self) -> usize {
+        match self {
+            Look::Numbers(ty) => pieces(ty),
+            Look::Compared => 0,
+        }
+    }
+}
+
+fn pieces(ty: ElementaryType) -> usize {
+    match (ty.family(), ty.bits()) {
+        (Family::Boolean, _) => 1,
+        (Family::Signed, 64) | (Family::Unsigned | Family::BitString, 64) => 3,
+        (Family::Unsigned | Family::BitString, 32) => 2,
+        (Family::Signed | Family::Unsigned | Family::BitString, _) => 1,
+        (Family::Real, 32) => 2,
+        (Family::Real, _) => 3,
+        (Family::Duration, _) => 4,
+        _ => 0,
+    }
+}
+
+/// What numbers tell of a value.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum Seen {
+    /// This value.
+    Value(Value),
+    /// A value that the numbers cannot tell.
+    Untold,
+    /// No value: the numbers are none that a page writes.
+    Nonsense,
+}
+
+/// The value that these numbers stand for; there are as many as [`Look::pieces`] says.
+pub(crate) fn value(ty: ElementaryType, numbers: &[i32]) -> Seen {
+    let found = match ty.family() {
+        Family::Real => real(ty, numbers),
+        Family::Duration => return duration(ty, numbers),
+        _ => whole(numbers).and_then(|number| {
+            let (least, greatest) = ty.integer_range()?;
+            (least..=greatest).contains(&number).then(|| ty.wrap(number))
+        }),
+    };
+    found.map_or(Seen::Nonsense, |raw| Seen::Value(Value::plain(ty, raw)))
+}
+
+/// Numbers to the base of 2^24, the first with the sign.
+fn whole(numbers: &[i32]) -> Option<i128> {
+    let (first, rest) = numbers.split_first()?;
+    rest.iter().try_fold(i128::from(*first), |sum, &number| {
+        (0..1 << 24)
+            .contains(&number)
+            .then(|| (sum << 24) + i128::from(number))
+    })
+}
+
+fn real(ty: ElementaryType, numbers: &[i32]) -> Option<u64> {
+    let (&exponent, significand) = numbers.split_first()?;
+    let negative = *significand.first()? < 0;
+    let magnitudes: Vec<i32> = significand.iter().map(|number| number.saturating_abs()).collect();
+    let magnitude = whole(&magnitudes)?;
+    let digits = if ty == ElementaryType::Real { 24 } else { 53 };
+    let sign = if negative { -1.0 } else { 1.0 };
+    let value = match exponent {
+        NAN => f64::NAN,
+        INFINITE => sign * f64::INFINITY,
+        _ if magnitude == 0 => 0.0,
+        // What the loops of a page leave has its highest bit in one place.
+        -1100..=1100 if magnitude >> (digits - 1) == 1 => sign * scaled(magnitude, exponent - (digits - 1)),
+        _ => return None,
+    };
+    match ty {
+        ElementaryType::Real => {
+            #[expect(clippy::cast_possible_truncation, reason = "it is checked to lose nothing")]
+            let single = value as f32;
+            (value.is_nan() || f64::from(single) == value).then(|| u64::from(single.to_bits()))
+        }
+        _ => Some(value.to_bits()),
+    }
+}
+
+/// A number below 2^53 times a power of two: exact where an `f64` has the product.
+fn scaled(magnitude: i128, exponent: i32) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "it has no more than 53 bits")]
+    let mut value = magnitude as f64;
+    // One step at a time never rounds twice: all of them but the last few are exact, and those that round lose bits of which a
+    // significand that came from a value has none.
+    for _ in 0..exponent.abs() {
+        value = if exponent < 0 { value / 2.0 } else { value * 2.0 };
+    }
+    value
+}
+
+fn duration(ty: ElementaryType, numbers: &[i32]) -> Seen {
+    let Some((&sign, units)) = numbers.split_first() else {
+        return Seen::Nonsense;
+    };
+    let sign = match sign {
+        REST => return Seen::Untold,
+        -1 | 1 => i128::from(sign),
+        _ => return Seen::Nonsense,
+    };
+    let unit = if ty == ElementaryType::Time { 1_000_000 } else { 1 };
+    let nanoseconds = whole(units).map(|units| sign * units * unit);
+    match nanoseconds.and_then(|number| i64::try_from(number).ok()) {
+        Some(nanoseconds) => Seen::Value(Value::plain(ty, nanoseconds.cast_unsigned())),
+        None => Seen::Nonsense,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(ty: &str, numbers: &[i32]) -> String {
+        let ty = ElementaryType::from_name(ty).expect("a type");
+        assert_eq!(numbers.len(), Look::Numbers(ty).pieces());
+        match value(ty, numbers) {
+            Seen::Value(value) => value.to_string(),
+            other => format!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn numbers_stand_for_values() {
+        for (ty, numbers, expected) in [
+            ("BOOL", &[1][..], "BOOL#TRUE"),
+            ("BOOL", &[2], "Nonsense"),
+            ("SINT", &[-128], "SINT#-128"),
+            ("SINT", &[128], "Nonsense"),
+            ("DINT", &[i32::MIN], "DINT#-2147483648"),
+            ("WORD", &[65535], "WORD#16#FFFF"),
+            ("UDINT", &[255, 0xFF_FFFF], "UDINT#4294967295"),
+            ("UDINT", &[0, 1 << 24], "Nonsense"),
+            ("LINT", &[-32768, 0, 0], "LINT#-9223372036854775808"),
+            ("LINT", &[-1, 0xFF_FFFF, 0xFF_FFFF], "LINT#-1"),
+            (
+                "LWORD",
+                &[0x1234, 0x56_789A, 0xBC_DEF0],
+                "LWORD#16#123456789ABCDEF0",
+            ),
+            ("REAL", &[0, 1 << 23], "REAL#1.0"),
+            ("REAL", &[1, -(3 << 22)], "REAL#-3.0"),
+            ("REAL", &[-149, 1 << 23], "REAL#1.0E-45"),
+            ("REAL", &[0, 0], "REAL#0.0"),
+            ("REAL", &[0, 1], "Nonsense"),
+            ("REAL", &[NAN, 0], "REAL#NaN"),
+            ("REAL", &[INFINITE, -1], "REAL#-Infinity"),
+            (
+                "LREAL",
+                &[1023, (1 << 29) - 1, (1 << 24) - 1],
+                "LREAL#1.7976931348623157E308",
+            ),
+            ("LREAL", &[-1074, 1 << 28, 0], "LREAL#5.0E-324"),
+            ("LREAL", &[-1, -(1 << 28), 0], "LREAL#-0.5"),
+            ("TIME", &[1, 0, 0, 1500], "TIME#1500ms"),
+            ("TIME", &[-1, 0, 1, 0], "TIME#-16777216ms"),
+            ("TIME", &[REST, 0, 0, 0], "Untold"),
+            ("TIME", &[0, 0, 0, 0], "Nonsense"),
+            (
+                "LTIME",
+                &[1, 32767, 0xFF_FFFF, 0xFF_FFFF],
+                "LTIME#9223372036854775807ns",
+            ),
+        ] {
+            assert_eq!(told(ty, numbers), expected, "{ty} {numbers:?}");
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! What an export writes beside its pages, so that an import needs nothing else: which page is which, and which case stands
+//! in which element.
+
+use crate::ExportError;
+use crate::page::Page;
+use crate::record::CaseRecord;
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// What its file is called.
+pub const MANIFEST: &str = "manifest.json";
+
+/// The version of its format.
+const FORMAT: u32 = 1;
+
+/// An export.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub(crate) struct Manifest {
+    /// The version of this format.
+    pub(crate) format: u32,
+    /// The version of Stickler that wrote it.
+    pub(crate) stickler: String,
+    /// The version of the suite.
+    pub(crate) suite: String,
+    /// The dialect of all cases.
+    pub(crate) dialect: String,
+    /// Its pages, in the order of their numbers.
+    pub(crate) pages: Vec<PageRecord>,
+}
+
+/// A page.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub(crate) struct PageRecord {
+    /// The file of the page.
+    pub(crate) file: String,
+    /// Its number, from 1.
+    pub(crate) number: usize,
+    /// Its own number, which every array of its results holds; 0 where it is only compiled.
+    pub(crate) identity: i32,
+    /// How many elements its array has; 0 where it is only compiled.
+    pub(crate) elements: usize,
+    /// Its cases, in order.
+    pub(crate) cases: Vec<CaseRecord>,
+    /// Its observations, in order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) steps: Vec<StepRecord>,
+    /// What messages about it can be led back by, where it is only compiled.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) compiled: Option<CompiledRecord>,
+}
+
+/// The lines of a page that is only compiled.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub(crate) struct CompiledRecord {
+    /// How many lines stand before its statements.
+    pub(crate) declarations: usize,
+    /// The lines of each case, stretch by stretch; those of the first statement and of the last come behind them.
+    pub(crate) lines: Vec<Vec<(usize, usize)>>,
+}
+
+/// An observation.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub(crate) struct StepRecord {
+    /// The case, by its place among those of the page.
+    pub(crate) case: usize,
+    /// The variable, by its place among those that the case observes; none where the case only has to run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) observe: Option<usize>,
+    /// Its first element.
+    pub(crate) place: usize,
+}
+
+impl Manifest {
+    pub(crate) fn new(suite: &str, dialect: &str) -> Manifest {
+        Manifest {
+            format: FORMAT,
+            stickler: env!("CARGO_PKG_VERSION").to_owned(),
+            suite: suite.to_owned(),
+            dialect: dialect.to_owned(),
+            pages: Vec::new(),
+        }
+    }
+
+    /// Reads that of a folder.
+    ///
+    /// # Errors
+    /// [`ExportError::NoExport`] where there is none, [`ExportError::Read`] and [`ExportError::Manifest`] where it cannot be
+    /// understood.
+    pub(crate) fn read(folder: &Path) -> Result<Manifest, ExportError> {
+        let path = folder.join(MANIFEST);
+        let text = match fs::read_to_string(&path) {
+            Ok(text) => text,
+            Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
+                return Err(ExportError::NoExport(folder.to_owned()));
+            }
+            Err(error) => return Err(ExportError::Read(path, error)),
+        };
+        let broken = |what: String| ExportError::Manifest(path.clone(), what);
+        let manifest: Manifest = serde_json::from_str(&text).map_err(|error| broken(error.to_string()))?;
+        if manifest.format != FORMAT {
+            return Err(broken(format!(
+                "its format is {}, and this version of Stickler reads {FORMAT}",
+                manifest.format
+            )));
+        }
+        manifest.check().map_err(broken)?;
+        Ok(manifest)
+    }
+
+    /// # Errors
+    /// A fragment that says what points nowhere.
+    fn check(&self) -> Result<(), String> {
+        for page in &self.pages {
+            let compiled = page.compiled.as_ref();
+            if compiled.is_some_and(|compiled| compiled.lines.len() != page.cases.len() + 2) {
+                return Err(format!(
+                    "the lines of page {} are not those of its cases",
+                    page.number
+                ));
+            }
+            for step in &page.steps {
+                if step.case >= page.cases.len() || step.place + 2 >= page.elements.max(3) {
+                    return Err(format!(
+                        "an observation of page {} stands outside it",
+                        page.number
+                    ));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl PageRecord {
+    pub(crate) fn of(page: &Page<'_, '_>, file: String) -> PageRecord {
+        let steps = page.steps.iter().map(|step| StepRecord {
+            case: step.case,
+            observe: step.observe,
+            place: step.place,
+        });
+        PageRecord {
+            file,
+            number: page.number,
+            identity: page.identity,
+            elements: page.elements,
+            cases: page
+                .cases
+                .iter()
+                .map(|ready| CaseRecord::of(ready.case))
+                .collect(),
+            steps: steps.collect(),
+            compiled: page.company.is_rejected().then(|| CompiledRecord {
+                declarations: page.declarations.matches('\n').count(),
+                lines: page.lines.clone(),
+            }),
+        }
+    }
+}

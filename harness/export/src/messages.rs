@@ -1,0 +1,233 @@
+//! Lists of a compiler's messages about pages that are only compiled, each message led back to its case.
+//!
+//! A message is a line that names a page (`stickler_page_12` or `page-012`) and a line of it: `Line 12, Column 4`, `(12,4)`,
+//! `page-012.st:12:4`, `12-4..12-9`, or a cell of a table. Where it says `Impl` or `Decl`, lines count within that pane of the editor; otherwise
+//! through the whole page. A warning is no rejection.
+
+use crate::manifest::{CompiledRecord, Manifest};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The messages of each page, by the page's place in the manifest.
+#[derive(Debug, Default)]
+pub(crate) struct Messages {
+    /// The first message of each line.
+    pages: BTreeMap<usize, BTreeMap<usize, String>>,
+}
+
+/// What the messages of a page say.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum Told {
+    /// Nothing of the page was given.
+    Missing,
+    /// The list is not whole. The case on whose lines its last message is, where there is one.
+    Cut(Option<usize>),
+    /// Each case, and its first message; none where it was accepted.
+    Whole(Vec<Option<String>>),
+}
+
+impl Messages {
+    /// Takes whatever messages a text holds; gives how many they are.
+    pub(crate) fn take(&mut self, text: &str, manifest: &Manifest) -> usize {
+        let mut taken = 0;
+        let lines: Vec<&str> = text.lines().collect();
+        for (number, line) in lines.iter().enumerate() {
+            let Some((at, behind)) = page_of(line, manifest) else {
+                continue;
+            };
+            let Some(compiled) = &manifest.pages[at].compiled else {
+                continue;
+            };
+            let messages = self.pages.entry(at).or_default();
+            if is_warning(line) {
+                continue;
+            }
+            let Some(found) = line_of(behind).or_else(|| line_of(line)) else {
+                continue;
+            };
+            // Some compilers say what is wrong on a line of its own, above the place.
+            let above = number.checked_sub(1).map(|above| lines[above].trim());
+            let only_place = line.trim_start().starts_with(['-', '\u{250c}', '>']);
+            let message = above
+                .filter(|above| only_place && !above.is_empty())
+                .unwrap_or(line.trim());
+            if is_warning(message) {
+                continue;
+            }
+            messages
+                .entry(in_page(found, line, compiled))
+                .or_insert_with(|| message.to_owned());
+            taken += 1;
+        }
+        taken
+    }
+
+    /// What the messages of a page say of its cases.
+    pub(crate) fn told(&self, at: usize, compiled: &CompiledRecord) -> Told {
+        let Some(messages) = self.pages.get(&at) else {
+            return Told::Missing;
+        };
+        let message = |stretches: &Vec<(usize, usize)>| {
+            let lines = stretches
+                .iter()
+                .flat_map(|(first, last)| messages.range(*first..=*last));
+            lines.map(|(_, message)| message.clone()).next()
+        };
+        let mut told: Vec<Option<String>> = compiled.lines.iter().map(message).collect();
+        let ends = told.split_off(told.len().saturating_sub(2));
+        if ends.iter().any(Option::is_none) {
+            return Told::Cut(told.iter().rposition(Option::is_some));
+        }
+        Told::Whole(told)
+    }
+}
+
+/// The page that a line names, by its place, and what stands behind its name.
+fn page_of<'l>(line: &'l str, manifest: &Manifest) -> Option<(usize, &'l str)> {
+    let lower = line.to_ascii_lowercase();
+    for name in ["stickler_page_", "page-"] {
+        for (at, _) in lower.match_indices(name) {
+            let rest = &line[at + name.len()..];
+            let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+            let number = rest[..digits].parse::<usize>().ok();
+            let found = manifest.pages.iter().position(|page| Some(page.number) == number);
+            if let Some(found) = found {
+                return Some((found, &rest[digits..]));
+            }
+        }
+    }
+    None
+}
+
+fn is_warning(line: &str) -> bool {
+    let line = line.to_ascii_lowercase();
+    let words: BTreeSet<&str> = line.split(|c: char| !c.is_alphanumeric()).collect();
+    let said = [
+        "warning",
+        "warnung",
+        "avertissement",
+        "information",
+        "hint",
+        "note",
+    ]
+    .iter()
+    .any(|word| words.contains(word));
+    said && !["error", "fehler", "erreur"]
+        .iter()
+        .any(|word| words.contains(word))
+}
+
+/// The line that a message names.
+fn line_of(text: &str) -> Option<usize> {
+    let lower = text.to_ascii_lowercase();
+    let after = |word: &str| {
+        lower
+            .match_indices(word)
+            .find_map(|(at, _)| digits(text[at + word.len()..].trim_start_matches([' ', ':', '#'])))
+    };
+    ["line", "zeile", "ligne"]
+        .iter()
+        .find_map(|word| after(word))
+        .or_else(|| after("("))
+        .or_else(|| text.find(':').and_then(|at| digits(text[at + 1..].trim_start())))
+        .or_else(|| {
+            text.split(['\t', ';', ',', '"'])
+                .find_map(|cell| cell.trim().parse().ok())
+        })
+}
+
+fn digits(text: &str) -> Option<usize> {
+    let length = text.bytes().take_while(u8::is_ascii_digit).count();
+    text[..length].parse().ok()
+}
+
+/// A line through the whole page, where the message counts within a pane.
+fn in_page(line: usize, message: &str, compiled: &CompiledRecord) -> usize {
+    // In parentheses: messages speak of implicit conversions.
+    if message.to_ascii_lowercase().contains("(impl)") {
+        return line + compiled.declarations;
+    }
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::manifest::PageRecord;
+
+    /// Two cases: the first has the lines 4 and 8, the second 5 and 9; the statements begin at 7 and end at 10.
+    fn manifest() -> Manifest {
+        let mut manifest = Manifest::new("1", "matiec");
+        manifest.pages.push(PageRecord {
+            file: "page-001.st".to_owned(),
+            number: 1,
+            identity: 0,
+            elements: 0,
+            cases: Vec::new(),
+            steps: Vec::new(),
+            compiled: Some(CompiledRecord {
+                declarations: 6,
+                lines: vec![
+                    vec![(4, 4), (8, 8)],
+                    vec![(5, 5), (9, 9)],
+                    vec![(7, 7)],
+                    vec![(10, 10)],
+                ],
+            }),
+        });
+        manifest
+    }
+
+    fn told(text: &str) -> Told {
+        let manifest = manifest();
+        let mut messages = Messages::default();
+        messages.take(text, &manifest);
+        let compiled = manifest.pages[0]
+            .compiled
+            .as_ref()
+            .expect("a page that is compiled");
+        messages.told(0, compiled)
+    }
+
+    #[test]
+    fn messages_are_led_back_in_every_form() {
+        let lists = [
+            "[ERROR]  Untitled: stickler_page_1 [Device: PLC Logic: Application](Line 1, Column 5 (Impl)): C0046: not defined\n\
+             [ERROR]  Untitled: stickler_page_1 [Device](Line 2, Column 5 (Impl)): C0032: Cannot convert\n\
+             [WARNING]  Untitled: stickler_page_1 [Device](Line 3, Column 5 (Impl)): C0195: Implicit conversion\n\
+             [ERROR]  Untitled: stickler_page_1 [Device](Line 4, Column 5 (Impl)): C0046: not defined\n",
+            "page-001.st:7-4..7-9: error: a\npage-001.st:8-4..8-9: error: b\npage-001.st:10-4..10-9: error: not implicit\n",
+            "error[P4007]: a\n  --> pages/page-001.st:7:5\n  |\nerror[P4035]: b\n  --> pages/page-001.st:8:5\n\
+             error[P4007]: c\n  --> pages/page-001.st:10:5\n",
+            "Error\tpage-001.st(7,5)\ta\nError\tpage-001.st(4,5)\tb\nError\tpage-001.st(10,5)\tc\n",
+            "Fehler\tstickler_page_1\t7\ta\nFehler\tstickler_page_1\t8\tb\nFehler\tstickler_page_1\t10\tc\n",
+            "stickler_page_1, Zeile 7: a\nstickler_page_1, Zeile 8: b\nstickler_page_1, Zeile 10: c\n",
+        ];
+        for list in lists {
+            let Told::Whole(cases) = told(list) else {
+                panic!("{list}: {:?}", told(list))
+            };
+            assert!(cases[0].is_some() && cases[1].is_none(), "{list}: {cases:?}");
+        }
+    }
+
+    #[test]
+    fn a_list_without_both_ends_says_nothing() {
+        assert_eq!(
+            told("stickler_page_1, line 7: a\nstickler_page_1, line 9: b\n"),
+            Told::Cut(Some(1))
+        );
+        assert_eq!(told("stickler_page_1, line 10: a\n"), Told::Cut(None));
+        assert_eq!(told("0 errors\n"), Told::Missing);
+        assert_eq!(told("stickler_page_2, line 7: a\n"), Told::Missing);
+    }
+
+    #[test]
+    fn what_is_wrong_may_stand_above_its_place() {
+        let Told::Whole(cases) = told(
+            "error: a\n --> page-001.st:7:1\nerror: b\n --> page-001.st:5:1\nerror: c\n --> page-001.st:10:1\n",
+        ) else {
+            panic!("it is whole")
+        };
+        assert_eq!(cases, [None, Some("error: b".to_owned())]);
+    }
+}

@@ -1,0 +1,129 @@
+//! What is said of cases that cannot be judged, and of pages of which nothing was given.
+
+use crate::ANSWERS;
+use crate::gathered::Told;
+use crate::manifest::PageRecord;
+
+/// How many ids of cases a note names.
+const NAMED: usize = 5;
+
+/// The cases of a page that cannot be judged, by the reason.
+#[derive(Default)]
+pub(crate) struct Unjudged {
+    missing: Vec<String>,
+    not_run: Vec<String>,
+    nonsense: Vec<(String, String)>,
+}
+
+impl Unjudged {
+    /// Adds a case of which this is said.
+    pub(crate) fn add(&mut self, id: &str, told: Told) {
+        match told {
+            Told::Missing | Told::Outcome(..) => self.missing.push(id.to_owned()),
+            Told::NotRun => self.not_run.push(id.to_owned()),
+            Told::Nonsense(what) => self.nonsense.push((id.to_owned(), what)),
+        }
+    }
+
+    pub(crate) fn count(&self) -> u64 {
+        (self.missing.len() + self.not_run.len() + self.nonsense.len()) as u64
+    }
+
+    pub(crate) fn tell(&self, page: &PageRecord, state: Option<String>, notes: &mut Vec<String>) {
+        let name = format!("page {} ({})", page.number, page.file);
+        let has_state = state.is_some();
+        if let Some(state) = state {
+            notes.push(format!("{name}: {state}"));
+        }
+        let cases = |number: usize| counted(number as u64);
+        match self.missing.len() {
+            0 => {}
+            number => notes.push(format!(
+                "{name}: {} not judged, for what is missing",
+                cases(number)
+            )),
+        }
+        if !self.not_run.is_empty() {
+            let named = self
+                .not_run
+                .iter()
+                .take(NAMED)
+                .cloned()
+                .collect::<Vec<_>>()
+                .join(", ");
+            let rest = self.not_run.len().saturating_sub(NAMED);
+            let more = if rest > 0 {
+                format!(" and {rest} more")
+            } else {
+                String::new()
+            };
+            let hint = match has_state {
+                true => String::new(),
+                false => format!("; if the compiler does not accept it, say so in {ANSWERS}"),
+            };
+            notes.push(format!(
+                "{name}: {} not run: {named}{more}{hint}",
+                cases(self.not_run.len())
+            ));
+        }
+        let nonsense = self.nonsense.iter().map(|(id, what)| {
+            format!("{name}: {id} is not judged: {what}, which no page writes there; copy the array again")
+        });
+        notes.extend(shortened(nonsense.collect()));
+    }
+}
+
+fn counted(number: u64) -> String {
+    if number == 1 {
+        "1 case is".to_owned()
+    } else {
+        format!("{number} cases are")
+    }
+}
+
+/// The pages of which nothing was given.
+#[derive(Default)]
+pub(crate) struct Without {
+    /// The first and the last number of each stretch.
+    stretches: Vec<(usize, usize)>,
+    cases: u64,
+}
+
+impl Without {
+    pub(crate) fn add(&mut self, page: usize, cases: u64) {
+        self.cases += cases;
+        match self.stretches.last_mut() {
+            Some((_, last)) if *last + 1 == page => *last = page,
+            _ => self.stretches.push((page, page)),
+        }
+    }
+
+    pub(crate) fn tell(&self, notes: &mut Vec<String>) {
+        let stretches = self.stretches.iter().map(|(first, last)| match first == last {
+            true => first.to_string(),
+            false => format!("{first} to {last}"),
+        });
+        let stretches: Vec<String> = stretches.collect();
+        let word = match self.stretches[..] {
+            [] => return,
+            [(first, last)] if first == last => "page",
+            _ => "pages",
+        };
+        notes.push(format!(
+            "{word} {}: no results were given; {} not judged",
+            stretches.join(", "),
+            counted(self.cases)
+        ));
+    }
+}
+
+/// No more notes of one kind than a person reads.
+pub(crate) fn shortened(mut notes: Vec<String>) -> Vec<String> {
+    const MOST: usize = 20;
+    if notes.len() > MOST {
+        let rest = notes.len() - MOST;
+        notes.truncate(MOST);
+        notes.push(format!("... and {rest} more of the kind"));
+    }
+    notes
+}

@@ -1,0 +1,401 @@
+//! A page: one program that does what the programs of many cases do, a case a scan, and puts what comes of them into an array.
+//!
+//! ```text
+//! results[0]   16#53544B31, by which an array of results is known
+//! results[1]   the number of this page of this export; no other page of any export has it
+//! results[2]   the page's number in its export
+//! results[3]   how many observations there are
+//! results[4]   the last one that was begun
+//! results[5]   the last one that was ended
+//! results[6]   how many values are those that documents say
+//! results[7]   how many are not
+//! results[8]   the first observation: the number of the page plus that of the observation; 0 before it was made
+//! results[9]   1: the value equals the one that it must be; 2: it does not; 0: nothing was compared
+//! results[10]  … and, where the type can be taken apart, its numbers
+//! results[n]   the number of the page again, once all is done
+//! ```
+//!
+//! Whoever deletes the statements of a case, because the compiler does not take them, leaves its elements 0: it was not run,
+//! and nothing else is different.
+
+mod compiled;
+
+use crate::look::Look;
+use crate::ready::{Company, Ready, expected};
+use crate::rename::Renaming;
+use crate::taking_apart;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+use stickler_engines::{Token, tokens};
+use stickler_types::{ElementaryType, Value};
+
+/// What the first element of every array of results is: `STK1`.
+pub(crate) const MAGIC: i32 = 0x5354_4B31;
+
+/// Where the first observation stands.
+pub(crate) const FIRST: usize = 8;
+
+/// Pages' own numbers are multiples of this, so that the number of an observation can be added and still be read.
+pub(crate) const ROOM: usize = 1000;
+
+/// One observation of a page.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Step {
+    /// The number of its case on the page.
+    pub(crate) case: usize,
+    /// The number of the variable among those that the case observes; `None` where it only has to run.
+    pub(crate) observe: Option<usize>,
+    /// Where its elements begin.
+    pub(crate) place: usize,
+    /// How the value is seen.
+    pub(crate) look: Look,
+}
+
+/// A page, written.
+pub(crate) struct Page<'c, 'r> {
+    /// Its number, from 1.
+    pub(crate) number: usize,
+    pub(crate) company: Company,
+    pub(crate) cases: &'r [Ready<'c>],
+    /// Its observations, in order; the first has the number 1. None on a page that is only compiled.
+    pub(crate) steps: Vec<Step>,
+    /// Its own number: see [`ROOM`].
+    pub(crate) identity: i32,
+    /// How many elements its array has; 0 where it has none.
+    pub(crate) elements: usize,
+    /// The POUs and types that stand beside the program.
+    pub(crate) units: String,
+    /// The program to the end of its declarations.
+    pub(crate) declarations: String,
+    /// Its statements.
+    pub(crate) statements: String,
+    /// The lines of each case, stretch by stretch, the first and the last of each; from 1, through declarations and statements. Of a page that
+    /// is only compiled, the last two are no cases: its first statement and its last, which are wrong on purpose.
+    pub(crate) lines: Vec<Vec<(usize, usize)>>,
+}
+
+/// How many elements the observations of a case take.
+pub(crate) fn elements_of(ready: &Ready<'_>) -> usize {
+    let looks = ready.looks.iter().map(|(_, look)| 2 + look.pieces());
+    looks.sum::<usize>().max(2)
+}
+
+impl<'c, 'r> Page<'c, 'r> {
+    /// Writes a page of these cases. `export` is a line that says which export it belongs to; `taken` are the own numbers of other
+    /// pages, to which it adds its own.
+    pub(crate) fn write(
+        (number, pages): (usize, usize),
+        cases: &'r [Ready<'c>],
+        export: &str,
+        taken: &mut BTreeSet<i32>,
+    ) -> Page<'c, 'r> {
+        let company = cases[0].company;
+        let (steps, end) = steps(cases);
+        let mut page = Page {
+            number,
+            company,
+            cases,
+            elements: end + 1,
+            steps,
+            identity: 0,
+            units: String::new(),
+            declarations: String::new(),
+            statements: String::new(),
+            lines: vec![Vec::new(); cases.len()],
+        };
+        if company.is_rejected() {
+            page.write_compiled(pages, export);
+            return page;
+        }
+        let suffixes = page.write_units();
+        // The number of a page comes from its text, so the text is written once without it.
+        for _ in 0..2 {
+            page.declarations = page.head(pages, export);
+            page.statements.clear();
+            page.lines = vec![Vec::new(); cases.len()];
+            page.write_declarations(&suffixes);
+            page.write_statements(&suffixes);
+            page.identity = match page.identity {
+                0 => identity(&[&page.units, &page.declarations, &page.statements], taken),
+                known => known,
+            };
+        }
+        page
+    }
+
+    /// The whole text.
+    pub(crate) fn text(&self) -> String {
+        let units = if self.units.is_empty() {
+            String::new()
+        } else {
+            format!("{}\n\n", self.units)
+        };
+        format!("{units}{}{}END_PROGRAM\n", self.declarations, self.statements)
+    }
+
+    fn head(&self, pages: usize, export: &str) -> String {
+        let Page { number, cases, .. } = self;
+        let last = self.elements - 1;
+        format!(
+            "(* Stickler: page {number} of {pages}, {} cases. {export}\n   \
+             Let it run until results[5] is {} and copy the whole array: results[0] to results[{last}].\n   \
+             Where a case is not accepted, delete its lines here and below and note that in answers.txt. *)\n\
+             PROGRAM stickler_page_{number}\nVAR\n    results : ARRAY[0..{last}] OF DINT;\n",
+            cases.len(),
+            self.steps.len(),
+        )
+    }
+
+    /// The POUs and types of all cases, each once, and the suffix that the names of each case's have.
+    fn write_units(&mut self) -> Vec<String> {
+        let mut known: BTreeMap<String, usize> = BTreeMap::new();
+        let mut suffixes = Vec::with_capacity(self.cases.len());
+        for (number, ready) in self.cases.iter().enumerate() {
+            let parts = &ready.parts;
+            let mut key = parts.units.clone();
+            if declares_in_place(ready) {
+                let _ = write!(key, "\n{number}");
+            }
+            let next = known.len() + 1;
+            let unit = *known.entry(key).or_insert(next);
+            let suffix = format!("_u{unit}");
+            if unit == next && !parts.units.is_empty() {
+                let renaming = Renaming {
+                    units: (&parts.unit_names, suffix.clone()),
+                    variables: None,
+                };
+                if !self.units.is_empty() {
+                    self.units.push_str("\n\n");
+                }
+                self.units.push_str(&renaming.of(&parts.units));
+            }
+            suffixes.push(suffix);
+        }
+        suffixes
+    }
+
+    fn renaming(&self, case: usize, suffixes: &[String]) -> Renaming<'r> {
+        let parts = &self.cases[case].parts;
+        Renaming {
+            units: (&parts.unit_names, suffixes[case].clone()),
+            variables: Some((&parts.variable_names, format!("_{}", case + 1))),
+        }
+    }
+
+    fn write_declarations(&mut self, suffixes: &[String]) {
+        let mut text = std::mem::take(&mut self.declarations);
+        for name in [
+            "step", "place", "equal", "kind", "count", "sum", "sign", "exponent",
+        ] {
+            let _ = writeln!(text, "    stickler_{name} : DINT;");
+        }
+        for ty in self.types() {
+            let _ = writeln!(text, "    {}", taking_apart::declarations(ty));
+        }
+        text.push_str("END_VAR\n");
+        self.write_variables(&mut text, suffixes);
+        self.declarations = text;
+    }
+
+    /// The variables of all cases: constants first, for variables may begin with their values.
+    fn write_variables(&mut self, text: &mut String, suffixes: &[String]) {
+        for constant in [true, false] {
+            let mut section = String::new();
+            let heading = if constant { "VAR CONSTANT\n" } else { "VAR\n" };
+            let line = text.matches('\n').count() + 2;
+            for (case, ready) in self.cases.iter().enumerate() {
+                let renaming = self.renaming(case, suffixes);
+                let parts = ready.parts.variables.iter();
+                let mut parts = parts
+                    .filter(|part| part.constant == constant && !part.text.trim().is_empty())
+                    .peekable();
+                if parts.peek().is_none() {
+                    continue;
+                }
+                let before = section.matches('\n').count();
+                let _ = writeln!(section, "    (* {}: {} *)", case + 1, shown(&ready.case.id));
+                for part in parts {
+                    let _ = writeln!(section, "{}", renaming.of(&part.text));
+                }
+                let after = section.matches('\n').count();
+                self.lines[case].push((line + before, line + after - 1));
+            }
+            if !section.is_empty() {
+                text.push_str(heading);
+                text.push_str(&section);
+                text.push_str("END_VAR\n");
+            }
+        }
+    }
+
+    fn write_statements(&mut self, suffixes: &[String]) {
+        let steps = self.steps.len();
+        let mut text = format!(
+            "    IF stickler_step < {steps} THEN\n        \
+             stickler_step := stickler_step + 1;\n        stickler_place := 0;\n        stickler_equal := 0;\n        \
+             stickler_kind := 0;\n        results[0] := {MAGIC};\n        results[1] := {};\n        results[2] := {};\n        \
+             results[3] := {steps};\n        results[4] := stickler_step;\n        CASE stickler_step OF\n",
+            self.identity, self.number
+        );
+        let kinds = self.types();
+        for (number, step) in self.steps.iter().enumerate() {
+            let renaming = self.renaming(step.case, suffixes);
+            let ready = &self.cases[step.case];
+            let is_first = number == 0 || self.steps[number - 1].case != step.case;
+            if is_first {
+                let _ = writeln!(text, "        (* {}: {} *)", step.case + 1, shown(&ready.case.id));
+            }
+            let _ = writeln!(text, "        {}:", number + 1);
+            if is_first && !ready.parts.statements.is_empty() {
+                let _ = writeln!(text, "    {}", renaming.of(&ready.parts.statements));
+            }
+            write_look(&mut text, ready, step, &renaming, &kinds);
+        }
+        text.push_str("        END_CASE;\n");
+        self.write_common(&mut text, &kinds);
+        text.push_str("    END_IF;\n");
+        self.statements = text;
+    }
+
+    /// What is done behind every observation.
+    fn write_common(&self, text: &mut String, kinds: &[ElementaryType]) {
+        let (steps, last) = (self.steps.len(), self.elements - 1);
+        let _ = write!(
+            text,
+            "        IF stickler_place > 0 THEN
+            results[stickler_place] := {} + stickler_step;
+            results[stickler_place + 1] := stickler_equal;
+        END_IF;
+        IF stickler_equal = 1 THEN results[6] := results[6] + 1; END_IF;
+        IF stickler_equal = 2 THEN results[7] := results[7] + 1; END_IF;
+        CASE stickler_kind OF
+        0: stickler_sum := 0;
+",
+            self.identity
+        );
+        for (number, ty) in kinds.iter().enumerate() {
+            let _ = writeln!(text, "        {}: (* {ty} *)", number + 1);
+            text.push_str(&taking_apart::statements(*ty, "            "));
+        }
+        let _ = write!(
+            text,
+            "        END_CASE;
+        results[5] := stickler_step;
+        IF stickler_step = {steps} THEN results[{last}] := {}; END_IF;
+",
+            self.identity
+        );
+    }
+
+    /// The types whose values are taken apart, in their order.
+    fn types(&self) -> Vec<ElementaryType> {
+        let types = self.steps.iter().filter_map(|step| match step.look {
+            Look::Numbers(ty) => Some(ty),
+            Look::Compared => None,
+        });
+        types.collect::<BTreeSet<_>>().into_iter().collect()
+    }
+}
+
+/// The observations of these cases, and where the element behind the last of them is.
+fn steps(cases: &[Ready<'_>]) -> (Vec<Step>, usize) {
+    let mut steps = Vec::new();
+    let mut place = FIRST;
+    for (case, ready) in cases.iter().enumerate() {
+        let mut add = |observe, look: Look| {
+            steps.push(Step {
+                case,
+                observe,
+                place,
+                look,
+            });
+            place += 2 + look.pieces();
+        };
+        if ready.looks.is_empty() {
+            add(None, Look::Compared);
+        }
+        for &(observe, look) in &ready.looks {
+            add(Some(observe), look);
+        }
+    }
+    (steps, place)
+}
+
+/// The statements that look at one variable.
+fn write_look(
+    text: &mut String,
+    ready: &Ready<'_>,
+    step: &Step,
+    renaming: &Renaming<'_>,
+    kinds: &[ElementaryType],
+) {
+    const MARGIN: &str = "            ";
+    if let Some(observe) = step.observe {
+        let name = renaming.of(&ready.case.observe[observe].name);
+        if let Some(literal) = expected(ready.case, observe).and_then(|expected| literal(&expected.value)) {
+            let literal = renaming.of(&literal);
+            let _ = writeln!(
+                text,
+                "{MARGIN}IF {name} = {literal} THEN stickler_equal := 1; ELSE stickler_equal := 2; END_IF;"
+            );
+        }
+        if let Look::Numbers(ty) = step.look {
+            let kind = kinds
+                .iter()
+                .position(|kind| *kind == ty)
+                .map_or(0, |kind| kind + 1);
+            let _ = writeln!(text, "{MARGIN}{} := {name};", taking_apart::variable(ty));
+            let _ = writeln!(text, "{MARGIN}stickler_kind := {kind};");
+        }
+    }
+    let _ = writeln!(text, "{MARGIN}stickler_place := {};", step.place);
+}
+
+/// A value as it is written in a comparison; `None` where it has no literal.
+pub(crate) fn literal(value: &Value) -> Option<String> {
+    let typed = value.to_string();
+    match value {
+        Value::Plain { ty, .. } if ty.is_real() => {
+            let finite = !typed.ends_with("NaN") && !typed.ends_with("Infinity");
+            finite.then_some(typed)
+        }
+        Value::Plain { .. } => Some(typed),
+        // Few compilers know typed literals of texts; the value of an enumeration is known by its name.
+        Value::Text { .. } | Value::Enumerated { .. } => {
+            typed.split_once('#').map(|(_, value)| value.to_owned())
+        }
+    }
+}
+
+/// Whether variables of a case's program declare an enumeration in place.
+fn declares_in_place(ready: &Ready<'_>) -> bool {
+    let words: BTreeSet<String> = tokens(&ready.parts.units)
+        .filter_map(|token| match token {
+            Token::Word(word) => Some(word.text.to_ascii_uppercase()),
+            _ => None,
+        })
+        .collect();
+    ready.parts.unit_names.iter().any(|name| !words.contains(name))
+}
+
+/// An id within a comment, which it must not end nor begin another in.
+pub(crate) fn shown(id: &str) -> String {
+    id.replace("(*", "( *").replace("*)", "* )")
+}
+
+/// A number for a page by its text, by the hash function FNV-1a: a multiple of [`ROOM`], no zero, and none that is taken.
+fn identity(texts: &[&str], taken: &mut BTreeSet<i32>) -> i32 {
+    let mut hash = 0xCBF2_9CE4_8422_2325_u64;
+    for byte in texts.iter().flat_map(|text| text.bytes()) {
+        hash = (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01B3);
+    }
+    let room = ROOM as u64;
+    let numbers = u64::from(i32::MAX.unsigned_abs()) / room - 1;
+    loop {
+        let identity = i32::try_from((hash % numbers + 1) * room).unwrap_or(i32::MAX);
+        if taken.insert(identity) {
+            return identity;
+        }
+        hash = hash.wrapping_add(1);
+    }
+}

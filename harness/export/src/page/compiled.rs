@@ -1,0 +1,45 @@
+//! A page that is only compiled: the programs of many cases that must be rejected, one behind the other.
+//!
+//! What a compiler says of it is a list of messages, and a message belongs to the case on whose lines it is. A case without a message was
+//! accepted, if the list is whole: so the first statement of the page and its last are wrong on purpose, and a list that lacks either says
+//! nothing of anything.
+
+use super::{Page, shown};
+use std::fmt::Write;
+
+/// The names that are declared nowhere, at the begin and the end of a page.
+const NOWHERE: [&str; 2] = ["stickler_nowhere_1", "stickler_nowhere_2"];
+
+impl Page<'_, '_> {
+    /// Writes the declarations and the statements.
+    pub(super) fn write_compiled(&mut self, pages: usize, export: &str) {
+        (self.steps, self.elements) = (Vec::new(), 0);
+        let suffixes = vec![String::new(); self.cases.len()];
+        let number = self.number;
+        let mut text = format!(
+            "(* Stickler: page {number} of {pages}, {} cases that must be rejected. {export}\n   \
+             Only compile it, copy all messages into a file, and give that to `stickler import`.\n   \
+             The first statement and the last are wrong on purpose: without their messages the list is not whole. *)\n\
+             PROGRAM stickler_page_{number}\n",
+            self.cases.len(),
+        );
+        self.write_variables(&mut text, &suffixes);
+        let before = text.matches('\n').count();
+        self.declarations = text;
+        let mut text = format!("    {} := TRUE;\n", NOWHERE[0]);
+        for (case, ready) in self.cases.iter().enumerate() {
+            let first = before + text.matches('\n').count() + 1;
+            let _ = writeln!(text, "    (* {}: {} *)", case + 1, shown(&ready.case.id));
+            let statements = self.renaming(case, &suffixes).of(&ready.parts.statements);
+            if !statements.is_empty() {
+                let _ = writeln!(text, "    {statements}");
+            }
+            self.lines[case].push((first, before + text.matches('\n').count()));
+        }
+        let _ = writeln!(text, "    {} := TRUE;", NOWHERE[1]);
+        let last = before + text.matches('\n').count();
+        self.lines.push(vec![(before + 1, before + 1)]);
+        self.lines.push(vec![(last, last)]);
+        self.statements = text;
+    }
+}

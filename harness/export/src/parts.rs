@@ -1,0 +1,288 @@
+//! A case's program, taken apart into what a page can hold: the POUs and types beside its main program, the variables of
+//! that program, and its statements.
+//!
+//! It reads no grammar, only words and signs, so that a program is taken apart whoever accepts it. What it does not know its
+//! way about is left out, with the reason.
+
+use crate::Reason;
+use std::collections::HashSet;
+use stickler_engines::{Token, declared, tokens};
+
+/// A program in its parts. All text is as the case has it, without the marks of the suite.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Parts {
+    /// Whatever stands outside the main program: types, functions, function blocks.
+    pub(crate) units: String,
+    /// The names that are declared for all of the text, in capitals, without that of the main program.
+    pub(crate) unit_names: HashSet<String>,
+    /// The declarations of the main program's sections of variables, by section.
+    pub(crate) variables: Vec<Section>,
+    /// The names of its variables, in capitals.
+    pub(crate) variable_names: HashSet<String>,
+    /// Its statements.
+    pub(crate) statements: String,
+}
+
+/// A section of variables.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Section {
+    /// They keep their values.
+    pub(crate) constant: bool,
+    /// What stands between its keywords.
+    pub(crate) text: String,
+}
+
+impl Parts {
+    /// Takes the program of a case apart.
+    ///
+    /// # Errors
+    /// Why it cannot stand on a page among others.
+    pub(crate) fn of(source: &str) -> Result<Parts, Reason> {
+        let source = without_marks(source);
+        let mut unit_names = declared(&source, &HashSet::new()).ok_or(Reason::Shares)?;
+        let mut reader = Reader::new(&source);
+        let main = reader.main()?;
+        let mut parts = Parts {
+            units: [&source[..main.begins], &source[main.ends..]]
+                .map(str::trim)
+                .join("\n")
+                .trim()
+                .to_owned(),
+            unit_names: HashSet::new(),
+            variables: main.sections,
+            variable_names: HashSet::new(),
+            statements: source[main.statements..main.statements_end].trim().to_owned(),
+        };
+        for section in &parts.variables {
+            parts.variable_names.extend(names(&section.text));
+        }
+        unit_names.remove(&main.name);
+        // The values of an enumeration that a variable declares in place count among the names of the text, and belong to
+        // the program alone.
+        parts.unit_names = unit_names;
+        Ok(parts)
+    }
+}
+
+/// Where the parts of the main program stand.
+struct Main {
+    /// In capitals.
+    name: String,
+    begins: usize,
+    ends: usize,
+    sections: Vec<Section>,
+    statements: usize,
+    statements_end: usize,
+}
+
+/// Reads a text word by word.
+struct Reader<'s> {
+    source: &'s str,
+    words: Vec<(&'s str, usize)>,
+    next: usize,
+}
+
+impl<'s> Reader<'s> {
+    fn new(source: &'s str) -> Reader<'s> {
+        let words = tokens(source).filter_map(|token| match token {
+            Token::Word(word) => Some((word.text, word.at)),
+            _ => None,
+        });
+        Reader {
+            source,
+            words: words.collect(),
+            next: 0,
+        }
+    }
+
+    fn word(&mut self) -> Option<(&'s str, usize)> {
+        let word = self.words.get(self.next).copied();
+        self.next += 1;
+        word
+    }
+
+    fn seek(&mut self, keyword: &str) -> Option<usize> {
+        while let Some((word, at)) = self.word() {
+            if word.eq_ignore_ascii_case(keyword) {
+                return Some(at);
+            }
+        }
+        None
+    }
+
+    /// The only program of the text.
+    fn main(&mut self) -> Result<Main, Reason> {
+        let begins = self.seek("PROGRAM").ok_or(Reason::NoProgram)?;
+        let (name, at) = self.word().ok_or(Reason::NoProgram)?;
+        let mut sections = Vec::new();
+        let mut statements = at + name.len();
+        while let Some(section) = self.section()? {
+            statements = section.1;
+            sections.push(section.0);
+        }
+        let mut statements_end = None;
+        while let Some((word, at)) = self.word() {
+            if word.eq_ignore_ascii_case("RETURN") {
+                return Err(Reason::Returns);
+            }
+            if word.eq_ignore_ascii_case("END_PROGRAM") {
+                statements_end = Some(at);
+                break;
+            }
+        }
+        let statements_end = statements_end.ok_or(Reason::NoProgram)?;
+        let ends = statements_end + "END_PROGRAM".len();
+        if self.seek("PROGRAM").is_some() {
+            return Err(Reason::SeveralPrograms);
+        }
+        Ok(Main {
+            name: name.to_ascii_uppercase(),
+            begins,
+            ends,
+            sections,
+            statements,
+            statements_end,
+        })
+    }
+
+    /// A section of variables, if one comes next, and where it ends.
+    fn section(&mut self) -> Result<Option<(Section, usize)>, Reason> {
+        let Some(&(word, at)) = self.words.get(self.next) else {
+            return Ok(None);
+        };
+        if !word
+            .get(..3)
+            .is_some_and(|start| start.eq_ignore_ascii_case("VAR"))
+            || !is_section(word)
+        {
+            return Ok(None);
+        }
+        if !word.eq_ignore_ascii_case("VAR") {
+            return Err(Reason::Section);
+        }
+        self.next += 1;
+        let mut inside = at + word.len();
+        let mut constant = false;
+        if let Some(&(qualifier, at)) = self.words.get(self.next)
+            && is_qualifier(qualifier)
+        {
+            // What is retained would be so from one page to the next.
+            if !qualifier.eq_ignore_ascii_case("CONSTANT") {
+                return Err(Reason::Section);
+            }
+            constant = true;
+            inside = at + qualifier.len();
+        }
+        let end = self.seek("END_VAR").ok_or(Reason::NoProgram)?;
+        let text = self.source[inside..end].trim_matches(['\n', '\r']).trim_end();
+        let section = Section {
+            constant,
+            text: text.to_owned(),
+        };
+        Ok(Some((section, end + "END_VAR".len())))
+    }
+}
+
+fn is_section(word: &str) -> bool {
+    word.len() == 3 || word.as_bytes().get(3) == Some(&b'_')
+}
+
+fn is_qualifier(word: &str) -> bool {
+    ["CONSTANT", "RETAIN", "NON_RETAIN", "PERSISTENT"]
+        .iter()
+        .any(|qualifier| word.eq_ignore_ascii_case(qualifier))
+}
+
+/// The names that a section declares, in capitals: those that stand before a colon.
+fn names(section: &str) -> HashSet<String> {
+    let mut names = HashSet::new();
+    let mut in_names = true;
+    let mut depth = 0_u32;
+    for token in tokens(section) {
+        match token {
+            Token::Word(word) if in_names => {
+                names.insert(word.text.to_ascii_uppercase());
+            }
+            Token::Sign(b'(' | b'[') => depth += 1,
+            Token::Sign(b')' | b']') => depth = depth.saturating_sub(1),
+            Token::Sign(b':') => in_names = false,
+            Token::Sign(b';') if depth == 0 => in_names = true,
+            _ => {}
+        }
+    }
+    names
+}
+
+/// The text without the comments in which the suite says what must happen: `(*! … *)`, which do not nest.
+fn without_marks(source: &str) -> String {
+    let mut text = String::with_capacity(source.len());
+    let mut rest = source;
+    while let Some(at) = rest.find("(*!") {
+        let Some(length) = rest[at..].find("*)") else {
+            break;
+        };
+        text.push_str(&rest[..at]);
+        rest = &rest[at + length + 2..];
+    }
+    text.push_str(rest);
+    let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_is_taken_apart() {
+        let source = "(*!\ntitle = \"t\"\n*)\nTYPE COLOR : (RED, GREEN); END_TYPE\nFUNCTION f : INT VAR_INPUT x : INT; END_VAR\n\
+                      f := x; END_FUNCTION\nPROGRAM main\nVAR CONSTANT\n    k : INT := 3;\nEND_VAR\nVAR\n    a, b : ARRAY[1..2] OF \
+                      INT := [1, 2]; c : COLOR;\nEND_VAR\n    a[1] := f(x := b[2]);    (*! ok *)\n    c := RED;\nEND_PROGRAM\n(*! values\n\
+                      a[1] = INT#2\n*)\n";
+        let parts = Parts::of(source).expect("parts");
+        assert!(
+            parts.units.starts_with("TYPE COLOR") && parts.units.ends_with("END_FUNCTION"),
+            "{}",
+            parts.units
+        );
+        assert_eq!(parts.statements, "a[1] := f(x := b[2]);\n    c := RED;");
+        let set = |names: &[&str]| names.iter().map(ToString::to_string).collect::<HashSet<_>>();
+        assert_eq!(parts.variable_names, set(&["K", "A", "B", "C"]));
+        assert_eq!(parts.unit_names, set(&["COLOR", "RED", "GREEN", "F"]));
+        let constant: Vec<bool> = parts.variables.iter().map(|section| section.constant).collect();
+        assert_eq!(constant, [true, false]);
+    }
+
+    #[test]
+    fn what_a_page_cannot_hold_is_told_with_its_reason() {
+        for (source, reason) in [
+            ("FUNCTION f : INT f := 1; END_FUNCTION", Reason::NoProgram),
+            (
+                "PROGRAM p END_PROGRAM PROGRAM main END_PROGRAM",
+                Reason::SeveralPrograms,
+            ),
+            (
+                "PROGRAM main VAR x : BOOL; END_VAR IF x THEN RETURN; END_IF; END_PROGRAM",
+                Reason::Returns,
+            ),
+            (
+                "PROGRAM main VAR_TEMP x : BOOL; END_VAR x := TRUE; END_PROGRAM",
+                Reason::Section,
+            ),
+            (
+                "PROGRAM main VAR RETAIN x : BOOL; END_VAR x := TRUE; END_PROGRAM",
+                Reason::Section,
+            ),
+            (
+                "PROGRAM main VAR x AT %IX0.0 : BOOL; END_VAR END_PROGRAM",
+                Reason::Shares,
+            ),
+            (
+                "VAR_GLOBAL x : INT; END_VAR PROGRAM main END_PROGRAM",
+                Reason::Shares,
+            ),
+        ] {
+            assert_eq!(Parts::of(source), Err(reason), "{source}");
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! A case as a manifest holds it: all that is needed to judge and report it later, without the suite.
+
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Observe};
+use stickler_types::{Code, DialectName, Value};
+
+/// A case. Its program is that of the suite, not that of a page.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub(crate) struct CaseRecord {
+    pub(crate) id: String,
+    title: String,
+    basis: String,
+    file: String,
+    line: u32,
+    area: String,
+    source: String,
+    accepted: Accepted,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    diagnostics: Vec<(u32, String)>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    values: Vec<ValueRecord>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    observe: Vec<ObserveRecord>,
+}
+
+/// Whether the program must be accepted.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Accepted {
+    Required,
+    Rejected,
+    Open,
+}
+
+/// A value that a variable must have, as a typed literal, and the line of the case file that says so.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+struct ValueRecord {
+    name: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    after: Option<u32>,
+    value: String,
+    line: u32,
+}
+
+/// A variable that is looked at.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+struct ObserveRecord {
+    name: String,
+    #[serde(rename = "type")]
+    type_name: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    after: Option<u32>,
+}
+
+impl CaseRecord {
+    pub(crate) fn of(case: &Case) -> CaseRecord {
+        let expectation = &*case.expectation;
+        let values = expectation.values.iter().map(|value| ValueRecord {
+            name: value.name.to_string(),
+            after: value.after,
+            value: value.value.to_string(),
+            line: value.line,
+        });
+        let observe = case.observe.iter().map(|observe| ObserveRecord {
+            name: observe.name.to_string(),
+            type_name: observe.ty.to_string(),
+            after: observe.after,
+        });
+        let diagnostics = expectation.diagnostics.iter();
+        CaseRecord {
+            id: case.id.to_string(),
+            title: case.title.to_string(),
+            basis: case.basis.to_string(),
+            file: case.file.to_string(),
+            line: case.line,
+            area: case.area.to_string(),
+            source: case.source.to_string(),
+            accepted: match expectation.accepted {
+                Acceptance::Required => Accepted::Required,
+                Acceptance::Rejected => Accepted::Rejected,
+                Acceptance::Observed => Accepted::Open,
+            },
+            diagnostics: diagnostics
+                .map(|told| (told.line, told.code.as_str().to_owned()))
+                .collect(),
+            values: values.collect(),
+            observe: observe.collect(),
+        }
+    }
+
+    /// The case again.
+    ///
+    /// # Errors
+    /// A fragment that says what in it is no value and no code.
+    pub(crate) fn case(&self, dialect: DialectName) -> Result<Case, String> {
+        let values = self.values.iter().map(|record| {
+            let value = Value::parse(&record.value)
+                .map_err(|error| format!("`{}` of {} is no value: {error}", record.value, self.id))?;
+            Ok(ExpectedValue {
+                name: record.name.as_str().into(),
+                after: record.after,
+                value,
+                line: record.line,
+            })
+        });
+        let diagnostics = self.diagnostics.iter().map(|(line, code)| {
+            let known = Code::ALL.iter().copied().find(|known| known.as_str() == code);
+            Ok(ExpectedDiagnostic {
+                line: *line,
+                code: known.ok_or_else(|| format!("`{code}` of {} is no code", self.id))?,
+            })
+        });
+        let observe = self.observe.iter().map(|record| Observe {
+            name: record.name.as_str().into(),
+            ty: record.type_name.as_str().into(),
+            after: record.after,
+        });
+        Ok(Case {
+            id: self.id.as_str().into(),
+            dialect,
+            title: self.title.as_str().into(),
+            basis: self.basis.as_str().into(),
+            summary: None,
+            file: self.file.as_str().into(),
+            area: self.area.as_str().into(),
+            line: self.line,
+            source: self.source.as_str().into(),
+            scans: 1,
+            tags: Arc::new([]),
+            edition: None,
+            clock: Arc::new([]),
+            set: Arc::new([]),
+            expectation: Arc::new(Expectation {
+                accepted: match self.accepted {
+                    Accepted::Required => Acceptance::Required,
+                    Accepted::Rejected => Acceptance::Rejected,
+                    Accepted::Open => Acceptance::Observed,
+                },
+                diagnostics: diagnostics.collect::<Result<_, String>>()?,
+                values: values.collect::<Result<_, String>>()?,
+                ..Expectation::default()
+            }),
+            observe: observe.collect(),
+            cell: None,
+        })
+    }
+}

@@ -1,0 +1,221 @@
+//! The way through: cases exported, their pages run by the reference, their arrays pasted in the forms of several editors, and
+//! judged. Then the same with something wrong on the way.
+
+mod arrays;
+mod compiled;
+mod folders;
+
+use crate::{Export, ExportPlan, Imported, Reason, Source, With, export};
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+use stickler_engines::{Ability, Engine, Grade, Identity, Observation, Outcome, Reference, RunRequest};
+use stickler_run::{CaseEvent, Event, Plan, Verdict};
+use stickler_suite::{Case, load_file};
+use stickler_types::{DialectName, Value};
+
+/// Files of the suite that have between them every type, POUs and types of their own, constants, and open values.
+const FILES: [&str; 9] = [
+    "widening/integer.toml",
+    "widening/contexts.toml",
+    "widening/user-defined.toml",
+    "bit-access/read-short.toml",
+    "conversion/real-to-integer-edges.toml",
+    "conversion/lreal-to-real-powers-of-two.toml",
+    "conversion/negative-zero-to-integer.toml",
+    "conversion/time-edges.toml",
+    "language/literals-third-edition.toml",
+];
+
+fn suite() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases")
+}
+
+/// Cases of these files: of each file and dialect some, from first to last.
+fn cases(files: &[&str]) -> Vec<Case> {
+    let mut cases = Vec::new();
+    for file in files {
+        let (all, mistakes) = load_file(&suite(), &suite().join(file));
+        assert_eq!(mistakes, [], "{file}");
+        for dialect in DialectName::ALL {
+            let spoken: Vec<&Case> = all.iter().filter(|case| case.dialect == dialect).collect();
+            cases.extend(
+                spoken
+                    .iter()
+                    .step_by(spoken.len() / 60 + 1)
+                    .map(|case| (*case).clone()),
+            );
+        }
+    }
+    cases
+}
+
+fn plan(dialect: DialectName) -> ExportPlan {
+    ExportPlan {
+        dialect,
+        suite: "1".to_owned(),
+        cases_per_page: 16,
+        with: BTreeSet::new(),
+        without: BTreeSet::new(),
+        sample: Some(64),
+        panes: false,
+    }
+}
+
+fn engine() -> Identity {
+    Identity {
+        name: "imported".to_owned(),
+        version: "1".to_owned(),
+        dialects: DialectName::ALL.to_vec(),
+        abilities: vec![Ability::Check, Ability::Execute],
+        grade: Grade::Rejected,
+    }
+}
+
+/// A page's array as the reference leaves it.
+fn array(page: &str, dialect: DialectName, elements: usize, scans: usize) -> Vec<i32> {
+    let names: Vec<String> = (0..elements).map(|index| format!("results[{index}]")).collect();
+    let observe: Vec<Observation<'_>> = names
+        .iter()
+        .map(|name| Observation {
+            name,
+            type_name: "DINT",
+            after: None,
+        })
+        .collect();
+    let reference = Reference::new();
+    let mut session = reference.session().expect("a session");
+    let outcome = session.run(&RunRequest {
+        dialect,
+        source: page,
+        scans: u32::try_from(scans).expect("few scans"),
+        observe: &observe,
+        clock: &[],
+        set: &[],
+    });
+    let Outcome::Executed { values } = outcome else {
+        panic!("{outcome:?}\n{page}");
+    };
+    let number = |value: &Value| match value {
+        Value::Plain { raw, .. } => i32::try_from(raw.cast_signed()).expect("a DINT"),
+        other => panic!("{other}"),
+    };
+    values.iter().map(|(_, value)| number(value)).collect()
+}
+
+/// An export in a folder of its own, with the arrays of its pages.
+struct Exported {
+    folder: tempfile::TempDir,
+    arrays: Vec<Vec<i32>>,
+    cases: usize,
+}
+
+impl Exported {
+    fn of(plan: &ExportPlan, cases: &[Case]) -> Exported {
+        let folder = tempfile::tempdir().expect("a folder");
+        let cases: Vec<&Case> = cases.iter().collect();
+        let told = export(plan, &cases, folder.path()).expect("exported");
+        let manifest = crate::manifest::Manifest::read(folder.path()).expect("a manifest");
+        let arrays = manifest
+            .pages
+            .iter()
+            .filter(|page| page.identity != 0)
+            .map(|page| {
+                let text = fs::read_to_string(folder.path().join(&page.file)).expect("a page");
+                array(&text, plan.dialect, page.elements, page.steps.len())
+            });
+        Exported {
+            arrays: arrays.collect(),
+            cases: told.cases,
+            folder,
+        }
+    }
+
+    fn import(&self, text: &str) -> (Imported, Vec<CaseEvent>, bool) {
+        let source = Source {
+            name: "copied.txt".to_owned(),
+            bytes: text.as_bytes().to_vec(),
+        };
+        let (mut events, mut whole) = (Vec::new(), false);
+        let export = Export::read(self.folder.path()).expect("an export");
+        let imported = export.import(
+            &[source],
+            &Plan::default(),
+            &engine(),
+            None,
+            &mut |event| match event {
+                Event::Header(_) => {}
+                Event::Case(case) => events.push(case),
+                Event::Footer(_) => whole = true,
+            },
+        );
+        (imported, events, whole)
+    }
+
+    fn text(&self) -> String {
+        self.arrays.iter().map(|array| list(array)).collect()
+    }
+
+    /// What is said of the cases, and that none of them passes or fails.
+    fn notes_without_verdicts(&self, text: &str) -> String {
+        let (imported, events, whole) = self.import(text);
+        assert!(
+            !whole && events.is_empty() && imported.summary.cancelled,
+            "{text}"
+        );
+        assert_eq!(imported.unjudged, self.cases as u64);
+        imported.notes.join("\n")
+    }
+}
+
+fn list(array: &[i32]) -> String {
+    let mut text = String::new();
+    for (index, value) in array.iter().enumerate() {
+        let _ = writeln!(text, "results[{index}] := {value};");
+    }
+    text
+}
+
+fn watch_list(array: &[i32]) -> String {
+    let mut text = "Expression\tType\tValue\tPrepared value\tAddress\tComment\r\n".to_owned();
+    for (index, value) in array.iter().enumerate() {
+        let _ = write!(
+            text,
+            "Device.Application.stickler_page.results[{index}]\tDINT\t{value}\t\t\t\r\n"
+        );
+    }
+    text
+}
+
+/// Integers as a spreadsheet in German writes them, values in hexadecimal where they have no sign.
+fn table(array: &[i32]) -> String {
+    let grouped = |value: i32| {
+        let digits = value.unsigned_abs().to_string();
+        let mut text = String::new();
+        for (at, digit) in digits.chars().enumerate() {
+            if at > 0 && (digits.len() - at).is_multiple_of(3) {
+                text.push('.');
+            }
+            text.push(digit);
+        }
+        format!("{}{text}", if value < 0 { "-" } else { "" })
+    };
+    let cell = |value: i32| {
+        if value % 2 == 0 {
+            format!("16#{value:08X}")
+        } else {
+            grouped(value)
+        }
+    };
+    let rows = array
+        .iter()
+        .enumerate()
+        .map(|(index, value)| format!("[{index}];{}\n", cell(*value)));
+    rows.collect()
+}
+
+fn numbers(array: &[i32]) -> String {
+    let numbers: Vec<String> = array.iter().map(ToString::to_string).collect();
+    format!("[{}]\n", numbers.join(", "))
+}

@@ -1,0 +1,236 @@
+//! The statements by which a page takes a value apart into numbers: see [`look`](crate::look) for what the numbers mean.
+//!
+//! One stretch of statements a type, once on a page. The value stands in a variable of the page that has the type, the numbers go
+//! into `results` behind the two elements that every observation has. Every loop is a FOR loop: however wrong a compiler's
+//! arithmetic is, the page comes to its end.
+
+use crate::look::{INFINITE, NAN, REST};
+use std::fmt::Write;
+use stickler_types::{ElementaryType, Family};
+
+/// The variable of a page in which the value of a type is taken apart.
+pub(crate) fn variable(ty: ElementaryType) -> String {
+    format!("stickler_{}", ty.name())
+}
+
+/// The declarations that taking values of a type apart needs.
+pub(crate) fn declarations(ty: ElementaryType) -> String {
+    let (variable, name) = (variable(ty), ty.name());
+    match ty.family() {
+        Family::Duration => {
+            format!(
+                "{variable} : {name};\n    {variable}_parts : ARRAY[0..{}] OF {name};",
+                top(ty)
+            )
+        }
+        _ => format!("{variable} : {name};"),
+    }
+}
+
+/// The statements, indented by `margin`. They use `stickler_place`, `stickler_sum`, `stickler_count`, `stickler_sign`.
+pub(crate) fn statements(ty: ElementaryType, margin: &str) -> String {
+    let lines = match ty.family() {
+        Family::Boolean => boolean(&variable(ty)),
+        Family::Signed | Family::Unsigned => integer(ty),
+        Family::BitString => bit_string(ty),
+        Family::Real => real(ty),
+        Family::Duration => duration(ty),
+        _ => String::new(),
+    };
+    let mut text = String::with_capacity(lines.len() * 2);
+    for line in lines.lines() {
+        // Writing into a String does not fail.
+        let _ = writeln!(text, "{margin}{line}");
+    }
+    text
+}
+
+fn boolean(variable: &str) -> String {
+    format!(
+        "IF {variable} THEN\n    results[stickler_place + 2] := 1;\nELSE\n    results[stickler_place + 2] := 0;\nEND_IF;"
+    )
+}
+
+/// Bit by bit from the highest: what is at least as great as the bit has it.
+fn integer(ty: ElementaryType) -> String {
+    let (variable, name, bits) = (variable(ty), ty.name(), ty.bits());
+    if ty == ElementaryType::Dint {
+        return format!("results[stickler_place + 2] := {variable};");
+    }
+    let mut text = "stickler_sum := 0;\n".to_owned();
+    let mut highest = bits;
+    if ty.is_signed() {
+        highest -= 1;
+        // The value without its sign bit: what is added is one half twice, since the whole has no literal of the type.
+        let half = 1_u64 << (bits - 2);
+        let sign = -(1_i64 << ((bits - 1) - lowest_of_piece(bits - 1, bits)));
+        let _ = writeln!(
+            text,
+            "IF {variable} < {name}#0 THEN\n    {variable} := {variable} + {name}#{half};\n    {variable} := {variable} + {name}#{half};\n    \
+             stickler_sum := {sign};\nEND_IF;"
+        );
+    }
+    for bit in (0..highest).rev() {
+        let weight = 1_u64 << bit;
+        let lowest = lowest_of_piece(bit, bits);
+        let place = 1_u64 << (bit - lowest);
+        let _ = writeln!(
+            text,
+            "IF {variable} >= {name}#{weight} THEN {variable} := {variable} - {name}#{weight}; stickler_sum := stickler_sum + \
+             {place}; END_IF;"
+        );
+        write_piece(&mut text, bit, bits);
+    }
+    text
+}
+
+/// The lowest bit of the piece that holds a bit.
+fn lowest_of_piece(bit: u32, bits: u32) -> u32 {
+    if bits <= 16 { 0 } else { bit / 24 * 24 }
+}
+
+/// Where a piece is complete with this bit, its number goes into the array.
+fn write_piece(text: &mut String, bit: u32, bits: u32) {
+    if bit != lowest_of_piece(bit, bits) {
+        return;
+    }
+    let pieces = if bits <= 16 { 1 } else { bits.div_ceil(24) };
+    let number = pieces - bit / 24 - 1;
+    let _ = writeln!(text, "results[stickler_place + {}] := stickler_sum;", 2 + number);
+    if bit > 0 {
+        text.push_str("stickler_sum := 0;\n");
+    }
+}
+
+/// Bit by bit, by masks.
+fn bit_string(ty: ElementaryType) -> String {
+    let (variable, name, bits) = (variable(ty), ty.name(), ty.bits());
+    let width = bits as usize / 4;
+    let mut text = "stickler_sum := 0;\n".to_owned();
+    for bit in (0..bits).rev() {
+        let place = 1_u64 << (bit - lowest_of_piece(bit, bits));
+        let _ = writeln!(
+            text,
+            "IF ({variable} AND {name}#16#{:0width$X}) <> {name}#16#{:0width$X} THEN stickler_sum := stickler_sum + {place}; END_IF;",
+            1_u64 << bit,
+            0
+        );
+        write_piece(&mut text, bit, bits);
+    }
+    text
+}
+
+/// By doubling and halving, which round nothing, to a number from 1 up to 2, and from there binary digit by digit.
+fn real(ty: ElementaryType) -> String {
+    let (x, t) = (variable(ty), ty.name());
+    // How often 2^16 goes into the largest finite value, and into the inverse of the smallest; the digits of each piece.
+    let (down, up, pieces): (u32, u32, &[u32]) = match ty {
+        ElementaryType::Real => (8, 10, &[24]),
+        _ => (64, 68, &[29, 24]),
+    };
+    let mut digits = String::new();
+    for (number, count) in pieces.iter().enumerate() {
+        let signed = if number == 0 {
+            "stickler_sign * stickler_sum"
+        } else {
+            "stickler_sum"
+        };
+        let _ = write!(
+            digits,
+            "    stickler_sum := 0;
+    FOR stickler_count := 1 TO {count} DO
+        stickler_sum := stickler_sum + stickler_sum;
+        IF {x} >= {t}#1.0 THEN {x} := {x} - {t}#1.0; stickler_sum := stickler_sum + 1; END_IF;
+        {x} := {x} + {x};
+    END_FOR;
+    results[stickler_place + {}] := {signed};
+",
+            3 + number
+        );
+    }
+    format!(
+        "stickler_sign := 1;
+IF {x} < {t}#0.0 THEN {x} := {t}#0.0 - {x}; stickler_sign := -1; END_IF;
+IF NOT ({x} = {x}) THEN
+    results[stickler_place + 2] := {NAN};
+ELSIF ({x} > {t}#1.0) AND ({x} * {t}#0.5 = {x}) THEN
+    results[stickler_place + 2] := {INFINITE};
+    results[stickler_place + 3] := stickler_sign;
+ELSE
+    stickler_exponent := 0;
+    IF {x} > {t}#0.0 THEN
+        FOR stickler_count := 1 TO {up} DO
+            IF {x} < {t}#1.0 THEN {x} := {x} * {t}#65536.0; stickler_exponent := stickler_exponent - 16; END_IF;
+        END_FOR;
+        FOR stickler_count := 1 TO {down} DO
+            IF {x} >= {t}#65536.0 THEN {x} := {x} / {t}#65536.0; stickler_exponent := stickler_exponent + 16; END_IF;
+        END_FOR;
+        FOR stickler_count := 1 TO 16 DO
+            IF {x} >= {t}#2.0 THEN {x} := {x} / {t}#2.0; stickler_exponent := stickler_exponent + 1; END_IF;
+        END_FOR;
+    END_IF;
+    results[stickler_place + 2] := stickler_exponent;
+{digits}END_IF;"
+    )
+}
+
+/// The highest power of two of its unit that a type of durations is taken apart by.
+///
+/// Basis: iec-61131-3: Table 10 leaves the range of `TIME` open; 32 bits of milliseconds are the least that compilers have, 64
+/// bits of nanoseconds the most.
+fn top(ty: ElementaryType) -> u32 {
+    if ty == ElementaryType::Time { 43 } else { 62 }
+}
+
+/// By the powers of two of a unit, which the page doubles up to the last that is not greater than the value. Nothing is
+/// subtracted from what is smaller: some compilers' durations have no sign.
+fn duration(ty: ElementaryType) -> String {
+    let (x, t, top) = (variable(ty), ty.name(), top(ty));
+    let unit = if ty == ElementaryType::Time { "1ms" } else { "1ns" };
+    let mut text = format!(
+        "stickler_sign := 1;
+IF {x} < {t}#0s THEN {x} := {t}#0s - {x}; stickler_sign := -1; END_IF;
+{x}_parts[0] := {t}#{unit};
+stickler_exponent := 0;
+FOR stickler_count := 1 TO {top} DO
+    IF stickler_exponent = stickler_count - 1 THEN
+        IF {x} >= {x}_parts[stickler_exponent] THEN
+            IF {x} - {x}_parts[stickler_exponent] >= {x}_parts[stickler_exponent] THEN
+                {x}_parts[stickler_count] := {x}_parts[stickler_exponent] + {x}_parts[stickler_exponent];
+                stickler_exponent := stickler_count;
+            END_IF;
+        END_IF;
+    END_IF;
+END_FOR;
+"
+    );
+    for number in 0..3 {
+        let lowest = 48 - number * 24;
+        let highest = (lowest + 23).min(top);
+        if lowest > top {
+            let _ = writeln!(text, "results[stickler_place + {}] := 0;", 3 + number);
+            continue;
+        }
+        let _ = write!(
+            text,
+            "stickler_sum := 0;
+FOR stickler_count := {highest} TO {lowest} BY -1 DO
+    stickler_sum := stickler_sum + stickler_sum;
+    IF stickler_count <= stickler_exponent THEN
+        IF {x} >= {x}_parts[stickler_count] THEN
+            {x} := {x} - {x}_parts[stickler_count];
+            stickler_sum := stickler_sum + 1;
+        END_IF;
+    END_IF;
+END_FOR;
+results[stickler_place + {}] := stickler_sum;
+",
+            3 + number
+        );
+    }
+    let _ = write!(
+        text,
+        "IF {x} <> {t}#0s THEN stickler_sign := {REST}; END_IF;\nresults[stickler_place + 2] := stickler_sign;"
+    );
+    text
+}
