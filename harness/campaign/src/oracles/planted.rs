@@ -3,13 +3,20 @@
 use crate::finding::Expected;
 use arbitrary::Unstructured;
 use stickler_generate::model::Program;
-use stickler_generate::oracles::{Failure, SoundProgram, judge_planted};
-use stickler_generate::plant::{Planted, plant, plant_kind};
+use stickler_generate::oracles::{Failure, SoundProgram, judge_planted_text, judge_sound_text};
+use stickler_generate::plant::{Planted, plant, plant_kind, without_idle};
+use stickler_generate::random;
 use stickler_generate::reduce::{self, Answer, Budget, Ended, Minimised};
 use stickler_generate::writer::{Style, write};
 
 /// What codes stand for which error.
 const BASIS: &str = "stickler-design: §7";
+
+/// How many other places are tried for an error, besides the one where it was found.
+const OTHER_PLACES: u64 = 32;
+
+/// How many bytes choose a place.
+const BYTES_OF_A_PLACE: usize = 16;
 
 /// A sound program, small, in which an error of this kind is not reported as it must be.
 pub(super) struct SmallPlant {
@@ -27,36 +34,211 @@ pub(super) struct SmallPlant {
 pub(super) fn small(input: &[u8], symptom: &str, budget: &Budget<'_>) -> Option<SmallPlant> {
     let SoundProgram { sound, error, .. } = SoundProgram::of(input)?;
     let kind = plant(&sound, &mut Unstructured::new(error))?.kind;
+    let judge: &Judge<'_> = &|sound, planted, text, line| {
+        judge_sound_text(planted.program.dialect, sound)?;
+        judge_planted_text(planted, text, line)
+    };
+    let search = Search { kind, symptom, judge };
     // Which bytes chose the kind and which the place is the planter's affair: those are taken that lead to the same failure.
     let places = (0..error.len()).filter_map(|skipped| error.get(skipped..));
-    let place = { places }.find(|place| failing(&sound, kind, place, symptom).is_some())?;
-    let shows = |candidate: &Program| Answer::from(failing(candidate, kind, place, symptom).is_some());
-    let reduced = reduce::program(&sound, shows, budget);
-    if reduced.ended == Ended::NotInteresting {
-        return None;
-    }
-    let (planted, failure) = failing(&reduced.value, kind, place, symptom)?;
+    let place = { places }.find(|place| search.failing(&sound, place).is_some())?;
+    let (reduced, found) = search.reduce(&sound, place, budget)?;
     let of_the_sound = symptom.starts_with("rejected");
+    let found = if of_the_sound {
+        found
+    } else {
+        search.without_idle(found)
+    };
     Some(SmallPlant {
         kind,
-        failure,
-        expected: (!of_the_sound).then(|| expected(&reduced.value, &planted)),
+        expected: (!of_the_sound).then(|| found.expected()),
+        failure: found.failure,
         reduced,
     })
 }
 
-/// The error planted in a program, and how the reference fails over it in this way.
-fn failing(sound: &Program, kind: &str, place: &[u8], symptom: &str) -> Option<(Planted, Failure)> {
-    let planted = plant_kind(sound, kind, &mut Unstructured::new(place))?;
-    let failure = judge_planted(sound, &planted, &Style::default()).err()?;
-    (failure.symptom == symptom).then_some((planted, failure))
+/// Holds the reference to the text of a sound program, and to that of one with an error on this line.
+type Judge<'j> = dyn Fn(&str, &Planted, &str, u32) -> Result<(), Failure> + 'j;
+
+/// What is kept while all else becomes less: the kind of error, and what the reference does wrong with it.
+#[derive(Clone, Copy)]
+struct Search<'s> {
+    kind: &'s str,
+    symptom: &'s str,
+    judge: &'s Judge<'s>,
 }
 
-fn expected(sound: &Program, planted: &Planted) -> Expected {
-    let style = Style::default();
-    Expected::Rejected {
-        code: planted.code.as_str().to_owned(),
-        line: planted.line(&write(sound, &style), &write(&planted.program, &style)),
-        basis: Some(BASIS.to_owned()),
+/// An error planted in a program, and how the reference fails over it.
+struct Found {
+    /// The text of the sound program.
+    sound: String,
+    planted: Planted,
+    /// The line of the error in the text of the failure.
+    line: u32,
+    failure: Failure,
+}
+
+impl Search<'_> {
+    /// Makes the sound program small, first with the error in the place that these bytes choose, then in any.
+    ///
+    /// Bytes choose among what there is: where less is there they choose something else, mostly what the reference does not
+    /// fail over. So at last they only hold fast what could go but for them. A program that is small already is quickly
+    /// judged with many errors.
+    fn reduce(
+        self,
+        sound: &Program,
+        place: &[u8],
+        budget: &Budget<'_>,
+    ) -> Option<(Minimised<Program>, Found)> {
+        let shows = |candidate: &Program| Answer::from(self.failing(candidate, place).is_some());
+        let first = reduce::program(sound, shows, budget);
+        let mut places = places(place);
+        let mut last = self.failing(&first.value, place)?;
+        let left = Budget {
+            tries: budget.tries.saturating_sub(first.tries),
+            ..*budget
+        };
+        let shows = |candidate: &Program| match self.failing_anywhere(candidate, &mut places) {
+            Some(found) => {
+                last = found;
+                Answer::Interesting
+            }
+            None => Answer::Dull,
+        };
+        let second = reduce::program(&first.value, shows, &left);
+        let reduced = Minimised {
+            tries: first.tries.saturating_add(second.tries),
+            refused: first.refused.saturating_add(second.refused),
+            ..second
+        };
+        (reduced.ended != Ended::NotInteresting).then_some((reduced, last))
+    }
+
+    /// The first place where the reference fails over the error; it comes to the front of all.
+    fn failing_anywhere(self, sound: &Program, places: &mut [Vec<u8>]) -> Option<Found> {
+        for number in 0..places.len() {
+            if let Some(found) = places.get(number).and_then(|place| self.failing(sound, place)) {
+                places.swap(0, number);
+                return Some(found);
+            }
+        }
+        None
+    }
+
+    /// The error planted in a program, and how the reference fails over it in this way.
+    fn failing(self, sound: &Program, place: &[u8]) -> Option<Found> {
+        let planted = plant_kind(sound, self.kind, &mut Unstructured::new(place))?;
+        let style = Style::default();
+        let (without, with) = (write(sound, &style), write(&planted.program, &style));
+        let line = planted.line(&without, &with);
+        let failure = (self.judge)(&without.text, &planted, &with.text, line).err()?;
+        (failure.symptom == self.symptom).then_some(Found {
+            sound: without.text,
+            planted,
+            line,
+            failure,
+        })
+    }
+
+    /// The same without the declarations that nothing uses but the sound program.
+    fn without_idle(self, mut found: Found) -> Found {
+        loop {
+            let text = found.failure.program.clone().unwrap_or_default();
+            let less = without_idle(&text, found.line).find_map(|(text, line)| {
+                let failure = (self.judge)(&found.sound, &found.planted, &text, line).err()?;
+                (failure.symptom == self.symptom).then_some((line, failure))
+            });
+            let Some((line, failure)) = less else { return found };
+            found = Found {
+                line,
+                failure,
+                ..found
+            };
+        }
+    }
+}
+
+impl Found {
+    fn expected(&self) -> Expected {
+        Expected::Rejected {
+            code: self.planted.code.as_str().to_owned(),
+            line: self.line,
+            basis: Some(BASIS.to_owned()),
+        }
+    }
+}
+
+/// The bytes that chose a place, none, which choose the first, and others.
+fn places(found: &[u8]) -> Vec<Vec<u8>> {
+    let others = (0..OTHER_PLACES).map(|seed| random::bytes(seed, BYTES_OF_A_PLACE));
+    [found.to_vec(), Vec::new()].into_iter().chain(others).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_generate::generator::{Settings, program};
+
+    /// A program of which the bytes are drawn from this seed.
+    fn generated(seed: u64) -> Program {
+        let bytes = random::bytes(seed, 1500);
+        program(&mut Unstructured::new(&bytes), &Settings::default())
+    }
+
+    /// The smallest text in which a reference that overlooks some errors of a kind overlooks one: those of which the text passes a
+    /// test. The reference itself says of it what it must.
+    fn reduced(kind: &str, overlooked: &dyn Fn(&str) -> bool) -> String {
+        let judge = |sound: &str, planted: &Planted, text: &str, line: u32| {
+            judge_sound_text(planted.program.dialect, sound)?;
+            judge_planted_text(planted, text, line).expect("the reference itself overlooks nothing");
+            if overlooked(text) {
+                return Err(Failure::new("overlooked", "nothing is said").of_program(text));
+            }
+            Ok(())
+        };
+        let search = Search {
+            kind,
+            symptom: "overlooked",
+            judge: &judge,
+        };
+        let seeds = (0..500).map(|seed| (generated(seed), random::bytes(seed, 48)));
+        let (sound, place) = { seeds }
+            .find(|(sound, place)| search.failing(sound, place).is_some())
+            .expect("one of the programs has a place for the error");
+        let (_, found) = search
+            .reduce(&sound, &place, &Budget::default())
+            .expect("it fails");
+        search.without_idle(found).failure.program.expect("it has a text")
+    }
+
+    #[test]
+    fn errors_that_need_much_around_them_are_left_with_fifteen_lines() {
+        for kind in [
+            "a VAR_IN_OUT of another type",
+            "a VAR_IN_OUT that is constant",
+            "an unknown output",
+            "an output taken by another type",
+            "an input given twice",
+            "arguments by name and by position",
+            "a function declared twice",
+            "an instance in a function",
+            "a conversion left out of an argument",
+        ] {
+            let text = reduced(kind, &|_| true);
+            assert!(text.lines().count() <= 15, "{kind}:\n{text}");
+        }
+    }
+
+    #[test]
+    fn an_error_that_shows_in_few_places_is_planted_in_another_as_the_program_shrinks() {
+        let unsigned = |text: &str| text.contains("planted : U");
+        let text = reduced("a VAR_IN_OUT of another type", &unsigned);
+        assert!(text.lines().count() <= 13, "{text}");
+    }
+
+    #[test]
+    fn what_only_the_sound_program_needs_goes_at_last() {
+        let text = reduced("a VAR_IN_OUT that is constant", &|_| true);
+        assert_eq!(text.matches(" : ").count(), 3, "{text}");
     }
 }

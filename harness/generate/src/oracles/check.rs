@@ -75,27 +75,42 @@ fn style(choice: u8) -> Style {
 /// # Errors
 /// As [`check`].
 pub fn judge(sound: &Program, planted: &Planted, style: &Style) -> Result<Tried, Failure> {
-    let dialect = sound.dialect;
     let without = write(sound, style);
+    judge_sound_text(sound.dialect, &without.text)?;
     let with = write(&planted.program, style);
-    if let Some(said) = stickler_reference::check(&without.text, dialect).first() {
-        let symptom = format!("rejected:{}", said.code);
-        let message = format!("a sound program of {dialect} is rejected: {}", shown(said));
-        return Err(Failure::new(symptom, message).of_program(without.text));
-    }
     let line = planted.line(&without, &with);
-    let said = stickler_reference::check(&with.text, dialect);
-    let verdict =
-        one_error(planted, line, &said).and_then(|said| suggestion_helps(planted, said, &with.text, dialect));
-    match verdict {
-        Ok(()) => Ok(Tried::Done),
-        Err((symptom, message)) => {
-            let (code, kind) = (planted.code, planted.kind);
-            let message =
-                format!("{message}\nplanted in a program of {dialect}: {kind}, {code} on line {line}");
-            Err(Failure::new(symptom, message).of_program(with.text))
+    judge_planted_text(planted, &with.text, line).map(|()| Tried::Done)
+}
+
+/// Holds the reference to the text of a sound program.
+///
+/// # Errors
+/// It is rejected.
+pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), Failure> {
+    match stickler_reference::check(text, dialect).first() {
+        None => Ok(()),
+        Some(said) => {
+            let symptom = format!("rejected:{}", said.code);
+            let message = format!("a sound program of {dialect} is rejected: {}", shown(said));
+            Err(Failure::new(symptom, message).of_program(text))
         }
     }
+}
+
+/// Holds the reference to any text of a program with an error, which stands on this line of it.
+///
+/// # Errors
+/// The error is not the one thing that is said, or what is suggested does not help.
+pub fn judge_planted_text(planted: &Planted, text: &str, line: u32) -> Result<(), Failure> {
+    let dialect = planted.program.dialect;
+    let said = stickler_reference::check(text, dialect);
+    let verdict =
+        one_error(planted, line, &said).and_then(|said| suggestion_helps(planted, said, text, dialect));
+    verdict.map_err(|(symptom, message)| {
+        let (code, kind) = (planted.code, planted.kind);
+        let message = format!("{message}\nplanted in a program of {dialect}: {kind}, {code} on line {line}");
+        Failure::new(symptom, message).of_program(text)
+    })
 }
 
 /// A symptom and what to tell a person.

@@ -15,6 +15,6 @@ mod target;
 mod tree;
 mod words;
 
-pub use check::{SoundProgram, check, judge as judge_planted};
+pub use check::{SoundProgram, check, judge as judge_planted, judge_planted_text, judge_sound_text};
 pub use failure::{Failure, Tried};
 pub use target::Target;

@@ -4,6 +4,7 @@
 //! prints, and each function names them: the design's registry and its rule *which code where*, the cases, the standard.
 //! Architecture Invariant: nothing here knows the reference.
 
+mod idle;
 mod kinds;
 mod plot;
 mod scope;
@@ -15,6 +16,8 @@ use arbitrary::Unstructured;
 use kinds::KINDS;
 use plot::Plot;
 use stickler_types::Code;
+
+pub use idle::without_idle;
 
 /// A program with one error.
 #[derive(Clone, PartialEq, Debug)]

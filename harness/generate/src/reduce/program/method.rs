@@ -26,6 +26,7 @@ const METHOD: Method<Program> = Method {
         pass("forget variables", |program, sites| {
             declarations::with_variables(program, sites, forget::forget_variables);
         }),
+        pass("forget variables alone", forget::forget_variables),
         pass("drop what is not used any more", declarations::drop_unused),
         pass("hoist values out of statements", lift::hoist),
         pass("replace variables by what they are assigned", |program, sites| {
