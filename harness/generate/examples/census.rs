@@ -1,7 +1,8 @@
 //! What the generator makes: `cargo run --release -p stickler-generate --example census -- 10000 [DIALECT]`.
 //!
-//! For each dialect it prints the share of programs that the reference accepts, the share of which documents settle every value,
-//! the questions that the others raise, their sizes, and how often each construct occurs.
+//! For each dialect it prints the programs that the oracle `execute` finds anything wrong with (the reference rejects one, breaks
+//! down, does not end, or gives other values than the evaluator, for the program or for a variant of it), the share of which
+//! documents settle every value, the questions that the others raise, their sizes, and how often each construct occurs.
 
 use arbitrary::Unstructured;
 use std::collections::BTreeMap;
@@ -9,6 +10,8 @@ use stickler_generate::census::census;
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::generator::{Settings, program};
 use stickler_generate::model::{Program, Statement, StatementKind, Target};
+use stickler_generate::oracles::Tried;
+use stickler_generate::oracles::execute::judge_program;
 use stickler_generate::writer::{Style, write};
 use stickler_types::{DialectName, Value};
 
@@ -28,7 +31,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 #[derive(Default)]
 struct Measured {
     programs: u64,
-    rejected: u64,
+    wrong: u64,
+    passed_over: BTreeMap<&'static str, u64>,
     settled: u64,
     lines: Vec<usize>,
     steps: u64,
@@ -53,10 +57,13 @@ impl Measured {
             let text = write(&program, &Style::default()).text;
             measured.programs += 1;
             measured.lines.push(text.lines().count());
-            let diagnostics = stickler_reference::check(&text, dialect);
-            if let Some(first) = diagnostics.first() {
-                measured.rejected += 1;
-                println!("{dialect}, seed {seed}: {:?}: {}", first.code, first.message);
+            match judge_program(&program, &bytes) {
+                Ok(Tried::Done) => {}
+                Ok(Tried::PassedOver(word)) => *measured.passed_over.entry(word).or_default() += 1,
+                Err(failure) => {
+                    measured.wrong += 1;
+                    println!("{dialect}, seed {seed}: {}: {}", failure.symptom, failure.message);
+                }
             }
             measured.evaluate(&program);
             for (construct, times) in census(&program) {
@@ -117,8 +124,8 @@ impl Measured {
                 .unwrap_or_default()
         };
         println!(
-            "# {dialect}: {} programs, {} rejected, {} settled",
-            self.programs, self.rejected, self.settled
+            "# {dialect}: {} programs, {} wrong, {} settled",
+            self.programs, self.wrong, self.settled
         );
         println!(
             "lines: {} {} {} {} (10 %, half, 90 %, 99 %)",
@@ -132,6 +139,7 @@ impl Measured {
             "of {} statements of main that were left out one by one, {} were missed by some value",
             self.left_out, self.missed
         );
+        println!("passed over: {:?}", self.passed_over);
         println!("questions: {:?}", self.questions);
         println!("refusals: {:?}", self.refusals);
         println!("times / programs");
