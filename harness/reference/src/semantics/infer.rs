@@ -52,9 +52,7 @@ impl<'m> Lowering<'m> {
             ExpressionKind::EnumeratedValue(word) => self.infer_enumerated(word.prefix(), word.value()),
             ExpressionKind::Field { base, field } => self.infer_field(*base, *field),
             ExpressionKind::Index { base, subscripts } => self.infer_element(*base, subscripts.len()),
-            ExpressionKind::PartialAccess {
-                base, form, index, ..
-            } => self.infer_bit(*base, *form, *index),
+            ExpressionKind::PartialAccess { base, form, .. } => self.infer_bit(*base, *form),
             ExpressionKind::Call { callee, arguments } => self.infer_call(*callee, arguments),
             ExpressionKind::Unary { operator, operand } => self.infer_unary(*operator, *operand),
             ExpressionKind::Parenthesized(inner) => self.infer(*inner),
@@ -129,12 +127,12 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn infer_bit(&mut self, base: ExpressionId, form: PartialAccessForm, index: u64) -> Inferred {
+    fn infer_bit(&mut self, base: ExpressionId, form: PartialAccessForm) -> Inferred {
         let Some(ty) = self.infer(base).elementary() else {
             return Inferred::Error;
         };
         let has_bits = ty.is_integer() || ty.is_bit_string();
-        if has_bits && index < u64::from(ty.bits()) && self.selects_bits(form) {
+        if has_bits && self.selects_bits(form) {
             Inferred::Known(TypeId::BOOL)
         } else {
             Inferred::Error

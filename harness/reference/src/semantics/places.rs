@@ -194,6 +194,11 @@ impl<'m> Lowering<'m> {
         (value.ty != TypeId::ERROR).then_some(value)
     }
 
+    /// A bit. One that the type does not have is a BOOL all the same, of a variable that can be written or not: what is wrong
+    /// with it as such is said too, as with an element. Of what has no bits there is none that could be anything.
+    ///
+    /// Basis: ironplc-bit-access: Bit Access ("reads and writes as a BOOL"); stickler-design: §4 (all that a person would want at
+    /// once).
     fn bit(
         &mut self,
         base: ExpressionId,
@@ -230,11 +235,11 @@ impl<'m> Lowering<'m> {
             );
             return None;
         };
-        let Some(bit) = u8::try_from(index).ok().filter(|&bit| u32::from(bit) < ty.bits()) else {
+        let bit = u8::try_from(index).ok().filter(|&bit| u32::from(bit) < ty.bits());
+        if bit.is_none() {
             let message = format!("{name} has the bits 0 to {}", ty.bits() - 1);
             self.report(Code::BitAccessOutOfRange, self.span(base).to(suffix), message);
-            return None;
-        };
+        }
         // A variable with limits is looked at again once the bit is set.
         let limited = matches!(self.model.types.kind(place.ty), Kind::Subrange(_));
         let location = if limited {
@@ -244,7 +249,8 @@ impl<'m> Lowering<'m> {
         };
         Some(Place {
             location,
-            bit: Some(bit),
+            // What is refused is never run, so that any bit will do.
+            bit: bit.or(Some(0)),
             ..place
         })
     }

@@ -15,11 +15,14 @@ fn bits(program: &Program, ty: &Type) -> Option<u32> {
     (ty.is_integer() || ty.is_bit_string()).then(|| ty.bits())
 }
 
-/// A bit beyond the last one, read.
+/// A bit beyond the last one, read where a BOOL is wanted: anywhere else that it is one would be a second error.
+///
+/// Basis: bit-access/outside-and-no-bool.st.
 pub(super) fn outside_read(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
     let original = plot.original;
     read(
         plot,
+        |expression| elementary(original, &expression.ty) == Some(ElementaryType::Bool),
         |place| bits(original, &place.ty).is_some(),
         |width| vec![width, width * 2, 1000],
     )
@@ -28,16 +31,22 @@ pub(super) fn outside_read(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// A bit of what has no bits, read: of a BOOL, a real, a duration, a text, an aggregate, an enumeration.
 pub(super) fn none_read(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
     let original = plot.original;
-    read(plot, |place| has_none(original, place), |_| vec![0, 1, 31])
+    read(
+        plot,
+        |_| true,
+        |place| has_none(original, place),
+        |_| vec![0, 1, 31],
+    )
 }
 
 fn has_none(program: &Program, place: &Place) -> bool {
     bits(program, &place.ty).is_none() && !matches!(place.ty, Type::Block(_))
 }
 
-/// Puts a bit of some place where any value may stand.
+/// Puts a bit of some place where any value may stand, in the place of some expression.
 fn read(
     plot: &mut Plot<'_, '_, '_>,
+    gives_way: impl Fn(&Expression) -> bool,
     eligible: impl Fn(&Place) -> bool,
     numbers: impl Fn(u32) -> Vec<u32>,
 ) -> Option<()> {
@@ -45,7 +54,8 @@ fn read(
     if !has_bits(original.dialect) {
         return None;
     }
-    let (number, site, _) = plot.site(stands_for_any_value)?;
+    let (number, site, _) =
+        plot.site(|site, expression| stands_for_any_value(site, expression) && gives_way(expression))?;
     let place = plot.place(site.unit, |place, _| eligible(place))?;
     let width = bits(original, &place.ty).unwrap_or_default();
     let bit = plot.choose(numbers(width))?;

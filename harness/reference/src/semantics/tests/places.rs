@@ -87,6 +87,23 @@ fn a_wrong_subscript_hides_nothing_else_that_is_wrong() {
 }
 
 #[test]
+fn a_bit_outside_its_type_hides_nothing_that_is_wrong_with_a_bool() {
+    for (wrong, expected) in [
+        ("b := y.8;", &["P4025"][..]),
+        ("i := y.8;", &["P4025", "P4035"]),
+        ("y.8 := i;", &["P4025", "P4035"]),
+        ("c.99 := b;", &["P4025", "S0001"]),
+        ("i := i + y.8;", &["P4025", "P4049"]),
+        ("b := y.8.0;", &["P4025", "P4069"]),
+        ("i := r.0;", &["P4069"]),
+    ] {
+        let mut said = codes(VARIABLES, wrong);
+        said.sort_unstable();
+        assert_eq!(said, expected, "{wrong}");
+    }
+}
+
+#[test]
 fn bits_are_a_matter_of_the_dialect() {
     assert!(codes_in(ED2, "y : BYTE; b : BOOL;", "b := y.3;").is_empty());
     assert!(codes_in(PLCNEXT, "y : BYTE; b : BOOL;", "b := y.3; y.%X3 := b;").is_empty());
