@@ -21,6 +21,16 @@ pub const REFERENCE: &str = "reference";
 /// What stands in front of the command line of an engine that is a process.
 pub const COMMAND: &str = "cmd:";
 
+/// The same command line with any word for a dialect: which there are, the file says, and a word that is wrong would hide what
+/// stands behind it.
+fn with_any_dialect(command: clap::Command) -> clap::Command {
+    let any = |argument: clap::Arg| match argument.get_id().as_str() {
+        "dialect" => argument.value_parser(clap::value_parser!(OsString)),
+        _ => argument,
+    };
+    command.mut_args(any).mut_subcommands(with_any_dialect)
+}
+
 /// The file that `--config` names.
 static FILE: OnceLock<PathBuf> = OnceLock::new();
 
@@ -47,7 +57,8 @@ fn named_file() -> Option<PathBuf> {
     if !env::args_os().any(mentions) {
         return None;
     }
-    let matches = Arguments::command().ignore_errors(true).try_get_matches().ok()?;
+    let command = with_any_dialect(Arguments::command()).ignore_errors(true);
+    let matches = command.try_get_matches().ok()?;
     matches.try_get_one::<PathBuf>("config").ok()?.cloned()
 }
 
