@@ -8,7 +8,7 @@ mod belonging;
 use crate::LogError;
 use crate::events::{Completeness, Reader};
 use std::io::BufRead;
-use stickler_run::{CaseEvent, EngineTotals, Event, Footer, Header, Shard};
+use stickler_run::{CaseEvent, DefinedHeader, EngineTotals, Event, Footer, Header, Shard};
 
 /// The event log of one part, and what messages call it.
 pub struct Part<R> {
@@ -32,8 +32,15 @@ pub fn merge<R: BufRead>(parts: Vec<Part<R>>, command: &str, sink: &mut dyn FnMu
     };
     let cases = streams.iter().map(|stream| stream.promised).sum();
     let started = streams.iter().map(|stream| stream.started.as_str()).min();
+    let mut defined = header.defined.clone();
+    for dialect in &mut defined {
+        let of_parts = streams.iter().flat_map(|stream| &stream.defined);
+        let same = of_parts.filter(|other| other.name == dialect.name);
+        dialect.left_out = same.map(|other| other.left_out).sum();
+    }
     sink(Event::Header(Header {
         cases,
+        defined,
         started: started.unwrap_or_default().to_owned(),
         command: command.to_owned(),
         shard: None,
@@ -109,6 +116,7 @@ struct Stream<R> {
     shard: Shard,
     promised: u64,
     started: String,
+    defined: Vec<DefinedHeader>,
     /// The next case.
     case: Option<CaseEvent>,
     footer: Option<Footer>,
@@ -131,6 +139,7 @@ impl<R: BufRead> Stream<R> {
             shard,
             promised: header.cases,
             started: header.started,
+            defined: header.defined,
             case: None,
             footer: None,
             trouble: None,

@@ -92,6 +92,7 @@ impl Results {
         key(out, "shard", &header.shard)?;
         key(out, "broken_files", &header.broken_files)?;
         key(out, "baselines", &header.baselines)?;
+        key(out, "defined", &header.defined)?;
         let mut list = List::default();
         for claim in claims.iter() {
             list.push(&ClaimResult {

@@ -129,6 +129,7 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
         shard: None,
         broken_files: Vec::new(),
         baselines: Vec::new(),
+        defined: Vec::new(),
     };
     let engines = vec![EngineTotals {
         name: "reference".to_owned(),

@@ -10,7 +10,7 @@ use crate::{ReportError, diff};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, Totals};
+use stickler_run::{CaseEvent, DefinedHeader, Totals};
 
 /// The most that a step summary takes is 1 MiB; this leaves room for what other steps write.
 const MOST_BYTES: usize = 900_000;
@@ -114,6 +114,10 @@ fn heading(overview: &Overview) -> String {
         let _ = write!(text, ", in {}", duration(footer.duration_ms));
     }
     text.push_str(".\n\n");
+    let dialects = overview.header.iter().flat_map(|header| &header.defined);
+    for line in dialects.take(50).flat_map(defined) {
+        let _ = writeln!(text, "- {}", inline(&line));
+    }
     for broken in overview
         .header
         .iter()
@@ -237,6 +241,24 @@ pub(crate) fn inline(text: &str) -> String {
         escaped.push(character);
     }
     escaped
+}
+
+/// What a dialect of stickler.toml is, and what is not run in it, a line each.
+fn defined(dialect: &DefinedHeader) -> Vec<String> {
+    let DefinedHeader { name, extends, .. } = dialect;
+    let about: String = dialect.about.iter().map(|about| format!(" ({about})")).collect();
+    let but = match &dialect.overrides[..] {
+        [] => "with nothing overridden".to_owned(),
+        overrides => format!("but for {}", overrides.join(", ")),
+    };
+    let mut lines = vec![format!("{name}{about} is {extends}, {but}")];
+    if dialect.left_out > 0 {
+        let cases = counted(dialect.left_out, "case", "cases");
+        lines.push(format!(
+            "{cases} of {extends} left out of {name}: what it overrides changes that, and no document says how"
+        ));
+    }
+    lines
 }
 
 #[cfg(test)]

@@ -63,6 +63,26 @@ pub struct Header {
     /// The baselines that take part, in the order of their engines.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub baselines: Vec<BaselineHeader>,
+    /// The dialects of the run that stickler.toml defines.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub defined: Vec<DefinedHeader>,
+}
+
+/// A dialect that is another one with some rules overridden.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct DefinedHeader {
+    /// Its name.
+    pub name: String,
+    /// The dialect of a documented system that it extends.
+    pub extends: String,
+    /// What it is, for people.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub about: Option<String>,
+    /// What it overrides, in the words of the file: `implicit INT.BOOL = yes`.
+    pub overrides: Vec<String>,
+    /// How many of the selected cases of that dialect it does not take over, because what it overrides changes them and no
+    /// document says how.
+    pub left_out: u64,
 }
 
 /// An engine that takes part in a run.

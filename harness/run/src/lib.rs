@@ -24,7 +24,7 @@ pub use answers::{Answers, Desk, Rendering};
 pub use baseline::{
     Baseline, BaselineError, Blessing, Change, ChangeKind, EngineRun, Entry, Held, bless, hold,
 };
-pub use event::{BaselineHeader, BaselineNote, OutdatedEntry};
+pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, PROGRAM};
 pub use event::{Totals, Verdict};
 pub use filter::Filter;
@@ -36,4 +36,4 @@ pub use select::select;
 pub use shard::{Shard, ShardError};
 pub use stickler_engines::Grade;
 pub use tell::Teller;
-pub use unstated::leave_out;
+pub use unstated::{defined, leave_out};

@@ -1,6 +1,6 @@
 //! What to run and how, and what can keep a run from being one.
 
-use crate::{Baseline, Filter, Grade, Held, Shard, Totals, hold};
+use crate::{Baseline, DefinedHeader, Filter, Grade, Held, Shard, Totals, hold};
 use jiff::civil::Date;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -25,6 +25,8 @@ pub struct Plan {
     pub strict: Option<Grade>,
     /// What is known of engines; of each engine the first that names it counts.
     pub baselines: Vec<Baseline>,
+    /// The dialects of the run that were defined, for the header.
+    pub defined: Vec<DefinedHeader>,
     /// The day on which entries of baselines must hold; this crate reads no calendar.
     pub today: Date,
     /// When the run began, for the header.
@@ -48,6 +50,7 @@ impl Default for Plan {
             shard: None,
             strict: None,
             baselines: Vec::new(),
+            defined: Vec::new(),
             today: Date::default(),
             started: String::new(),
             command: String::new(),

@@ -306,6 +306,7 @@ fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> 
         shard: plan.shard.map(|shard| shard.to_string()),
         broken_files: suite.errors.iter().map(ToString::to_string).collect(),
         baselines: Vec::new(),
+        defined: plan.defined.clone(),
     }
 }
 

@@ -6,10 +6,11 @@
 //! written that down. Such a case is left out, and counted.
 
 use crate::schedule::STACK;
-use crate::{Desk, Grade, Plan, RunError, is_open, judge, select};
+use crate::{DefinedHeader, Desk, Grade, Plan, RunError, is_open, judge, select};
 use rayon::prelude::*;
 use stickler_engines::{EngineError, Reference};
 use stickler_suite::Case;
+use stickler_types::DialectName;
 
 /// Takes out of the cases those that the plan selects and nobody states, in the order of the suite.
 ///
@@ -42,6 +43,22 @@ pub fn leave_out(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case>, RunErr
         next.next_if(is_next).is_none()
     });
     Ok(gone)
+}
+
+/// What the header of a run says of the dialects that were defined, with how many of their cases were left out.
+#[must_use]
+pub fn defined(dialects: &[DialectName], left_out: &[Case]) -> Vec<DefinedHeader> {
+    let header = |dialect: &DialectName| {
+        let definition = dialect.definition()?;
+        Some(DefinedHeader {
+            name: definition.name.clone(),
+            extends: definition.base.name().as_str().to_owned(),
+            about: definition.about.clone(),
+            overrides: definition.overrides(),
+            left_out: left_out.iter().filter(|case| case.dialect == *dialect).count() as u64,
+        })
+    };
+    dialects.iter().filter_map(header).collect()
 }
 
 /// Whether the reference meets what the case expects in the dialect that its own extends, and no longer in its own.

@@ -70,6 +70,44 @@ impl Definition {
         self.flags.get(&flag).map(|stated| stated.value)
     }
 
+    /// What it overrides, each in the words of `stickler.toml`: `implicit INT.BOOL = yes`.
+    pub fn overrides(&self) -> Vec<String> {
+        // The flag stands for these.
+        let cross_family = self
+            .flags
+            .get(&Flag::CrossFamilyWidening)
+            .map(|stated| &stated.basis);
+        let cells = self
+            .cells
+            .iter()
+            .filter(|(_, stated)| Some(&stated.basis) != cross_family);
+        let cells =
+            cells.map(|((from, to), stated)| format!("implicit {from}.{to} = {}", stated.value.as_str()));
+        let flags = self
+            .flags
+            .iter()
+            .map(|(flag, stated)| format!("{} = {}", flag.as_str(), stated.value));
+        let choices = [
+            self.rounding
+                .as_ref()
+                .map(|stated| format!("rounding = {}", stated.value.as_str())),
+            self.out_of_range
+                .as_ref()
+                .map(|stated| format!("out-of-range = {}", stated.value.as_str())),
+            self.text_reading
+                .as_ref()
+                .map(|stated| format!("text-reading = {}", stated.value.as_str())),
+            self.real_text.as_ref().map(|stated| match stated.value {
+                RealTextWord::Shortest => "real-text = shortest".to_owned(),
+                RealTextWord::SignificantDigits(digits) => format!("real-text = {digits}"),
+            }),
+            self.bit_string_text
+                .as_ref()
+                .map(|stated| format!("bit-string-text = {}", stated.value.as_str())),
+        ];
+        cells.chain(flags).chain(choices.into_iter().flatten()).collect()
+    }
+
     /// What it states of a pair of types; `None` where it says nothing.
     pub fn cell(&self, from: ElementaryType, to: ElementaryType) -> Option<&Stated<Cell>> {
         self.cells.get(&(from, to))
@@ -213,5 +251,6 @@ mod tests {
         let definition = Definition::new("mine", BuiltIn::Plcnext, "stickler.toml:1");
         assert_eq!(definition.flag(Flag::BitAccess), None);
         assert_eq!(definition.cell(ElementaryType::Int, ElementaryType::Bool), None);
+        assert!(definition.overrides().is_empty());
     }
 }

@@ -41,7 +41,11 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         baselines: baselines(arguments, &folder, &engines)?,
         ..plan(arguments)
     };
-    case_folder::leave_out(&plan, &mut suite)?;
+    let left_out = case_folder::leave_out(&plan, &mut suite)?;
+    let plan = Plan {
+        defined: stickler_run::defined(&defined, &left_out),
+        ..plan
+    };
     let selected = select(&plan, &suite.cases);
     if selected.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));

@@ -82,6 +82,14 @@ fn promises_of_each_kind_are_kept_by_the_reference() {
     let note = "note: 1 case of ironplc-ed3 is left out of mine, because what it overrides changes it and no document says \
                 how; `stickler list --dialect mine --left-out` lists it\n";
     assert_eq!(told(&output), note);
+    let summary = fs::read_to_string(folder.path().join("reports/latest/summary.md")).expect("a report");
+    let line = "\n- mine (MyPLC 2.1) is ironplc-ed3, but for implicit SINT.INT = no, implicit INT.BOOL = yes, \
+         allow-cross-family-widening = true, ";
+    assert!(summary.contains(line), "{summary}");
+    assert!(
+        summary.contains("\n- 1 case of ironplc-ed3 left out of mine: "),
+        "{summary}"
+    );
     let cases = cases(folder.path());
     assert!(cases.keys().all(|key| key.ends_with("@mine")));
     let stated: BTreeSet<&str> = cases
@@ -131,6 +139,51 @@ fn a_false_promise_fails_exactly_where_it_was_made() {
     let fails = |id: &str| cases[&format!("{id}@mine")]["verdict"] == "fail";
     assert!(fails("conversion/real-to-integer::variable(REAL,INT,2.5)"));
     assert!(!fails("conversion/real-to-integer::variable(REAL,INT,1.0)"));
+}
+
+#[test]
+fn parts_of_a_run_are_put_together_if_their_files_define_the_same() {
+    let folder = folder(MINE);
+    let other = folder.path().join("other.toml");
+    fs::write(
+        other,
+        MINE.replace("\"SINT.INT\" = \"no\"", "\"SINT.INT\" = \"open\""),
+    )
+    .expect("a file");
+    let run = |arguments: &[&str]| {
+        let output = output(folder.path(), arguments);
+        (output.status.code(), text(&output.stdout) + &told(&output))
+    };
+    let part = |shard: &str, to: &str, file: &str| {
+        let (code, all) = run(&[
+            "run",
+            "--dialect",
+            "mine",
+            "--shard",
+            shard,
+            "--report",
+            to,
+            "--config",
+            file,
+        ]);
+        assert_eq!(code, Some(0), "{all}");
+    };
+    part("1/2", "one", "stickler.toml");
+    part("2/2", "two", "stickler.toml");
+    part("2/2", "three", "other.toml");
+    let (code, all) = run(&["merge", "one", "two", "-o", "whole"]);
+    assert_eq!(code, Some(0), "{all}");
+    let summary = fs::read_to_string(folder.path().join("whole/summary.md")).expect("a report");
+    assert!(
+        summary.contains("\n- 1 case of ironplc-ed3 left out of mine: "),
+        "{summary}"
+    );
+    let (code, all) = run(&["merge", "one", "three", "-o", "false"]);
+    assert_eq!(code, Some(2), "{all}");
+    assert!(
+        all.contains("stickler.toml defines its dialects otherwise"),
+        "{all}"
+    );
 }
 
 #[test]
@@ -202,6 +255,11 @@ fn every_command_knows_the_dialect() {
     );
     shows(
         &["eval", "p.st", "--config", "empty.toml", "--dialect", "mine"],
+        2,
+        "invalid value 'mine'",
+    );
+    shows(
+        &["eval", "p.st", "--dialect", "mine", "--config", "empty.toml"],
         2,
         "invalid value 'mine'",
     );

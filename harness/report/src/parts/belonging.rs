@@ -34,8 +34,19 @@ pub(super) fn difference(
             (one.broken_files != other.broken_files).then(|| "other case files are broken in it".to_owned())
         })
         .or_else(|| {
+            (rules(one) != rules(other)).then(|| "stickler.toml defines its dialects otherwise".to_owned())
+        })
+        .or_else(|| {
             (one.baselines != other.baselines).then(|| "its baselines are not those of the other".to_owned())
         })
+}
+
+/// What stickler.toml defines; how many cases each part leaves out is its own affair.
+fn rules(header: &Header) -> Vec<(&str, &str, &[String])> {
+    let defined = header.defined.iter();
+    defined
+        .map(|dialect| (&*dialect.name, &*dialect.extends, &*dialect.overrides))
+        .collect()
 }
 
 fn engines(header: &Header) -> String {
