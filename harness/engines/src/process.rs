@@ -11,6 +11,7 @@ mod folder;
 mod greeting;
 mod group;
 mod message;
+mod pause;
 mod session;
 mod tool;
 mod usage;

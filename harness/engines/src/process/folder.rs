@@ -47,6 +47,8 @@ impl Folder {
     /// A fragment that says why it could not be written.
     pub(crate) fn write(&self, name: &str, text: &str) -> Result<PathBuf, String> {
         let path = self.path().join(name);
+        // A file that is cut to nothing and written again some systems bring to the disk at once; a new one they do not.
+        let _ = std::fs::remove_file(&path);
         std::fs::write(&path, text)
             .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
         Ok(path)

@@ -1,15 +1,13 @@
 //! A process with everything that it starts: its start, its end, and the end of all of them at once.
 
+use super::pause::Pauses;
 use process_wrap::std::{ChildWrapper, CommandWrap};
 use std::ffi::OsStr;
 use std::io;
 use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard, Weak};
 use std::thread;
-use std::time::{Duration, Instant};
-
-/// The longest pause between two looks at whether a process has ended.
-const LONGEST_PAUSE: Duration = Duration::from_millis(16);
+use std::time::Instant;
 
 /// A process with all that belongs to it. Whoever waits for its end keeps the lock only for a look.
 type Shared = Mutex<Box<dyn ChildWrapper>>;
@@ -114,7 +112,7 @@ impl Group {
 
     /// Waits until the process itself has ended; `None` where it lives on at the deadline.
     pub(super) fn wait_until(&mut self, deadline: Instant) -> Option<ExitStatus> {
-        let mut pause = Duration::from_micros(100);
+        let mut pauses = Pauses::new();
         loop {
             let look = lock(&self.wrapped).try_wait();
             match look {
@@ -125,9 +123,7 @@ impl Group {
                 Ok(None) if Instant::now() < deadline => {}
                 Ok(None) | Err(_) => return None,
             }
-            // The system tells nobody without blocking when a process ends.
-            thread::sleep(pause);
-            pause = LONGEST_PAUSE.min(pause * 2);
+            pauses.pause(self.number(), deadline);
         }
     }
 

@@ -1,0 +1,87 @@
+//! Two streams read by threads of their own, for systems that do not say which of them has something to be read.
+
+use super::Waited;
+use crate::process::group::{Pipes, lock};
+use std::io::Read;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::Duration;
+
+/// What came from a stream so far.
+type Shared = Arc<Mutex<Vec<u8>>>;
+
+/// Both streams, and what came from them so far. A thread ends with its stream.
+pub(super) struct Streams {
+    kept: [Shared; 2],
+    /// For each stream that ends, whether it kept to its limit.
+    ends: Receiver<bool>,
+    open: usize,
+}
+
+impl Streams {
+    /// Streams of which no more than `most` bytes each are read.
+    pub(super) fn of(pipes: Pipes, most: u64) -> Streams {
+        let (sender, ends) = mpsc::channel();
+        Streams {
+            kept: [
+                read(pipes.stdout, most, sender.clone()),
+                read(pipes.stderr, most, sender),
+            ],
+            ends,
+            open: 2,
+        }
+    }
+
+    /// Whether one of them has not ended.
+    pub(super) fn are_open(&self) -> bool {
+        self.open > 0
+    }
+
+    /// Waits so long for the end of one of them.
+    pub(super) fn wait(&mut self, limit: Duration) -> Waited {
+        match self.ends.recv_timeout(limit) {
+            Ok(within) => {
+                self.open -= 1;
+                if within { Waited::Ended } else { Waited::Flooded }
+            }
+            Err(RecvTimeoutError::Timeout) => Waited::InVain,
+            // Threads that are gone without a word have nothing more to read.
+            Err(RecvTimeoutError::Disconnected) => {
+                self.open = 0;
+                Waited::Ended
+            }
+        }
+    }
+
+    /// What came so far.
+    pub(super) fn bytes(&self) -> [Vec<u8>; 2] {
+        let [stdout, stderr] = &self.kept;
+        [lock(stdout).clone(), lock(stderr).clone()]
+    }
+}
+
+fn read(stream: Option<impl Read + Send + 'static>, most: u64, sender: Sender<bool>) -> Shared {
+    let shared = Shared::default();
+    let kept = Arc::clone(&shared);
+    thread::spawn(move || {
+        // Nobody may be waiting any more.
+        let _ = sender.send(stream.is_none_or(|stream| keep(stream, &kept, most)));
+    });
+    shared
+}
+
+/// Reads a stream to its end; whether that came within the limit.
+fn keep(mut stream: impl Read, kept: &Mutex<Vec<u8>>, most: u64) -> bool {
+    let mut piece = vec![0; 1 << 16];
+    let mut total: u64 = 0;
+    // What was read before an error is what there is.
+    while let Ok(length @ 1..) = stream.read(&mut piece) {
+        total += u64::try_from(length).unwrap_or(u64::MAX);
+        if total > most {
+            return false;
+        }
+        lock(kept).extend_from_slice(&piece[..length]);
+    }
+    true
+}
