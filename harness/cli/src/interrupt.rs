@@ -16,6 +16,19 @@ static STOP: AtomicBool = AtomicBool::new(false);
 /// Listens once in the life of the process.
 static LISTENING: OnceLock<()> = OnceLock::new();
 
+/// Whether it also ends what the engines are at.
+static ENDS_ENGINES: AtomicBool = AtomicBool::new(false);
+
+/// As [`flag`]; with the flag, Ctrl-C ends what the engines have under way, for one may take minutes over many programs. What
+/// they seem to answer then says nothing of them.
+///
+/// # Errors
+/// As [`flag`].
+pub fn flag_that_ends_engines() -> anyhow::Result<&'static AtomicBool> {
+    ENDS_ENGINES.store(true, Ordering::Relaxed);
+    flag()
+}
+
 /// The flag that Ctrl-C raises, from now on.
 ///
 /// # Errors
@@ -37,10 +50,14 @@ pub fn at_once() -> anyhow::Result<()> {
 fn listen() -> anyhow::Result<()> {
     if LISTENING.get().is_none() {
         ctrlc::set_handler(|| {
-            if !ORDERLY.load(Ordering::Relaxed) || STOP.swap(true, Ordering::Relaxed) {
+            if !ORDERLY.load(Ordering::Relaxed) || STOP.swap(true, Ordering::SeqCst) {
                 end();
             }
-            tell();
+            let ends_engines = ENDS_ENGINES.load(Ordering::Relaxed);
+            if ends_engines {
+                stickler_engines::stop_all_processes();
+            }
+            tell(ends_engines);
         })
         .context("cannot listen for Ctrl-C")?;
         LISTENING.get_or_init(|| ());
@@ -49,15 +66,16 @@ fn listen() -> anyhow::Result<()> {
 }
 
 /// Says that the signal came through: an engine may take its whole time limit for the request that it works on.
-fn tell() {
+fn tell(ends_engines: bool) {
+    let when = match ends_engines {
+        true => "stopping",
+        false => "stopping after what is under way",
+    };
     let mut stderr = anstream::stderr();
     // A terminal shows `^C`, and perhaps a bar, on the line where the cursor stands.
     let start = if stderr.is_terminal() { "\n" } else { "" };
     // Where nobody can be told, the work still stops.
-    let _ = writeln!(
-        stderr,
-        "{start}stopping after what is under way; Ctrl-C again ends at once"
-    );
+    let _ = writeln!(stderr, "{start}{when}; Ctrl-C again ends at once");
 }
 
 fn end() {

@@ -22,6 +22,6 @@ pub use engine::{
 pub use grade::Grade;
 pub use guard::{guard, guarded};
 pub use outcome::{Diagnostic, NamedValue, Outcome};
-pub use process::{ProcessEngine, ProcessLimits, kill_all_processes};
+pub use process::{ProcessEngine, ProcessLimits, kill_all_processes, stop_all_processes};
 pub use reference::Reference;
 pub use validate::{Check, Judgement, Validation, validate};

@@ -37,6 +37,13 @@ pub fn kill_all_processes() {
     folder::remove_all();
 }
 
+/// Kills every process that an engine of this program has started, with all that they started, and lets no other start. For
+/// a run that stops: what its engines answer from now on says nothing of them, and is to be passed over. Unlike
+/// [`kill_all_processes`] this lets everything go on, so that sessions remove their folders and reports are completed.
+pub fn stop_all_processes() {
+    group::stop_all();
+}
+
 /// What an engine in a process of its own may take and give.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ProcessLimits {

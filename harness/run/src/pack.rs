@@ -96,10 +96,17 @@ pub(crate) fn settle(
         let asked: Vec<&Case> = pack.iter().map(|&place| cases[place]).collect();
         if let [place] = pack[..] {
             let answers = desk.ask(cases[place])?;
+            // Whoever stops the run may have ended the engine over it.
+            if stopping() {
+                break;
+            }
             settled[place] = Some((answers, spent[place] + begun.elapsed()));
             continue;
         }
         let packed = desk.ask_pack(&asked)?;
+        if stopping() {
+            break;
+        }
         let share = begun.elapsed() / u32::try_from(pack.len()).unwrap_or(u32::MAX);
         let mut unknown = Vec::new();
         let mut alone = Vec::new();

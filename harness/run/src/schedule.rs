@@ -200,6 +200,10 @@ impl Floor<'_> {
                 break;
             }
             if let Err(error) = self.ask(jobs, &pack, desks, &mut events) {
+                // Whoever stops the run may have ended its engines.
+                if self.stopping() {
+                    break;
+                }
                 self.stop.store(true, Ordering::Relaxed);
                 *self.broken.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
                 break;

@@ -52,7 +52,7 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     }
     understood(&selected, &engines)?;
     let report_folder = report_folder(arguments, &folder);
-    let cancel = interrupt::flag()?;
+    let cancel = interrupt::flag_that_ends_engines()?;
     let mut desk = Desk::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
     let summary = stickler_run::run(&plan, &suite, &engines, &mut |event| desk.take(&event), cancel);
     let overview = desk.finish()?;
@@ -187,7 +187,8 @@ impl<'c> Desk<'c> {
             && let Some(Err(error)) = self.reports.as_mut().map(|reports| reports.take(event))
         {
             // Going on would be work for nothing.
-            self.cancel.store(true, Ordering::Relaxed);
+            self.cancel.store(true, Ordering::SeqCst);
+            stickler_engines::stop_all_processes();
             self.broken = Some(error);
         }
     }

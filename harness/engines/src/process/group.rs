@@ -17,14 +17,38 @@ static ALIVE: Mutex<Vec<Weak<Shared>>> = Mutex::new(Vec::new());
 
 /// Whether the program is about to end. Whoever starts a process holds this until the process is among [`ALIVE`], so that
 /// none is started behind the back of [`kill_all`].
-static ENDING: RwLock<bool> = RwLock::new(false);
+static ENDING: RwLock<Ending> = RwLock::new(Ending::No);
+
+/// Whether there is still to be any process.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Ending {
+    No,
+    /// None starts any more.
+    Processes,
+    /// The program itself ends.
+    Program,
+}
+
+/// Kills every process that an engine of this program has started, with all that they started; none starts after it.
+pub(super) fn stop_all() {
+    let mut ending = ENDING.write().unwrap_or_else(PoisonError::into_inner);
+    if *ending == Ending::No {
+        *ending = Ending::Processes;
+    }
+    drop(ending);
+    kill_alive();
+}
 
 /// Kills every process that an engine of this program has started, with all that they started. For a program that is
 /// about to end without ending its sessions, as at Ctrl-C: the processes have groups of their own, and so nobody else
 /// ends them. No process starts after it, and no thread that works with one goes on: it would take the death of its engine
 /// for the engine's own doing, report it, and start the next one.
 pub(super) fn kill_all() {
-    *ENDING.write().unwrap_or_else(PoisonError::into_inner) = true;
+    *ENDING.write().unwrap_or_else(PoisonError::into_inner) = Ending::Program;
+    kill_alive();
+}
+
+fn kill_alive() {
     let alive = std::mem::take(&mut *lock(&ALIVE));
     for process in alive.iter().filter_map(Weak::upgrade) {
         // One that is gone already is what is wanted.
@@ -33,9 +57,9 @@ pub(super) fn kill_all() {
 }
 
 /// Holds the end of the program off for as long as the answer is kept; never returns where the end has begun.
-fn goes_on() -> RwLockReadGuard<'static, bool> {
+fn goes_on() -> RwLockReadGuard<'static, Ending> {
     let ending = ENDING.read().unwrap_or_else(PoisonError::into_inner);
-    if *ending {
+    if *ending == Ending::Program {
         drop(ending);
         loop {
             thread::park();
@@ -73,6 +97,9 @@ impl Group {
         prepare: impl FnOnce(&mut Command),
     ) -> Result<(Group, Pipes), String> {
         let ending = goes_on();
+        if *ending == Ending::Processes {
+            return Err("the run stops".to_owned());
+        }
         let mut wrap = CommandWrap::with_new(program, prepare);
         #[cfg(unix)]
         wrap.wrap(process_wrap::std::ProcessGroup::leader());
