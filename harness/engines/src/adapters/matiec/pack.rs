@@ -185,13 +185,23 @@ fn reject(members: &mut Vec<Member<'_>>, told: Vec<Vec<Diagnostic>>, answers: &m
 /// Translates, builds and runs programs in one text.
 fn look(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
     let joined = Joined::of(members);
-    let Ok(ended) = session.compile(&joined.text) else {
-        return Known::Nothing;
+    let ended = match session.compile(&joined.text) {
+        Ok(ended) => ended,
+        Err(outcome) => return broken_off(&outcome, members),
     };
     match diagnostics::outcome(&ended) {
         Ok(()) => build(session, members),
         Err(Outcome::Rejected { .. }) => refused(&joined, &ended.stderr),
         Err(_) => Known::Nothing,
+    }
+}
+
+/// What is known after a compiler did not come to an end of its own.
+fn broken_off(outcome: &Outcome, members: &[Member<'_>]) -> Known {
+    match outcome {
+        // Smaller packs would each take as long again; alone, only the one at fault does.
+        Outcome::TimedOut { .. } => Known::Suspects((0..members.len()).collect()),
+        _ => Known::Nothing,
     }
 }
 
@@ -234,12 +244,13 @@ fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
         let cannot = |number: &usize| driver(&subjects[*number..=*number]).is_err();
         return suspected((0..subjects.len()).filter(cannot).collect());
     };
-    let Ok(ended) = session
+    let built = session
         .engine
         .builder
-        .try_build(&driver.text, &[], &session.folder)
-    else {
-        return Known::Nothing;
+        .try_build(&driver.text, &[], &session.folder);
+    let ended = match built {
+        Ok(ended) => ended,
+        Err(outcome) => return broken_off(&outcome, members),
     };
     if ended.status.success() {
         return Known::Outcomes(driver.execute_all(&session.folder));

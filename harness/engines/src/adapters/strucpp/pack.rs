@@ -53,7 +53,7 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
 /// Builds and runs programs in one C++ program.
 ///
 /// # Errors
-/// The numbers of those that the C++ compiler complains of; none where it says nothing of the kind.
+/// The numbers of those that the C++ compiler complains of, or of all where it does not end; none where it says nothing of the kind.
 fn build_and_run(
     session: &StrucppSession<'_>,
     members: &[(usize, Accepted<'_>)],
@@ -69,7 +69,11 @@ fn build_and_run(
         .engine
         .builder
         .try_build(&driver.text, &[], &session.folder);
-    let ended = built.map_err(|_| BTreeSet::new())?;
+    let ended = built.map_err(|outcome| match outcome {
+        // Smaller packs would each take as long again; alone, only the one at fault does.
+        Outcome::TimedOut { .. } => (0..members.len()).collect(),
+        _ => BTreeSet::new(),
+    })?;
     if ended.status.success() {
         return Ok(driver.execute_all(&session.folder));
     }
