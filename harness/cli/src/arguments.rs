@@ -155,9 +155,13 @@ pub struct RunArguments {
     /// Write the reports to DIR [default: reports/latest beside the folder of the cases]
     #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
     pub report: Option<PathBuf>,
-    /// Write no reports
+    /// Write no reports, and neither use nor keep results in reports/cache
     #[arg(long)]
     pub no_report: bool,
+    /// Ask compilers everything anew, and keep nothing of what they answer [default: reports/cache beside the folder of the
+    /// cases keeps it for later runs]
+    #[arg(long)]
+    pub no_cache: bool,
 }
 
 /// `stickler list`.

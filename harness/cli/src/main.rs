@@ -6,6 +6,7 @@
 
 mod arguments;
 mod baselines;
+mod caches;
 mod case_folder;
 mod commands;
 mod conversions;

@@ -9,6 +9,7 @@ mod apart;
 mod builder;
 mod described;
 mod driver;
+mod fingerprint;
 mod ironplc;
 mod locate;
 mod matiec;

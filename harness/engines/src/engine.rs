@@ -26,6 +26,13 @@ pub trait Engine: Send + Sync {
         None
     }
 
+    /// A digest of all that decides what this engine answers: its programs, what they are made of, their options, and how they
+    /// are asked. As long as it stays the same, the engine answers the same, so that what it answered need not be asked
+    /// again. `None` where that cannot be known. To find out takes a moment.
+    fn fingerprint(&self) -> Option<String> {
+        None
+    }
+
     /// How many programs [`Session::run_pack`] is best given at a time; 1 where it gains nothing.
     fn pack_size(&self) -> usize {
         1

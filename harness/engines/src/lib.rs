@@ -5,6 +5,7 @@
 #![forbid(unsafe_code)]
 
 mod adapters;
+mod digest;
 mod engine;
 mod grade;
 mod guard;
@@ -16,6 +17,7 @@ mod validate;
 
 pub use adapters::{Compiler, DescribedEngine, Description, FoundBy, Located, Place, Places, Sought};
 pub use adapters::{Token, Tokens, Word, declared, tokens};
+pub use digest::Digest;
 pub use engine::{
     Ability, ClockStep, Engine, EngineError, Identity, Observation, Packed, RunRequest, Session, Setting,
 };

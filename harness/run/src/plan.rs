@@ -67,6 +67,8 @@ pub struct Summary {
     pub totals: Totals,
     /// How many case events were given.
     pub cases: u64,
+    /// How many of them stand on what was answered in an earlier run.
+    pub remembered: u64,
     /// How many entries of baselines are out of date.
     pub outdated: u64,
     /// The run was cut short: there was no footer.

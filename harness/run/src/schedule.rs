@@ -1,10 +1,14 @@
 //! Running cases on workers, and giving their events on in order from the caller's own thread.
 
+mod known;
+
 use crate::answers::{Answers, Desk};
 use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM};
+use crate::memory::{self, Memory};
 use crate::pack::{packs, settle};
 use crate::reorder::{Dispenser, Reorder};
 use crate::{Held, Plan, RunError, Summary, Teller, Totals, select};
+use known::Known;
 use std::sync::Mutex;
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -27,6 +31,22 @@ pub fn run(
     plan: &Plan,
     suite: &Suite,
     engines: &[&dyn Engine],
+    sink: &mut dyn FnMut(Event),
+    cancel: &AtomicBool,
+) -> Result<Summary, RunError> {
+    run_with(plan, suite, engines, &[], sink, cancel)
+}
+
+/// As [`run`], and asks no engine again what is in its memory; `memories` are by engine. What engines answer besides is kept
+/// there. But for the times, the events are the same as without.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_with(
+    plan: &Plan,
+    suite: &Suite,
+    engines: &[&dyn Engine],
+    memories: &[Option<&dyn Memory>],
     sink: &mut dyn FnMut(Event),
     cancel: &AtomicBool,
 ) -> Result<Summary, RunError> {
@@ -54,10 +74,13 @@ pub fn run(
         .map(|held| held.outdated.len() as u64)
         .sum();
     sink(Event::Header(header));
+    let mut known = Known::of(&jobs, memories);
+    let open: Vec<Job<'_>> = known.open.iter().map(|&place| jobs[place]).collect();
     let floor = Floor {
         plan,
-        jobs: &jobs,
+        jobs: &open,
         engines,
+        memories,
         pack_sizes: engines.iter().map(|engine| pack_size(plan, *engine)).collect(),
         held: &held,
         cancel,
@@ -65,9 +88,14 @@ pub fn run(
         broken: Mutex::new(None),
     };
     let mut tally = Tally::new(engines);
-    floor.work(&pool, &mut |index, event| {
-        tally.count(jobs[index].engine, &event);
+    let mut give = |job: &Job<'_>, event: CaseEvent| {
+        tally.count(job.engine, &event);
         sink(Event::Case(event));
+    };
+    known.give_before(0, &jobs, &floor, &mut give);
+    floor.work(&pool, &mut |index, event| {
+        give(&open[index], event);
+        known.give_before(index + 1, &jobs, &floor, &mut give);
     });
     if let Some(error) = floor.broken.into_inner().unwrap_or_else(PoisonError::into_inner) {
         return Err(error.into());
@@ -84,6 +112,7 @@ pub fn run(
     Ok(Summary {
         totals: tally.totals,
         cases: tally.cases,
+        remembered: known.given,
         outdated,
         cancelled,
     })
@@ -130,6 +159,8 @@ struct Floor<'r> {
     jobs: &'r [Job<'r>],
     engines: &'r [&'r dyn Engine],
     pack_sizes: Vec<usize>,
+    /// By engine; engines behind the last have none.
+    memories: &'r [Option<&'r dyn Memory>],
     /// By engine.
     held: &'r [Option<Held<'r>>],
     cancel: &'r AtomicBool,
@@ -228,9 +259,21 @@ impl Floor<'_> {
         let cases: Vec<&Case> = pack.iter().map(|&place| jobs[place].case).collect();
         let settled = settle(desk, &cases, &|| self.stopping())?;
         for (&place, settled) in pack.iter().zip(settled) {
-            events[place] = settled.map(|(answers, time)| self.event(&jobs[place], &answers, time));
+            events[place] = settled.map(|(answers, time)| {
+                self.keep(&jobs[place], &answers);
+                self.event(&jobs[place], &answers, time)
+            });
         }
         Ok(())
+    }
+
+    /// Keeps answers for later runs.
+    fn keep(&self, job: &Job<'_>, answers: &Answers) {
+        if let Some(Some(memory)) = self.memories.get(job.engine)
+            && let Some(text) = memory::written(answers)
+        {
+            memory.keep(&memory::question(job.case), &text);
+        }
     }
 
     fn stopping(&self) -> bool {

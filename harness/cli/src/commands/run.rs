@@ -1,11 +1,12 @@
 //! `stickler run`: cases over engines, judged and reported.
 
 use crate::arguments::RunArguments;
+use crate::caches::Caches;
 use crate::case_folder::{self, CaseFolder};
 use crate::engines::Named;
 use crate::exit::{self, Exit};
 use crate::progress::Progress;
-use crate::{baselines, engines, interrupt, shell};
+use crate::{baselines, caches, engines, interrupt, shell};
 use jiff::tz::TimeZone;
 use jiff::{Timestamp, Unit};
 use std::collections::BTreeMap;
@@ -15,7 +16,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
-use stickler_run::{Baseline, Event, Plan, Summary, select};
+use stickler_run::{Baseline, Event, Memory, Plan, Summary, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 
@@ -52,9 +53,13 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     }
     understood(&selected, &engines)?;
     let report_folder = report_folder(arguments, &folder);
+    let caches = caches(arguments, &folder, &engines);
+    let memories: Vec<Option<&dyn Memory>> = caches.memories();
     let cancel = interrupt::flag_that_ends_engines()?;
     let mut desk = Desk::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
-    let summary = stickler_run::run(&plan, &suite, &engines, &mut |event| desk.take(&event), cancel);
+    let take = &mut |event| desk.take(&event);
+    let summary = stickler_run::run_with(&plan, &suite, &engines, &memories, take, cancel);
+    caches.tell();
     let overview = desk.finish()?;
     let shown = report_folder.map(|folder| folder.display().to_string());
     terminal::write(
@@ -64,7 +69,9 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
             reports: shown.as_deref(),
         },
     )?;
-    Ok(exit(&summary?).worst(case_folder::exit_of(&suite)))
+    let summary = summary?;
+    caches::tell_remembered(out, summary.remembered, summary.cases)?;
+    Ok(exit(&summary).worst(case_folder::exit_of(&suite)))
 }
 
 /// # Errors
@@ -142,6 +149,14 @@ fn judged_alike(arguments: &RunArguments) -> String {
         options.push_str(" --no-baseline");
     }
     options
+}
+
+/// Where answers are kept, unless nothing is to be written.
+fn caches(arguments: &RunArguments, folder: &CaseFolder, engines: &[&dyn Engine]) -> Caches {
+    match arguments.no_cache || arguments.no_report {
+        true => Caches::none(),
+        false => Caches::open(&folder.root.join("reports").join("cache"), engines),
+    }
 }
 
 fn report_folder(arguments: &RunArguments, folder: &CaseFolder) -> Option<PathBuf> {

@@ -3,12 +3,14 @@
 
 #[cfg(unix)]
 mod bless;
+#[cfg(unix)]
+mod caching;
 mod common;
 mod compare;
 mod dialects;
-mod export;
 #[cfg(unix)]
 mod engines;
+mod export;
 #[cfg(unix)]
 mod fuzz;
 mod pages;

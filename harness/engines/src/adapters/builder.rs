@@ -1,5 +1,6 @@
 //! A C or C++ compiler: it builds what a compiler under test wrote, together with a driver.
 
+use super::fingerprint::Fingerprint;
 use super::locate::{self, call, failed, first_error};
 use super::places::{Place, Search};
 use crate::Outcome;
@@ -67,6 +68,26 @@ impl Language {
     }
 }
 
+/// The programs that a C or C++ compiler has others do its work.
+const PROGRAMS: [&str; 4] = ["cc1", "cc1plus", "as", "ld"];
+
+/// The libraries of what it builds.
+const LIBRARIES: [&str; 4] = ["libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1"];
+
+/// The environment variables that decide what it includes and links, and what a program runs with.
+///
+/// Basis: gcc: *Environment Variables Affecting GCC*; linux: ld.so(8).
+const VARIABLES: [&str; 8] = [
+    "CPATH",
+    "C_INCLUDE_PATH",
+    "CPLUS_INCLUDE_PATH",
+    "LIBRARY_PATH",
+    "COMPILER_PATH",
+    "GCC_EXEC_PREFIX",
+    "LD_LIBRARY_PATH",
+    "LD_PRELOAD",
+];
+
 /// The compiler, and the headers that every built program includes; they are compiled once, since that takes most of the time
 /// of building a small program. A compiler that makes no use of that reads them itself.
 pub(super) struct Builder {
@@ -110,6 +131,40 @@ impl Builder {
             builder.headers.display(),
             first_error(&ended)
         ))
+    }
+
+    /// A digest of all that decides what it builds; `None` where that cannot be known.
+    pub(super) fn fingerprint(&self) -> Option<String> {
+        let words = self.language.words();
+        // With every header that is included, and without the places where they are.
+        let arguments = self.arguments(&[
+            "-E",
+            "-P",
+            "-x",
+            words.header_kind.trim_end_matches("-header"),
+            words.header,
+        ]);
+        let headers = call(&self.compiler, &arguments, &self.prepared).ok()?;
+        let version = call(&self.compiler, &["--version"], &self.prepared).ok()?;
+        if !headers.status.success() {
+            return None;
+        }
+        let mut fingerprint = Fingerprint::of(words.name)
+            .file(&self.compiler)
+            .text(&version.stdout)
+            .text(&headers.stdout)
+            .variables(&VARIABLES);
+        let programs = PROGRAMS.map(|name| format!("-print-prog-name={name}"));
+        let libraries = LIBRARIES.map(|name| format!("-print-file-name={name}"));
+        for question in programs.iter().chain(&libraries) {
+            let answer = call(&self.compiler, &[question], &self.prepared).ok()?;
+            let path = PathBuf::from(answer.stdout.trim());
+            // What it does not have it names without a path.
+            if path.is_absolute() && path.is_file() {
+                fingerprint = fingerprint.file(&path);
+            }
+        }
+        fingerprint.finish()
     }
 
     /// Builds the program `driver` of a folder from the text of a driver and from what it includes there.

@@ -9,6 +9,7 @@ mod pattern;
 mod template;
 mod values;
 
+use super::fingerprint::Fingerprint;
 use super::locate;
 use super::places::{FoundBy, Located, may_be_executed, on_path};
 use super::plain::without_colours;
@@ -22,6 +23,8 @@ pub(super) use pattern::DiagnosticPattern;
 use regex::Regex;
 use std::collections::{BTreeMap, BTreeSet};
 use std::env;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use stickler_types::DialectName;
 use template::{Filling, Placeholder, Template};
@@ -134,6 +137,13 @@ fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option
     Ok(Some(Located { key, path, by }))
 }
 
+/// Whether another program executes this one, or nobody can tell.
+fn is_script(program: &Path) -> bool {
+    let mut first = [0; 2];
+    let read = File::open(program).and_then(|mut file| file.read_exact(&mut first));
+    read.is_err() || first == *b"#!"
+}
+
 fn abilities(description: &Description) -> Vec<Ability> {
     let mut abilities = vec![Ability::Check];
     if let Some(run) = &description.run {
@@ -165,6 +175,26 @@ impl Engine for DescribedEngine {
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
         let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(DescribedSession { engine: self, folder }))
+    }
+
+    /// Of its description, its programs, the files that its commands name, and what it says to be its version. A script may
+    /// call whatever it likes, and so there is none where a program is one.
+    fn fingerprint(&self) -> Option<String> {
+        let mut fingerprint = Fingerprint::of("described")
+            .text(&format!("{:?}", self.description))
+            .text(&self.identity.version);
+        for located in DescribedEngine::programs(&self.description, &self.here) {
+            if is_script(&located.path) {
+                return None;
+            }
+            fingerprint = fingerprint.file(&located.path);
+        }
+        for (_, template) in self.description.commands() {
+            for file in template.files(&self.here) {
+                fingerprint = fingerprint.text(&file.to_string_lossy()).file(&file);
+            }
+        }
+        fingerprint.finish()
     }
 
     /// Its commands as its table has them, one after the other.

@@ -8,6 +8,7 @@ mod diagnostics;
 mod dump;
 mod sight;
 
+use super::fingerprint::Fingerprint;
 use super::locate::{self, call, failed};
 use super::places::{Place, Search};
 use super::source::main_program;
@@ -79,6 +80,13 @@ impl Engine for Ironplc {
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
         let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(IronplcSession { engine: self, folder }))
+    }
+
+    fn fingerprint(&self) -> Option<String> {
+        Fingerprint::of("ironplc")
+            .file(&self.compiler)
+            .file(&self.machine)
+            .finish()
     }
 
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {

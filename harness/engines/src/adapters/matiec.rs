@@ -11,6 +11,7 @@ mod driver;
 mod pack;
 
 use super::builder::{self, Builder, Language};
+use super::fingerprint::Fingerprint;
 use super::locate::{self, call, failed};
 use super::places::{Place, Search};
 use super::source::{main_program, words};
@@ -125,6 +126,14 @@ impl Engine for Matiec {
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
         let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(MatiecSession { engine: self, folder }))
+    }
+
+    fn fingerprint(&self) -> Option<String> {
+        Fingerprint::of("matiec")
+            .file(&self.compiler)
+            .folder(&self.library)
+            .with(self.builder.fingerprint())
+            .finish()
     }
 
     /// From here on, what is spent on each start is less than what a culprit costs its pack.

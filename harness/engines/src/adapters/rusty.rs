@@ -10,6 +10,7 @@ mod driver;
 
 use super::builder::{self, Builder, Language};
 use super::described::DiagnosticPattern;
+use super::fingerprint::Fingerprint;
 use super::locate::{self, call, failed, told};
 use super::places::{Place, Search};
 use super::plain::without_colours;
@@ -118,6 +119,15 @@ impl Engine for Rusty {
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
         let folder = locate::session_folder(&self.identity)?;
         Ok(Box::new(RustySession { engine: self, folder }))
+    }
+
+    fn fingerprint(&self) -> Option<String> {
+        Fingerprint::of("rusty")
+            .file(&self.compiler)
+            .folder(&self.declarations)
+            .folder(&self.library)
+            .with(self.builder.fingerprint())
+            .finish()
     }
 
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {

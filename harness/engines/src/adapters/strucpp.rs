@@ -10,6 +10,7 @@ mod driver;
 mod pack;
 
 use super::builder::{self, Builder, Language};
+use super::fingerprint::Fingerprint;
 use super::locate::{self, failed};
 use super::places::{Place, Search};
 use super::source::main_program;
@@ -51,6 +52,8 @@ pub(super) struct Strucpp {
     identity: Identity,
     translator: CommandLine,
     builder: Builder,
+    node: PathBuf,
+    package: PathBuf,
     /// Its run-time headers.
     headers: PathBuf,
     /// See [`Strucpp::taken`].
@@ -77,6 +80,8 @@ impl Strucpp {
         let script = folder.write("translator.mjs", TRANSLATOR)?;
         let arguments = [script, package.join("dist/index.js")];
         Ok(Strucpp {
+            node: node.clone(),
+            package: package.clone(),
             identity: Identity {
                 name: called.to_owned(),
                 version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
@@ -149,6 +154,26 @@ impl Engine for Strucpp {
             folder,
             translator: self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop(),
         }))
+    }
+
+    fn fingerprint(&self) -> Option<String> {
+        let mut fingerprint = Fingerprint::of("strucpp")
+            .file(&self.node)
+            .folder(&self.package.join("dist"))
+            .folder(&self.headers)
+            .with(self.builder.fingerprint());
+        // What else it is made of lies beside it or above, wherever its installer put it; that says what it put there.
+        for file in [
+            "package.json",
+            "package-lock.json",
+            "node_modules/.package-lock.json",
+        ] {
+            let file = self.package.join(file);
+            if file.is_file() {
+                fingerprint = fingerprint.file(&file);
+            }
+        }
+        fingerprint.finish()
     }
 
     /// More in one C++ text take more memory, and little less time for each.

@@ -5,6 +5,7 @@ mod blessing;
 mod fixtures;
 mod judging;
 mod packing;
+mod remembering;
 mod rendering;
 mod scheduling;
 mod selecting;

@@ -135,6 +135,21 @@ impl Template {
         };
         Some(self.filled(&filling).0)
     }
+
+    /// The files that its arguments name, whatever it is called on.
+    pub(super) fn files(&self, here: &Path) -> Vec<PathBuf> {
+        let filling = Filling {
+            file: "",
+            dialect: "",
+            folder: Path::new(""),
+            scans: 0,
+            here,
+        };
+        let arguments = self.filled(&filling).1.into_iter();
+        // A file without a path would be sought in the folder of a call.
+        let paths = arguments.map(PathBuf::from).filter(|path| path.is_absolute());
+        paths.filter(|path| path.is_file()).collect()
+    }
 }
 
 fn word(pieces: &[Piece], filling: &Filling<'_>) -> String {

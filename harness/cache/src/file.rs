@@ -1,0 +1,186 @@
+//! The files of a cache: how they are called, read, mended, and thrown away.
+
+use crate::line;
+use std::collections::HashMap;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Read, Write};
+use std::path::Path;
+use std::time::SystemTime;
+
+/// How every file begins. Another version of the format has another number.
+const FORMAT: &str = "stickler-cache 1";
+
+/// How the files end.
+const EXTENSION: &str = "cache";
+
+/// How large a file may become before the older half of it is thrown away, in bytes: some ten times what the suite needs.
+pub(crate) const LARGEST: usize = 64 << 20;
+
+/// How many files there may be.
+const MOST: usize = 8;
+
+/// What was kept, and where more goes.
+pub(crate) struct Kept {
+    pub(crate) answers: HashMap<String, String>,
+    pub(crate) file: Option<File>,
+}
+
+/// What the file of this compiler is called.
+pub(crate) fn name(engine: &str, fingerprint: &str) -> String {
+    let harmless = |character: char| match character {
+        '-' | '_' | '.' => character,
+        _ if character.is_ascii_alphanumeric() => character,
+        _ => '_',
+    };
+    let engine: String = engine.chars().map(harmless).take(40).collect();
+    format!("{engine}-{fingerprint}.{EXTENSION}")
+}
+
+/// Reads a file, of which the older half goes if it has more than `largest` bytes, and opens it for more; what does not go well
+/// stands in `notes`.
+pub(crate) fn open(path: &Path, fingerprint: &str, largest: usize, notes: &mut Vec<String>) -> Kept {
+    let shown = path.display();
+    let head = format!("{FORMAT} {fingerprint}\n");
+    let (text, stays) = match read(path) {
+        Ok(text) => {
+            let read = Contents::of(&text, &head);
+            notes.extend(read.note(path));
+            let fits = text.len() <= largest;
+            (
+                read.lines_from(if fits { 0 } else { read.lines.len() / 2 }),
+                fits && read.is_sound(),
+            )
+        }
+        Err(error) if error.kind() == ErrorKind::NotFound => (String::new(), false),
+        Err(error) => {
+            notes.push(format!("{shown} cannot be read, and keeps no results: {error}"));
+            return Kept {
+                answers: HashMap::new(),
+                file: None,
+            };
+        }
+    };
+    let opened = match stays {
+        true => OpenOptions::new().append(true).open(path),
+        false => replace(path, &head, &text),
+    };
+    let file = opened
+        .map_err(|error| {
+            notes.push(format!(
+                "{shown} cannot be written, and keeps no results: {error}"
+            ))
+        })
+        .ok();
+    if let Some(file) = &file {
+        // The files that were used last are those that stay. Where the system does not note it, another may go first.
+        let _ = file.set_modified(SystemTime::now());
+    }
+    let lines = text.lines().filter_map(line::read);
+    let answers = lines.map(|(question, answers)| (question.to_owned(), answers.to_owned()));
+    Kept {
+        answers: answers.collect(),
+        file,
+    }
+}
+
+/// The text of a file, with what is no UTF-8 replaced: such a line is broken anyway.
+fn read(path: &Path) -> io::Result<String> {
+    let mut bytes = Vec::new();
+    File::open(path)?.read_to_end(&mut bytes)?;
+    Ok(String::from_utf8(bytes)
+        .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned()))
+}
+
+/// What is in a file.
+struct Contents<'t> {
+    /// It begins as it should.
+    ours: bool,
+    /// The lines that are as they were written.
+    lines: Vec<&'t str>,
+    broken: usize,
+    /// The last line has its line feed.
+    ended: bool,
+}
+
+impl<'t> Contents<'t> {
+    fn of(text: &'t str, head: &str) -> Contents<'t> {
+        let Some(rest) = text.strip_prefix(head) else {
+            return Contents {
+                ours: false,
+                lines: Vec::new(),
+                broken: 0,
+                ended: false,
+            };
+        };
+        let all = rest.lines().count();
+        // Of two runs that made the file at once each may have written its beginning.
+        let heads = rest.lines().filter(|line| *line == head.trim_end()).count();
+        let lines: Vec<&str> = rest.lines().filter(|line| line::read(line).is_some()).collect();
+        Contents {
+            ours: true,
+            broken: all - heads - lines.len(),
+            lines,
+            ended: text.ends_with('\n'),
+        }
+    }
+
+    fn is_sound(&self) -> bool {
+        self.ours && self.broken == 0 && self.ended
+    }
+
+    fn note(&self, path: &Path) -> Option<String> {
+        let shown = path.display();
+        if !self.ours {
+            return Some(format!(
+                "{shown} is no cache of this version of Stickler; nothing in it is used, and it begins anew"
+            ));
+        }
+        let results = match self.broken {
+            0 => return None,
+            1 => "1 line is".to_owned(),
+            broken => format!("{broken} lines are"),
+        };
+        Some(format!(
+            "{shown}: {results} broken; what they kept is asked again"
+        ))
+    }
+
+    /// The lines from this one on.
+    fn lines_from(&self, first: usize) -> String {
+        let mut text = String::new();
+        for line in &self.lines[first..] {
+            text.push_str(line);
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// Puts a file in the place of another, whole or not at all, and opens it for more.
+fn replace(path: &Path, head: &str, text: &str) -> io::Result<File> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    fs::create_dir_all(folder)?;
+    let mut new = tempfile::NamedTempFile::new_in(folder)?;
+    new.write_all(head.as_bytes())?;
+    new.write_all(text.as_bytes())?;
+    new.persist(path).map_err(|error| error.error)?;
+    OpenOptions::new().append(true).open(path)
+}
+
+/// Removes the files of the folder that were not used for longest, all but so many. `own` stays.
+pub(crate) fn remove_old(folder: &Path, own: &Path) {
+    // What cannot be looked at now can be removed another time.
+    let files = fs::read_dir(folder).into_iter().flatten().flatten();
+    let ours = files.filter(|file| {
+        let path = file.path();
+        path != own && path.extension().is_some_and(|extension| extension == EXTENSION)
+    });
+    let mut dated: Vec<_> = ours
+        .filter_map(|file| Some((file.metadata().ok()?.modified().ok()?, file.path())))
+        .collect();
+    dated.sort();
+    let surplus = (dated.len() + 1).saturating_sub(MOST);
+    for (_, path) in dated.drain(..surplus) {
+        let _ = fs::remove_file(path);
+    }
+}

@@ -1,0 +1,91 @@
+//! What an engine of this crate is made of: the programs and files that decide what it answers.
+
+use crate::Digest;
+use std::path::Path;
+
+/// A digest of this crate's source, which asks the compilers and reads what they say.
+const ADAPTERS: &str = env!("STICKLER_ADAPTERS");
+
+/// A digest of what an engine is made of, gathered piece by piece; `None` once a piece could not be read.
+pub(super) struct Fingerprint {
+    digest: Option<Digest>,
+}
+
+impl Fingerprint {
+    /// That of an adapter, which `kind` names.
+    pub(super) fn of(kind: &str) -> Fingerprint {
+        let mut digest = Digest::new("engine");
+        digest.text(ADAPTERS).text(kind);
+        Fingerprint { digest: Some(digest) }
+    }
+
+    /// With this text.
+    pub(super) fn text(mut self, text: &str) -> Fingerprint {
+        if let Some(digest) = &mut self.digest {
+            digest.text(text);
+        }
+        self
+    }
+
+    /// With what is in a file.
+    pub(super) fn file(self, path: &Path) -> Fingerprint {
+        self.take(|digest| digest.file(path).is_ok())
+    }
+
+    /// With all that is in a folder and below it.
+    pub(super) fn folder(self, path: &Path) -> Fingerprint {
+        self.take(|digest| digest.folder(path).is_ok())
+    }
+
+    /// With what is known of something else; without a fingerprint of that there is none of the whole.
+    pub(super) fn with(self, other: Option<String>) -> Fingerprint {
+        match other {
+            Some(other) => self.text(&other),
+            None => Fingerprint { digest: None },
+        }
+    }
+
+    /// With the values of environment variables that programs heed.
+    pub(super) fn variables(mut self, names: &[&str]) -> Fingerprint {
+        for name in names {
+            let value = std::env::var_os(name).unwrap_or_default();
+            self = self.text(&value.to_string_lossy());
+        }
+        self
+    }
+
+    /// The fingerprint; `None` where something of it could not be read.
+    pub(super) fn finish(&self) -> Option<String> {
+        self.digest.as_ref().map(Digest::finish)
+    }
+
+    fn take(mut self, took: impl FnOnce(&mut Digest) -> bool) -> Fingerprint {
+        if let Some(digest) = &mut self.digest
+            && !took(digest)
+        {
+            self.digest = None;
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Fingerprint;
+    use crate::process::Folder;
+
+    #[test]
+    fn a_program_that_changes_has_another_fingerprint_and_one_that_is_gone_has_none() {
+        let folder = Folder::new().unwrap();
+        let program = folder.write("compiler", "1").unwrap();
+        let fingerprint = || Fingerprint::of("test").file(&program).text("flags").finish();
+        let before = fingerprint();
+        assert!(before.is_some());
+        assert_eq!(fingerprint(), before);
+        folder.write("compiler", "2").unwrap();
+        assert_ne!(fingerprint(), before);
+        std::fs::remove_file(&program).unwrap();
+        assert_eq!(fingerprint(), None);
+        assert_eq!(Fingerprint::of("test").with(None).finish(), None);
+    }
+}

@@ -1,0 +1,287 @@
+//! What engines answered in earlier runs, so that they need not be asked again.
+//!
+//! An answer is kept under a digest of the question, which holds all that the engine is handed. Only what an engine did of its own
+//! accord is kept: a crash, a time limit or nonsense may be of the machine as well, and is asked again.
+
+use crate::answers::{Answers, Rendering};
+use serde::{Deserialize, Serialize};
+use stickler_engines::protocol::DiagnosticMessage;
+use stickler_engines::{Diagnostic, Digest, NamedValue, Outcome};
+use stickler_suite::Case;
+use stickler_types::{Fault, Value};
+
+/// What one engine answered in earlier runs. Whoever has it keeps the answers apart of engines that differ in anything.
+pub trait Memory: Sync {
+    /// What was kept under this question before the run began.
+    fn recall(&self, question: &str) -> Option<&str>;
+
+    /// Keeps answers under a question, for later runs. Neither has a line feed, nor the question a blank.
+    fn keep(&self, question: &str, answers: &str);
+}
+
+/// The question that an engine is asked about a case: 32 hexadecimal digits.
+pub(crate) fn question(case: &Case) -> String {
+    let mut digest = Digest::new("question");
+    digest.text(case.dialect.as_str()).text(&case.source);
+    // An engine that has never heard of a dialect is asked by what it extends, which its name does not say.
+    digest.text(&format!("{:?}", case.dialect.base()));
+    digest.number(case.scans.into());
+    digest.number(case.observe.len() as u64);
+    for asked in &*case.observe {
+        digest.text(&asked.name).text(&asked.ty);
+        digest.number(asked.after.map_or(0, u64::from));
+    }
+    digest.number(case.clock.len() as u64);
+    for step in &*case.clock {
+        digest.number(step.before.into()).text(&step.value.to_string());
+    }
+    digest.number(case.set.len() as u64);
+    for setting in &*case.set {
+        digest.number(setting.before.into());
+        digest.text(&setting.name).text(&setting.value.to_string());
+    }
+    // Then more is asked than to run it.
+    digest.number(case.expectation.rendered.is_some().into());
+    digest.finish()
+}
+
+/// The text of answers; `None` where they are not to be kept, or cannot be without loss.
+pub(crate) fn written(answers: &Answers) -> Option<String> {
+    let kept = Kept::of(answers)?;
+    let text = serde_json::to_string(&kept).ok()?;
+    (read(&text).as_ref() == Some(answers)).then_some(text)
+}
+
+/// The answers of a text; `None` where it is none of [`written`].
+pub(crate) fn read(text: &str) -> Option<Answers> {
+    serde_json::from_str::<Kept>(text).ok()?.answers()
+}
+
+/// All that an engine answered about a case.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Kept {
+    run: Done,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    rendering: Option<Rendered>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Rendered {
+    first: Done,
+    again: Option<Done>,
+    rerun: Option<Done>,
+}
+
+/// An outcome that may be kept; values are typed literals.
+#[derive(Serialize, Deserialize)]
+#[serde(rename_all = "lowercase", deny_unknown_fields)]
+enum Done {
+    Accepted,
+    Executed(Vec<(String, String)>),
+    Rejected(Vec<DiagnosticMessage>),
+    Faulted(String, Option<u32>, Vec<(String, String)>),
+    Rendered(String),
+    Unsupported(String),
+}
+
+impl Kept {
+    fn of(answers: &Answers) -> Option<Kept> {
+        let rendering = match &answers.rendering {
+            Some(rendering) => Some(Rendered::of(rendering)?),
+            None => None,
+        };
+        Some(Kept {
+            run: Done::of(&answers.run)?,
+            rendering,
+        })
+    }
+
+    fn answers(self) -> Option<Answers> {
+        let rendering = match self.rendering {
+            Some(rendering) => Some(rendering.rendering()?),
+            None => None,
+        };
+        Some(Answers {
+            run: self.run.outcome()?,
+            rendering,
+        })
+    }
+}
+
+impl Rendered {
+    fn of(rendering: &Rendering) -> Option<Rendered> {
+        let done = |outcome: &Option<Outcome>| match outcome {
+            Some(outcome) => Done::of(outcome).map(Some),
+            None => Some(None),
+        };
+        Some(Rendered {
+            first: Done::of(&rendering.first)?,
+            again: done(&rendering.again)?,
+            rerun: done(&rendering.rerun)?,
+        })
+    }
+
+    fn rendering(self) -> Option<Rendering> {
+        let outcome = |done: Option<Done>| match done {
+            Some(done) => done.outcome().map(Some),
+            None => Some(None),
+        };
+        Some(Rendering {
+            first: self.first.outcome()?,
+            again: outcome(self.again)?,
+            rerun: outcome(self.rerun)?,
+        })
+    }
+}
+
+impl Done {
+    /// `None` for what is not to be kept.
+    fn of(outcome: &Outcome) -> Option<Done> {
+        Some(match outcome {
+            Outcome::Accepted => Done::Accepted,
+            Outcome::Executed { values } => Done::Executed(literals(values)),
+            Outcome::Rejected { diagnostics } => {
+                Done::Rejected(diagnostics.iter().cloned().map(DiagnosticMessage::from).collect())
+            }
+            Outcome::Faulted { fault, line, values } => {
+                Done::Faulted(fault.to_string(), *line, literals(values))
+            }
+            Outcome::Rendered { text } => Done::Rendered(text.clone()),
+            Outcome::Unsupported { reason } => Done::Unsupported(reason.clone()),
+            Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => return None,
+        })
+    }
+
+    /// `None` where a literal or a fault cannot be read.
+    fn outcome(self) -> Option<Outcome> {
+        Some(match self {
+            Done::Accepted => Outcome::Accepted,
+            Done::Executed(literals) => Outcome::Executed {
+                values: values(literals)?,
+            },
+            Done::Rejected(messages) => Outcome::Rejected {
+                diagnostics: messages.into_iter().map(Diagnostic::from).collect(),
+            },
+            Done::Faulted(fault, line, literals) => Outcome::Faulted {
+                fault: fault.parse::<Fault>().ok()?,
+                line,
+                values: values(literals)?,
+            },
+            Done::Rendered(text) => Outcome::Rendered { text },
+            Done::Unsupported(reason) => Outcome::Unsupported { reason },
+        })
+    }
+}
+
+fn literals(values: &[NamedValue]) -> Vec<(String, String)> {
+    let literal = |(name, value): &NamedValue| (name.clone(), value.to_string());
+    values.iter().map(literal).collect()
+}
+
+fn values(literals: Vec<(String, String)>) -> Option<Vec<NamedValue>> {
+    let value = |(name, literal): (String, String)| Some((name, Value::parse(&literal).ok()?));
+    literals.into_iter().map(value).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(literal: &str) -> NamedValue {
+        (literal.to_owned(), Value::parse(literal).unwrap())
+    }
+
+    #[test]
+    fn what_is_kept_is_read_as_it_was() {
+        let values = vec![
+            value("REAL#-0.0"),
+            value("LREAL#-Infinity"),
+            value("STRING#'a$'b$0A'"),
+            value("TIME#-1.5ms"),
+        ];
+        let diagnostic = Diagnostic {
+            code: Some("P4035".to_owned()),
+            line: Some(6),
+            message: "two\nlines".to_owned(),
+            ..Diagnostic::default()
+        };
+        let outcomes = [
+            Outcome::Accepted,
+            Outcome::Executed {
+                values: values.clone(),
+            },
+            Outcome::Rejected {
+                diagnostics: vec![diagnostic, Diagnostic::default()],
+            },
+            Outcome::Faulted {
+                fault: Fault::DivisionByZero,
+                line: Some(3),
+                values,
+            },
+            Outcome::Unsupported {
+                reason: "no clock".to_owned(),
+            },
+        ];
+        for run in outcomes {
+            let rendering = Rendering {
+                first: Outcome::Rendered {
+                    text: "PROGRAM\n".to_owned(),
+                },
+                again: Some(run.clone()),
+                rerun: None,
+            };
+            for rendering in [None, Some(rendering)] {
+                let answers = Answers {
+                    run: run.clone(),
+                    rendering,
+                };
+                let text = written(&answers).unwrap();
+                assert!(!text.contains('\n'), "{text}");
+                assert_eq!(read(&text), Some(answers));
+            }
+        }
+    }
+
+    #[test]
+    fn what_may_be_of_the_machine_is_not_kept() {
+        let outcomes = [
+            Outcome::Crashed {
+                reason: "it ended".to_owned(),
+            },
+            Outcome::TimedOut { after_ms: 1 },
+            Outcome::Error {
+                message: "no folder".to_owned(),
+            },
+        ];
+        for outcome in outcomes {
+            assert_eq!(written(&Answers::of_run(outcome.clone())), None);
+            let rendering = Some(Rendering {
+                first: outcome,
+                again: None,
+                rerun: None,
+            });
+            let run = Outcome::Accepted;
+            assert_eq!(written(&Answers { run, rendering }), None);
+        }
+    }
+
+    #[test]
+    fn a_text_of_another_version_is_no_answer() {
+        for text in [
+            "",
+            "{}",
+            r#"{"run":"approved"}"#,
+            r#"{"run":"accepted","mood":"fine"}"#,
+            r#"{"run":{"executed":[["n","5"]]}}"#,
+            r#"{"run":{"faulted":["bad luck",null,[]]}}"#,
+        ] {
+            assert_eq!(read(text), None, "{text}");
+        }
+        assert_eq!(
+            read(r#"{"run":"accepted"}"#),
+            Some(Answers::of_run(Outcome::Accepted))
+        );
+    }
+}

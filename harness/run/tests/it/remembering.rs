@@ -1,0 +1,227 @@
+//! Runs with a memory: engines are not asked again what they answered before, and the events are the same.
+
+use crate::fixtures::{Puppet, case, executed, suite};
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+use stickler_engines::{Engine, Outcome, RunRequest};
+use stickler_run::{Event, Memory, Plan, Summary, run_with};
+use stickler_suite::{Case, ClockSetting, Observe, Suite, VariableSetting};
+use stickler_types::{DialectName, Value};
+
+/// A memory that lasts as long as the test.
+#[derive(Default)]
+struct Book {
+    /// What was there when the run began.
+    before: HashMap<String, String>,
+    now: Mutex<HashMap<String, String>>,
+}
+
+impl Book {
+    /// The memory of the next run.
+    fn turned(self) -> Book {
+        let mut before = self.before;
+        before.extend(self.now.into_inner().unwrap());
+        Book {
+            before,
+            now: Mutex::default(),
+        }
+    }
+}
+
+impl Memory for Book {
+    fn recall(&self, question: &str) -> Option<&str> {
+        self.before.get(question).map(String::as_str)
+    }
+
+    fn keep(&self, question: &str, answers: &str) {
+        let mut now = self.now.lock().unwrap();
+        now.insert(question.to_owned(), answers.to_owned());
+    }
+}
+
+fn numbered(numbers: std::ops::Range<usize>) -> Suite {
+    suite(numbers.map(|number| case(&format!("area/{number}"))).collect())
+}
+
+/// Of ten programs one is rejected, one crashes the engine, and the others are executed.
+fn moody(request: &RunRequest<'_>) -> Outcome {
+    match request.source.bytes().last() {
+        Some(b'0') => Outcome::Rejected {
+            diagnostics: Vec::new(),
+        },
+        Some(b'1') => Outcome::Crashed {
+            reason: "a one".to_owned(),
+        },
+        _ => executed(&["x = INT#1"]),
+    }
+}
+
+/// What a run gives, without what the clock says.
+fn go(suite: &Suite, engine: &Puppet, memory: Option<&dyn Memory>, jobs: usize) -> (Summary, Vec<Event>) {
+    let mut events = Vec::new();
+    let mut sink = |mut event: Event| {
+        match &mut event {
+            Event::Header(_) => {}
+            Event::Case(case) => case.duration_us = 0,
+            Event::Footer(footer) => footer.duration_ms = 0,
+        }
+        events.push(event);
+    };
+    let plan = Plan {
+        jobs,
+        ..Plan::default()
+    };
+    let engines: [&dyn Engine; 1] = [engine];
+    let cancel = AtomicBool::new(false);
+    let summary = run_with(&plan, suite, &engines, &[memory], &mut sink, &cancel).unwrap();
+    (summary, events)
+}
+
+#[test]
+fn a_second_run_asks_only_what_is_new_or_says_nothing_of_the_engine_and_its_events_are_the_same() {
+    let asked = Arc::new(AtomicUsize::new(0));
+    let count = Arc::clone(&asked);
+    let engine = Puppet::new("puppet", move |request| {
+        count.fetch_add(1, Ordering::Relaxed);
+        moody(request)
+    });
+    let (_, without) = go(&numbered(0..300), &engine, None, 2);
+    asked.store(0, Ordering::Relaxed);
+
+    let book = Book::default();
+    let (summary, first) = go(&numbered(0..300), &engine, Some(&book), 2);
+    assert!(first == without, "a memory changes the events");
+    assert_eq!((asked.swap(0, Ordering::Relaxed), summary.remembered), (300, 0));
+
+    for jobs in [1, 2, 7] {
+        let book = Book {
+            before: book.now.lock().unwrap().clone(),
+            ..Book::default()
+        };
+        let (summary, second) = go(&numbered(0..300), &engine, Some(&book), jobs);
+        assert!(second == without, "what is remembered changes the events");
+        assert_eq!((asked.swap(0, Ordering::Relaxed), summary.remembered), (30, 270));
+    }
+
+    let book = book.turned();
+    let (_, without) = go(&numbered(100..400), &engine, None, 2);
+    asked.store(0, Ordering::Relaxed);
+    let (summary, third) = go(&numbered(100..400), &engine, Some(&book), 2);
+    assert!(third == without);
+    // Twenty of the old ones crashed.
+    assert_eq!((asked.load(Ordering::Relaxed), summary.remembered), (120, 180));
+}
+
+#[test]
+fn an_answer_that_cannot_be_read_is_asked_again() {
+    let engine = Puppet::new("puppet", moody);
+    let book = Book::default();
+    let (_, first) = go(&numbered(2..10), &engine, Some(&book), 1);
+    let mut book = book.turned();
+    for answer in book.before.values_mut() {
+        *answer = answer.replace("INT#1", "INT#ONE");
+    }
+    let (summary, second) = go(&numbered(2..10), &engine, Some(&book), 1);
+    assert!(first == second && summary.remembered == 0);
+}
+
+#[test]
+fn what_is_remembered_does_not_wait_for_a_run_that_stops() {
+    let book = Book::default();
+    go(&numbered(2..5), &Puppet::new("puppet", moody), Some(&book), 1);
+    let book = book.turned();
+    let cancel = Arc::new(AtomicBool::new(false));
+    let raise = Arc::clone(&cancel);
+    let engine = Puppet::new("puppet", move |request| {
+        raise.store(true, Ordering::SeqCst);
+        moody(request)
+    });
+    let mut events = Vec::new();
+    let mut sink = |event: Event| events.push(event);
+    let engines: [&dyn Engine; 1] = [&engine];
+    let plan = Plan::default();
+    let summary = run_with(
+        &plan,
+        &numbered(2..9),
+        &engines,
+        &[Some(&book)],
+        &mut sink,
+        &cancel,
+    )
+    .unwrap();
+    // What the engine answered while it was stopped says nothing of it.
+    assert_eq!(
+        (summary.cases, summary.remembered, summary.cancelled),
+        (3, 3, true)
+    );
+    assert_eq!(events.len(), 4, "a header and what was remembered");
+    assert!(book.now.lock().unwrap().is_empty());
+}
+
+#[test]
+fn whatever_an_engine_is_handed_is_part_of_the_question_and_nothing_else() {
+    let observe = |name: &str, ty: &str, after| Observe {
+        name: name.into(),
+        ty: ty.into(),
+        after,
+    };
+    let time = || Value::parse("TIME#1s").unwrap();
+    let set = |before, literal: &str| VariableSetting {
+        before,
+        name: "in".into(),
+        value: Value::parse(literal).unwrap(),
+    };
+    let plain = case("program");
+    let mut different: Vec<Case> = vec![
+        plain.clone(),
+        case("another"),
+        Case {
+            dialect: DialectName::Plcnext,
+            ..plain.clone()
+        },
+        Case {
+            scans: 2,
+            ..plain.clone()
+        },
+    ];
+    for asked in [
+        observe("x", "INT", None),
+        observe("xI", "NT", None),
+        observe("x", "INT", Some(1)),
+    ] {
+        different.push(Case {
+            observe: Arc::new([asked]),
+            ..plain.clone()
+        });
+    }
+    for before in [1, 2] {
+        different.push(Case {
+            clock: Arc::new([ClockSetting {
+                before,
+                value: time(),
+            }]),
+            ..plain.clone()
+        });
+        different.push(Case {
+            set: Arc::new([set(before, "INT#1")]),
+            ..plain.clone()
+        });
+    }
+    different.push(Case {
+        set: Arc::new([set(1, "INT#2")]),
+        ..plain.clone()
+    });
+    let number = different.len();
+    // These are asked the same as the first.
+    different.push(Case {
+        id: "other/id".into(),
+        title: "Another title".into(),
+        line: 7,
+        ..plain.clone()
+    });
+    let book = Book::default();
+    let engine = Puppet::new("puppet", |_| Outcome::Accepted);
+    go(&suite(different), &engine, Some(&book), 1);
+    assert_eq!(book.now.into_inner().unwrap().len(), number);
+}
