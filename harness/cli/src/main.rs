@@ -23,8 +23,23 @@ use arguments::Arguments;
 use clap::Parser;
 use std::io::Write;
 use std::process::ExitCode;
+#[cfg(unix)]
+use std::sync::Arc;
+
+/// A file that must not grow any more (`ulimit -f`) is an error that is told, not the end of the process by a signal.
+#[cfg(unix)]
+fn survive_the_largest_file() {
+    let whether_it_came = Arc::default();
+    // Where no handler can be set all is as it was.
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, whether_it_came);
+}
+
+/// Other systems have no such signal.
+#[cfg(not(unix))]
+fn survive_the_largest_file() {}
 
 fn main() -> ExitCode {
+    survive_the_largest_file();
     // The command line may name the dialects of stickler.toml.
     let configured = engines::configure();
     let arguments = match (Arguments::try_parse(), configured) {

@@ -9,6 +9,8 @@ mod common;
 mod compare;
 mod dialects;
 #[cfg(unix)]
+mod disks;
+#[cfg(unix)]
 mod engines;
 mod export;
 #[cfg(unix)]
