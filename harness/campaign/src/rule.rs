@@ -10,6 +10,7 @@ use stickler_generate::model::walk::{
 use stickler_generate::model::{
     BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, LiteralForm, Place, Program,
     Section, Selector, StandardFunction, Statement, StatementKind, Target, Type, UnaryOperator, Variable,
+    VariableId,
 };
 use stickler_types::{ElementaryType, Family};
 
@@ -39,6 +40,7 @@ pub(crate) const WORDS: &[&str] = &[
     "IF",
     "initial array",
     "initial structure",
+    "input left out",
     "invocation",
     "LEN",
     "LIMIT",
@@ -90,6 +92,8 @@ pub(crate) fn words(program: &Program) -> Vec<String> {
 
 fn gathered(program: &Program, is_whole: bool) -> Vec<String> {
     let mut gathering = Gathering {
+        program,
+        unit: Unit::Main,
         words: BTreeSet::new(),
         is_whole,
     };
@@ -105,20 +109,35 @@ fn gathered(program: &Program, is_whole: bool) -> Vec<String> {
     gathering.words.into_iter().collect()
 }
 
-struct Gathering {
+struct Gathering<'p> {
+    program: &'p Program,
+    /// Where the walker is.
+    unit: Unit,
     words: BTreeSet<String>,
     /// Whether what nearly every program has is told too: numbers, bit strings, literals with a type.
     is_whole: bool,
 }
 
-impl Gathering {
+impl Gathering<'_> {
     fn word(&mut self, word: impl Into<String>) {
         self.words.insert(word.into());
     }
+
+    /// How many inputs the function block of an instance has, those of VAR_IN_OUT among them.
+    fn inputs_of(&self, instance: VariableId) -> usize {
+        let declared = self.unit.variables(self.program).get(instance.0);
+        let Some(Type::Block(block)) = declared.map(|variable| &variable.ty) else {
+            return 0;
+        };
+        let variables = Unit::Block(*block).variables(self.program).iter();
+        let inputs = variables.filter(|variable| matches!(variable.section, Section::Input | Section::InOut));
+        inputs.count()
+    }
 }
 
-impl Visitor for Gathering {
+impl Visitor for Gathering<'_> {
     fn enter(&mut self, unit: Unit) {
+        self.unit = unit;
         match unit {
             Unit::Function(_) => self.word("FUNCTION"),
             Unit::Block(_) => self.word("FUNCTION_BLOCK"),
@@ -173,8 +192,15 @@ impl Visitor for Gathering {
             StatementKind::For { .. } => self.word("FOR"),
             StatementKind::While(..) => self.word("WHILE"),
             StatementKind::Repeat(..) => self.word("REPEAT"),
-            StatementKind::Invoke { outputs, .. } => {
+            StatementKind::Invoke {
+                instance,
+                inputs,
+                outputs,
+            } => {
                 self.word("invocation");
+                if inputs.len() < self.inputs_of(*instance) {
+                    self.word("input left out");
+                }
                 if !outputs.is_empty() {
                     self.word("=>");
                 }
@@ -223,7 +249,13 @@ impl Visitor for Gathering {
                 self.word(format!("{} to {}", name(&operand.ty), name(&expression.ty)));
             }
             ExpressionKind::Convert(signature, _) => self.word(signature.function.clone()),
-            ExpressionKind::Call(..) => self.word("call"),
+            ExpressionKind::Call(function, arguments) => {
+                self.word("call");
+                let called = self.program.functions.get(*function);
+                if called.is_some_and(|called| arguments.len() < called.inputs().count()) {
+                    self.word("input left out");
+                }
+            }
             ExpressionKind::Standard(function, _) => self.word(standard(*function)),
             ExpressionKind::Raw(_) => self.word("text"),
         }
@@ -308,5 +340,31 @@ mod tests {
             let words = words(&Inputs::new(9).program(place, &DialectName::ALL, true));
             assert_eq!(Without::new(&words).map(|_| ()), Ok(()), "at {place}");
         }
+    }
+
+    #[test]
+    fn an_input_is_left_out_once_a_call_gives_one_less() {
+        const WORD: &str = "input left out";
+        let has_word = |program: &Program| rule(program).iter().any(|word| word == WORD);
+        let programs = (0..300).map(|place| Inputs::new(9).program(place, &DialectName::ALL, false));
+        let (without, with): (Vec<Program>, Vec<Program>) = programs.partition(|program| !has_word(program));
+        assert!(!with.is_empty());
+        let mut shortened = 0;
+        for mut program in without {
+            let given = program
+                .main
+                .body
+                .iter_mut()
+                .find_map(|statement| match &mut statement.kind {
+                    StatementKind::Invoke { inputs, .. } if !inputs.is_empty() => Some(inputs),
+                    _ => None,
+                });
+            if let Some(inputs) = given {
+                inputs.pop();
+                shortened += 1;
+                assert!(has_word(&program));
+            }
+        }
+        assert!(shortened > 10, "{shortened}");
     }
 }
