@@ -2,7 +2,7 @@
 //!
 //! A folder holds `page-001.st` and so on, `manifest.json`, and `answers.txt`, in which a person notes what no array can tell.
 
-use crate::answers::{ANSWERS, TEMPLATE};
+use crate::answers::{self, ANSWERS, TEMPLATE};
 use crate::manifest::{MANIFEST, Manifest, PageRecord};
 use crate::page::{Page, elements_of};
 use crate::ready::{Company, Ready, With};
@@ -42,19 +42,24 @@ pub struct Exported {
     pub compiled_only: usize,
     /// How many cases are on them.
     pub cases: usize,
+    /// How many of them have an answer already, so that their programs are not there.
+    pub answered: usize,
     /// How many cases were left out, by the reason.
     pub left_out: BTreeMap<Reason, usize>,
 }
 
 /// Writes an export of these cases into a folder, which is empty, not there yet, or that of an earlier export: of that,
-/// all but the person's answers is replaced.
+/// all but the person's answers is replaced. Of a case that has an answer the program is left out, so that the others of its page can
+/// run; pages without such a case stay what they were, and so do the arrays that were copied of them.
 ///
 /// # Errors
 /// [`ExportError::NotEmpty`] before anything is written; [`ExportError::Write`].
 pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Exported, ExportError> {
     prepare(folder)?;
+    let answers = answers::read(folder)?;
     let mut exported = Exported::default();
-    let mut leave_out = |reason: Reason| *exported.left_out.entry(reason).or_default() += 1;
+    let mut left_out: BTreeMap<Reason, usize> = BTreeMap::new();
+    let mut leave_out = |reason: Reason| *left_out.entry(reason).or_default() += 1;
     let mut ready = Vec::new();
     for case in cases.iter().filter(|case| case.dialect == plan.dialect) {
         if plan.without.contains(&*case.id) {
@@ -62,7 +67,11 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
             continue;
         }
         match Ready::of(case, &plan.with) {
-            Ok(case) => ready.push(case),
+            Ok(mut ready_case) => {
+                ready_case.answered = answers.contains_key(&*case.id);
+                exported.answered += usize::from(ready_case.answered);
+                ready.push(ready_case);
+            }
             Err(reason) => leave_out(reason),
         }
     }
@@ -93,6 +102,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
         manifest.pages.push(PageRecord::of(&page, format!("{stem}.st")));
     }
     exported.pages = chunks.len();
+    exported.left_out = left_out;
     let text = serde_json::to_string(&manifest).unwrap_or_default();
     // Last, so that a folder with a manifest is whole.
     write(&folder.join(MANIFEST), &text)?;

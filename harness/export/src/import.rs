@@ -3,7 +3,7 @@
 //! The judge is that of every run. A case about which nothing was copied is not judged, and a run that lacks one has no footer:
 //! every reader of its reports says that it was cut short.
 
-use crate::answers::{self, Answer, Answers};
+use crate::answers::{self, ANSWERS, Answer, Answers};
 use crate::gathered::{Gathered, Told};
 use crate::manifest::Manifest;
 use crate::messages::{self, Messages};
@@ -166,34 +166,78 @@ impl Export {
     }
 
     /// What was given of a page: what is said of each of its cases, whether anything was, and how it ended where that is to be said.
-    fn given(
-        &self,
-        at: usize,
-        gathered: &Gathered,
-        messages: &Messages,
-    ) -> (Vec<Told>, bool, Option<String>) {
+    fn given(&self, at: usize, gathered: &Gathered, messages: &Messages) -> Given {
         let page = &self.manifest.pages[at];
-        let Some(compiled) = &page.compiled else {
-            let cases = self.cases[at].iter().enumerate();
-            let told = cases.map(|(number, case)| gathered.told(at, page, number, case));
-            return (told.collect(), gathered.is_without(at), gathered.state(at, page));
+        let mut given = match page.is_compiled() {
+            true => self.compiled(at, messages),
+            false => self.run(at, gathered, messages),
         };
-        let missing = || page.cases.iter().map(|_| Told::Missing).collect();
-        match messages.told(at, compiled) {
-            messages::Told::Missing => (missing(), true, None),
-            messages::Told::Whole(cases) => (cases.into_iter().map(compiled_outcome).collect(), false, None),
+        // Whatever else there is, their programs were not.
+        for case in &page.answered {
+            given.told[*case] = Told::NotRun;
+        }
+        given
+    }
+
+    /// What the array of a page says; and what its messages say, where it did not run for the sake of some of its cases.
+    fn run(&self, at: usize, gathered: &Gathered, messages: &Messages) -> Given {
+        let page = &self.manifest.pages[at];
+        let cases = self.cases[at].iter().enumerate();
+        let told = cases
+            .map(|(number, case)| gathered.told(at, page, number, case))
+            .collect();
+        let without = gathered.is_without(at);
+        let by_case = messages
+            .by_case(at, &page.lines)
+            .filter(|_| without)
+            .unwrap_or_default();
+        let culprits = by_case
+            .iter()
+            .zip(&page.cases)
+            .filter(|(message, _)| message.is_some());
+        let lines: Vec<String> = culprits
+            .map(|(_, case)| format!("\n  rejected {}", case.id))
+            .collect();
+        let hint = format!(
+            "it was not accepted; write this into {ANSWERS} and export again in the same words:{}",
+            lines.concat()
+        );
+        Given {
+            told,
+            without: without && lines.is_empty(),
+            state: match lines.is_empty() {
+                true => gathered.state(at, page),
+                false => Some(hint),
+            },
+        }
+    }
+
+    /// What the messages about a page say that is only compiled.
+    fn compiled(&self, at: usize, messages: &Messages) -> Given {
+        let page = &self.manifest.pages[at];
+        let missing = |without, state| Given {
+            told: page.cases.iter().map(|_| Told::Missing).collect(),
+            without,
+            state,
+        };
+        match messages.told(at, &page.lines) {
+            messages::Told::Missing => missing(true, None),
+            messages::Told::Whole(cases) => Given {
+                told: cases.into_iter().map(compiled_outcome).collect(),
+                without: false,
+                state: None,
+            },
             messages::Told::Cut(last) => {
                 let hint = match last.and_then(|last| page.cases.get(last)) {
                     Some(case) => format!(
-                        "; the last case with a message is {}: if the compiler reads no further, leave that one out by --without",
+                        "; the last case with a message is {}: if the compiler reads no further, note `rejected` of that one in \
+                         {ANSWERS} and export again",
                         case.id
                     ),
                     None => String::new(),
                 };
-                let state = format!(
-                    "the list of messages is not whole, for its first statement or its last is wrong and has none{hint}"
-                );
-                (missing(), false, Some(state))
+                let state = "the list of messages is not whole, for its first statement or its last is wrong and has none";
+                missing(false, Some(format!("{state}{hint}")))
             }
         }
     }
@@ -201,14 +245,14 @@ impl Export {
     fn page(
         &self,
         at: usize,
-        (told, is_without, state): (Vec<Told>, bool, Option<String>),
+        given: Given,
         teller: &Teller<'_>,
         (imported, without): (&mut Imported, &mut Without),
         sink: &mut dyn FnMut(Event),
     ) {
         let page = &self.manifest.pages[at];
         let mut unjudged = Unjudged::default();
-        for (case, told) in self.cases[at].iter().zip(told) {
+        for (case, told) in self.cases[at].iter().zip(given.told) {
             let answer = self.answers.get(&*case.id);
             let (outcome, untold) = match (told, answer) {
                 (Told::Outcome(outcome, untold), None) => (outcome, untold),
@@ -234,11 +278,11 @@ impl Export {
             sink(Event::Case(event));
         }
         imported.unjudged += unjudged.count();
-        if is_without && unjudged.count() > 0 {
+        if given.without && unjudged.count() > 0 {
             without.add(page.number, unjudged.count());
             return;
         }
-        unjudged.tell(page, state, &mut imported.notes);
+        unjudged.tell(page, given.state, &mut imported.notes);
     }
 
     /// Answers about cases that are on no page.
@@ -275,6 +319,16 @@ impl Export {
     pub fn folder(&self) -> &Path {
         &self.folder
     }
+}
+
+/// What was given of a page.
+struct Given {
+    /// What is said of each of its cases.
+    told: Vec<Told>,
+    /// Nothing was given.
+    without: bool,
+    /// How it ended, where that is to be said.
+    state: Option<String>,
 }
 
 /// What a compiler did with a case by its first message. It names a line of the page, which is none of the case.

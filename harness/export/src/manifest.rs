@@ -46,18 +46,23 @@ pub(crate) struct PageRecord {
     /// Its observations, in order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(crate) steps: Vec<StepRecord>,
-    /// What messages about it can be led back by, where it is only compiled.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) compiled: Option<CompiledRecord>,
+    /// The cases that had an answer, by their places: their programs are not there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) answered: Vec<usize>,
+    /// What messages about it can be led back by.
+    pub(crate) lines: LinesRecord,
 }
 
-/// The lines of a page that is only compiled.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub(crate) struct CompiledRecord {
+/// The lines of a page.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct LinesRecord {
+    /// How many lines of POUs and types stand before its program; the other numbers count from there.
+    pub(crate) units: usize,
     /// How many lines stand before its statements.
     pub(crate) declarations: usize,
-    /// The lines of each case, stretch by stretch; those of the first statement and of the last come behind them.
-    pub(crate) lines: Vec<Vec<(usize, usize)>>,
+    /// The lines of each case, stretch by stretch. Of a page that is only compiled, those of the first statement and of the last come behind
+    /// them.
+    pub(crate) cases: Vec<Vec<(usize, usize)>>,
 }
 
 /// An observation.
@@ -113,8 +118,8 @@ impl Manifest {
     /// A fragment that says what points nowhere.
     fn check(&self) -> Result<(), String> {
         for page in &self.pages {
-            let compiled = page.compiled.as_ref();
-            if compiled.is_some_and(|compiled| compiled.lines.len() != page.cases.len() + 2) {
+            let ends = if page.is_compiled() { 2 } else { 0 };
+            if page.lines.cases.len() != page.cases.len() + ends {
                 return Err(format!(
                     "the lines of page {} are not those of its cases",
                     page.number
@@ -134,6 +139,11 @@ impl Manifest {
 }
 
 impl PageRecord {
+    /// Whether it is only compiled, and has no array.
+    pub(crate) fn is_compiled(&self) -> bool {
+        self.identity == 0
+    }
+
     pub(crate) fn of(page: &Page<'_, '_>, file: String) -> PageRecord {
         let steps = page.steps.iter().map(|step| StepRecord {
             case: step.case,
@@ -151,10 +161,18 @@ impl PageRecord {
                 .map(|ready| CaseRecord::of(ready.case))
                 .collect(),
             steps: steps.collect(),
-            compiled: page.company.is_rejected().then(|| CompiledRecord {
+            answered: (0..page.cases.len())
+                .filter(|case| page.cases[*case].answered)
+                .collect(),
+            lines: LinesRecord {
+                units: if page.units.is_empty() {
+                    0
+                } else {
+                    page.units.matches('\n').count() + 2
+                },
                 declarations: page.declarations.matches('\n').count(),
-                lines: page.lines.clone(),
-            }),
+                cases: page.lines.clone(),
+            },
         }
     }
 }

@@ -4,7 +4,7 @@
 //! `page-012.st:12:4`, `12-4..12-9`, or a cell of a table. Where it says `Impl` or `Decl`, lines count within that pane of the editor; otherwise
 //! through the whole page. A warning is no rejection.
 
-use crate::manifest::{CompiledRecord, Manifest};
+use crate::manifest::{LinesRecord, Manifest};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The messages of each page, by the page's place in the manifest.
@@ -34,10 +34,7 @@ impl Messages {
             let Some((at, behind)) = page_of(line, manifest) else {
                 continue;
             };
-            let Some(compiled) = &manifest.pages[at].compiled else {
-                continue;
-            };
-            let messages = self.pages.entry(at).or_default();
+            let lines_of_page = &manifest.pages[at].lines;
             if is_warning(line) {
                 continue;
             }
@@ -53,31 +50,37 @@ impl Messages {
             if is_warning(message) {
                 continue;
             }
+            let messages = self.pages.entry(at).or_default();
             messages
-                .entry(in_page(found, line, compiled))
+                .entry(in_page(found, line, lines_of_page))
                 .or_insert_with(|| message.to_owned());
             taken += 1;
         }
         taken
     }
 
-    /// What the messages of a page say of its cases.
-    pub(crate) fn told(&self, at: usize, compiled: &CompiledRecord) -> Told {
-        let Some(messages) = self.pages.get(&at) else {
+    /// What the messages of a page that is only compiled say of its cases.
+    pub(crate) fn told(&self, at: usize, lines: &LinesRecord) -> Told {
+        let Some(mut told) = self.by_case(at, lines) else {
             return Told::Missing;
         };
+        let ends = told.split_off(told.len().saturating_sub(2));
+        if ends.iter().any(Option::is_none) {
+            return Told::Cut(told.iter().rposition(Option::is_some));
+        }
+        Told::Whole(told)
+    }
+
+    /// The first message of each case of a page; `None` where no message is about the page.
+    pub(crate) fn by_case(&self, at: usize, lines: &LinesRecord) -> Option<Vec<Option<String>>> {
+        let messages = self.pages.get(&at)?;
         let message = |stretches: &Vec<(usize, usize)>| {
             let lines = stretches
                 .iter()
                 .flat_map(|(first, last)| messages.range(*first..=*last));
             lines.map(|(_, message)| message.clone()).next()
         };
-        let mut told: Vec<Option<String>> = compiled.lines.iter().map(message).collect();
-        let ends = told.split_off(told.len().saturating_sub(2));
-        if ends.iter().any(Option::is_none) {
-            return Told::Cut(told.iter().rposition(Option::is_some));
-        }
-        Told::Whole(told)
+        Some(lines.cases.iter().map(message).collect())
     }
 }
 
@@ -140,13 +143,17 @@ fn digits(text: &str) -> Option<usize> {
     text[..length].parse().ok()
 }
 
-/// A line through the whole page, where the message counts within a pane.
-fn in_page(line: usize, message: &str, compiled: &CompiledRecord) -> usize {
+/// A line through declarations and statements.
+fn in_page(line: usize, message: &str, lines: &LinesRecord) -> usize {
+    let message = message.to_ascii_lowercase();
     // In parentheses: messages speak of implicit conversions.
-    if message.to_ascii_lowercase().contains("(impl)") {
-        return line + compiled.declarations;
+    if message.contains("(impl)") {
+        line + lines.declarations
+    } else if message.contains("(decl)") {
+        line
+    } else {
+        line.saturating_sub(lines.units)
     }
-    line
 }
 
 #[cfg(test)]
@@ -164,15 +171,17 @@ mod tests {
             elements: 0,
             cases: Vec::new(),
             steps: Vec::new(),
-            compiled: Some(CompiledRecord {
+            answered: Vec::new(),
+            lines: LinesRecord {
+                units: 0,
                 declarations: 6,
-                lines: vec![
+                cases: vec![
                     vec![(4, 4), (8, 8)],
                     vec![(5, 5), (9, 9)],
                     vec![(7, 7)],
                     vec![(10, 10)],
                 ],
-            }),
+            },
         });
         manifest
     }
@@ -181,11 +190,7 @@ mod tests {
         let manifest = manifest();
         let mut messages = Messages::default();
         messages.take(text, &manifest);
-        let compiled = manifest.pages[0]
-            .compiled
-            .as_ref()
-            .expect("a page that is compiled");
-        messages.told(0, compiled)
+        messages.told(0, &manifest.pages[0].lines)
     }
 
     #[test]

@@ -139,7 +139,7 @@ impl<'c, 'r> Page<'c, 'r> {
         format!(
             "(* Stickler: page {number} of {pages}, {} cases. {export}\n   \
              Let it run until results[5] is {} and copy the whole array: results[0] to results[{last}].\n   \
-             Where a case is not accepted, delete its lines here and below and note that in answers.txt. *)\n\
+             Where a case is not accepted, note that in answers.txt and export again. *)\n\
              PROGRAM stickler_page_{number}\nVAR\n    results : ARRAY[0..{last}] OF DINT;\n",
             cases.len(),
             self.steps.len(),
@@ -151,6 +151,10 @@ impl<'c, 'r> Page<'c, 'r> {
         let mut known: BTreeMap<String, usize> = BTreeMap::new();
         let mut suffixes = Vec::with_capacity(self.cases.len());
         for (number, ready) in self.cases.iter().enumerate() {
+            if ready.answered {
+                suffixes.push(String::new());
+                continue;
+            }
             let parts = &ready.parts;
             let mut key = parts.units.clone();
             if declares_in_place(ready) {
@@ -203,7 +207,7 @@ impl<'c, 'r> Page<'c, 'r> {
             let mut section = String::new();
             let heading = if constant { "VAR CONSTANT\n" } else { "VAR\n" };
             let line = text.matches('\n').count() + 2;
-            for (case, ready) in self.cases.iter().enumerate() {
+            for (case, ready) in self.cases.iter().enumerate().filter(|(_, ready)| !ready.answered) {
                 let renaming = self.renaming(case, suffixes);
                 let parts = ready.parts.variables.iter();
                 let mut parts = parts
@@ -230,6 +234,11 @@ impl<'c, 'r> Page<'c, 'r> {
 
     fn write_statements(&mut self, suffixes: &[String]) {
         let steps = self.steps.len();
+        if steps == 0 {
+            self.statements = "    results[0] := 0;\n".to_owned();
+            return;
+        }
+        let declarations = self.declarations.matches('\n').count();
         let mut text = format!(
             "    IF stickler_step < {steps} THEN\n        \
              stickler_step := stickler_step + 1;\n        stickler_place := 0;\n        stickler_equal := 0;\n        \
@@ -239,6 +248,7 @@ impl<'c, 'r> Page<'c, 'r> {
         );
         let kinds = self.types();
         for (number, step) in self.steps.iter().enumerate() {
+            let first = declarations + text.matches('\n').count() + 1;
             let renaming = self.renaming(step.case, suffixes);
             let ready = &self.cases[step.case];
             let is_first = number == 0 || self.steps[number - 1].case != step.case;
@@ -250,6 +260,7 @@ impl<'c, 'r> Page<'c, 'r> {
                 let _ = writeln!(text, "    {}", renaming.of(&ready.parts.statements));
             }
             write_look(&mut text, ready, step, &renaming, &kinds);
+            self.lines[step.case].push((first, declarations + text.matches('\n').count()));
         }
         text.push_str("        END_CASE;\n");
         self.write_common(&mut text, &kinds);
@@ -301,7 +312,7 @@ impl<'c, 'r> Page<'c, 'r> {
 fn steps(cases: &[Ready<'_>]) -> (Vec<Step>, usize) {
     let mut steps = Vec::new();
     let mut place = FIRST;
-    for (case, ready) in cases.iter().enumerate() {
+    for (case, ready) in cases.iter().enumerate().filter(|(_, ready)| !ready.answered) {
         let mut add = |observe, look: Look| {
             steps.push(Step {
                 case,

@@ -58,6 +58,8 @@ pub(crate) struct Ready<'c> {
     pub(crate) case: &'c Case,
     pub(crate) parts: Parts,
     pub(crate) company: Company,
+    /// A person noted what the compiler does with it: it keeps its place on the page, and its program is not there.
+    pub(crate) answered: bool,
     /// What is looked at, by the numbers of [`Case::observe`]; empty where there is nothing to see but that it runs.
     pub(crate) looks: Vec<(usize, Look)>,
 }
@@ -90,6 +92,7 @@ impl<'c> Ready<'c> {
             case,
             parts,
             company,
+            answered: false,
             looks,
         })
     }

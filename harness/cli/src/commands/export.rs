@@ -5,7 +5,7 @@ use crate::case_folder::{self, CaseFolder};
 use crate::exit::Exit;
 use crate::shell;
 use std::io::Write;
-use stickler_export::{ExportPlan, Exported, export};
+use stickler_export::{ANSWERS, ExportPlan, Exported, export};
 use stickler_run::select;
 use stickler_suite::Case;
 
@@ -53,6 +53,14 @@ fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -
     writeln!(out, "{folder}: {pages} with {cases} in {}", arguments.dialect)?;
     if exported.compiled_only > 0 {
         writeln!(out, "  {} of them only to be compiled", exported.compiled_only)?;
+    }
+    if exported.answered > 0 {
+        let answered = counted(
+            exported.answered,
+            "case has its answer",
+            "cases have their answers",
+        );
+        writeln!(out, "  {answered} in {ANSWERS} already, and no program")?;
     }
     let left_out: usize = exported.left_out.values().sum();
     if left_out > 0 {

@@ -27,7 +27,7 @@ impl Page<'_, '_> {
         let before = text.matches('\n').count();
         self.declarations = text;
         let mut text = format!("    {} := TRUE;\n", NOWHERE[0]);
-        for (case, ready) in self.cases.iter().enumerate() {
+        for (case, ready) in self.cases.iter().enumerate().filter(|(_, ready)| !ready.answered) {
             let first = before + text.matches('\n').count() + 1;
             let _ = writeln!(text, "    (* {}: {} *)", case + 1, shown(&ready.case.id));
             let statements = self.renaming(case, &suffixes).of(&ready.parts.statements);

@@ -36,7 +36,7 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
         let manifest = crate::manifest::Manifest::read(folder.path()).expect("a manifest");
         let mut list = String::new();
         let mut rejected = 0;
-        for page in manifest.pages.iter().filter(|page| page.compiled.is_some()) {
+        for page in manifest.pages.iter().filter(|page| page.is_compiled()) {
             let text = fs::read_to_string(folder.path().join(&page.file)).expect("a page");
             list.push_str(&messages(&text, &page.file, dialect));
             rejected += page.cases.len();
@@ -60,9 +60,9 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
         let first = &manifest
             .pages
             .iter()
-            .find(|page| page.compiled.is_some())
+            .find(|page| page.is_compiled())
             .expect("a page");
-        let lines = &first.compiled.as_ref().expect("its lines").lines[0];
+        let lines = &first.lines.cases[0];
         let is_of_the_case = |line: &str| {
             lines
                 .iter()

@@ -87,3 +87,65 @@ fn programs_that_may_be_accepted_have_pages_of_their_own() {
     assert_eq!(without.cases + without.left_out[&Reason::Open], all.cases);
     assert!(!all.left_out.contains_key(&Reason::Open));
 }
+
+#[test]
+fn a_case_that_is_not_accepted_is_named_by_its_message_and_taken_off_its_page_by_its_answer() {
+    let cases = cases(&["widening/integer.toml", "widening/user-defined.toml"]);
+    let plan = ExportPlan {
+        sample: Some(40),
+        ..plan(DialectName::IronplcEd3)
+    };
+    let mut exported = Exported::of(&plan, &cases);
+    let manifest = crate::manifest::Manifest::read(exported.folder.path()).expect("a manifest");
+    // The last page has types of its own before the program.
+    let at = manifest.pages.len() - 1;
+    let (page, culprit) = (&manifest.pages[at], 0);
+    let id = &page.cases[culprit].id;
+    let text = fs::read_to_string(exported.folder.path().join(&page.file)).expect("a page");
+    assert!(page.lines.units > 0);
+    let stands = text
+        .lines()
+        .enumerate()
+        .filter(|(_, line)| line.contains(&format!(": {id} *)")))
+        .map(|(at, _)| at + 1);
+    let stands: Vec<usize> = stands.collect();
+    assert_eq!(stands.len(), 2, "{text}");
+    exported.arrays.pop();
+    for line in stands {
+        let message = format!("{}({}): error: it is not accepted\n", page.file, line + 1);
+        let notes = exported
+            .import(&format!("{}{message}", exported.text()))
+            .0
+            .notes
+            .join("\n");
+        assert!(
+            notes.contains(&format!(
+                "write this into answers.txt and export again in the same words:\n  rejected {id}"
+            )),
+            "{notes}"
+        );
+        assert_eq!(notes.matches("\n  rejected").count(), 1, "{notes}");
+    }
+    let before = exported.text();
+    fs::write(
+        exported.folder.path().join(crate::ANSWERS),
+        format!("rejected {id}\n"),
+    )
+    .expect("written");
+    let all: Vec<&Case> = cases.iter().collect();
+    let again = export(&plan, &all, exported.folder.path()).expect("exported again");
+    assert_eq!((again.cases, again.answered), (exported.cases, 1));
+    let manifest = crate::manifest::Manifest::read(exported.folder.path()).expect("a manifest");
+    let page = &manifest.pages[at];
+    let text = fs::read_to_string(exported.folder.path().join(&page.file)).expect("a page");
+    assert!(!text.contains(id.as_str()));
+    let last = list(&array(&text, plan.dialect, page.elements, page.steps.len()));
+    let (imported, events, whole) = exported.import(&format!("{before}{last}"));
+    assert!(whole, "{:?}", imported.notes);
+    let odd: Vec<_> = events
+        .iter()
+        .filter(|case| case.verdict != Verdict::Pass)
+        .map(|case| (&case.id, case.verdict))
+        .collect();
+    assert_eq!(odd, [(id, Verdict::Fail)]);
+}
