@@ -2,7 +2,7 @@
 
 use super::command_line::CommandLine;
 use super::group::{Group, Pipes, lock};
-use super::usage;
+use super::usage::Watch;
 use std::collections::VecDeque;
 use std::ffi::OsStr;
 use std::io::Read;
@@ -24,6 +24,7 @@ const TOLD_LINES: usize = 8;
 /// A running process with everything that it starts. Dropping it kills them all.
 pub(super) struct Child {
     group: Group,
+    usage: Watch,
     stderr: Tail,
 }
 
@@ -50,7 +51,9 @@ impl Child {
                 stderr: Some(stderr),
             } => {
                 let stderr = Tail::of(stderr);
-                Ok((Child { group, stderr }, stdin, stdout))
+                let usage = Watch::new();
+                let child = Child { group, usage, stderr };
+                Ok((child, stdin, stdout))
             }
             _ => Err("it has no pipes".to_owned()),
         }
@@ -61,9 +64,9 @@ impl Child {
         self.group.has_ended()
     }
 
-    /// How much memory it and all that it started hold, in bytes; 0 where the system does not tell.
-    pub(super) fn memory(&self) -> u64 {
-        usage::of_group(self.group.number()).unwrap_or_default().memory
+    /// How much memory it and all that it started hold, in bytes; 0 where the system does not tell, or just told.
+    pub(super) fn memory(&mut self) -> u64 {
+        self.usage.look(self.group.number()).unwrap_or_default().memory
     }
 
     /// Waits a moment for the end of a process that has nothing more to say, kills what is left of it, and tells how it

@@ -4,7 +4,7 @@ mod output;
 
 use super::child::told;
 use super::group::Group;
-use super::usage;
+use super::usage::Watch;
 use crate::Outcome;
 use output::{Output, Waited};
 use std::ffi::OsStr;
@@ -134,8 +134,9 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
         message: format!("`{}` could not be started: {reason}", program.display()),
     })?;
     let mut output = Output::of(pipes, limits.output);
-    let status = watch(&mut group, &mut output, deadline, limits)
-        .and_then(|()| end(&mut group, deadline, limits))
+    let mut usage = Watch::new();
+    let status = watch(&mut group, &mut output, &mut usage, deadline, limits)
+        .and_then(|()| end(&mut group, &mut usage, deadline, limits))
         .map_err(|outcome| with_last_words(outcome, &output))?;
     let (stdout, stderr) = output.texts();
     Ok(Ended {
@@ -149,6 +150,7 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
 fn watch(
     group: &mut Group,
     output: &mut Output,
+    usage: &mut Watch,
     deadline: Instant,
     limits: &ToolLimits,
 ) -> Result<(), Outcome> {
@@ -168,7 +170,7 @@ fn watch(
                 Some(since) if since.elapsed() > GRACE => return Ok(()),
                 Some(_) => {}
             },
-            Waited::InVain if left > LOOK => within(group, limits)?,
+            Waited::InVain if left > LOOK => within(group, usage, limits)?,
             Waited::InVain => return Err(timed_out(limits)),
         }
     }
@@ -197,9 +199,9 @@ fn flooded(limits: &ToolLimits) -> Outcome {
     }
 }
 
-fn within(group: &Group, limits: &ToolLimits) -> Result<(), Outcome> {
+fn within(group: &Group, usage: &mut Watch, limits: &ToolLimits) -> Result<(), Outcome> {
     let crashed = |reason: String| Err(Outcome::Crashed { reason });
-    match usage::of_group(group.number()) {
+    match usage.look(group.number()) {
         Some(usage) if usage.memory > limits.memory => {
             crashed(format!("it held more than {} MiB of memory", limits.memory >> 20))
         }
@@ -212,7 +214,12 @@ fn within(group: &Group, limits: &ToolLimits) -> Result<(), Outcome> {
 }
 
 /// Waits for the end of a process that has closed its output, and looks after it meanwhile.
-fn end(group: &mut Group, deadline: Instant, limits: &ToolLimits) -> Result<ExitStatus, Outcome> {
+fn end(
+    group: &mut Group,
+    usage: &mut Watch,
+    deadline: Instant,
+    limits: &ToolLimits,
+) -> Result<ExitStatus, Outcome> {
     loop {
         let look = deadline.min(Instant::now() + LOOK);
         if let Some(status) = group.wait_until(look) {
@@ -221,7 +228,7 @@ fn end(group: &mut Group, deadline: Instant, limits: &ToolLimits) -> Result<Exit
         if look == deadline {
             return Err(timed_out(limits));
         }
-        within(group, limits)?;
+        within(group, usage, limits)?;
     }
 }
 

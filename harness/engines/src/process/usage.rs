@@ -3,7 +3,7 @@
 //! Limits of the system would not do: they count each process for itself, and address space, of which some run-time systems
 //! reserve far more than they use. What counts here is what is resident, and what was computed, of the whole group.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// What a group of processes takes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -12,6 +12,36 @@ pub(super) struct Usage {
     pub(super) memory: u64,
     /// The processor time of those that live and of those that ended and were waited for.
     pub(super) cpu: Duration,
+}
+
+/// A hundredth of the time that somebody waits is the most that looking takes: a look goes through every process of the system.
+const REST: u32 = 100;
+
+/// However long a look takes, the next one comes after this time.
+const LONGEST_REST: Duration = Duration::from_secs(1);
+
+/// Whoever looks again and again at what a group takes.
+pub(super) struct Watch {
+    /// Not to be looked at before.
+    next: Instant,
+}
+
+impl Watch {
+    /// Nobody has looked.
+    pub(super) fn new() -> Watch {
+        Watch { next: Instant::now() }
+    }
+
+    /// What a group takes; `None` where the last look was too short a time ago for what it took, or the system does not tell.
+    pub(super) fn look(&mut self, group: u32) -> Option<Usage> {
+        let begun = Instant::now();
+        if begun < self.next {
+            return None;
+        }
+        let usage = of_group(group);
+        self.next = Instant::now() + LONGEST_REST.min(begun.elapsed() * REST);
+        usage
+    }
 }
 
 /// What a group of processes takes; `None` where the system does not tell.
