@@ -7,8 +7,9 @@
 use super::{Page, shown};
 use std::fmt::Write;
 
-/// The names that are declared nowhere, at the begin and the end of a page.
-const NOWHERE: [&str; 2] = ["stickler_nowhere_1", "stickler_nowhere_2"];
+/// The statement at the begin and the end of a page. Its types are wrong, as those of most cases are: compilers look for that last, and a
+/// name that is declared nowhere would be told by some that come no further.
+const WRONG: &str = "    stickler_wrong := T#1s;\n";
 
 impl Page<'_, '_> {
     /// Writes the declarations and the statements.
@@ -20,13 +21,13 @@ impl Page<'_, '_> {
             "(* Stickler: page {number} of {pages}, {} cases that must be rejected. {export}\n   \
              Only compile it, copy all messages into a file, and give that to `stickler import`.\n   \
              The first statement and the last are wrong on purpose: without their messages the list is not whole. *)\n\
-             PROGRAM stickler_page_{number}\n",
+             PROGRAM stickler_page_{number}\nVAR\n    stickler_wrong : BOOL;\nEND_VAR\n",
             self.cases.len(),
         );
         self.write_variables(&mut text, &suffixes);
         let before = text.matches('\n').count();
         self.declarations = text;
-        let mut text = format!("    {} := TRUE;\n", NOWHERE[0]);
+        let mut text = WRONG.to_owned();
         for (case, ready) in self.cases.iter().enumerate().filter(|(_, ready)| !ready.answered) {
             let first = before + text.matches('\n').count() + 1;
             let _ = writeln!(text, "    (* {}: {} *)", case + 1, shown(&ready.case.id));
@@ -36,7 +37,7 @@ impl Page<'_, '_> {
             }
             self.lines[case].push((first, before + text.matches('\n').count()));
         }
-        let _ = writeln!(text, "    {} := TRUE;", NOWHERE[1]);
+        text.push_str(WRONG);
         let last = before + text.matches('\n').count();
         self.lines.push(vec![(before + 1, before + 1)]);
         self.lines.push(vec![(last, last)]);
