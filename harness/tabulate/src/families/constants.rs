@@ -32,7 +32,9 @@ VAR CONSTANT
 END_VAR
 VAR
     into : {to} := {function}(given);
+    done : BOOL;
 END_VAR
+    done := TRUE;
 END_PROGRAM
 ";
 
