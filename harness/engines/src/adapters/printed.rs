@@ -68,8 +68,19 @@ pub(super) fn values(
         let nonsense = || format!("its driver printed `{line}`");
         let (number, shown) = line.split_once(' ').ok_or_else(nonsense)?;
         let number: usize = number.parse().map_err(|_| nonsense())?;
-        let kind = kinds.get(number).ok_or_else(nonsense)?;
-        values[number] = Some(read(kind, shown).ok_or_else(nonsense)?);
+        let (kind, asked) = kinds
+            .get(number)
+            .zip(request.observe.get(number))
+            .ok_or_else(nonsense)?;
+        // A compiler's own variable may hold what its type cannot, such as a duration of 2^63 seconds.
+        let no_value = || {
+            format!(
+                "{} is `{shown}`, which is no value of {}",
+                asked.key(),
+                asked.type_name
+            )
+        };
+        values[number] = Some(read(kind, shown).ok_or_else(no_value)?);
     }
     let named = |(asked, value): (&Observation<'_>, Option<Value>)| {
         let missing = || format!("its driver did not print {}", asked.key());

@@ -261,6 +261,11 @@ mod tests {
                 "{nonsense}"
             );
         }
+        let beyond = driver.values("2 9223372036854 0\n", &driver.subjects[0]);
+        assert_eq!(
+            beyond.unwrap_err(),
+            "t is `9223372036854 0`, which is no value of TIME"
+        );
     }
 
     #[test]
