@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use rustc_hash::FxHashSet;
-use stickler_types::DialectName;
+use stickler_types::{Code, DialectName};
 use toml::Spanned;
 
 use crate::condition::{Condition, Testable};
@@ -227,21 +227,26 @@ impl Probe<'_> {
         all.iter().copied().filter(narrows).collect()
     }
 
-    /// Whether a rejection by the probe is that of a value which does not convert to the type of its context; where it says of
-    /// no rejection, it shows what arrives.
+    /// Whether the probe is about implicit conversion alone, so that a word for a pair of types says all that must happen: a
+    /// rejection is that of a value which does not convert to the type of its context, and otherwise the probe shows what arrives.
+    /// Values of its own (`values`) it says of the pairs of its matrix, and of no others.
     ///
     /// Basis: stickler-design: §7 (which code where).
     pub(crate) fn is_implicit_conversion(&self) -> bool {
-        let is_code = |code: &str| ["P4022", "P4026", "P4027", "P4035"].contains(&code);
-        let mut codes = self.program.marks.iter().filter_map(|mark| match &mark.claim {
-            Claim::Error(codes) => Some(codes),
-            _ => None,
-        });
-        codes.all(|codes| {
-            codes
-                .iter()
-                .all(|code| matches!(code, Known::Now(code) if is_code(code.as_str())))
-        })
+        let is_code = |code: &Known<Code>| {
+            let codes = ["P4022", "P4026", "P4027", "P4035"];
+            matches!(code, Known::Now(code) if codes.contains(&code.as_str()))
+        };
+        let mut shows = !self.observe.is_empty();
+        for mark in &self.program.marks {
+            match &mark.claim {
+                Claim::Values { .. } => return false,
+                Claim::Error(codes) if !codes.iter().all(is_code) => return false,
+                Claim::Error(_) => shows = true,
+                _ => {}
+            }
+        }
+        shows
     }
 
     /// Notes that marks applied in a case.

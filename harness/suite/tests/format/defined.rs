@@ -12,7 +12,9 @@ const FILES: [(&str, &str); 4] = [
         "a/widening.toml",
         "title = 't'\nbasis = 'iec-61131-3: 6'\ndialects = ['ironplc']\nmatrix = \"\"\"\n     SINT INT BOOL\nSINT = yes no\nINT no = no\n\"\"\"\n\
          [[probe]]\nname = 'p'\nobserve = 'into'\nsource = \"\"\"\nVAR data : {row} := {value}; into : {column} := {other}; END_VAR\n\
-         into := data; (*! error P4035 if no *)\n\"\"\"\n",
+         into := data; (*! error P4035 if no *)\n\"\"\"\n\
+         [[probe]]\nname = 'own'\nonly = 'yes'\nsource = \"\"\"\nVAR data : {row}; into : {column}; same : BOOL; END_VAR\n\
+         same := data = into;\n(*! values\nsame = BOOL#TRUE\n*)\n\"\"\"\n",
     ),
     (
         "a/in-out.toml",
@@ -123,10 +125,17 @@ fn a_cell_that_is_overridden_expects_what_the_definition_says() {
         open.iter()
             .all(|case| case.expectation.accepted == Acceptance::Observed)
     );
-    // A cell that nobody overrides, and a matrix that says nothing of implicit conversion.
-    for taken_over in ["a/widening::p(SINT,BOOL)", "a/in-out::p(INT,BOOL)", "a/program"] {
+    // A cell that nobody overrides, a matrix that says nothing of implicit conversion, and a probe that says values of its own.
+    for taken_over in [
+        "a/widening::p(SINT,BOOL)",
+        "a/in-out::p(INT,BOOL)",
+        "a/program",
+        "a/widening::own(SINT,INT)",
+    ] {
         assert!(!own[taken_over].is_stated(), "{taken_over}");
     }
+    // A text is not that of a number by default: what a probe says of the pairs of its matrix, it says of no others.
+    assert!(!own.contains_key("a/widening::own(INT,SINT)"));
 }
 
 #[test]
