@@ -46,11 +46,22 @@ pub(crate) fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mis
         };
         let stated = draft.stated(on, word, &key.span());
         draft.definition.flags.insert(flag, stated);
-        if flag == Flag::CrossFamilyWidening {
-            cross_family(on, &key.span(), draft);
+        match flag {
+            Flag::CrossFamilyWidening => cross_family(on, &key.span(), draft),
+            Flag::ThirdEditionTypes if !on => without_third_edition(draft),
+            _ => {}
         }
     }
     Ok(())
+}
+
+/// What another definition says of types that this one takes away, it says of nothing.
+fn without_third_edition(draft: &mut Draft<'_>) {
+    let has = |ty: ElementaryType| !ty.is_third_edition();
+    draft
+        .definition
+        .cells
+        .retain(|(from, to), _| has(*from) && has(*to));
 }
 
 /// The flag is another word for cells of the matrix.

@@ -285,6 +285,18 @@ fn a_dialect_extends_another_of_the_file_wherever_that_stands() {
 }
 
 #[test]
+fn what_is_taken_over_says_nothing_of_types_that_are_taken_away() {
+    let configuration = read(
+        "[dialects.has-ltime]\nextends = \"ironplc-ed3\"\nimplicit = { \"LTIME.TIME\" = \"yes\", \"TIME.LTIME\" = \"no\", \"INT.SINT\" = \"yes\" }\n\
+         [dialects.has-no-ltime]\nextends = \"has-ltime\"\nflags.third-edition-types = false\n",
+    )
+    .unwrap();
+    let definition = configuration.dialects()[1].definition().unwrap();
+    let cells: Vec<_> = definition.cells.keys().copied().collect();
+    assert_eq!(cells, [(ElementaryType::Int, ElementaryType::Sint)]);
+}
+
+#[test]
 fn a_file_may_have_many_dialects_and_be_read_twice() {
     let many: String = (0..300)
         .map(|number| format!("[dialects.many-{number}]\nextends = \"matiec\"\n"))
