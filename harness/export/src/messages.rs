@@ -35,7 +35,7 @@ impl Messages {
                 continue;
             };
             let lines_of_page = &manifest.pages[at].lines;
-            if is_warning(line) {
+            if is_element(behind) || is_warning(line) {
                 continue;
             }
             let Some(found) = line_of(behind).or_else(|| line_of(line)) else {
@@ -101,6 +101,13 @@ fn page_of<'l>(line: &'l str, manifest: &Manifest) -> Option<(usize, &'l str)> {
     None
 }
 
+/// Whether what stands behind the name of a page makes it the path of an element of its array, as in a row of a watch list: such
+/// rows have numbers too, and none of them is a line.
+fn is_element(behind: &str) -> bool {
+    let path = behind.split(char::is_whitespace).next().unwrap_or_default();
+    path.to_ascii_lowercase().contains("results[")
+}
+
 fn is_warning(line: &str) -> bool {
     let line = line.to_ascii_lowercase();
     let words: BTreeSet<&str> = line.split(|c: char| !c.is_alphanumeric()).collect();
@@ -148,7 +155,7 @@ fn in_page(line: usize, message: &str, lines: &LinesRecord) -> usize {
     let message = message.to_ascii_lowercase();
     // In parentheses: messages speak of implicit conversions.
     if message.contains("(impl)") {
-        line + lines.declarations
+        line.saturating_add(lines.declarations)
     } else if message.contains("(decl)") {
         line
     } else {
@@ -224,6 +231,16 @@ mod tests {
         assert_eq!(told("stickler_page_1, line 10: a\n"), Told::Cut(None));
         assert_eq!(told("0 errors\n"), Told::Missing);
         assert_eq!(told("stickler_page_2, line 7: a\n"), Told::Missing);
+    }
+
+    #[test]
+    fn the_rows_of_a_watch_list_are_no_messages() {
+        let rows = "Device.Application.stickler_page_1.results[4]\tDINT\t7\t\t\n\"stickler_page_1_DB\".results[5]\t\tDEC+/-\t10\n";
+        assert_eq!(told(rows), Told::Missing);
+        assert_eq!(
+            told("stickler_page_1, line 10: results[4] is none\n"),
+            Told::Cut(None)
+        );
     }
 
     #[test]
