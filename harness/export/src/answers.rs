@@ -1,6 +1,7 @@
 //! What a person notes of cases that no array can tell about: `answers.txt`, a line a case.
 
 use crate::ExportError;
+use crate::paste::decoded;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
@@ -37,8 +38,8 @@ pub(crate) type Answers = BTreeMap<String, (Answer, String)>;
 /// [`ExportError::Read`]; [`ExportError::Answer`] with the line of what is no answer, or of one that contradicts another.
 pub(crate) fn read(folder: &Path) -> Result<Answers, ExportError> {
     let path = folder.join(ANSWERS);
-    match fs::read_to_string(&path) {
-        Ok(text) => parse(&text, &path),
+    match fs::read(&path) {
+        Ok(bytes) => parse(&decoded(&bytes), &path),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(Answers::new()),
         Err(error) => Err(ExportError::Read(path, error)),
     }
@@ -47,7 +48,7 @@ pub(crate) fn read(folder: &Path) -> Result<Answers, ExportError> {
 fn parse(text: &str, path: &Path) -> Result<Answers, ExportError> {
     let mut answers = Answers::new();
     for (number, line) in text.lines().enumerate() {
-        let line = line.trim_start_matches('\u{feff}').trim();
+        let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
             continue;
         }
@@ -95,6 +96,21 @@ mod tests {
             ("z", Answer::Accepted),
         ];
         assert_eq!(told, expected);
+    }
+
+    #[test]
+    fn answers_may_be_written_by_any_editor() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let text = "rejected a/b\r\n";
+        let utf_16 = text.encode_utf16().flat_map(u16::to_le_bytes);
+        for bytes in [
+            format!("\u{feff}{text}").into_bytes(),
+            [0xFF, 0xFE].into_iter().chain(utf_16).collect(),
+        ] {
+            fs::write(folder.path().join(ANSWERS), bytes).expect("written");
+            let answers = read(folder.path()).expect("answers");
+            assert_eq!(answers["a/b"].0, Answer::Rejected);
+        }
     }
 
     #[test]

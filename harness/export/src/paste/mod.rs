@@ -51,7 +51,8 @@ pub(crate) fn read(text: &str) -> Pasted {
     }
 }
 
-/// The text of bytes in UTF-8 or UTF-16, by their mark; without one, what is no UTF-8 is Latin-1. Lines end with `\n`.
+/// The text of bytes in UTF-8 or UTF-16, by their mark or, without one, by the zero in the first character of UTF-16; what is
+/// neither is Latin-1. Lines end with `\n`.
 pub(crate) fn decoded(bytes: &[u8]) -> String {
     let utf_16 = |rest: &[u8], unit: fn([u8; 2]) -> u16| {
         let units: Vec<u16> = rest
@@ -64,6 +65,8 @@ pub(crate) fn decoded(bytes: &[u8]) -> String {
         [0xFF, 0xFE, rest @ ..] => utf_16(rest, u16::from_le_bytes),
         [0xFE, 0xFF, rest @ ..] => utf_16(rest, u16::from_be_bytes),
         [0xEF, 0xBB, 0xBF, rest @ ..] => String::from_utf8_lossy(rest).into_owned(),
+        [_, 0, ..] => utf_16(bytes, u16::from_le_bytes),
+        [0, _, ..] => utf_16(bytes, u16::from_be_bytes),
         _ => match str::from_utf8(bytes) {
             Ok(text) => text.to_owned(),
             Err(_) => bytes.iter().map(|&byte| char::from(byte)).collect(),

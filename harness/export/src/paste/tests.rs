@@ -120,9 +120,14 @@ fn what_cannot_be_read_is_told_with_its_line_and_column() {
 #[test]
 fn texts_of_other_systems_are_read() {
     let text = "results[0]\tDINT\t7\r\n";
-    let mut utf_16: Vec<u8> = vec![0xFF, 0xFE];
-    utf_16.extend(text.encode_utf16().flat_map(u16::to_le_bytes));
-    assert_eq!(read_bytes(&utf_16).arrays, read_bytes(text.as_bytes()).arrays);
+    let expected = read_bytes(text.as_bytes()).arrays;
+    for bytes_of in [u16::to_le_bytes, u16::to_be_bytes] {
+        for mark in ["\u{feff}", ""] {
+            let units = format!("{mark}{text}");
+            let bytes: Vec<u8> = units.encode_utf16().flat_map(bytes_of).collect();
+            assert_eq!(read_bytes(&bytes).arrays, expected);
+        }
+    }
     // A blank that does not break, in Latin-1.
     assert_eq!(read_bytes(b"[0] 1\xA0398").arrays[0].elements[&0], 1398);
     assert_eq!(read_bytes(b"").arrays, []);
