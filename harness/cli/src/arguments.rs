@@ -34,7 +34,7 @@ pub struct Arguments {
     /// What to do; `run` where nothing is said.
     #[command(subcommand)]
     pub command: Option<Command>,
-    /// Read FILE, which names engines [default: stickler.toml here or in a folder above]
+    /// Read FILE, which names engines and defines dialects [default: stickler.toml here or in a folder above]
     #[arg(long, value_name = "FILE", global = true)]
     pub config: Option<PathBuf>,
 }
