@@ -216,6 +216,8 @@ mod tests {
         for kind in [
             "a VAR_IN_OUT of another type",
             "a VAR_IN_OUT that is constant",
+            "a part of a constant assigned",
+            "a selector that is no integer",
             "an unknown output",
             "an output taken by another type",
             "an input given twice",

@@ -2,6 +2,7 @@
 
 use super::example::example;
 use super::*;
+use crate::dialect::has_bits;
 use crate::oracles::judge_planted;
 use crate::writer::{Style, write};
 use std::collections::{BTreeMap, BTreeSet};
@@ -80,6 +81,45 @@ fn what_is_planted_changes_the_text_on_the_line_that_is_told() {
                 planted.kind,
                 with.text
             );
+        }
+    }
+}
+
+/// The lines that a kind plants in the example, without blanks around them.
+fn planted_lines(kind: &str, dialect: DialectName) -> BTreeSet<String> {
+    let sound = example(dialect);
+    let style = Style::default();
+    let without = write(&sound, &style);
+    let lines = (0..200).filter_map(|number| {
+        let planted = plant_kind(&sound, kind, &mut Unstructured::new(&choices(number)))?;
+        let with = write(&planted.program, &style);
+        let line = usize::try_from(planted.line(&without, &with)).ok()?;
+        with.text.lines().nth(line - 1).map(|line| line.trim().to_owned())
+    });
+    lines.collect()
+}
+
+#[test]
+fn a_selector_that_is_no_integer_may_convert_to_one_elsewhere() {
+    for dialect in DialectName::ALL {
+        let lines = planted_lines("a selector that is no integer", dialect);
+        for selector in ["t", "t + t", "w", "NOT w"] {
+            let line = format!("CASE {selector} OF");
+            assert!(lines.contains(&line), "{line} in {dialect}: {lines:#?}");
+        }
+    }
+}
+
+#[test]
+fn fields_elements_and_bits_of_constants_are_assigned() {
+    for dialect in DialectName::ALL {
+        let lines = planted_lines("a part of a constant assigned", dialect);
+        let assigned = |target: &str| lines.iter().any(|line| line.starts_with(target));
+        for part in ["planted.x := ", "planted.y := ", "planted[1] := "] {
+            assert!(assigned(part), "{part} in {dialect}: {lines:#?}");
+        }
+        for bit in ["planted.0 := ", "planted.x.15 := ", "planted[1].0 := "] {
+            assert_eq!(assigned(bit), has_bits(dialect), "{bit} in {dialect}: {lines:#?}");
         }
     }
 }

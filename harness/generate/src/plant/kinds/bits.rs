@@ -10,7 +10,7 @@ use crate::model::{Expression, ExpressionKind, Place, Program, StatementKind, Ta
 use stickler_types::{DialectName, ElementaryType};
 
 /// The number of bits of a type that has bits.
-fn bits(program: &Program, ty: &Type) -> Option<u32> {
+pub(super) fn bits(program: &Program, ty: &Type) -> Option<u32> {
     let ty = elementary(program, ty)?;
     (ty.is_integer() || ty.is_bit_string()).then(|| ty.bits())
 }

@@ -3,10 +3,11 @@
 use super::super::plot::{PLANTED, Plot, literal, literal_text};
 use super::super::scope::{elementary, places, types};
 use super::super::walk::Context;
+use super::constants;
 use super::misfits::never;
 use crate::model::{
-    Argument, BinaryOperator, Block, Expression, ExpressionKind, Initial, Program, Section, StatementKind,
-    Type, Unit, Variable, VariableId,
+    Argument, BinaryOperator, Block, ExpressionKind, Initial, Program, Section, StatementKind, Type, Unit,
+    VariableId,
 };
 use stickler_exact::{Word, implicit};
 use stickler_types::ElementaryType;
@@ -215,28 +216,6 @@ pub(super) fn constant(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
     })?;
     // The initial value of the constant is an expression too, so that the others have new numbers behind it.
     plot.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
-    declare_constant(plot, site.unit, &expression)
-}
-
-/// Declares a constant of the type of an elementary expression.
-fn declare_constant(plot: &mut Plot<'_, '_, '_>, unit: Unit, like: &Expression) -> Option<()> {
-    let value = literal(elementary(plot.original, &like.ty)?);
-    unit.variables_mut(&mut plot.program)?.push(Variable {
-        name: PLANTED.to_owned(),
-        ty: like.ty.clone(),
-        section: Section::Constant,
-        initial: Some(Initial::Expression(value)),
-    });
-    Some(())
-}
-
-/// A constant, assigned.
-///
-/// Basis: language/diagnostics-calls.st.
-pub(super) fn constant_assigned(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    plot.insert_text(|plot, unit| {
-        let ty = plot.choose(types(plot.original.dialect).filter(|ty| !ty.is_text()).collect())?;
-        declare_constant(plot, unit, &literal(ty))?;
-        Some(format!("{PLANTED} := {};", literal_text(ty)))
-    })
+    let value = literal(elementary(original, &expression.ty)?);
+    constants::declare(plot, site.unit, expression.ty, Initial::Expression(value)).map(|_| ())
 }

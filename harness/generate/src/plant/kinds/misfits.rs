@@ -8,7 +8,7 @@ use super::super::scope::{elementary, types};
 use super::super::walk::{Context, Site};
 use crate::model::{Expression, ExpressionKind, Program, StandardFunction, Unit};
 use stickler_exact::{Word, implicit, signatures};
-use stickler_types::{DialectName, ElementaryType, Family};
+use stickler_types::{DialectName, ElementaryType};
 
 /// A value of a type that does not convert to the target's.
 pub(super) fn assigned(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
@@ -172,30 +172,49 @@ pub(super) fn foreign(
         .map(|text: &str| ExpressionKind::Raw(text.to_owned()))
 }
 
-/// A subscript that is no integer. Bit strings and durations are left out, which some dialects convert to integers.
+/// A subscript that is no integer.
 pub(super) fn subscript(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    no_integer(plot, |context| matches!(context, Context::Subscript(..)))
+    let in_place = |context| matches!(context, Context::Subscript(..));
+    no_integer(plot, in_place, converts_to_no_integer)
 }
 
 /// A first or last value of FOR that is no integer.
 pub(super) fn bound(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    no_integer(plot, |context| context == Context::Bound)
+    no_integer(plot, |context| context == Context::Bound, converts_to_no_integer)
 }
 
-/// A selector of CASE that is neither an integer nor an enumeration.
+/// A selector of CASE that is neither an integer nor an enumeration, whatever converts to an integer elsewhere.
+///
+/// Basis: ironplc-problem-codes: P4053; widening/any-integer.toml (nothing widens in the place of a selector).
 pub(super) fn selector(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    no_integer(plot, |context| context == Context::Selector)
+    let in_place = |context| context == Context::Selector;
+    // What converts to an integer elsewhere is the error that is easiest to overlook.
+    let tempting = plot.input.ratio(1, 2).unwrap_or(true);
+    let wrong =
+        |ty: ElementaryType, _| !ty.is_integer() && (!tempting || ty.is_bit_string() || ty.is_duration());
+    no_integer(plot, in_place, wrong)
 }
 
-fn no_integer(plot: &mut Plot<'_, '_, '_>, context: fn(Context) -> bool) -> Option<()> {
+/// Puts a value of one of these types, which are no integers, in a place of one of these contexts.
+fn no_integer(
+    plot: &mut Plot<'_, '_, '_>,
+    context: fn(Context) -> bool,
+    wrong: impl Fn(ElementaryType, DialectName) -> bool,
+) -> Option<()> {
+    let dialect = plot.original.dialect;
     let (number, site, _) = plot.site(|site, _| context(site.context))?;
-    let wrong = types(plot.original.dialect)
-        .filter(|ty| ty.is_real() || ty.is_text() || matches!(ty.family(), Family::Boolean | Family::Date));
-    let from = plot.choose(wrong.collect())?;
+    let from = plot.choose(types(dialect).filter(|&ty| wrong(ty, dialect)).collect())?;
     let shape = plot.choose(vec![Shape::Variable, Shape::Operation])?;
     let kind = value(plot, site.unit, from, shape)?;
     plot.replace(number, kind);
     Some(())
+}
+
+/// Whether no integer type takes a value of a type without a call. Where one does, as with bit strings and durations in some
+/// dialects, a person may doubt that a subscript is wrong.
+fn converts_to_no_integer(ty: ElementaryType, dialect: DialectName) -> bool {
+    let integers = types(dialect).filter(|into| into.is_integer());
+    !ty.is_integer() && { integers }.all(|into| never(ty, into, dialect))
 }
 
 /// An argument of a standard function that its parameter does not take.

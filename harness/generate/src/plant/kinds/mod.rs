@@ -3,6 +3,7 @@
 mod bits;
 mod blocks;
 mod calls;
+mod constants;
 mod declarations;
 mod left_out;
 mod literals;

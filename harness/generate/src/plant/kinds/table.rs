@@ -1,7 +1,9 @@
 //! The table of kinds.
 
 use super::super::plot::Plot;
-use super::{bits, blocks, calls, declarations, left_out, literals, misfits, names, operands, statements};
+use super::{
+    bits, blocks, calls, constants, declarations, left_out, literals, misfits, names, operands, statements,
+};
 use stickler_types::Code;
 
 /// A kind of error.
@@ -97,7 +99,8 @@ pub(in super::super) const KINDS: &[Kind] = kinds! {
     FunctionCallInOutArgNotVariable "a VAR_IN_OUT that is no variable" blocks::no_variable;
     FunctionCallInOutArgTypeMismatch "a VAR_IN_OUT of another type" blocks::other_type;
     InOutArgNotWritable "a VAR_IN_OUT that is constant" blocks::constant;
-    AssignmentToConstant "a constant assigned" blocks::constant_assigned;
+    AssignmentToConstant "a constant assigned" constants::assigned;
+    AssignmentToConstant "a part of a constant assigned" constants::part_assigned;
     BitAccessOutOfRange "a bit outside its type read" bits::outside_read;
     BitAccessOutOfRange "a bit outside its type written" bits::outside_written;
     BitAccessTypeInvalid "a bit of what has none read" bits::none_read;
