@@ -8,7 +8,7 @@ use std::path::PathBuf;
 pub enum ExportError {
     /// The folder holds something else.
     #[error(
-        "{} is not empty and holds no earlier export (there is no {} in it); name an empty folder, or one that is not there yet",
+        "{} is not empty and holds no earlier export (there is no {} of one in it); name an empty folder, or one that is not there yet",
         .0.display(), crate::MANIFEST
     )]
     NotEmpty(PathBuf),

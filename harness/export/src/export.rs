@@ -124,9 +124,11 @@ fn prepare(folder: &Path) -> Result<(), ExportError> {
         .map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()))
         .collect::<Result<_, std::io::Error>>()
         .map_err(|error| ExportError::Read(folder.to_owned(), error))?;
-    // Also what a broken export left is an earlier one.
-    let earlier = names.iter().any(|name| name == MANIFEST) || names.iter().all(|name| is_ours(name));
-    if !earlier {
+    // Also what a broken export left is an earlier one. Other programs have files that are called as the manifest is.
+    let has_manifest = names.iter().any(|name| name == MANIFEST);
+    let has_page = names.iter().any(|name| is_of_a_page(name));
+    let broken = names.iter().all(|name| is_ours(name)) && (has_page || !has_manifest);
+    if !broken && !Manifest::is_at(&folder.join(MANIFEST)) {
         return Err(ExportError::NotEmpty(folder.to_owned()));
     }
     for name in names.iter().filter(|name| is_ours(name) && *name != ANSWERS) {
@@ -141,13 +143,14 @@ fn prepare(folder: &Path) -> Result<(), ExportError> {
 
 /// Whether an export writes a file of this name.
 fn is_ours(name: &str) -> bool {
-    let is_page = || {
-        let rest = name.strip_prefix("page-")?;
+    name == MANIFEST || name == ANSWERS || is_of_a_page(name)
+}
+
+fn is_of_a_page(name: &str) -> bool {
+    name.strip_prefix("page-").is_some_and(|rest| {
         let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
-        let ending = &rest[digits..];
-        (digits >= 3 && ENDINGS.contains(&ending)).then_some(())
-    };
-    name == MANIFEST || name == ANSWERS || is_page().is_some()
+        digits >= 3 && ENDINGS.contains(&&rest[digits..])
+    })
 }
 
 const ENDINGS: [&str; 4] = [".st", "-declarations.txt", "-statements.txt", "-units.st"];

@@ -2,7 +2,7 @@
 //! in which element.
 
 use crate::ExportError;
-use crate::page::Page;
+use crate::page::{FIRST, Page};
 use crate::record::CaseRecord;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -14,6 +14,9 @@ pub const MANIFEST: &str = "manifest.json";
 
 /// The version of its format.
 const FORMAT: u32 = 1;
+
+/// No array has as many elements; a page has a thousand, and more only where one case alone has.
+const MOST_ELEMENTS: usize = 1_000_000;
 
 /// An export.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
@@ -88,6 +91,16 @@ impl Manifest {
         }
     }
 
+    /// Whether a file is the manifest of an export, of whatever format.
+    pub(crate) fn is_at(path: &Path) -> bool {
+        #[derive(Deserialize)]
+        struct Origin {
+            #[serde(rename = "stickler")]
+            _stickler: String,
+        }
+        fs::read(path).is_ok_and(|bytes| serde_json::from_slice::<Origin>(&bytes).is_ok())
+    }
+
     /// Reads that of a folder.
     ///
     /// # Errors
@@ -125,13 +138,33 @@ impl Manifest {
                     page.number
                 ));
             }
-            for step in &page.steps {
-                if step.case >= page.cases.len() || step.place + 2 >= page.elements.max(3) {
-                    return Err(format!(
-                        "an observation of page {} stands outside it",
-                        page.number
-                    ));
-                }
+            let has_array = (FIRST + 1..=MOST_ELEMENTS).contains(&page.elements);
+            if !page.is_compiled() && !has_array {
+                return Err(format!("page {} has no array of results", page.number));
+            }
+            let is_outside = |step: &StepRecord| {
+                step.case >= page.cases.len() || step.place.saturating_add(2) >= page.elements.max(3)
+            };
+            if page.steps.iter().any(is_outside) {
+                return Err(format!(
+                    "an observation of page {} stands outside it",
+                    page.number
+                ));
+            }
+            if page.answered.iter().any(|case| *case >= page.cases.len()) {
+                return Err(format!(
+                    "page {} has an answer for none of its cases",
+                    page.number
+                ));
+            }
+            if page
+                .lines
+                .cases
+                .iter()
+                .flatten()
+                .any(|(first, last)| first > last)
+            {
+                return Err(format!("lines of page {} end before they begin", page.number));
             }
         }
         Ok(())
@@ -173,6 +206,63 @@ impl PageRecord {
                 declarations: page.declarations.matches('\n').count(),
                 cases: page.lines.clone(),
             },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::{Value as Json, json};
+
+    /// What is said of a manifest with one page, of which these keys are other ones.
+    fn read(changes: &[(&str, Json)]) -> Result<Manifest, String> {
+        let mut page = json!({
+            "file": "page-001.st", "number": 1, "identity": 1000, "elements": 11, "cases": [],
+            "lines": { "units": 0, "declarations": 1, "cases": [] },
+        });
+        for (key, value) in changes {
+            page[key] = value.clone();
+        }
+        let manifest =
+            json!({ "format": FORMAT, "stickler": "1", "suite": "1", "dialect": "matiec", "pages": [page] });
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::write(folder.path().join(MANIFEST), manifest.to_string()).expect("written");
+        Manifest::read(folder.path()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn what_points_nowhere_is_told() {
+        assert!(read(&[]).is_ok());
+        let lines = |cases: Json| ("lines", json!({ "units": 0, "declarations": 1, "cases": cases }));
+        for (changes, told) in [
+            (
+                vec![lines(json!([[]]))],
+                "the lines of page 1 are not those of its cases",
+            ),
+            (vec![("elements", json!(5))], "page 1 has no array of results"),
+            (
+                vec![("elements", json!(u64::MAX))],
+                "page 1 has no array of results",
+            ),
+            (
+                vec![("steps", json!([{ "case": 0, "place": 8 }]))],
+                "an observation of page 1 stands outside it",
+            ),
+            (
+                vec![("answered", json!([0]))],
+                "page 1 has an answer for none of its cases",
+            ),
+            (
+                vec![("identity", json!(0)), lines(json!([[[3, 2]], []]))],
+                "lines of page 1 end before they begin",
+            ),
+        ] {
+            let error = read(&changes).expect_err(told);
+            assert!(
+                error.ends_with(&format!("{MANIFEST}: {told}; export again")),
+                "{error}"
+            );
         }
     }
 }

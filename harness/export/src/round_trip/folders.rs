@@ -30,16 +30,36 @@ fn a_folder_of_something_else_is_left_alone_and_one_of_an_export_is_replaced() {
         "rejected x\n"
     );
     let other = tempfile::tempdir().expect("a folder");
-    fs::write(other.path().join("notes.txt"), "").expect("written");
-    let error = export(&plan, &cases, other.path())
-        .expect_err("it is not empty")
-        .to_string();
-    assert!(
-        error.contains("is not empty and holds no earlier export"),
-        "{error}"
-    );
+    let refused = || {
+        let error = export(&plan, &cases, other.path()).expect_err("it is not empty");
+        let error = error.to_string();
+        assert!(
+            error.contains("is not empty and holds no earlier export"),
+            "{error}"
+        );
+    };
+    let notes = other.path().join("notes.txt");
+    fs::write(&notes, "").expect("written");
+    refused();
     let error = Export::read(other.path()).expect_err("no export").to_string();
     assert!(error.contains("holds no export"), "{error}");
+    // Programs for browsers have a file of this name.
+    let manifest = other.path().join(crate::MANIFEST);
+    fs::write(&manifest, "{\"name\": \"Something else\"}").expect("written");
+    refused();
+    fs::remove_file(notes).expect("removed");
+    refused();
+    assert!(
+        fs::read_to_string(manifest)
+            .expect("there")
+            .contains("Something else")
+    );
+    // What an export left that came to no end, one may replace.
+    let broken = tempfile::tempdir().expect("a folder");
+    for name in ["page-001.st", crate::MANIFEST] {
+        fs::write(broken.path().join(name), "").expect("written");
+    }
+    export(&plan, &cases, broken.path()).expect("exported");
 }
 
 #[test]
