@@ -4,18 +4,20 @@
 //! A cluster is the cases of one case file and claim with one symptom. Of each only its smallest program is kept, so that
 //! memory does not grow with the number of cases.
 
+mod fact;
+mod gist;
 mod page;
 mod symptom;
 
 use crate::ReportError;
 use crate::observations::probe;
-use crate::overview::{Overview, kept};
+use crate::overview::{Overview, entry, kept};
 use crate::pending::PendingFile;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use stickler_run::{CaseEvent, Event, Verdict};
+use stickler_run::{CaseEvent, Event, Grade, Verdict};
 use symptom::Symptom;
 
 /// What the folder is called in a folder of reports.
@@ -33,6 +35,8 @@ pub(crate) struct Discrepancies {
 /// What one engine does otherwise.
 #[derive(Default)]
 struct Engine {
+    /// How exact its rejections had to be.
+    strict: Grade,
     clusters: BTreeMap<Key, Cluster>,
     /// How many cases belong to clusters that are not kept.
     left_out: u64,
@@ -77,18 +81,23 @@ impl Discrepancies {
             Event::Case(case) if case.program.is_some() && case.came() != Verdict::Unsupported => {
                 self.take_case(case);
             }
-            Event::Header(_) | Event::Case(_) | Event::Footer(_) => {}
+            Event::Header(header) => {
+                for engine in &header.engines {
+                    entry(&mut self.engines, &engine.name).strict = engine.strict;
+                }
+            }
+            Event::Case(_) | Event::Footer(_) => {}
         }
     }
 
     fn take_case(&mut self, case: &CaseEvent) {
         let file = case.id.split("::").next().unwrap_or(&case.id);
+        let engine = entry(&mut self.engines, &case.engine);
         let key = Key {
             basis: case.basis.clone(),
             file: file.to_owned(),
-            symptom: Symptom::of(case),
+            symptom: Symptom::of(case, engine.strict),
         };
-        let engine = crate::overview::entry(&mut self.engines, &case.engine);
         if engine.clusters.len() >= MOST && !engine.clusters.contains_key(&key) {
             engine.left_out += 1;
             return;
@@ -112,7 +121,8 @@ impl Discrepancies {
         let (Some(header), Some(_)) = (&overview.header, &overview.footer) else {
             return Ok(());
         };
-        for (name, engine) in &self.engines {
+        let engines = self.engines.iter();
+        for (name, engine) in engines.filter(|(_, engine)| !engine.clusters.is_empty()) {
             let folder = self.folder.join(file_name(name));
             fs::create_dir_all(&folder).map_err(ReportError::writing(&folder))?;
             let about = header.engines.iter().find(|engine| engine.name == *name);
@@ -156,13 +166,15 @@ fn page_name(number: usize, key: &Key) -> String {
     format!("{number:02}-{name}.md")
 }
 
-/// A name that every file system takes: what is no letter, digit, point or line becomes a line.
+/// A name that every file system takes: what is no letter, digit, line or point becomes a line, and so does a point at the
+/// beginning, which would hide the file or lead elsewhere.
 fn file_name(name: &str) -> String {
-    let safe = |character: char| match character {
+    let safe = |(at, character): (usize, char)| match character {
         'a'..='z' | 'A'..='Z' | '0'..='9' | '-' | '_' => character,
+        '.' if at > 0 => character,
         _ => '-',
     };
-    name.chars().map(safe).collect()
+    name.char_indices().map(safe).collect()
 }
 
 /// Removes the pages of all engines, and the folders that are empty then. What somebody else put there stays.

@@ -90,21 +90,6 @@ mod tests {
         reports.finish(&overview).expect("finished");
     }
 
-    fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<String> = fs::read_dir(folder)
-            .expect("the folder")
-            .map(|entry| {
-                entry
-                    .expect("an entry")
-                    .file_name()
-                    .to_string_lossy()
-                    .into_owned()
-            })
-            .collect();
-        names.sort();
-        names
-    }
-
     #[test]
     fn a_whole_run_leaves_every_report_and_nothing_else() {
         let folder = tempfile::tempdir().expect("a temporary folder");
@@ -116,7 +101,7 @@ mod tests {
             "results.json",
             "summary.md",
         ];
-        assert_eq!(names(&folder.path().join("deep/er")), expected);
+        assert_eq!(sample::names(&folder.path().join("deep/er")), expected);
     }
 
     #[test]
@@ -125,7 +110,7 @@ mod tests {
         write(folder.path(), &sample::run());
         let events = sample::run();
         write(folder.path(), &events[..events.len() - 1]);
-        assert_eq!(names(folder.path()), ["events.jsonl"]);
+        assert_eq!(sample::names(folder.path()), ["events.jsonl"]);
     }
 
     #[test]

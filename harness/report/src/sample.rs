@@ -1,6 +1,8 @@
-//! A small run for the tests of this crate.
+//! A small run for the tests of this crate, and what they look at.
 
 use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
 use stickler_run::{
     BaselineHeader, BaselineNote, CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Grade,
     Header, Observed, OutdatedEntry, Totals, Verdict,
@@ -143,4 +145,20 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
         duration_ms: 34,
     }));
     events
+}
+
+/// The names of what is in a folder, sorted.
+pub(crate) fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("the folder");
+    let mut names: Vec<String> = entries
+        .map(|entry| {
+            entry
+                .expect("an entry")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    names.sort();
+    names
 }

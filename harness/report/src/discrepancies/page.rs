@@ -4,7 +4,7 @@ use super::{Cluster, Key};
 use crate::summary::{code, fence, inline};
 use crate::text::{counted, noted, visible};
 use std::fmt::Write;
-use stickler_run::{EngineHeader, PROGRAM};
+use stickler_run::{EngineHeader, Grade, PROGRAM};
 
 /// How the list of an engine's pages begins.
 pub(super) fn index(name: &str, about: Option<&EngineHeader>, pages: usize, left_out: u64) -> String {
@@ -23,7 +23,7 @@ pub(super) fn index(name: &str, about: Option<&EngineHeader>, pages: usize, left
         let cases = counted(left_out, "case", "cases");
         let _ = write!(
             text,
-            "{cases} more fit none of these; `events.jsonl` has them.\n\n"
+            "No page has room for {cases} of other kinds; `events.jsonl` has them.\n\n"
         );
     }
     text.push_str("| cases | page | claim |\n|--:|---|---|\n");
@@ -66,6 +66,9 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster:
     block(&mut text, &basis, "", &visible(&case.expected));
     block(&mut text, "Got:", "", &visible(&case.got));
     let _ = write!(text, "Lines are those of `{PROGRAM}`. ");
+    if key.symptom.is_of_a_rejection() {
+        text.push_str(not_compared(about.map_or(Grade::Code, |about| about.strict)));
+    }
     others(&mut text, cluster);
     if let Some(note) = &case.baseline {
         let _ = write!(text, "It is known: {}.\n\n", inline(&noted(note)));
@@ -77,6 +80,15 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster:
         code(&case.rerun)
     );
     text
+}
+
+/// What does not count in a rejection.
+const fn not_compared(strict: Grade) -> &'static str {
+    match strict {
+        Grade::Code => "",
+        Grade::Line => "Codes are Stickler's own and were not compared, only lines. ",
+        Grade::Rejected => "Codes are Stickler's own; neither they nor lines were compared. ",
+    }
 }
 
 /// How many cases show the same, and which.

@@ -2,10 +2,10 @@
 
 use super::Discrepancies;
 use crate::overview::Overview;
-use crate::sample;
+use crate::sample::{self, names};
 use std::fs;
 use std::path::Path;
-use stickler_run::{CaseEvent, Event, Verdict};
+use stickler_run::{CaseEvent, Event, Grade, Verdict};
 
 fn failing(id: &str, program: &str, got: &str) -> CaseEvent {
     CaseEvent {
@@ -23,20 +23,6 @@ fn write(folder: &Path, events: &[Event]) {
         overview.take(event);
     }
     pages.finish(&overview).expect("pages");
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<String> = super::entries(folder)
-        .iter()
-        .map(|path| {
-            path.file_name()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned()
-        })
-        .collect();
-    names.sort();
-    names
 }
 
 #[test]
@@ -141,5 +127,47 @@ fn an_engine_with_endless_kinds_of_failures_has_so_many_pages_and_no_more() {
     let engine = folder.path().join("discrepancies/reference");
     assert_eq!(names(&engine).len(), super::MOST + 1);
     let index = fs::read_to_string(engine.join("README.md")).expect("the list");
-    assert!(index.contains("5 cases more fit none of these"), "{index}");
+    assert!(
+        index.contains("No page has room for 5 cases of other kinds"),
+        "{index}"
+    );
+}
+
+#[test]
+fn a_rejection_is_held_to_as_much_as_was_compared_and_the_page_says_to_what() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let case = CaseEvent {
+        expected: "line 1: error P4035\nline 2: error P4049".to_owned(),
+        ..failing(
+            "t::a",
+            "PROGRAM m\nEND_PROGRAM\n",
+            "line 1: error without a code: no sum",
+        )
+    };
+    let mut run = sample::run_of(vec![case]);
+    if let Event::Header(header) = &mut run[0] {
+        header.engines[0].strict = Grade::Line;
+    }
+    write(folder.path(), &run);
+    let page = folder
+        .path()
+        .join("discrepancies/reference/01-widening-t-incomplete-P4049.md");
+    let page = fs::read_to_string(page).expect("a page");
+    for part in [
+        "# reference 0.1.0: it does not tell every mistake (P4049 is not told)\n",
+        "Codes are Stickler's own and were not compared, only lines. One case shows this.",
+    ] {
+        assert!(page.contains(part), "{part}\n{page}");
+    }
+}
+
+#[test]
+fn a_name_of_a_folder_leads_nowhere_else() {
+    for (name, folder) in [
+        ("codesys-3.5", "codesys-3.5"),
+        ("..", "-."),
+        ("a/../b c", "a-..-b-c"),
+    ] {
+        assert_eq!(super::file_name(name), folder);
+    }
 }
