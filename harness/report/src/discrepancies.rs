@@ -21,7 +21,7 @@ use stickler_run::{CaseEvent, Event, Grade, Verdict};
 use symptom::Symptom;
 
 /// What the folder is called in a folder of reports.
-const NAME: &str = "discrepancies";
+pub(crate) const NAME: &str = "discrepancies";
 
 /// How many clusters of one engine are kept; cases that belong to none of them are counted.
 const MOST: usize = 300;

@@ -3,6 +3,7 @@
 mod claims;
 mod observed;
 
+use crate::discrepancies::NAME;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::{clip, counted, duration, judged, noted, outdated, outdated_entries, visible};
@@ -171,7 +172,9 @@ fn failures(overview: &Overview, page: &mut Page) {
     if overview.failed == 0 {
         return;
     }
-    page.add("\n## Not as expected\n");
+    page.add(&format!(
+        "\n## Not as expected\n\nA page for each cause is in `{NAME}/`, beside this file.\n"
+    ));
     let shown = overview.failures.iter().take(SHOWN_FAILURES);
     let tried = shown.len() as u64;
     page.left_out = 0;

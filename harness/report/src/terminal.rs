@@ -7,6 +7,7 @@
 mod claims;
 pub(crate) mod failure;
 
+use crate::discrepancies::NAME;
 use crate::overview::Overview;
 use crate::table::{Cell, Table};
 use crate::text::{counted, duration, judged, outdated, outdated_entries, visible};
@@ -113,10 +114,13 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
     if let Some(folder) = around.reports {
         // A run that was cut short leaves its log and nothing else.
         match overview.footer {
-            Some(_) => writeln!(
-                out,
-                "Reports: {folder}/summary.md; every case is in results.json beside it."
-            ),
+            Some(_) => {
+                writeln!(
+                    out,
+                    "Reports: {folder}/summary.md; every case is in results.json beside it."
+                )?;
+                write_discrepancies(out, overview, folder)
+            }
             None => writeln!(out, "Reports: {folder}/events.jsonl, as far as the run came."),
         }?;
     }
@@ -164,6 +168,19 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             )
         }
     }
+}
+
+/// Where the pages are that can be sent to those who write a compiler, where there are any.
+fn write_discrepancies(out: &mut dyn Write, overview: &Overview, folder: &str) -> io::Result<()> {
+    let failed: u64 = overview.claims.iter().map(|claim| claim.standing.failed).sum();
+    if failed == 0 {
+        return Ok(());
+    }
+    let cases = counted(failed, "case is", "cases are");
+    writeln!(
+        out,
+        "{cases} otherwise than documents say, with a page for each cause:\n{folder}/{NAME}"
+    )
 }
 
 /// How much of what was recorded differs between the engines.
@@ -260,6 +277,8 @@ Cases          widening  all
 1 observation recorded where no document says what must be.
 Engine: reference 0.1.0.
 Reports: reports/latest/summary.md; every case is in results.json beside it.
+1 case is otherwise than documents say, with a page for each cause:
+reports/latest/discrepancies
 1 of 4 cases not as expected (1 fail), in 34 ms.
 "
         );
