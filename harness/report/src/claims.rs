@@ -12,6 +12,8 @@ pub struct Standing {
     pub passed: u64,
     /// It did something else, whether a baseline expects that or not, or it crashed, hung or made no sense.
     pub failed: u64,
+    /// Those of `failed` that a baseline expects (verdict xfail).
+    pub known: u64,
     /// The document leaves it open: what the engine does was recorded, nothing was asserted.
     pub open: u64,
     /// The engine said that it cannot run the case.
@@ -24,7 +26,15 @@ impl Standing {
         self.passed + self.failed + self.open + self.unsupported
     }
 
+    /// How many of `failed` no baseline expects.
+    pub const fn unexpected(self) -> u64 {
+        self.failed - self.known
+    }
+
     fn count(&mut self, event: &CaseEvent) {
+        if event.verdict == Verdict::Xfail {
+            self.known += 1;
+        }
         let counter = match event.verdict {
             Verdict::Pass if event.open => &mut self.open,
             Verdict::Pass | Verdict::Xpass => &mut self.passed,
@@ -39,6 +49,7 @@ impl Standing {
     fn add(&mut self, other: Standing) {
         self.passed += other.passed;
         self.failed += other.failed;
+        self.known += other.known;
         self.open += other.open;
         self.unsupported += other.unsupported;
     }
@@ -182,6 +193,7 @@ mod tests {
         claims.take(&sample::case("a", Verdict::Pass));
         claims.take(&sample::case("b", Verdict::Fail));
         claims.take(&sample::case("c", Verdict::Crash));
+        claims.take(&sample::case("k", Verdict::Xfail));
         claims.take(&sample::case("d", Verdict::Unsupported));
         claims.take(&sample::open_case("e"));
         let standings: Vec<Standing> = claims.iter().map(|claim| claim.standing).collect();
@@ -189,12 +201,13 @@ mod tests {
             standings,
             [Standing {
                 passed: 1,
-                failed: 2,
+                failed: 3,
+                known: 1,
                 open: 1,
                 unsupported: 1
             }]
         );
-        assert_eq!(standings[0].cases(), 5);
+        assert_eq!((standings[0].cases(), standings[0].unexpected()), (6, 2));
     }
 
     #[test]

@@ -7,7 +7,7 @@ mod case;
 mod suite;
 
 use crate::ReportError;
-use crate::claims::{Claim, Standing};
+use crate::claims::Claim;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::outdated;
@@ -76,29 +76,32 @@ impl Junit {
     }
 }
 
-/// The claims as a test suite.
+/// The claims as a test suite. One that fails only where a baseline expects it is skipped, as its cases are.
 fn claims(overview: &Overview) -> Suite {
     let mut suite = Suite::new("claims");
     for claim in overview.claims.iter() {
-        let Standing {
-            passed,
-            failed,
-            open,
-            unsupported,
-        } = claim.standing;
-        let standing = format!("passed {passed}, failed {failed}, open {open}, unsupported {unsupported}");
-        let problem = (failed > 0).then(|| Problem {
-            kind: Kind::Failure,
-            type_name: "claim",
-            message: format!("{failed} of {} cases fail", claim.standing.cases()),
-            text: standing.clone(),
-        });
+        let standing = claim.standing;
+        let output = format!(
+            "passed {}, failed {}, open {}, unsupported {}",
+            standing.passed, standing.failed, standing.open, standing.unsupported
+        );
+        let fail = format!("{} of {} cases fail", standing.failed, standing.cases());
+        let problem = match (standing.failed, standing.unexpected()) {
+            (0, _) => None,
+            (_, 0) => Some((Kind::Skipped, format!("{fail}, as the baseline expects"))),
+            _ => Some((Kind::Failure, fail)),
+        };
         let name = claim_name(&claim, overview.totals.len() > 1);
         suite.add(Test {
             name: &name,
             microseconds: 0,
-            problem,
-            output: standing,
+            problem: problem.map(|(kind, message)| Problem {
+                kind,
+                type_name: "claim",
+                message,
+                text: output.clone(),
+            }),
+            output,
         });
     }
     suite
@@ -203,6 +206,29 @@ mod tests {
         };
         let message = message.as_ref().expect("a message").to_string();
         assert!(message.contains("(rounds)"), "{message}");
+    }
+
+    #[test]
+    fn a_claim_that_fails_only_as_its_baseline_expects_is_no_failure() {
+        let known = || {
+            vec![
+                sample::case("a", Verdict::Xfail),
+                sample::case("b", Verdict::Pass),
+            ]
+        };
+        let report = document(known());
+        assert_eq!((report.failures, report.skipped), (0, 2));
+        let TestCaseStatus::Skipped { message, .. } = &report.test_suites[0].test_cases[0].status else {
+            panic!("the claim: {report:?}")
+        };
+        assert_eq!(
+            message.as_deref(),
+            Some("1 of 2 cases fail, as the baseline expects")
+        );
+        let mut cases = known();
+        cases.push(sample::case("c", Verdict::Crash));
+        let report = document(cases);
+        assert_eq!(report.test_suites[0].failures, 1, "one of them is new");
     }
 
     #[test]
