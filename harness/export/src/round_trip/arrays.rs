@@ -12,10 +12,7 @@ fn what_the_reference_computes_is_judged_as_it_must_be_in_every_dialect_and_form
             let text: String = exported.arrays.iter().map(|array| form(array)).collect();
             let (imported, events, whole) = exported.import(&text);
             assert_eq!(imported.notes, [] as [&str; 0], "{dialect}");
-            let failed: Vec<&CaseEvent> = events
-                .iter()
-                .filter(|case| case.verdict != Verdict::Pass)
-                .collect();
+            let failed = odd(&events);
             assert!(failed.is_empty(), "{dialect}: {failed:?}");
             assert!(whole);
             assert_eq!(
@@ -41,7 +38,7 @@ fn few() -> Exported {
 fn one_other_value_fails_exactly_its_case_with_what_came() {
     let mut exported = few();
     // The numbers of the third observation of the second page, and what its comparison told.
-    let manifest = crate::manifest::Manifest::read(exported.folder.path()).expect("a manifest");
+    let manifest = exported.manifest();
     let (page, step) = (&manifest.pages[1], manifest.pages[1].steps[2]);
     let array = &mut exported.arrays[1];
     assert_eq!(array[step.place + 1], 1);
@@ -50,10 +47,7 @@ fn one_other_value_fails_exactly_its_case_with_what_came() {
     array[last] ^= 1;
     let (_, events, whole) = exported.import(&exported.text());
     assert!(whole);
-    let failed: Vec<&CaseEvent> = events
-        .iter()
-        .filter(|case| case.verdict != Verdict::Pass)
-        .collect();
+    let failed = odd(&events);
     assert_eq!(failed.len(), 1, "{failed:?}");
     assert_eq!(
         (failed[0].verdict, &failed[0].id),
@@ -63,10 +57,7 @@ fn one_other_value_fails_exactly_its_case_with_what_came() {
     // A comparison that contradicts the numbers is neither a pass nor a failure.
     exported.arrays[1][step.place + 1] = 1;
     let (_, events, _) = exported.import(&exported.text());
-    let odd: Vec<&CaseEvent> = events
-        .iter()
-        .filter(|case| case.verdict != Verdict::Pass)
-        .collect();
+    let odd = odd(&events);
     assert_eq!((odd.len(), odd[0].verdict), (1, Verdict::Error));
     assert!(odd[0].got.contains("own comparison"), "{}", odd[0].got);
 }
@@ -127,7 +118,7 @@ fn what_was_cut_off_or_not_reached_is_not_judged_and_said() {
     let pieces = format!("{}{}", list(array), list(&exported.arrays[1]));
     assert!(exported.import(&pieces).2);
     // One that was copied too soon.
-    let manifest = crate::manifest::Manifest::read(exported.folder.path()).expect("a manifest");
+    let manifest = exported.manifest();
     let mut early = array.clone();
     let step = manifest.pages[0].steps[5];
     early[4] = 6;
@@ -143,7 +134,7 @@ fn what_was_cut_off_or_not_reached_is_not_judged_and_said() {
 #[test]
 fn what_a_person_deleted_from_a_page_is_judged_by_the_answer_alone() {
     let mut exported = few();
-    let manifest = crate::manifest::Manifest::read(exported.folder.path()).expect("a manifest");
+    let manifest = exported.manifest();
     let step = manifest.pages[0].steps[3];
     let next = manifest.pages[0].steps[4];
     exported.arrays[0][step.place..next.place].fill(0);
@@ -162,27 +153,15 @@ fn what_a_person_deleted_from_a_page_is_judged_by_the_answer_alone() {
         ("crashed", Verdict::Crash),
         ("accepted", Verdict::Unsupported),
     ] {
-        fs::write(
-            exported.folder.path().join(crate::ANSWERS),
-            format!("{word} {id}\n"),
-        )
-        .expect("written");
+        exported.answer(&format!("{word} {id}\n"));
         let (imported, events, whole) = exported.import(&exported.text());
         assert!(whole, "{:?}", imported.notes);
-        let odd: Vec<_> = events
-            .iter()
-            .filter(|case| case.verdict != Verdict::Pass)
-            .map(|case| (&case.id, case.verdict))
-            .collect();
-        assert_eq!(odd, [(id, verdict)]);
+        let odd = odd(&events);
+        assert_eq!((odd.len(), &odd[0].id, odd[0].verdict), (1, id, verdict));
     }
     // An answer about what ran is passed over, and so is one about a stranger.
     let other = &manifest.pages[0].cases[0].id;
-    fs::write(
-        exported.folder.path().join(crate::ANSWERS),
-        format!("rejected {id}\nrejected {other}\nrejected x/y\n"),
-    )
-    .expect("written");
+    exported.answer(&format!("rejected {id}\nrejected {other}\nrejected x/y\n"));
     let notes = exported.import(&exported.text()).0.notes.join("\n");
     assert!(
         notes.contains(&format!("{other} has results, which count")) && notes.contains("x/y is on no page"),

@@ -33,7 +33,7 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
         let told = export(&plan, &cases, folder.path()).expect("exported");
         assert!(told.compiled_only > 0, "{dialect}");
         let export = Export::read(folder.path()).expect("an export");
-        let manifest = crate::manifest::Manifest::read(folder.path()).expect("a manifest");
+        let manifest = Manifest::read(folder.path()).expect("a manifest");
         let mut list = String::new();
         let mut rejected = 0;
         for page in manifest.pages.iter().filter(|page| page.is_compiled()) {

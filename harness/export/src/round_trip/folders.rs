@@ -116,7 +116,7 @@ fn a_case_that_is_not_accepted_is_named_by_its_message_and_taken_off_its_page_by
         ..plan(DialectName::IronplcEd3)
     };
     let mut exported = Exported::of(&plan, &cases);
-    let manifest = crate::manifest::Manifest::read(exported.folder.path()).expect("a manifest");
+    let manifest = exported.manifest();
     // The last page has types of its own before the program.
     let at = manifest.pages.len() - 1;
     let (page, culprit) = (&manifest.pages[at], 0);
@@ -147,25 +147,17 @@ fn a_case_that_is_not_accepted_is_named_by_its_message_and_taken_off_its_page_by
         assert_eq!(notes.matches("\n  rejected").count(), 1, "{notes}");
     }
     let before = exported.text();
-    fs::write(
-        exported.folder.path().join(crate::ANSWERS),
-        format!("rejected {id}\n"),
-    )
-    .expect("written");
+    exported.answer(&format!("rejected {id}\n"));
     let all: Vec<&Case> = cases.iter().collect();
     let again = export(&plan, &all, exported.folder.path()).expect("exported again");
     assert_eq!((again.cases, again.answered), (exported.cases, 1));
-    let manifest = crate::manifest::Manifest::read(exported.folder.path()).expect("a manifest");
+    let manifest = exported.manifest();
     let page = &manifest.pages[at];
     let text = fs::read_to_string(exported.folder.path().join(&page.file)).expect("a page");
     assert!(!text.contains(id.as_str()));
     let last = list(&array(&text, plan.dialect, page.elements, page.steps.len()));
     let (imported, events, whole) = exported.import(&format!("{before}{last}"));
     assert!(whole, "{:?}", imported.notes);
-    let odd: Vec<_> = events
-        .iter()
-        .filter(|case| case.verdict != Verdict::Pass)
-        .map(|case| (&case.id, case.verdict))
-        .collect();
-    assert_eq!(odd, [(id, Verdict::Fail)]);
+    let odd = odd(&events);
+    assert_eq!((odd.len(), &odd[0].id, odd[0].verdict), (1, id, Verdict::Fail));
 }

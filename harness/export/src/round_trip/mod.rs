@@ -5,6 +5,7 @@ mod arrays;
 mod compiled;
 mod folders;
 
+use crate::manifest::Manifest;
 use crate::{Export, ExportPlan, Imported, Reason, Source, With, export};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -116,7 +117,7 @@ impl Exported {
         let folder = tempfile::tempdir().expect("a folder");
         let cases: Vec<&Case> = cases.iter().collect();
         let told = export(plan, &cases, folder.path()).expect("exported");
-        let manifest = crate::manifest::Manifest::read(folder.path()).expect("a manifest");
+        let manifest = Manifest::read(folder.path()).expect("a manifest");
         let arrays = manifest
             .pages
             .iter()
@@ -153,6 +154,15 @@ impl Exported {
         (imported, events, whole)
     }
 
+    fn manifest(&self) -> Manifest {
+        Manifest::read(self.folder.path()).expect("a manifest")
+    }
+
+    /// Notes what a person saw, in place of what was noted before.
+    fn answer(&self, text: &str) {
+        fs::write(self.folder.path().join(crate::ANSWERS), text).expect("written");
+    }
+
     fn text(&self) -> String {
         self.arrays.iter().map(|array| list(array)).collect()
     }
@@ -167,6 +177,14 @@ impl Exported {
         assert_eq!(imported.unjudged, self.cases as u64);
         imported.notes.join("\n")
     }
+}
+
+/// The cases that did not pass.
+fn odd(events: &[CaseEvent]) -> Vec<&CaseEvent> {
+    events
+        .iter()
+        .filter(|case| case.verdict != Verdict::Pass)
+        .collect()
 }
 
 fn list(array: &[i32]) -> String {
