@@ -6,9 +6,10 @@ use crate::exit::Exit;
 use crate::output;
 use crate::shell;
 use anyhow::{Context, bail};
+use std::collections::BTreeSet;
 use std::env;
 use std::path::{Path, PathBuf};
-use stickler_run::{Filter, Plan, Shard};
+use stickler_run::{DefinedHeader, Filter, Plan, Shard};
 use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
 
@@ -74,14 +75,10 @@ impl CaseFolder {
         }
     }
 
-    /// Reads the cases, and says on stderr what is wrong with their files.
-    pub fn load(&self) -> Suite {
-        self.load_with(&[])
-    }
-
-    /// The same, with those of dialects that stickler.toml defines.
-    pub fn load_with(&self, defined: &[DialectName]) -> Suite {
-        let suite = Suite::load_with(&self.path, defined);
+    /// Reads the cases, and says on stderr what is wrong with their files. Of the dialects that stickler.toml defines, those have
+    /// cases that are among these: a run of which nobody says anything is the same everywhere.
+    pub fn load_with(&self, dialects: impl IntoIterator<Item = DialectName>) -> Suite {
+        let suite = Suite::load_with(&self.path, &defined(dialects));
         for error in &suite.errors {
             output::complain(&anyhow::anyhow!("{error}"));
         }
@@ -94,22 +91,45 @@ impl CaseFolder {
         }
         suite
     }
+
+    /// Reads the cases for a plan: with those of the dialects of stickler.toml that it names, or that a filter of it has at its end,
+    /// but for the selected ones of which nobody says what must happen. It says how many these are.
+    ///
+    /// # Errors
+    /// Where the reference cannot be asked.
+    pub fn load_for(&self, plan: &Plan) -> anyhow::Result<Loaded> {
+        let in_filters = plan.filters.iter().filter_map(Filter::dialect);
+        let named: Vec<DialectName> = plan.dialects.iter().copied().chain(in_filters).collect();
+        let mut suite = self.load_with(named.iter().copied());
+        let left_out = stickler_run::leave_out(plan, &mut suite.cases)?;
+        tell_left_out(&left_out);
+        Ok(Loaded {
+            defined: stickler_run::defined(&defined(named), &left_out),
+            suite,
+            left_out,
+        })
+    }
 }
 
-/// The dialects of stickler.toml that a command is about: those that are asked for, and the one at the end of a case's key. All
-/// others have no cases, so that a run of which nobody says anything else is the same everywhere.
-pub fn defined(asked: &[DialectName], key: Option<&str>) -> Vec<DialectName> {
-    let named = key.and_then(|key| key.rsplit_once('@')?.1.parse::<DialectName>().ok());
-    let asked = asked.iter().copied().chain(named);
-    asked.filter(|dialect| dialect.definition().is_some()).collect()
+/// The cases that a plan is about.
+pub struct Loaded {
+    /// All of them, and those that it does not select.
+    pub suite: Suite,
+    /// What reports say of the dialects of stickler.toml among those of the cases.
+    pub defined: Vec<DefinedHeader>,
+    /// The cases that were left out, because what their dialects override changes them and nobody says how.
+    pub left_out: Vec<Case>,
 }
 
-/// Takes out the selected cases of dialects of stickler.toml of which nobody says what must happen, and says how many.
-///
-/// # Errors
-/// Where the reference cannot be asked.
-pub fn leave_out(plan: &Plan, suite: &mut Suite) -> anyhow::Result<Vec<Case>> {
-    let left_out = stickler_run::leave_out(plan, &mut suite.cases)?;
+/// Those of the dialects that stickler.toml defines, each once.
+fn defined(dialects: impl IntoIterator<Item = DialectName>) -> Vec<DialectName> {
+    let defined = dialects
+        .into_iter()
+        .filter(|dialect| dialect.definition().is_some());
+    defined.collect::<BTreeSet<_>>().into_iter().collect()
+}
+
+fn tell_left_out(left_out: &[Case]) {
     for dialect in DialectName::defined() {
         let number = left_out.iter().filter(|case| case.dialect == dialect).count();
         let base = dialect.base().name();
@@ -121,11 +141,11 @@ pub fn leave_out(plan: &Plan, suite: &mut Suite) -> anyhow::Result<Vec<Case>> {
             ),
         };
         output::note(format!(
-            "{cases} and no document says how; `stickler list --dialect {dialect} --left-out` lists {}",
+            "{cases} and no document says how; `stickler list{} --dialect {dialect} --left-out` lists {}",
+            places(None),
             if number == 1 { "it" } else { "them" }
         ));
     }
-    Ok(left_out)
 }
 
 /// What broken case files mean for the exit code.
@@ -139,25 +159,23 @@ pub fn exit_of(suite: &Suite) -> Exit {
 
 /// Says that the filters left no case, and gives the exit code for it.
 pub fn nothing_selected(suite: &Suite) -> Exit {
-    let error = match suite.cases.len() {
-        0 => anyhow::anyhow!("no case is selected: there are none"),
-        number => anyhow::anyhow!("no case is selected: none of {number} fits; `stickler list` lists them"),
+    let unless_named = match DialectName::defined().is_empty() {
+        true => "",
+        false => "; a dialect of stickler.toml has cases where --dialect names it",
     };
-    output::complain(&error);
+    output::complain(&match suite.cases.len() {
+        0 => anyhow::anyhow!("no case is selected: there are none"),
+        number => {
+            anyhow::anyhow!(
+                "no case is selected: none of {number} fits; `stickler list` lists them{unless_named}"
+            )
+        }
+    });
     Exit::NothingTested.worst(exit_of(suite))
 }
 
 /// The plan that selects the cases which were asked for.
 pub fn plan(selection: &SelectionArguments, shard: Option<Shard>) -> Plan {
-    let mut rerun_prefix = format!("{} run", shell::program());
-    if let Some(folder) = &selection.cases {
-        rerun_prefix.push_str(" --cases ");
-        rerun_prefix.push_str(&shell::quote(&folder.to_string_lossy()));
-    }
-    if let Some(file) = engines::config_file() {
-        rerun_prefix.push_str(" --config ");
-        rerun_prefix.push_str(&shell::quote(&file.to_string_lossy()));
-    }
     Plan {
         filters: selection
             .filter
@@ -166,9 +184,18 @@ pub fn plan(selection: &SelectionArguments, shard: Option<Shard>) -> Plan {
             .collect(),
         dialects: selection.dialect.clone(),
         shard,
-        rerun_prefix,
+        rerun_prefix: format!("{} run{}", shell::program(), places(selection.cases.as_deref())),
         ..Plan::default()
     }
+}
+
+/// The options by which another command reads the same cases, and the same stickler.toml.
+pub fn places(cases: Option<&Path>) -> String {
+    let named = [("--cases", cases), ("--config", engines::config_file())];
+    let option = |(name, path): (&str, Option<&Path>)| {
+        path.map(|path| format!(" {name} {}", shell::quote(&path.to_string_lossy())))
+    };
+    named.into_iter().filter_map(option).collect()
 }
 
 #[cfg(test)]

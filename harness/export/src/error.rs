@@ -2,6 +2,7 @@
 
 use std::io;
 use std::path::PathBuf;
+use stickler_run::DefinedHeader;
 
 /// What keeps an export from being written, or its results from being read.
 #[derive(Debug, thiserror::Error)]
@@ -27,6 +28,13 @@ pub enum ExportError {
     /// The manifest is none.
     #[error("{}: {}; export again", .0.display(), .1)]
     Manifest(PathBuf, String),
+    /// The dialect of the export is defined nowhere, or otherwise: its name, and what it was.
+    #[error(
+        "stickler.toml does not define the dialect `{}` as it did when {} was exported: {}, but for {}; export again, or name the \
+         file of then with --config FILE",
+        .1.name, .0.display(), .1.extends, if .1.overrides.is_empty() { "nothing".to_owned() } else { .1.overrides.join(", ") }
+    )]
+    Defined(PathBuf, Box<DefinedHeader>),
     /// A line of the person's answers is none: where it stands, and what is wrong.
     #[error("{}: {}", .0, .1)]
     Answer(String, String),

@@ -11,6 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
+use stickler_run::DefinedHeader;
 use stickler_suite::Case;
 use stickler_types::DialectName;
 
@@ -19,6 +20,8 @@ use stickler_types::DialectName;
 pub struct ExportPlan {
     /// The dialect of its cases.
     pub dialect: DialectName,
+    /// What reports say of that dialect, where it is none of a documented system.
+    pub defined: Option<DefinedHeader>,
     /// The version of the suite, for the manifest.
     pub suite: String,
     /// How many cases stand on a page at most.
@@ -83,6 +86,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
     ready.sort_by_key(|ready| ready.company);
     let chunks = chunks(&ready, plan.cases_per_page.max(1));
     let mut manifest = Manifest::new(&plan.suite, plan.dialect.as_str());
+    manifest.defined.clone_from(&plan.defined);
     let told = format!(
         "{}, suite {}, Stickler {}.",
         plan.dialect,

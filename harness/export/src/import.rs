@@ -14,7 +14,10 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use stickler_engines::{Diagnostic, Identity, Outcome};
-use stickler_run::{EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Held, Plan, Summary, Teller};
+use stickler_run::{
+    DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Held, Plan, Summary, Teller,
+    defined,
+};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::DialectName;
 
@@ -57,10 +60,13 @@ impl Export {
     pub fn read(folder: &Path) -> Result<Export, ExportError> {
         let manifest = Manifest::read(folder)?;
         let broken = |what: String| ExportError::Manifest(folder.join(MANIFEST), what);
-        let dialect: DialectName = manifest
-            .dialect
-            .parse()
-            .map_err(|_| broken(format!("there is no dialect `{}`", manifest.dialect)))?;
+        let dialect: Option<DialectName> = manifest.dialect.parse().ok();
+        if let Some(then) = &manifest.defined
+            && !dialect.is_some_and(|dialect| is_still(then, dialect))
+        {
+            return Err(ExportError::Defined(folder.to_owned(), Box::new(then.clone())));
+        }
+        let dialect = dialect.ok_or_else(|| broken(format!("there is no dialect `{}`", manifest.dialect)))?;
         let page =
             |page: &crate::manifest::PageRecord| page.cases.iter().map(|case| case.case(dialect)).collect();
         let cases: Result<Vec<Vec<Case>>, String> = manifest.pages.iter().map(page).collect();
@@ -310,6 +316,7 @@ impl Export {
             cases: self.cases.iter().map(|cases| cases.len() as u64).sum(),
             dialects: vec![self.dialect.to_string()],
             baselines: held.map(|held| held.header().clone()).into_iter().collect(),
+            defined: self.manifest.defined.clone().into_iter().collect(),
             ..Header::default()
         }
     }
@@ -319,6 +326,13 @@ impl Export {
     pub fn folder(&self) -> &Path {
         &self.folder
     }
+}
+
+/// Whether a dialect of stickler.toml has the rules that it had then.
+fn is_still(then: &DefinedHeader, dialect: DialectName) -> bool {
+    let now = defined(&[dialect], &[]);
+    now.iter()
+        .any(|now| now.extends == then.extends && now.overrides == then.overrides)
 }
 
 /// What was given of a page.

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
+use stickler_run::DefinedHeader;
 
 /// What its file is called.
 pub const MANIFEST: &str = "manifest.json";
@@ -29,6 +30,9 @@ pub(crate) struct Manifest {
     pub(crate) suite: String,
     /// The dialect of all cases.
     pub(crate) dialect: String,
+    /// What it was when they were exported, where stickler.toml defines it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) defined: Option<DefinedHeader>,
     /// Its pages, in the order of their numbers.
     pub(crate) pages: Vec<PageRecord>,
 }
@@ -87,6 +91,7 @@ impl Manifest {
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
             suite: suite.to_owned(),
             dialect: dialect.to_owned(),
+            defined: None,
             pages: Vec::new(),
         }
     }

@@ -2,6 +2,7 @@
 
 use std::convert::Infallible;
 use std::str::FromStr;
+use stickler_types::DialectName;
 
 /// A filter over case ids. Three readings, the first that applies:
 ///
@@ -32,6 +33,12 @@ impl Filter {
     #[must_use]
     pub fn is_pattern(&self) -> bool {
         self.text.contains('*')
+    }
+
+    /// The dialect at the end of the key, as in `*@matiec`; none where no dialect is called so.
+    #[must_use]
+    pub fn dialect(&self) -> Option<DialectName> {
+        self.text.rsplit_once('@')?.1.parse().ok()
     }
 
     /// Whether the filter is this case's id or key, letter by letter.
@@ -138,6 +145,16 @@ mod tests {
     fn nothing_but_the_star_is_special() {
         assert!(Filter::new("a[?](.*").fits("a[?](.b", "matiec"));
         assert!(!Filter::new("a[?](.*").fits("ax(yb", "matiec"));
+    }
+
+    #[test]
+    fn a_filter_names_the_dialect_at_its_end() {
+        let named = |text: &str| Filter::new(text).dialect();
+        assert_eq!(named("a/b@matiec"), Some(DialectName::Matiec));
+        assert_eq!(named("*@x@plcnext"), Some(DialectName::Plcnext));
+        for text in ["matiec", "*@mat*", "a@matiec2", "@", ""] {
+            assert_eq!(named(text), None, "{text}");
+        }
     }
 
     #[test]

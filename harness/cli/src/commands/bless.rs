@@ -32,7 +32,7 @@ pub fn execute(arguments: &BlessArguments, out: &mut dyn Write) -> anyhow::Resul
     if arguments.baseline.is_some() && runs.len() > 1 {
         bail!("one file is the baseline of one engine; say by --engine of which");
     }
-    let suite = folder.load();
+    let suite = folder.load_with([]);
     if !suite.errors.is_empty() {
         bail!("what fits no case can only be told of a whole suite; mend its files first");
     }

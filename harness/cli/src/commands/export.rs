@@ -1,7 +1,7 @@
 //! `stickler export`: pages of programs for a compiler behind an editor.
 
 use crate::arguments::{ExportArguments, SelectionArguments};
-use crate::case_folder::{self, CaseFolder};
+use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
 use crate::shell;
 use std::io::Write;
@@ -15,18 +15,21 @@ use stickler_suite::Case;
 /// A folder that holds something else, or cannot be written; no folder of cases.
 pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let suite = folder.load();
     let selection = SelectionArguments {
         cases: arguments.cases.clone(),
         filter: arguments.filter.clone(),
         dialect: vec![arguments.dialect],
     };
-    let selected: Vec<&Case> = select(&case_folder::plan(&selection, None), &suite.cases);
+    let plan = case_folder::plan(&selection, None);
+    let Loaded { suite, defined, .. } = folder.load_for(&plan)?;
+    let selected: Vec<&Case> = select(&plan, &suite.cases);
     if selected.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));
     }
+    let name = arguments.dialect.as_str();
     let plan = ExportPlan {
         dialect: arguments.dialect,
+        defined: defined.into_iter().find(|defined| defined.name == name),
         suite: suite.version.clone(),
         cases_per_page: usize::from(arguments.cases_per_page),
         with: arguments.with.iter().copied().collect(),
@@ -77,8 +80,9 @@ fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -
         )?;
         writeln!(
             out,
-            "  {} import FILE --export {folder} --engine-name NAME",
-            shell::program()
+            "  {} import FILE --export {folder} --engine-name NAME{}",
+            shell::program(),
+            case_folder::places(None)
         )?;
     }
     Ok(())

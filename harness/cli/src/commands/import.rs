@@ -1,7 +1,7 @@
 //! `stickler import`: what was copied out of an editor, judged and reported as a run of any engine is.
 
 use crate::arguments::ImportArguments;
-use crate::case_folder::CaseFolder;
+use crate::case_folder::{self, CaseFolder};
 use crate::exit::{self, Exit};
 use crate::{baselines, output, shell};
 use anyhow::{Context, bail};
@@ -37,7 +37,7 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
     let plan = plan(arguments, &export, &root, &engine)?;
     // A baseline is held against all that the engine could be asked, not only against what was exported.
     let suite = match (&cases, plan.baselines.is_empty()) {
-        (Some(folder), false) => folder.load(),
+        (Some(folder), false) => folder.load_with([export.dialect()]),
         (None, false) => bail!("a baseline is about cases; say with --cases DIR where they are"),
         (_, true) => Suite::default(),
     };
@@ -127,7 +127,12 @@ fn plan(
         Some(name) => format!("{}-again", name.to_string_lossy()),
         None => "again".to_owned(),
     };
-    let mut rerun_prefix = format!("{} export {}", shell::program(), shell::quote(&again));
+    let mut rerun_prefix = format!(
+        "{} export {}{}",
+        shell::program(),
+        shell::quote(&again),
+        case_folder::places(arguments.cases.as_deref())
+    );
     for kind in export.with() {
         rerun_prefix.push_str(" --with ");
         rerun_prefix.push_str(kind.as_str());

@@ -1,7 +1,7 @@
 //! `stickler list`: the cases, or the claims that they check.
 
 use crate::arguments::ListArguments;
-use crate::case_folder::{self, CaseFolder};
+use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
 use anstyle::Style;
 use serde::Serialize;
@@ -20,10 +20,9 @@ const DIM: Style = Style::new().dimmed();
 /// No folder of cases; nothing selected.
 pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let selection = &arguments.selection;
-    let defined = case_folder::defined(&selection.dialect, selection.filter.as_deref());
-    let mut suite = CaseFolder::locate(selection.cases.as_deref())?.load_with(&defined);
     let plan = case_folder::plan(selection, None);
-    let left_out = case_folder::leave_out(&plan, &mut suite)?;
+    let folder = CaseFolder::locate(selection.cases.as_deref())?;
+    let Loaded { suite, left_out, .. } = folder.load_for(&plan)?;
     let cases = match arguments.left_out {
         true => left_out.iter().collect(),
         false => select(&plan, &suite.cases),

@@ -46,8 +46,8 @@ const TYPES: [ElementaryType; 20] = [
 /// # Errors
 /// No folder of cases, or an engine that cannot be run or speaks none of the dialects.
 pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let defined = case_folder::defined(&arguments.dialect, None);
-    let suite = CaseFolder::locate(arguments.cases.as_deref())?.load_with(&defined);
+    let folder = CaseFolder::locate(arguments.cases.as_deref())?;
+    let suite = folder.load_with(arguments.dialect.iter().copied());
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
     let mut exit = case_folder::exit_of(&suite);

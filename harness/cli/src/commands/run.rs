@@ -2,7 +2,7 @@
 
 use crate::arguments::RunArguments;
 use crate::caches::Caches;
-use crate::case_folder::{self, CaseFolder};
+use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::engines::Named;
 use crate::exit::{self, Exit};
 use crate::progress::Progress;
@@ -32,21 +32,13 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     let asked_for = asked_for(&engines);
     let engines: Vec<&dyn Engine> = engines.iter().map(|named| named.engine.as_ref()).collect();
     let folder = CaseFolder::locate(arguments.selection.cases.as_deref())?;
-    let defined = case_folder::defined(
-        &arguments.selection.dialect,
-        arguments.selection.filter.as_deref(),
-    );
-    let mut suite = folder.load_with(&defined);
     let plan = Plan {
         asked_for,
         baselines: baselines(arguments, &folder, &engines)?,
         ..plan(arguments)
     };
-    let left_out = case_folder::leave_out(&plan, &mut suite)?;
-    let plan = Plan {
-        defined: stickler_run::defined(&defined, &left_out),
-        ..plan
-    };
+    let Loaded { suite, defined, .. } = folder.load_for(&plan)?;
+    let plan = Plan { defined, ..plan };
     let selected = select(&plan, &suite.cases);
     if selected.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));

@@ -8,7 +8,7 @@ use anstyle::Style;
 use anyhow::bail;
 use std::io::{self, Write};
 use stickler_engines::Outcome;
-use stickler_run::{Answers, Grade, Plan, judge};
+use stickler_run::{Answers, Filter, Grade, Plan, judge};
 use stickler_suite::{Case, Suite};
 
 const BOLD: Style = Style::new().bold();
@@ -25,8 +25,8 @@ const LONGEST_NAME: usize = 200;
 /// # Errors
 /// No folder of cases; no such case, with those that look like it.
 pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let defined = case_folder::defined(&[], Some(&arguments.case));
-    let suite = CaseFolder::locate(arguments.cases.as_deref())?.load_with(&defined);
+    let dialect = Filter::new(arguments.case.as_str()).dialect();
+    let suite = CaseFolder::locate(arguments.cases.as_deref())?.load_with(dialect);
     let withdrawn = suite.withdrawn.iter().map(|withdrawn| &withdrawn.case);
     let named: Vec<&Case> = suite
         .cases

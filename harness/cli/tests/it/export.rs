@@ -1,6 +1,7 @@
 //! Pages for an editor, and what is copied back, through the command line: the reference stands in for what is behind the editor.
 
 use crate::common::{SUITE, output, text};
+use crate::dialects;
 use std::fs;
 use std::path::Path;
 
@@ -93,4 +94,68 @@ fn what_is_not_whole_is_told_and_never_taken_for_a_pass() {
     let (code, _, notes) = run(folder.path(), &["import", "nothing.txt", "--export", "pages"]);
     assert_eq!(code, Some(2));
     assert!(notes.contains("cannot read nothing.txt"), "{notes}");
+}
+
+#[test]
+fn a_dialect_of_stickler_toml_is_exported_and_judged_by_what_it_was() {
+    let folder = dialects::folder(dialects::MINE);
+    let run = |arguments: &[&str]| run(folder.path(), arguments);
+    let selection = [
+        "--dialect",
+        "mine",
+        "--filter",
+        "conversion/real-to-integer",
+        "--sample",
+        "40",
+    ];
+    let (code, shown, notes) = run(&[&["export", "pages"][..], &selection].concat());
+    assert_eq!(code, Some(0), "{shown}{notes}");
+    assert!(shown.contains("40 cases in mine\n"), "{shown}");
+    let copied = |dialect: &str| {
+        let page = ["eval", "pages/page-001.st", "--scans", "60", "--dialect", dialect];
+        let (code, shown, notes) = run(&page);
+        assert_eq!(code, Some(0), "{notes}");
+        fs::write(folder.path().join(dialect), shown).expect("written");
+    };
+    copied("mine");
+    copied("ironplc-ed3");
+    let import = |copied: &str, configuration: &str| {
+        run(&[
+            "import",
+            copied,
+            "--export",
+            "pages",
+            "--report",
+            "told",
+            "--config",
+            configuration,
+        ])
+    };
+    let (code, shown, notes) = import("mine", "stickler.toml");
+    assert_eq!(code, Some(0), "{shown}{notes}");
+    let summary = fs::read_to_string(folder.path().join("told/summary.md")).expect("a report");
+    assert!(
+        summary.contains("\n- mine (MyPLC 2.1) is ironplc-ed3, but for "),
+        "{summary}"
+    );
+    // Who does what the base does breaks the promise.
+    let (code, shown, _) = import("ironplc-ed3", "stickler.toml");
+    assert_eq!(code, Some(1), "{shown}");
+    assert!(
+        shown.contains(
+            "stickler export pages-again --config stickler.toml --filter 'conversion/real-to-integer"
+        ),
+        "{shown}"
+    );
+    fs::write(
+        folder.path().join("other.toml"),
+        dialects::MINE.replace("saturate", "wrap"),
+    )
+    .expect("written");
+    for configuration in ["empty.toml", "other.toml"] {
+        let (code, _, notes) = import("mine", configuration);
+        assert_eq!(code, Some(2));
+        let then = "stickler.toml does not define the dialect `mine` as it did when pages was exported: ironplc-ed3, but for ";
+        assert!(notes.contains(then), "{notes}");
+    }
 }

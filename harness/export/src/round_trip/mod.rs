@@ -55,6 +55,7 @@ fn cases(files: &[&str]) -> Vec<Case> {
 fn plan(dialect: DialectName) -> ExportPlan {
     ExportPlan {
         dialect,
+        defined: None,
         suite: "1".to_owned(),
         cases_per_page: 16,
         with: BTreeSet::new(),
