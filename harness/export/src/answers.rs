@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
+use stickler_types::DialectName;
 
 /// What the file is called.
 pub const ANSWERS: &str = "answers.txt";
@@ -32,21 +33,23 @@ pub(crate) enum Answer {
 /// The answers of a person, by the id of the case, and where each stands.
 pub(crate) type Answers = BTreeMap<String, (Answer, String)>;
 
-/// Reads the answers of a folder; none where there is no file of them.
+/// Reads the answers of a folder, which are about cases in this dialect; none where there is no file of them.
 ///
 /// # Errors
 /// [`ExportError::Read`]; [`ExportError::Answer`] with the line of what is no answer, or of one that contradicts another.
-pub(crate) fn read(folder: &Path) -> Result<Answers, ExportError> {
+pub(crate) fn read(folder: &Path, dialect: DialectName) -> Result<Answers, ExportError> {
     let path = folder.join(ANSWERS);
     match fs::read(&path) {
-        Ok(bytes) => parse(&decoded(&bytes), &path),
+        Ok(bytes) => parse(&decoded(&bytes), &path, dialect),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(Answers::new()),
         Err(error) => Err(ExportError::Read(path, error)),
     }
 }
 
-fn parse(text: &str, path: &Path) -> Result<Answers, ExportError> {
+fn parse(text: &str, path: &Path, dialect: DialectName) -> Result<Answers, ExportError> {
     let mut answers = Answers::new();
+    // Reports write it behind each id.
+    let dialect = format!("@{dialect}");
     for (number, line) in text.lines().enumerate() {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
@@ -68,6 +71,7 @@ fn parse(text: &str, path: &Path) -> Result<Answers, ExportError> {
             }
         };
         let id = id.trim();
+        let id = id.strip_suffix(&dialect).unwrap_or(id);
         if let Some((other, before)) = answers.get(id)
             && *other != answer
         {
@@ -84,8 +88,8 @@ mod tests {
 
     #[test]
     fn answers_are_a_word_and_an_id() {
-        let text = format!("{TEMPLATE}\r\n  Rejected  a/b::c(INT,*,1)\r\ncrashed x/y\naccepted z\n");
-        let answers = parse(&text, Path::new("answers.txt")).expect("answers");
+        let text = format!("{TEMPLATE}\r\n  Rejected  a/b::c(INT,*,1)\r\ncrashed x/y@matiec\naccepted z\n");
+        let answers = parse(&text, Path::new("answers.txt"), DialectName::Matiec).expect("answers");
         let told: Vec<(&str, Answer)> = answers
             .iter()
             .map(|(id, (answer, _))| (id.as_str(), *answer))
@@ -108,7 +112,7 @@ mod tests {
             [0xFF, 0xFE].into_iter().chain(utf_16).collect(),
         ] {
             fs::write(folder.path().join(ANSWERS), bytes).expect("written");
-            let answers = read(folder.path()).expect("answers");
+            let answers = read(folder.path(), DialectName::Matiec).expect("answers");
             assert_eq!(answers["a/b"].0, Answer::Rejected);
         }
     }
@@ -123,7 +127,7 @@ mod tests {
                 "answers.txt:2: a has another answer at answers.txt:1",
             ),
         ] {
-            let error = parse(text, Path::new("answers.txt"))
+            let error = parse(text, Path::new("answers.txt"), DialectName::Matiec)
                 .expect_err("a mistake")
                 .to_string();
             assert!(error.starts_with(expected), "{error}");

@@ -59,7 +59,7 @@ pub struct Exported {
 /// [`ExportError::NotEmpty`] before anything is written; [`ExportError::Write`].
 pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Exported, ExportError> {
     prepare(folder)?;
-    let answers = answers::read(folder)?;
+    let answers = answers::read(folder, plan.dialect)?;
     let mut exported = Exported::default();
     let mut left_out: BTreeMap<Reason, usize> = BTreeMap::new();
     let mut leave_out = |reason: Reason| *left_out.entry(reason).or_default() += 1;

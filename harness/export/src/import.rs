@@ -73,7 +73,7 @@ impl Export {
         Ok(Export {
             folder: folder.to_owned(),
             cases: cases.map_err(broken)?,
-            answers: answers::read(folder)?,
+            answers: answers::read(folder, dialect)?,
             manifest,
             dialect,
         })

@@ -3,7 +3,8 @@
 use crate::arguments::{ExportArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
-use crate::shell;
+use crate::{output, shell};
+use std::collections::BTreeSet;
 use std::io::Write;
 use stickler_export::{ANSWERS, ExportPlan, Exported, export};
 use stickler_run::select;
@@ -33,7 +34,7 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
         suite: suite.version.clone(),
         cases_per_page: usize::from(arguments.cases_per_page),
         with: arguments.with.iter().copied().collect(),
-        without: arguments.without.iter().cloned().collect(),
+        without: without(arguments, &selected),
         sample: arguments
             .sample
             .map(|sample| usize::try_from(sample).unwrap_or(usize::MAX)),
@@ -47,6 +48,25 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
         Exit::AsExpected
     };
     Ok(empty.worst(case_folder::exit_of(&suite)))
+}
+
+/// The ids of the cases to be left out. `stickler list` and reports write `@dialect` behind them.
+fn without(arguments: &ExportArguments, selected: &[&Case]) -> BTreeSet<String> {
+    let dialect = format!("@{}", arguments.dialect);
+    let ids = arguments
+        .without
+        .iter()
+        .map(|named| named.strip_suffix(&dialect).unwrap_or(named).to_owned());
+    let ids: BTreeSet<String> = ids.collect();
+    for stranger in ids
+        .iter()
+        .filter(|id| selected.iter().all(|case| *case.id != ***id))
+    {
+        output::note(format!(
+            "--without `{stranger}` leaves out nothing; no case that was selected has this id"
+        ));
+    }
+    ids
 }
 
 fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -> std::io::Result<()> {

@@ -107,9 +107,18 @@ fn a_dialect_of_stickler_toml_is_exported_and_judged_by_what_it_was() {
         "conversion/real-to-integer",
         "--sample",
         "40",
+        "--without",
+        "conversion/real-to-integer::variable(REAL,INT,2.5)@mine",
+        "--without",
+        "x/y",
     ];
     let (code, shown, notes) = run(&[&["export", "pages"][..], &selection].concat());
     assert_eq!(code, Some(0), "{shown}{notes}");
+    assert!(shown.contains(" 1 named by --without\n"), "{shown}");
+    assert!(
+        notes.contains("--without `x/y` leaves out nothing") && notes.matches("nothing").count() == 1,
+        "{notes}"
+    );
     assert!(shown.contains("40 cases in mine\n"), "{shown}");
     let copied = |dialect: &str| {
         let page = ["eval", "pages/page-001.st", "--scans", "60", "--dialect", dialect];
