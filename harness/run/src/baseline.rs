@@ -18,6 +18,8 @@ pub use read::BaselineError;
 use crate::{Filter, Verdict};
 use jiff::civil::Date;
 use semver::VersionReq;
+use stickler_suite::Suite;
+use stickler_types::DialectName;
 
 /// The baseline of one engine.
 #[derive(Clone, Debug, Default)]
@@ -79,6 +81,15 @@ impl Baseline {
 }
 
 impl Entry {
+    /// Whether the entry is about a dialect that was defined and of which this suite has no cases: those of such a dialect are there only
+    /// where somebody asks for them, so nothing is known of the entry.
+    fn is_beside(&self, suite: &Suite) -> bool {
+        let is_beside = |dialect: DialectName| {
+            dialect.definition().is_some() && !suite.cases.iter().any(|case| case.dialect == dialect)
+        };
+        self.case.dialect().is_some_and(is_beside)
+    }
+
     /// Whether the entry is about this case.
     fn covers(&self, id: &str, dialect: &str) -> bool {
         match self.case.is_pattern() {

@@ -13,6 +13,7 @@ use stickler_engines::Reference;
 use stickler_report::events::{self, Completeness};
 use stickler_run::{Baseline, Blessing, Change, ChangeKind, EngineRun, Event, bless};
 use stickler_suite::Suite;
+use stickler_types::DialectName;
 
 /// How many changes of a baseline are shown one by one.
 const SHOWN_CHANGES: usize = 40;
@@ -28,11 +29,12 @@ pub fn execute(arguments: &BlessArguments, out: &mut dyn Write) -> anyhow::Resul
         .report
         .clone()
         .unwrap_or_else(|| folder.root.join("reports").join("latest"));
-    let (day, runs) = chosen(read(&report)?, &arguments.engine)?;
+    let (dialects, runs) = read(&report)?;
+    let (day, runs) = chosen(runs, &arguments.engine)?;
     if arguments.baseline.is_some() && runs.len() > 1 {
         bail!("one file is the baseline of one engine; say by --engine of which");
     }
-    let suite = folder.load_with([]);
+    let suite = folder.load_with(dialects);
     if !suite.errors.is_empty() {
         bail!("what fits no case can only be told of a whole suite; mend its files first");
     }
@@ -50,7 +52,8 @@ pub fn execute(arguments: &BlessArguments, out: &mut dyn Write) -> anyhow::Resul
 /// A run as its log tells it: its day, and each engine.
 type Runs = (Date, Vec<EngineRun>);
 
-fn read(report: &Path) -> anyhow::Result<Runs> {
+/// The dialects of stickler.toml that take part, and what the log tells of the run.
+fn read(report: &Path) -> anyhow::Result<(Vec<DialectName>, Runs)> {
     let log = match report.extension() {
         Some(extension) if extension == "jsonl" => report.to_owned(),
         _ => report.join("events.jsonl"),
@@ -59,10 +62,13 @@ fn read(report: &Path) -> anyhow::Result<Runs> {
     let file = fs::File::open(&log).with_context(|| format!("cannot read {shown}; a run writes it"))?;
     let mut day = None;
     let mut runs: Vec<EngineRun> = Vec::new();
+    let mut dialects: Vec<DialectName> = Vec::new();
     let completeness = events::read(BufReader::new(file), &mut |event| match event {
         Event::Header(header) => {
             day = header.started.get(..10).and_then(|day| day.parse::<Date>().ok());
             runs = header.engines.into_iter().map(EngineRun::new).collect();
+            let defined = header.defined.iter();
+            dialects = defined.filter_map(|defined| defined.name.parse().ok()).collect();
         }
         Event::Case(case) => runs.iter_mut().for_each(|run| run.take(&case)),
         Event::Footer(_) => {}
@@ -72,7 +78,7 @@ fn read(report: &Path) -> anyhow::Result<Runs> {
         bail!("{shown}: {completeness}; a baseline is rewritten from a whole run, so run it again");
     }
     let day = day.with_context(|| format!("{shown} does not say when its run began"))?;
-    Ok((day, runs))
+    Ok((dialects, (day, runs)))
 }
 
 /// The engines that are meant.

@@ -143,6 +143,30 @@ fn a_false_promise_fails_exactly_where_it_was_made() {
     assert!(!fails("conversion/real-to-integer::variable(REAL,INT,1.0)"));
 }
 
+#[cfg(unix)]
+#[test]
+fn what_a_run_found_is_blessed_and_nothing_that_other_runs_are_about() {
+    let engine = format!("[engines.other]\ncommand = \"'{STICKLER}' engine --config empty.toml\"\n");
+    let folder = folder(&(MINE.to_owned() + &engine));
+    let code = |arguments: &[&str]| {
+        let output = output(folder.path(), arguments);
+        let all = text(&output.stdout) + &told(&output);
+        (output.status.code(), all)
+    };
+    let run = ["run", "--engine", "other", "--filter", "widening/integer"];
+    let in_mine = [&run[..], &["--dialect", "mine"]].concat();
+    assert_eq!(code(&in_mine).0, Some(1));
+    let (blessed, all) = code(&["bless"]);
+    assert_eq!(blessed, Some(0), "{all}");
+    let baseline =
+        fs::read_to_string(folder.path().join("reports/baselines/other.toml")).expect("a baseline");
+    assert!(baseline.contains("@mine\"\n"), "{baseline}");
+    for again in [&in_mine[..], &run] {
+        let (code, all) = code(again);
+        assert_eq!(code, Some(0), "{all}");
+    }
+}
+
 #[test]
 fn parts_of_a_run_are_put_together_if_their_files_define_the_same() {
     let folder = folder(MINE);

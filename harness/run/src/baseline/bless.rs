@@ -109,7 +109,9 @@ pub(super) struct Added {
 /// none does. Cases that were not run stay as they are. Entries about other versions of the engine are left alone.
 #[must_use]
 pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, day: Date) -> Blessing {
-    let spoken = |dialect: &DialectName| run.engine.dialects.iter().any(|name| name == dialect.as_str());
+    // As for [`Identity::asked_in`](stickler_engines::Identity::asked_in), of which only the names are known.
+    let named = |dialect: DialectName| run.engine.dialects.iter().any(|name| name == dialect.as_str());
+    let spoken = |dialect: &DialectName| named(*dialect) || named(dialect.base().name());
     let cases = suite.cases.iter().filter(|case| spoken(&case.dialect));
     let keys: Vec<Key<'_>> = cases.map(|case| (&*case.id, case.dialect)).collect();
     let universe = Universe::new(keys.iter().copied());
@@ -132,6 +134,7 @@ pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, da
         .iter()
         .enumerate()
         .map(|(index, entry)| match owned.fits[index] {
+            false if entry.is_beside(suite) => Fate::Kept,
             false => Fate::Removed("fits no case".to_owned()),
             true => fate(entry, &of_entry[index], run, &universe, &standings[index]),
         })

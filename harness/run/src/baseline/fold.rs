@@ -3,7 +3,7 @@
 //! The ids of a table's cases are `file::probe(A,B,C)`. A whole probe becomes `file::probe(*`, a part of one
 //! `file::probe(A,*`; nothing wider, so that no entry spreads over what a table does not hold together.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use stickler_types::DialectName;
 
 /// A case: its id and its dialect.
@@ -76,13 +76,16 @@ impl Folding<'_> {
         if wanted == 0 {
             return Vec::new();
         }
-        if wanted == all {
+        let dialects: BTreeSet<DialectName> = ids.iter().flat_map(|id| self.dialects(id)).copied().collect();
+        // Where all of them were defined, the entry would fit no case of a run in which they take no part.
+        let is_ever_there = dialects.iter().any(|dialect| dialect.definition().is_none());
+        if wanted == all && is_ever_there {
             return vec![Folded {
                 case: name(ids, prefix),
                 cases: all,
             }];
         }
-        let apart: Vec<Folded> = DialectName::ALL
+        let apart: Vec<Folded> = dialects
             .into_iter()
             .flat_map(|dialect| self.one_dialect(ids, prefix, dialect))
             .collect();

@@ -41,7 +41,7 @@ pub fn hold<'a>(baseline: &Baseline, suite: &'a Suite, engine: &Identity, today:
     });
     let outdated = baseline.entries.iter().zip(&standings).enumerate();
     let outdated = outdated.filter_map(|(index, (entry, standing))| {
-        let fits = owned.fits[index] || !suite.errors.is_empty();
+        let fits = owned.fits[index] || !suite.errors.is_empty() || entry.is_beside(suite);
         Some(OutdatedEntry {
             at: baseline.place(entry),
             case: entry.case.as_str().to_owned(),

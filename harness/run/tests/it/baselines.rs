@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use stickler_engines::{Engine, Outcome, RunRequest};
 use stickler_run::{Baseline, CaseEvent, Event, Filter, Header, Plan, Summary, Verdict, run};
 use stickler_suite::{Case, Suite};
-use stickler_types::DialectName;
+use stickler_types::{BuiltIn, Definition, DialectName};
 
 fn cases(ids: &[&str]) -> Suite {
     let case = |id: &&str| Case {
@@ -181,6 +181,25 @@ fn a_filter_makes_no_entry_stale_and_a_dialect_that_the_engine_does_not_speak_do
     assert_eq!(go(plan("a/x"), &suite, &engine()).summary.outdated, 0);
     let other = plan("a/x@plcnext");
     assert_eq!(go(other, &suite, &engine()).summary.outdated, 1);
+}
+
+#[test]
+fn of_a_dialect_that_was_defined_and_takes_no_part_nothing_is_called_stale() {
+    let define = |name: &str| DialectName::define(Definition::new(name, BuiltIn::Matiec, "here")).unwrap();
+    let defined = define("holds-beside");
+    let plan = |case: &str| Plan {
+        baselines: vec![baseline(&entry(case, "fail", ""))],
+        ..Plan::default()
+    };
+    let outdated = |plan, suite: &Suite| go(plan, suite, &engine()).summary.outdated;
+    let mut suite = cases(&["a/good"]);
+    assert_eq!(outdated(plan("a/gone@holds-beside"), &suite), 0);
+    let taken_over = suite.cases[0].clone();
+    suite.cases.push(Case {
+        dialect: defined,
+        ..taken_over
+    });
+    assert_eq!(outdated(plan("a/gone@holds-beside"), &suite), 1);
 }
 
 #[test]

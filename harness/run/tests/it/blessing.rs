@@ -6,7 +6,7 @@ use stickler_run::{
     Baseline, BaselineNote, Blessing, CaseEvent, ChangeKind, EngineHeader, EngineRun, Grade, Verdict, bless,
 };
 use stickler_suite::{Case, Suite};
-use stickler_types::DialectName;
+use stickler_types::{BuiltIn, Definition, DialectName};
 
 const IDS: [&str; 5] = [
     "a/one",
@@ -247,6 +247,25 @@ fn the_comment_that_opens_the_file_stays_whichever_entry_goes() {
         "{}",
         again.text
     );
+}
+
+#[test]
+fn a_dialect_that_was_defined_has_entries_where_it_takes_part_and_keeps_them_elsewhere() {
+    let defined = DialectName::define(Definition::new("blessed", BuiltIn::IronplcEd3, "here")).unwrap();
+    let base = DialectName::IronplcEd3;
+    // Of what it states itself, only it has the case.
+    let with = [("a/one", base), ("a/one", defined), ("a/own(1)", defined)];
+    let with = with.map(|(id, dialect)| Case { dialect, ..case(id) });
+    let mut run = EngineRun::new(ran(&[]).engine().clone());
+    run.take(&event("a/one", "ironplc-ed3", Verdict::Pass));
+    run.take(&event("a/one", "blessed", Verdict::Fail));
+    run.take(&event("a/own(1)", "blessed", Verdict::Fail));
+    let nothing = Baseline::read("", "b/iron.toml", "iron").unwrap();
+    let blessing = bless("", &nothing, &run, &suite(with.to_vec()), date(2026, 11, 21));
+    assert_eq!(blessing.strangers, 0);
+    assert_eq!(cases(&blessing), ["fail a/one@blessed", "fail a/own(1)@blessed"]);
+    let elsewhere = blessed(&blessing.text, &ran(&[]));
+    assert_eq!(elsewhere.text, blessing.text);
 }
 
 #[test]
