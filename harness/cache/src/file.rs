@@ -1,6 +1,6 @@
 //! The files of a cache: how they are called, read, mended, and thrown away.
 
-use crate::line;
+use crate::line::Line;
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Write};
@@ -40,18 +40,9 @@ pub(crate) fn name(engine: &str, fingerprint: &str) -> String {
 /// stands in `notes`.
 pub(crate) fn open(path: &Path, fingerprint: &str, largest: usize, notes: &mut Vec<String>) -> Kept {
     let shown = path.display();
-    let head = format!("{FORMAT} {fingerprint}\n");
-    let (text, stays) = match read(path) {
-        Ok(text) => {
-            let read = Contents::of(&text, &head);
-            notes.extend(read.note(path));
-            let fits = text.len() <= largest;
-            (
-                read.lines_from(if fits { 0 } else { read.lines.len() / 2 }),
-                fits && read.is_sound(),
-            )
-        }
-        Err(error) if error.kind() == ErrorKind::NotFound => (String::new(), false),
+    let text = match read(path) {
+        Ok(text) => Some(text),
+        Err(error) if error.kind() == ErrorKind::NotFound => None,
         Err(error) => {
             notes.push(format!("{shown} cannot be read, and keeps no results: {error}"));
             return Kept {
@@ -60,9 +51,18 @@ pub(crate) fn open(path: &Path, fingerprint: &str, largest: usize, notes: &mut V
             };
         }
     };
-    let opened = match stays {
+    let head = format!("{FORMAT} {fingerprint}\n");
+    let contents = text.as_deref().map(|text| Contents::of(text, &head));
+    notes.extend(contents.as_ref().and_then(|contents| contents.note(path)));
+    let contents = contents.unwrap_or_default();
+    let fits = text.as_ref().is_none_or(|text| text.len() <= largest);
+    let lines = match fits {
+        true => &contents.lines[..],
+        false => &contents.lines[contents.lines.len() / 2..],
+    };
+    let opened = match fits && contents.is_sound() {
         true => OpenOptions::new().append(true).open(path),
-        false => replace(path, &head, &text),
+        false => replace(path, &head, lines),
     };
     let file = opened
         .map_err(|error| {
@@ -75,8 +75,9 @@ pub(crate) fn open(path: &Path, fingerprint: &str, largest: usize, notes: &mut V
         // The files that were used last are those that stay. Where the system does not note it, another may go first.
         let _ = file.set_modified(SystemTime::now());
     }
-    let lines = text.lines().filter_map(line::read);
-    let answers = lines.map(|(question, answers)| (question.to_owned(), answers.to_owned()));
+    let answers = lines
+        .iter()
+        .map(|line| (line.question.to_owned(), line.answers.to_owned()));
     Kept {
         answers: answers.collect(),
         file,
@@ -91,12 +92,13 @@ fn read(path: &Path) -> io::Result<String> {
         .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned()))
 }
 
-/// What is in a file.
+/// What is in a file; by default there is none.
+#[derive(Default)]
 struct Contents<'t> {
     /// It begins as it should.
     ours: bool,
     /// The lines that are as they were written.
-    lines: Vec<&'t str>,
+    lines: Vec<Line<'t>>,
     broken: usize,
     /// The last line has its line feed.
     ended: bool,
@@ -105,17 +107,12 @@ struct Contents<'t> {
 impl<'t> Contents<'t> {
     fn of(text: &'t str, head: &str) -> Contents<'t> {
         let Some(rest) = text.strip_prefix(head) else {
-            return Contents {
-                ours: false,
-                lines: Vec::new(),
-                broken: 0,
-                ended: false,
-            };
+            return Contents::default();
         };
         let all = rest.lines().count();
         // Of two runs that made the file at once each may have written its beginning.
         let heads = rest.lines().filter(|line| *line == head.trim_end()).count();
-        let lines: Vec<&str> = rest.lines().filter(|line| line::read(line).is_some()).collect();
+        let lines: Vec<Line<'t>> = rest.lines().filter_map(Line::read).collect();
         Contents {
             ours: true,
             broken: all - heads - lines.len(),
@@ -144,24 +141,18 @@ impl<'t> Contents<'t> {
             "{shown}: {results} broken; what they kept is asked again"
         ))
     }
-
-    /// The lines from this one on.
-    fn lines_from(&self, first: usize) -> String {
-        let mut text = String::new();
-        for line in &self.lines[first..] {
-            text.push_str(line);
-            text.push('\n');
-        }
-        text
-    }
 }
 
 /// Puts a file in the place of another, whole or not at all, and opens it for more.
-fn replace(path: &Path, head: &str, text: &str) -> io::Result<File> {
+fn replace(path: &Path, head: &str, lines: &[Line<'_>]) -> io::Result<File> {
     let folder = path.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(folder)?;
+    let mut text = head.to_owned();
+    for line in lines {
+        text.push_str(line.whole);
+        text.push('\n');
+    }
     let mut new = tempfile::NamedTempFile::new_in(folder)?;
-    new.write_all(head.as_bytes())?;
     new.write_all(text.as_bytes())?;
     new.persist(path).map_err(|error| error.error)?;
     OpenOptions::new().append(true).open(path)

@@ -7,11 +7,26 @@ pub(crate) fn written(question: &str, answers: &str) -> String {
     format!("{question} {} {answers}\n", digest(question, answers))
 }
 
-/// The question and the answers of a line without its line feed; `None` where it is not as it was written.
-pub(crate) fn read(line: &str) -> Option<(&str, &str)> {
-    let (question, rest) = line.split_once(' ')?;
-    let (told, answers) = rest.split_once(' ')?;
-    (told == digest(question, answers)).then_some((question, answers))
+/// A line that is as it was written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Line<'t> {
+    /// All of it, without its line feed.
+    pub(crate) whole: &'t str,
+    pub(crate) question: &'t str,
+    pub(crate) answers: &'t str,
+}
+
+impl<'t> Line<'t> {
+    /// Reads a line without its line feed; `None` where it is not as it was written.
+    pub(crate) fn read(whole: &'t str) -> Option<Line<'t>> {
+        let (question, rest) = whole.split_once(' ')?;
+        let (told, answers) = rest.split_once(' ')?;
+        (told == digest(question, answers)).then_some(Line {
+            whole,
+            question,
+            answers,
+        })
+    }
 }
 
 fn digest(question: &str, answers: &str) -> String {
@@ -23,17 +38,23 @@ fn digest(question: &str, answers: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{read, written};
+    use super::{Line, written};
 
     #[test]
     fn a_line_is_read_as_it_was_written_or_not_at_all() {
         let line = written("question", "{\"an\": \"answer\"}");
         let whole = line.strip_suffix('\n').unwrap();
-        assert_eq!(read(whole), Some(("question", "{\"an\": \"answer\"}")));
+        let (question, answers) = ("question", "{\"an\": \"answer\"}");
+        let read = Line {
+            whole,
+            question,
+            answers,
+        };
+        assert_eq!(Line::read(whole), Some(read));
         for end in 0..whole.len() {
-            assert_eq!(read(&whole[..end]), None);
+            assert_eq!(Line::read(&whole[..end]), None);
         }
-        assert_eq!(read(&whole.replace("answer\"}", "anserw\"}")), None);
-        assert_eq!(read(&format!("{}{whole}", &whole[..20])), None);
+        assert_eq!(Line::read(&whole.replace("answer\"}", "anserw\"}")), None);
+        assert_eq!(Line::read(&format!("{}{whole}", &whole[..20])), None);
     }
 }
