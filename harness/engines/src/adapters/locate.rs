@@ -2,6 +2,7 @@
 
 use crate::process::{Ended, Folder, ToolLimits, run_tool};
 use crate::{EngineError, Identity, Outcome, process};
+use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::path::Path;
 use std::time::Duration;
@@ -63,6 +64,16 @@ pub(super) fn told(outcome: &Outcome) -> String {
     }
 }
 
+/// Those of so many programs, by their numbers, that are to be asked about alone after a compiler did not come to an end of its
+/// own over all of them: every one where it took too long, for smaller packs would each take as long again, and alone only
+/// the one at fault does. Otherwise none, and smaller packs tell which it was.
+pub(super) fn suspects(outcome: &Outcome, programs: usize) -> BTreeSet<usize> {
+    match outcome {
+        Outcome::TimedOut { .. } => (0..programs).collect(),
+        _ => BTreeSet::new(),
+    }
+}
+
 /// The first line of what a C or C++ compiler wrote that tells an error.
 pub(super) fn first_error(ended: &Ended) -> String {
     let told = ended.stderr.lines().find(|line| line.contains("error"));
@@ -102,4 +113,24 @@ pub(super) fn execute<A: AsRef<OsStr>>(
         ..ToolLimits::default()
     };
     run_tool(program, arguments, folder.path(), &limits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_programs_of_a_pack_are_asked_about_alone_once_a_compiler_took_too_long_over_it() {
+        let timed_out = Outcome::TimedOut { after_ms: 60_000 };
+        assert_eq!(suspects(&timed_out, 3), BTreeSet::from([0, 1, 2]));
+        let others = [
+            Outcome::Crashed {
+                reason: "it wrote more than 16777216 bytes".to_owned(),
+            },
+            failed("it could not be started".to_owned()),
+        ];
+        for outcome in others {
+            assert_eq!(suspects(&outcome, 3), BTreeSet::new(), "{outcome:?}");
+        }
+    }
 }

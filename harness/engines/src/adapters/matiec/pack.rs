@@ -7,6 +7,7 @@
 use super::driver::{Subject, driver};
 use super::{MatiecSession, configuration, diagnostics};
 use crate::adapters::apart::{Apart, declared};
+use crate::adapters::locate::suspects;
 use crate::adapters::source::{MainProgram, main_program};
 use crate::adapters::witness::{Copies, with_witnesses};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
@@ -187,21 +188,12 @@ fn look(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
     let joined = Joined::of(members);
     let ended = match session.compile(&joined.text) {
         Ok(ended) => ended,
-        Err(outcome) => return broken_off(&outcome, members),
+        Err(outcome) => return suspected(suspects(&outcome, members.len())),
     };
     match diagnostics::outcome(&ended) {
         Ok(()) => build(session, members),
         Err(Outcome::Rejected { .. }) => refused(&joined, &ended.stderr),
         Err(_) => Known::Nothing,
-    }
-}
-
-/// What is known after a compiler did not come to an end of its own.
-fn broken_off(outcome: &Outcome, members: &[Member<'_>]) -> Known {
-    match outcome {
-        // Smaller packs would each take as long again; alone, only the one at fault does.
-        Outcome::TimedOut { .. } => Known::Suspects((0..members.len()).collect()),
-        _ => Known::Nothing,
     }
 }
 
@@ -250,7 +242,7 @@ fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
         .try_build(&driver.text, &[], &session.folder);
     let ended = match built {
         Ok(ended) => ended,
-        Err(outcome) => return broken_off(&outcome, members),
+        Err(outcome) => return suspected(suspects(&outcome, members.len())),
     };
     if ended.status.success() {
         return Known::Outcomes(driver.execute_all(&session.folder));

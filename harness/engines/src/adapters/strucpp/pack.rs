@@ -6,6 +6,7 @@
 use super::driver::{Subject, driver};
 use super::{Accepted, StrucppSession};
 use crate::adapters::apart::declared;
+use crate::adapters::locate::suspects;
 use crate::{Outcome, Packed, RunRequest};
 use std::collections::BTreeSet;
 
@@ -69,11 +70,7 @@ fn build_and_run(
         .engine
         .builder
         .try_build(&driver.text, &[], &session.folder);
-    let ended = built.map_err(|outcome| match outcome {
-        // Smaller packs would each take as long again; alone, only the one at fault does.
-        Outcome::TimedOut { .. } => (0..members.len()).collect(),
-        _ => BTreeSet::new(),
-    })?;
+    let ended = built.map_err(|outcome| suspects(&outcome, members.len()))?;
     if ended.status.success() {
         return Ok(driver.execute_all(&session.folder));
     }
