@@ -56,6 +56,19 @@ pub(super) struct Filling<'f> {
     pub(super) here: &'f Path,
 }
 
+impl<'f> Filling<'f> {
+    /// For what is the same in every call.
+    fn of_no_call(here: &'f Path) -> Filling<'f> {
+        Filling {
+            file: "",
+            dialect: "",
+            folder: Path::new(""),
+            scans: 0,
+            here,
+        }
+    }
+}
+
 impl FromStr for Template {
     type Err = String;
 
@@ -126,26 +139,12 @@ impl Template {
         if !self.words.first()?.iter().all(fixed) {
             return None;
         }
-        let filling = Filling {
-            file: "",
-            dialect: "",
-            folder: Path::new(""),
-            scans: 0,
-            here,
-        };
-        Some(self.filled(&filling).0)
+        Some(self.filled(&Filling::of_no_call(here)).0)
     }
 
     /// The files that its arguments name, whatever it is called on.
     pub(super) fn files(&self, here: &Path) -> Vec<PathBuf> {
-        let filling = Filling {
-            file: "",
-            dialect: "",
-            folder: Path::new(""),
-            scans: 0,
-            here,
-        };
-        let arguments = self.filled(&filling).1.into_iter();
+        let arguments = self.filled(&Filling::of_no_call(here)).1.into_iter();
         // A file without a path would be sought in the folder of a call.
         let paths = arguments.map(PathBuf::from).filter(|path| path.is_absolute());
         paths.filter(|path| path.is_file()).collect()
