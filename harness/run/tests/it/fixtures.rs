@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use stickler_engines::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session,
 };
-use stickler_run::{Event, Plan, run};
+use stickler_run::{Event, Memory, Plan, Summary, run_with};
 use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue, Observe, Suite,
 };
@@ -13,6 +13,16 @@ use stickler_types::{DialectName, Value};
 
 /// The events of a run, without what the clock says.
 pub fn timeless_events(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> Vec<Event> {
+    timeless_run(plan, suite, engines, &[]).1
+}
+
+/// What a run with these memories gives, its events without what the clock says.
+pub fn timeless_run(
+    plan: &Plan,
+    suite: &Suite,
+    engines: &[&dyn Engine],
+    memories: &[Option<&dyn Memory>],
+) -> (Summary, Vec<Event>) {
     let mut events = Vec::new();
     let mut sink = |mut event: Event| {
         match &mut event {
@@ -22,8 +32,9 @@ pub fn timeless_events(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> V
         }
         events.push(event);
     };
-    run(plan, suite, engines, &mut sink, &AtomicBool::new(false)).unwrap();
-    events
+    let cancel = AtomicBool::new(false);
+    let summary = run_with(plan, suite, engines, memories, &mut sink, &cancel).unwrap();
+    (summary, events)
 }
 
 /// A case that expects nothing but to be accepted.

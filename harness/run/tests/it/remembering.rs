@@ -1,6 +1,6 @@
 //! Runs with a memory: engines are not asked again what they answered before, and the events are the same.
 
-use crate::fixtures::{Puppet, case, executed, suite};
+use crate::fixtures::{Puppet, case, executed, suite, timeless_run};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -57,25 +57,13 @@ fn moody(request: &RunRequest<'_>) -> Outcome {
     }
 }
 
-/// What a run gives, without what the clock says.
+/// What a run of this engine gives, without what the clock says.
 fn go(suite: &Suite, engine: &Puppet, memory: Option<&dyn Memory>, jobs: usize) -> (Summary, Vec<Event>) {
-    let mut events = Vec::new();
-    let mut sink = |mut event: Event| {
-        match &mut event {
-            Event::Header(_) => {}
-            Event::Case(case) => case.duration_us = 0,
-            Event::Footer(footer) => footer.duration_ms = 0,
-        }
-        events.push(event);
-    };
     let plan = Plan {
         jobs,
         ..Plan::default()
     };
-    let engines: [&dyn Engine; 1] = [engine];
-    let cancel = AtomicBool::new(false);
-    let summary = run_with(&plan, suite, &engines, &[memory], &mut sink, &cancel).unwrap();
-    (summary, events)
+    timeless_run(&plan, suite, &[engine], &[memory])
 }
 
 #[test]
