@@ -19,8 +19,8 @@ static ALIVE: Mutex<Vec<Weak<Shared>>> = Mutex::new(Vec::new());
 /// none is started behind the back of [`kill_all`].
 static ENDING: RwLock<Ending> = RwLock::new(Ending::No);
 
-/// Whether there is still to be any process.
-#[derive(Clone, Copy, PartialEq, Eq)]
+/// Whether there is still to be any process; what is further down says more, and nobody goes back.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Ending {
     No,
     /// None starts any more.
@@ -31,12 +31,7 @@ enum Ending {
 
 /// Kills every process that an engine of this program has started, with all that they started; none starts after it.
 pub(super) fn stop_all() {
-    let mut ending = ENDING.write().unwrap_or_else(PoisonError::into_inner);
-    if *ending == Ending::No {
-        *ending = Ending::Processes;
-    }
-    drop(ending);
-    kill_alive();
+    end(Ending::Processes);
 }
 
 /// Kills every process that an engine of this program has started, with all that they started. For a program that is
@@ -44,11 +39,13 @@ pub(super) fn stop_all() {
 /// ends them. No process starts after it, and no thread that works with one goes on: it would take the death of its engine
 /// for the engine's own doing, report it, and start the next one.
 pub(super) fn kill_all() {
-    *ENDING.write().unwrap_or_else(PoisonError::into_inner) = Ending::Program;
-    kill_alive();
+    end(Ending::Program);
 }
 
-fn kill_alive() {
+fn end(what: Ending) {
+    let mut ending = ENDING.write().unwrap_or_else(PoisonError::into_inner);
+    *ending = what.max(*ending);
+    drop(ending);
     let alive = std::mem::take(&mut *lock(&ALIVE));
     for process in alive.iter().filter_map(Weak::upgrade) {
         // One that is gone already is what is wanted.
