@@ -150,7 +150,7 @@ impl Builder {
             return None;
         }
         let mut fingerprint = Fingerprint::of(words.name)
-            .file(&self.compiler)
+            .program(&self.compiler)
             .text(&version.stdout)
             .text(&headers.stdout)
             .variables(&VARIABLES);

@@ -23,8 +23,6 @@ pub(super) use pattern::DiagnosticPattern;
 use regex::Regex;
 use std::collections::{BTreeMap, BTreeSet};
 use std::env;
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use stickler_types::DialectName;
 use template::{Filling, Placeholder, Template};
@@ -137,13 +135,6 @@ fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option
     Ok(Some(Located { key, path, by }))
 }
 
-/// Whether another program executes this one, or nobody can tell.
-fn is_script(program: &Path) -> bool {
-    let mut first = [0; 2];
-    let read = File::open(program).and_then(|mut file| file.read_exact(&mut first));
-    read.is_err() || first == *b"#!"
-}
-
 fn abilities(description: &Description) -> Vec<Ability> {
     let mut abilities = vec![Ability::Check];
     if let Some(run) = &description.run {
@@ -177,17 +168,13 @@ impl Engine for DescribedEngine {
         Ok(Box::new(DescribedSession { engine: self, folder }))
     }
 
-    /// Of its description, its programs, the files that its commands name, and what it says to be its version. A script may
-    /// call whatever it likes, and so there is none where a program is one.
+    /// Of its description, its programs, the files that its commands name, and what it says to be its version.
     fn fingerprint(&self) -> Option<String> {
         let mut fingerprint = Fingerprint::of("described")
             .text(&format!("{:?}", self.description))
             .text(&self.identity.version);
         for located in DescribedEngine::programs(&self.description, &self.here) {
-            if is_script(&located.path) {
-                return None;
-            }
-            fingerprint = fingerprint.file(&located.path);
+            fingerprint = fingerprint.program(&located.path);
         }
         for (_, template) in self.description.commands() {
             for file in template.files(&self.here) {

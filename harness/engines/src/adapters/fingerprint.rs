@@ -1,6 +1,8 @@
 //! What an engine of this crate is made of: the programs and files that decide what it answers.
 
 use crate::Digest;
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 /// A digest of this crate's source, which asks the compilers and reads what they say.
@@ -25,6 +27,11 @@ impl Fingerprint {
             digest.text(text);
         }
         self
+    }
+
+    /// With a program. A script may call whatever it likes, and so there is no fingerprint where the program is one.
+    pub(super) fn program(self, path: &Path) -> Fingerprint {
+        self.take(|digest| !is_script(path) && digest.file(path).is_ok())
     }
 
     /// With what is in a file.
@@ -69,6 +76,13 @@ impl Fingerprint {
     }
 }
 
+/// Whether another program executes this one, or nobody can tell.
+fn is_script(program: &Path) -> bool {
+    let mut first = [0; 2];
+    let read = File::open(program).and_then(|mut file| file.read_exact(&mut first));
+    read.is_err() || first == *b"#!"
+}
+
 #[cfg(test)]
 mod tests {
     use super::Fingerprint;
@@ -77,15 +91,26 @@ mod tests {
     #[test]
     fn a_program_that_changes_has_another_fingerprint_and_one_that_is_gone_has_none() {
         let folder = Folder::new().unwrap();
-        let program = folder.write("compiler", "1").unwrap();
-        let fingerprint = || Fingerprint::of("test").file(&program).text("flags").finish();
+        let program = folder.write("compiler", "binary 1").unwrap();
+        let fingerprint = || Fingerprint::of("test").program(&program).text("flags").finish();
         let before = fingerprint();
         assert!(before.is_some());
         assert_eq!(fingerprint(), before);
-        folder.write("compiler", "2").unwrap();
-        assert_ne!(fingerprint(), before);
+        folder.write("compiler", "binary 2").unwrap();
+        let after = fingerprint();
+        assert!(after.is_some() && after != before);
         std::fs::remove_file(&program).unwrap();
         assert_eq!(fingerprint(), None);
         assert_eq!(Fingerprint::of("test").with(None).finish(), None);
+    }
+
+    #[test]
+    fn of_a_script_nobody_knows_what_it_calls() {
+        let folder = Folder::new().unwrap();
+        let text = "#!/bin/sh\nexec elsewhere/compiler \"$@\"\n";
+        let script = folder.write("compiler", text).unwrap();
+        assert_eq!(Fingerprint::of("test").program(&script).finish(), None);
+        // As one of the files that a compiler reads it is what it is.
+        assert!(Fingerprint::of("test").file(&script).finish().is_some());
     }
 }

@@ -84,8 +84,8 @@ impl Engine for Ironplc {
 
     fn fingerprint(&self) -> Option<String> {
         Fingerprint::of("ironplc")
-            .file(&self.compiler)
-            .file(&self.machine)
+            .program(&self.compiler)
+            .program(&self.machine)
             .finish()
     }
 

@@ -130,7 +130,7 @@ impl Engine for Matiec {
 
     fn fingerprint(&self) -> Option<String> {
         Fingerprint::of("matiec")
-            .file(&self.compiler)
+            .program(&self.compiler)
             .folder(&self.library)
             .with(self.builder.fingerprint())
             .finish()

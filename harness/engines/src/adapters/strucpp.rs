@@ -158,7 +158,7 @@ impl Engine for Strucpp {
 
     fn fingerprint(&self) -> Option<String> {
         let mut fingerprint = Fingerprint::of("strucpp")
-            .file(&self.node)
+            .program(&self.node)
             .folder(&self.package.join("dist"))
             .folder(&self.headers)
             .with(self.builder.fingerprint());
