@@ -1,21 +1,34 @@
 //! Two streams read by whoever waits for their end. The system says which of them has something to be read, so that a program
 //! that runs for milliseconds needs no thread to be started for it.
+//!
+//! Compilers write a line in dozens of pieces, a colour or a word each. Whoever woke at each of them would keep a processor from
+//! the compilers, and hold them up besides; so what is written is left to gather in the pipe for a moment, unless much of it
+//! comes or the stream ends.
 
 use super::Waited;
 use crate::process::group::Pipes;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::{self, ErrorKind};
 use std::os::fd::OwnedFd;
 use std::time::{Duration, Instant};
 
-/// How much is read at a time, in bytes.
+/// How much is read at a time, in bytes: less than a pipe holds, so that one in which something gathers is not full.
 const PIECE: usize = 1 << 14;
+
+/// How long a program that was just started is left alone, unless its streams end: many compilers are done by then.
+const START: Duration = Duration::from_millis(16);
+
+/// How long what is written later gathers before it is read, unless the stream ends: so short that a program that fills its
+/// pipe meanwhile hardly waits.
+const GATHER: Duration = Duration::from_millis(4);
 
 /// Both streams, and what came from them so far.
 pub(super) struct Streams {
     streams: [Stream; 2],
     most: u64,
+    /// How long it is before something is read again; `None` where it is read as soon as it comes.
+    gathers: Option<Duration>,
 }
 
 struct Stream {
@@ -33,7 +46,11 @@ impl Streams {
             pipe: pipe.map(File::from),
             kept: Vec::new(),
         });
-        Streams { streams, most }
+        Streams {
+            streams,
+            most,
+            gathers: Some(START),
+        }
     }
 
     /// Whether one of them has not ended.
@@ -46,16 +63,21 @@ impl Streams {
         let deadline = Instant::now() + limit;
         loop {
             let left = deadline.saturating_duration_since(Instant::now());
-            let mut came = None;
-            for number in self.ready(left) {
-                let waited = self.streams[number].read(self.most);
-                if waited == Some(Waited::Flooded) {
-                    return Waited::Flooded;
-                }
-                came = came.or(waited);
+            let ready = match self.gathers {
+                Some(time) => self.ready(PollFlags::HUP, left.min(time)),
+                None => self.ready(PollFlags::IN, left),
+            };
+            let read: Vec<Read> = ready
+                .into_iter()
+                .map(|number| self.streams[number].read(self.most))
+                .collect();
+            let gathers = read.contains(&Read::Short) && !read.contains(&Read::Full);
+            self.gathers = gathers.then_some(GATHER);
+            if read.contains(&Read::Flooded) {
+                return Waited::Flooded;
             }
-            if let Some(came) = came {
-                return came;
+            if read.contains(&Read::Ended) {
+                return Waited::Ended;
             }
             if left.is_zero() {
                 return Waited::InVain;
@@ -69,16 +91,13 @@ impl Streams {
         [stdout.kept.clone(), stderr.kept.clone()]
     }
 
-    /// The numbers of those from which something can be read, or of which the end is reached, after this time at most.
-    fn ready(&self, limit: Duration) -> Vec<usize> {
+    /// The numbers of those of which this is so, or of which the end is reached, after this time at most.
+    fn ready(&self, awaited: PollFlags, limit: Duration) -> Vec<usize> {
         let open = self.streams.iter().enumerate();
         let open: Vec<(usize, &File)> = open
             .filter_map(|(number, stream)| Some((number, stream.pipe.as_ref()?)))
             .collect();
-        let mut asked: Vec<PollFd<'_>> = open
-            .iter()
-            .map(|(_, pipe)| PollFd::new(*pipe, PollFlags::IN))
-            .collect();
+        let mut asked: Vec<PollFd<'_>> = open.iter().map(|(_, pipe)| PollFd::new(*pipe, awaited)).collect();
         // A time that the system cannot count is as good as none at all.
         let limit = Timespec::try_from(limit).ok();
         match poll(&mut asked, limit.as_ref()) {
@@ -93,22 +112,103 @@ impl Streams {
     }
 }
 
+/// What came of one reading.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Read {
+    /// All that there was.
+    Short,
+    /// As much as is read at a time; there may be more.
+    Full,
+    /// More than is allowed, with what came before.
+    Flooded,
+    /// The end.
+    Ended,
+}
+
 impl Stream {
-    /// Reads what there is; what came of it, if it is more than a few bytes.
-    fn read(&mut self, most: u64) -> Option<Waited> {
+    /// Reads what there is, and waits for it where there is nothing.
+    fn read(&mut self, most: u64) -> Read {
         let mut piece = [0; PIECE];
-        let pipe = self.pipe.as_mut()?;
-        match pipe.read(&mut piece) {
+        let Some(pipe) = &mut self.pipe else {
+            return Read::Ended;
+        };
+        match io::Read::read(pipe, &mut piece) {
             Ok(length @ 1..) => {
                 self.kept.extend_from_slice(&piece[..length]);
-                (self.kept.len() as u64 > most).then_some(Waited::Flooded)
+                match length {
+                    _ if self.kept.len() as u64 > most => Read::Flooded,
+                    PIECE => Read::Full,
+                    _ => Read::Short,
+                }
             }
-            Err(error) if error.kind() == ErrorKind::Interrupted => None,
+            Err(error) if error.kind() == ErrorKind::Interrupted => Read::Short,
             // What was read before an error is what there is.
             Ok(0) | Err(_) => {
                 self.pipe = None;
-                Some(Waited::Ended)
+                Read::Ended
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{PipeWriter, Write, pipe};
+
+    /// The streams of a program that has no stderr, and the end of its stdout to which it writes.
+    fn streams(most: u64) -> (Streams, PipeWriter) {
+        let (reader, writer) = pipe().unwrap();
+        let pipes = Pipes {
+            stdin: None,
+            stdout: Some(OwnedFd::from(reader).into()),
+            stderr: None,
+        };
+        (Streams::of(pipes, most), writer)
+    }
+
+    fn kept(streams: &Streams) -> String {
+        let [stdout, _] = streams.bytes();
+        String::from_utf8(stdout).unwrap()
+    }
+
+    #[test]
+    fn what_is_written_gathers_before_it_is_read() {
+        let (mut streams, mut writer) = streams(1 << 10);
+        let mut write_and_look = |piece: &str| {
+            writer.write_all(piece.as_bytes()).unwrap();
+            assert_eq!(streams.wait(Duration::ZERO), Waited::InVain);
+            kept(&streams)
+        };
+        assert_eq!(write_and_look("a"), "");
+        assert_eq!(write_and_look("b"), "ab");
+        assert_eq!(write_and_look("c"), "ab");
+        assert_eq!(write_and_look("d"), "abcd");
+        assert_eq!(write_and_look("e"), "abcd");
+        drop(writer);
+        assert_eq!(streams.wait(Duration::from_secs(60)), Waited::Ended);
+        assert!(!streams.are_open());
+        assert_eq!(kept(&streams), "abcde");
+    }
+
+    #[test]
+    fn a_program_that_writes_much_is_not_held_up() {
+        let (mut streams, mut writer) = streams(1 << 20);
+        writer.write_all(&[b'x'; 3 * PIECE]).unwrap();
+        assert_eq!(streams.wait(Duration::ZERO), Waited::InVain);
+        for pieces in 1..=3 {
+            assert_eq!(streams.wait(Duration::ZERO), Waited::InVain);
+            assert_eq!(kept(&streams).len(), pieces * PIECE);
+        }
+    }
+
+    #[test]
+    fn what_is_more_than_allowed_is_a_flood_although_it_comes_in_short_pieces() {
+        let (mut streams, mut writer) = streams(3);
+        for _ in 0..4 {
+            writer.write_all(b"x").unwrap();
+        }
+        assert_eq!(streams.wait(Duration::from_secs(60)), Waited::Flooded);
+        drop(writer);
     }
 }
