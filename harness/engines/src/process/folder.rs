@@ -1,6 +1,8 @@
 //! A private folder in which a compiler works, removed with all that it left there.
 
 use super::group::lock;
+use std::fs::{self, Metadata, OpenOptions};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use tempfile::TempDir;
@@ -13,7 +15,7 @@ static FOLDERS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 pub(super) fn remove_all() {
     for folder in std::mem::take(&mut *lock(&FOLDERS)) {
         // What cannot be removed now, nobody can remove.
-        let _ = std::fs::remove_dir_all(folder);
+        let _ = fs::remove_dir_all(folder);
     }
 }
 
@@ -47,12 +49,46 @@ impl Folder {
     /// A fragment that says why it could not be written.
     pub(crate) fn write(&self, name: &str, text: &str) -> Result<PathBuf, String> {
         let path = self.path().join(name);
-        // A file that is cut to nothing and written again some systems bring to the disk at once; a new one they do not.
-        let _ = std::fs::remove_file(&path);
-        std::fs::write(&path, text)
-            .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
+        if write_over(&path, text).is_err() {
+            // Whatever stands there is not what this program wrote.
+            let _ = fs::remove_file(&path);
+            fs::write(&path, text)
+                .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
+        }
         Ok(path)
     }
+}
+
+/// Writes over what is in a file: to remove it and to make a new one takes some systems longer than all else that a call of a
+/// compiler needs but its start, and one that is cut to nothing first they bring to the disk at once.
+///
+/// # Errors
+/// Those of the system; and where something else stands there, as where a compiler left a link, which leads who knows where.
+fn write_over(path: &Path, text: &str) -> io::Result<()> {
+    let there = fs::symlink_metadata(path)?;
+    if !is_plain(&there) {
+        return Err(io::ErrorKind::AlreadyExists.into());
+    }
+    let mut file = OpenOptions::new().write(true).open(path)?;
+    file.write_all(text.as_bytes())?;
+    let length = text.len() as u64;
+    match there.len() > length {
+        true => file.set_len(length),
+        false => Ok(()),
+    }
+}
+
+/// Whether this is of a file, and under no other name as well.
+#[cfg(unix)]
+fn is_plain(there: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    there.is_file() && there.nlink() == 1
+}
+
+/// As above; elsewhere nobody tells of other names.
+#[cfg(not(unix))]
+fn is_plain(there: &Metadata) -> bool {
+    there.is_file()
 }
 
 impl Drop for Folder {
@@ -65,14 +101,46 @@ impl Drop for Folder {
 #[cfg(test)]
 mod tests {
     use super::Folder;
+    use std::fs;
 
     #[test]
     fn a_folder_goes_with_all_that_is_in_it() {
         let folder = Folder::new().unwrap();
         let path = folder.write("a.st", "text").unwrap();
-        assert_eq!(std::fs::read_to_string(&path).unwrap(), "text");
+        assert_eq!(fs::read_to_string(&path).unwrap(), "text");
         assert!(folder.write("no/such/folder.st", "").is_err());
         drop(folder);
         assert!(!path.exists());
+    }
+
+    #[test]
+    fn a_file_that_is_written_again_holds_the_new_text_alone() {
+        let folder = Folder::new().unwrap();
+        for text in ["text", "a longer text", "short", "", "text"] {
+            let path = folder.write("a.st", text).unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), text);
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_a_compiler_left_in_the_place_of_a_file_is_replaced_and_not_written_to() {
+        use std::os::unix::fs::symlink;
+        let (folder, elsewhere) = (Folder::new().unwrap(), Folder::new().unwrap());
+        let other = elsewhere.write("other", "another's").unwrap();
+        let path = folder.path().join("a.st");
+        let leave: [&dyn Fn(); 3] = [
+            &|| symlink(&other, &path).unwrap(),
+            &|| fs::hard_link(&other, &path).unwrap(),
+            &|| symlink("/no/such/file", &path).unwrap(),
+        ];
+        for leave in leave {
+            leave();
+            folder.write("a.st", "text").unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), "text");
+            assert!(!path.is_symlink());
+            assert_eq!(fs::read_to_string(&other).unwrap(), "another's");
+            fs::remove_file(&path).unwrap();
+        }
     }
 }
