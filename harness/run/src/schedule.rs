@@ -121,9 +121,9 @@ pub fn run_with(
 /// An engine in this process may recurse as deep as its own limits allow; two megabytes are too few for some.
 pub(crate) const STACK: usize = 16 << 20;
 
-/// A batch grows while it takes less than this; then workers seldom meet, and slow engines still show
-/// progress.
-const QUICK: Duration = Duration::from_micros(500);
+/// A batch grows while it takes less than this; then workers seldom wake whoever gives their events on, and slow engines
+/// still show progress.
+const QUICK: Duration = Duration::from_millis(50);
 
 const LARGEST_BATCH: usize = 64;
 
