@@ -3,8 +3,8 @@
 mod ask;
 mod table;
 
-use crate::arguments::MatrixArguments;
-use crate::case_folder::{self, CaseFolder};
+use crate::arguments::{MatrixArguments, SelectionArguments};
+use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::engines::Named;
 use crate::exit::Exit;
 use crate::progress::Progress;
@@ -46,8 +46,14 @@ const TYPES: [ElementaryType; 20] = [
 /// # Errors
 /// No folder of cases, or an engine that cannot be run or speaks none of the dialects.
 pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let selection = SelectionArguments {
+        cases: arguments.cases.clone(),
+        filter: Some(format!("*{PROBE}(*")),
+        dialect: arguments.dialect.clone(),
+    };
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let suite = folder.load_with(arguments.dialect.iter().copied());
+    // What a dialect of stickler.toml does not take over, no document says of it.
+    let Loaded { suite, .. } = folder.load_for(&case_folder::plan(&selection, None))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
     let mut exit = case_folder::exit_of(&suite);

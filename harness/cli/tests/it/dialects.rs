@@ -297,6 +297,18 @@ fn every_command_knows_the_dialect() {
 }
 
 #[test]
+fn the_matrix_has_no_word_for_types_that_are_taken_away() {
+    let folder = folder("[dialects.small]\nextends = \"ironplc-ed3\"\nflags.third-edition-types = false\n");
+    let file = "widening/third-edition.toml";
+    let to = folder.path().join("conformance-cases").join(file);
+    fs::copy(Path::new(SUITE).join(file), to).expect("the case file is there");
+    let output = output(folder.path(), &["matrix", "--dialect", "small"]);
+    let shown = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{shown}");
+    assert!(shown.contains(" 0 differ"), "{shown}");
+}
+
+#[test]
 fn a_mistake_in_the_file_is_told_before_anything_is_done() {
     let folder = folder(&MINE.replace("\"half-away-from-zero\"", "\"half-away-from-nought\""));
     let told_by = |arguments: &[&str], code: i32| {
