@@ -159,9 +159,10 @@ pub fn exit_of(suite: &Suite) -> Exit {
 
 /// Says that the filters left no case, and gives the exit code for it.
 pub fn nothing_selected(suite: &Suite) -> Exit {
-    let unless_named = match DialectName::defined().is_empty() {
-        true => "",
-        false => "; a dialect of stickler.toml has cases where --dialect names it",
+    let is_beside = |dialect: &DialectName| suite.cases.iter().all(|case| case.dialect != *dialect);
+    let unless_named = match DialectName::defined().iter().any(is_beside) {
+        true => "; a dialect of stickler.toml has cases where --dialect names it",
+        false => "",
     };
     output::complain(&match suite.cases.len() {
         0 => anyhow::anyhow!("no case is selected: there are none"),

@@ -273,6 +273,11 @@ fn every_command_knows_the_dialect() {
         4,
         "a dialect of stickler.toml has cases where --dialect names it",
     );
+    shows(
+        &with(&["list", "--filter", "nothing-of-it"]),
+        4,
+        "`stickler list` lists them\n",
+    );
     shows(&["run", "--help"], 0, "MyPLC 2.1");
     shows(
         &with(&["fuzz", "--count", "1", "--engine", "reference"]),
