@@ -167,6 +167,7 @@ fn in_page(line: usize, message: &str, lines: &LinesRecord) -> usize {
 mod tests {
     use super::*;
     use crate::manifest::PageRecord;
+    use crate::paste::decoded;
 
     /// Two cases: the first has the lines 4 and 8, the second 5 and 9; the statements begin at 7 and end at 10.
     fn manifest() -> Manifest {
@@ -196,7 +197,7 @@ mod tests {
     fn told(text: &str) -> Told {
         let manifest = manifest();
         let mut messages = Messages::default();
-        messages.take(text, &manifest);
+        messages.take(&decoded(text.as_bytes()), &manifest);
         messages.told(0, &manifest.pages[0].lines)
     }
 
@@ -241,6 +242,17 @@ mod tests {
             told("stickler_page_1, line 10: results[4] is none\n"),
             Told::Cut(None)
         );
+    }
+
+    #[test]
+    fn a_warning_is_none_in_any_colour() {
+        let at = |kind: &str, line: u32| {
+            format!(
+                "\u{1b}[1;33m{kind}\u{1b}[0m: a\n  \u{1b}[36m\u{250c}\u{2500}\u{1b}[0m page-001.st:{line}:1\n"
+            )
+        };
+        let list = [at("error", 7), at("warning[P1]", 8), at("error", 10)].concat();
+        assert_eq!(told(&list), Told::Whole(vec![None, None]));
     }
 
     #[test]

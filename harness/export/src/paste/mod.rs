@@ -52,7 +52,8 @@ pub(crate) fn read(text: &str) -> Pasted {
 }
 
 /// The text of bytes in UTF-8 or UTF-16, by their mark or, without one, by the zero in the first character of UTF-16; what is
-/// neither is Latin-1. Lines end with `\n`.
+/// neither is Latin-1. Lines end with `\n`, and what a terminal shows as colours is gone: some compilers colour what they write whoever
+/// reads it.
 pub(crate) fn decoded(bytes: &[u8]) -> String {
     let utf_16 = |rest: &[u8], unit: fn([u8; 2]) -> u16| {
         let units: Vec<u16> = rest
@@ -72,6 +73,7 @@ pub(crate) fn decoded(bytes: &[u8]) -> String {
             Err(_) => bytes.iter().map(|&byte| char::from(byte)).collect(),
         },
     };
+    let text = anstream::adapter::strip_str(&text).to_string();
     // What has only carriage returns came from a very old system, or through one.
     if text.contains('\n') {
         text

@@ -131,4 +131,8 @@ fn texts_of_other_systems_are_read() {
     // A blank that does not break, in Latin-1.
     assert_eq!(read_bytes(b"[0] 1\xA0398").arrays[0].elements[&0], 1398);
     assert_eq!(read_bytes(b"").arrays, []);
+    assert_eq!(
+        read_bytes(b"\x1b[36m[0]\x1b[0m \x1b[1m7\x1b[0m").arrays[0].elements[&0],
+        7
+    );
 }
