@@ -137,11 +137,11 @@ impl<'c, 'r> Page<'c, 'r> {
         let Page { number, cases, .. } = self;
         let last = self.elements - 1;
         format!(
-            "(* Stickler: page {number} of {pages}, {} cases. {export}\n   \
+            "(* Stickler: page {number} of {pages}, {}. {export}\n   \
              Let it run until results[5] is {} and copy the whole array: results[0] to results[{last}].\n   \
              Where a case is not accepted, note that in answers.txt and export again. *)\n\
              PROGRAM stickler_page_{number}\nVAR\n    results : ARRAY[0..{last}] OF DINT;\n",
-            cases.len(),
+            counted(cases.len()),
             self.steps.len(),
         )
     }
@@ -387,6 +387,10 @@ fn declares_in_place(ready: &Ready<'_>) -> bool {
         })
         .collect();
     ready.parts.unit_names.iter().any(|name| !words.contains(name))
+}
+
+fn counted(cases: usize) -> String {
+    format!("{cases} {}", if cases == 1 { "case" } else { "cases" })
 }
 
 /// An id within a comment, which it must not end nor begin another in.

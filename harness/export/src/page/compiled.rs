@@ -4,7 +4,7 @@
 //! accepted, if the list is whole: so the first statement of the page and its last are wrong on purpose, and a list that lacks either says
 //! nothing of anything.
 
-use super::{Page, shown};
+use super::{Page, counted, shown};
 use std::fmt::Write;
 
 /// The statement at the begin and the end of a page. Its types are wrong, as those of most cases are: compilers look for that last, and a
@@ -18,11 +18,11 @@ impl Page<'_, '_> {
         let suffixes = vec![String::new(); self.cases.len()];
         let number = self.number;
         let mut text = format!(
-            "(* Stickler: page {number} of {pages}, {} cases that must be rejected. {export}\n   \
+            "(* Stickler: page {number} of {pages}, {} that must be rejected. {export}\n   \
              Only compile it, copy all messages into a file, and give that to `stickler import`.\n   \
              The first statement and the last are wrong on purpose: without their messages the list is not whole. *)\n\
              PROGRAM stickler_page_{number}\nVAR\n    stickler_wrong : BOOL;\nEND_VAR\n",
-            self.cases.len(),
+            counted(self.cases.len()),
         );
         self.write_variables(&mut text, &suffixes);
         let before = text.matches('\n').count();
