@@ -73,11 +73,6 @@ const BEGINS: &str = "< ";
 const ENDS: &str = "> ";
 
 impl<'r> Driver<'r> {
-    /// What it prints of the variables of its only program.
-    pub(super) fn kinds(&self) -> &[Kind<'r>] {
-        self.subjects.first().map_or(&[], |only| &only.kinds)
-    }
-
     /// Runs its only program, which was built in a folder.
     ///
     /// # Errors

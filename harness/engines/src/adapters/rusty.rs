@@ -1,26 +1,31 @@
 //! RuSTy: `plc` checks a program and compiles it to an object file, which is linked with a driver in C.
 //!
-//! What is observed the program itself tells the driver, by calls of external functions before its `END_PROGRAM`; no line
-//! moves. Its main program gets another name there, since `main` is where a C program begins.
+//! What is observed the driver is told by functions of Structured Text that are compiled beside the program, which stays as it
+//! is but for the name of its main program, since `main` is where a C program begins.
 //!
-//! Basis: rusty: its book, chapters *Using RuSTy*, *External Functions* and *Output format*. The compiler needs a release of
-//! LLVM that was not at hand: this adapter is held to what the book shows and to stand-ins, not to the compiler itself.
+//! Basis: rusty: its book, chapters *Using RuSTy*, *External Functions* and *Output format*, and what a build of April 2025
+//! does, with LLVM 14.
 
+mod diagnostics;
 mod driver;
+mod pack;
+mod program;
 
 use super::builder::{self, Builder, Language};
-use super::described::DiagnosticPattern;
 use super::fingerprint::Fingerprint;
-use super::locate::{self, call, failed, told};
+use super::locate::{self, failed};
 use super::places::{Place, Search};
-use super::plain::without_colours;
-use super::source::main_program;
-use crate::process::{Ended, Folder};
-use crate::{Ability, Diagnostic, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
-use driver::{HEADER, driver, instrumented};
+use crate::process::{Folder, ToolLimits, run_tool_with};
+use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session};
+use diagnostics::{About, Found, Reader};
+use driver::{HEADER, driver, functions};
+use program::{Program, library_words};
+use std::collections::HashSet;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use stickler_types::{BuiltIn, Code, DialectName};
+use std::slice;
+use std::sync::OnceLock;
+use stickler_types::{BuiltIn, DialectName};
 
 const COMPILER: Place = Place {
     key: "plc",
@@ -43,9 +48,6 @@ const LIBRARY: Place = Place {
 /// What is to be found.
 pub(super) const PLACES: &[Place] = &[COMPILER, DECLARATIONS, LIBRARY, builder::CC];
 
-/// How it writes a diagnostic with `--error-format=clang`. Warnings have their own word.
-const DIAGNOSTIC: &str = r"^(?<file>.+?):(?<line>\d+):(?<column>\d+):(?:\{\d+:\d+-(?<end_line>\d+):(?<end_column>\d+)\}:)? error\[(?<code>\w+)\]: (?<message>.*)$";
-
 /// The compiler, its standard library, and what builds a program of its object files.
 pub(super) struct Rusty {
     identity: Identity,
@@ -53,7 +55,9 @@ pub(super) struct Rusty {
     declarations: PathBuf,
     library: PathBuf,
     builder: Builder,
-    diagnostic: DiagnosticPattern,
+    reader: Reader,
+    /// What programs must not declare if they are to stand among others; found when it is first asked for.
+    taken: OnceLock<HashSet<String>>,
 }
 
 impl Rusty {
@@ -78,7 +82,7 @@ impl Rusty {
         Ok(Rusty {
             identity: Identity {
                 name: called.to_owned(),
-                version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
+                version: short(&version),
                 // It documents no dialect of ours; this one has what IronPLC takes over from it.
                 dialects: vec![DialectName::IronplcRusty],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
@@ -89,24 +93,34 @@ impl Rusty {
             declarations,
             library,
             builder,
-            diagnostic: DIAGNOSTIC.parse()?,
+            reader: Reader::new()?,
+            taken: OnceLock::new(),
         })
     }
 
-    /// What a driver is linked with besides the object file: the standard library, static where there is one, and what that
-    /// is made of.
-    fn libraries(&self) -> Vec<OsString> {
+    /// Every word of the declarations of its library, in capitals.
+    fn taken(&self) -> &HashSet<String> {
+        self.taken.get_or_init(|| library_words(&self.declarations))
+    }
+
+    /// What a driver is linked with: the object file, the standard library, static where there is one, and what that is made of.
+    fn linked(&self) -> Vec<OsString> {
         let folder = &self.library;
         let whole = folder.join("libiec61131std.a");
-        let mut words: Vec<OsString> = match whole.is_file() {
-            true => vec![whole.into()],
+        let mut words = vec![OsString::from(OBJECT_FILE)];
+        match whole.is_file() {
+            true => words.push(whole.into()),
             false => {
                 let mut path = OsString::from("-Wl,-rpath,");
                 path.push(folder);
-                vec!["-L".into(), folder.into(), path, "-liec61131std".into()]
+                words.extend(["-L".into(), folder.into(), path, "-liec61131std".into()]);
             }
         };
         words.extend(["-lm", "-lpthread", "-ldl"].map(OsString::from));
+        // Its object files hold addresses of texts, which a program that can be loaded anywhere must not.
+        if cfg!(target_os = "linux") {
+            words.push("-no-pie".into());
+        }
         words
     }
 }
@@ -130,14 +144,38 @@ impl Engine for Rusty {
             .finish()
     }
 
+    /// From here on, what is spent on each start is less than what a culprit costs its pack.
+    fn pack_size(&self) -> usize {
+        48
+    }
+
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
+        // Its library is elsewhere on every machine.
         self.identity
             .speaks(dialect)
-            .then(|| format!("plc --check {file}"))
+            .then(|| format!("plc --check {file} -i 'include/*.st'"))
     }
 }
 
-/// A folder in which one program at a time is compiled, built and run.
+/// What it says of its version, in short: `0.2.0 (Tue Apr 8 10:00:00 2025 +0200, 1a2b3c4)` is `0.2.0 (1a2b3c4)`. A build
+/// outside its repository has neither day nor revision.
+fn short(said: &str) -> String {
+    let number = said
+        .split_whitespace()
+        .find(|word| word.starts_with(|first: char| first.is_ascii_digit()));
+    let revision = said
+        .strip_suffix(')')
+        .and_then(|rest| rest.rsplit_once(", "))
+        .map(|(_, revision)| revision.trim())
+        .filter(|revision| !revision.is_empty());
+    match (number, revision) {
+        (Some(number), Some(revision)) => format!("{number} ({revision})"),
+        (Some(number), None) => number.to_owned(),
+        (None, _) => "unknown".to_owned(),
+    }
+}
+
+/// A folder in which programs are compiled, built and run.
 struct RustySession<'e> {
     engine: &'e Rusty,
     folder: Folder,
@@ -148,8 +186,12 @@ impl Session for RustySession<'_> {
         self.try_run(request).unwrap_or_else(|outcome| outcome)
     }
 
+    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+        pack::run(self, requests)
+    }
+
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        match speaks(dialect).and_then(|()| self.compile(&["--check"], source)) {
+        match speaks(dialect).and_then(|()| self.accepts(&["--check"], source)) {
             Ok(()) => Outcome::Accepted,
             Err(outcome) => outcome,
         }
@@ -174,83 +216,101 @@ fn speaks(dialect: DialectName) -> Result<(), Outcome> {
 }
 
 /// The options that make an object file, without optimisation.
-const OBJECT: [&str; 5] = ["-c", "-O", "none", "-o", "program.o"];
+const OBJECT: [&str; 5] = ["-c", "-O", "none", "-o", OBJECT_FILE];
+
+const OBJECT_FILE: &str = "program.o";
+
+/// The file in which the functions stand that a driver calls.
+const FUNCTIONS: &str = "stickler.st";
 
 impl RustySession<'_> {
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         speaks(request.dialect)?;
-        let Some(main) = main_program(request.source) else {
-            self.compile(&OBJECT, request.source)?;
+        let Some(program) = Program::alone(request) else {
+            self.accepts(&OBJECT, request.source)?;
             return Ok(Outcome::Accepted);
         };
-        let driver = driver(request).map_err(|reason| Outcome::Unsupported { reason })?;
-        let shown = match (main.returns, request.scans) {
-            (true, _) => Err("a program that may return early shows nothing".to_owned()),
-            (_, 0) => Err("before the first scan nothing is shown".to_owned()),
-            _ => self
-                .compile(&OBJECT, &instrumented(request, &main, driver.kinds()))
-                .map_err(|outcome| {
-                    format!(
-                        "the calls that show its values are not accepted: {}",
-                        told(&outcome)
-                    )
-                }),
-        };
-        if let Err(reason) = shown {
-            // The program alone decides whether it is accepted.
-            self.compile(&OBJECT, request.source)?;
-            return Err(Outcome::Unsupported { reason });
+        let subjects = [program.subject()];
+        let driver = driver(&subjects, &Program::file_of(program.place))
+            .map_err(|reason| Outcome::Unsupported { reason })?;
+        let found = self.compile(slice::from_ref(&program), &functions(&subjects, &driver.subjects))?;
+        if !found.is_empty() {
+            return Err(self.refused(&program, found));
         }
-        let mut further = vec![OsString::from("program.o")];
-        further.extend(self.engine.libraries());
+        let linked = self.engine.linked();
         self.engine
             .builder
-            .build_with(&driver.text, &further, &self.folder)?;
-        driver.execute(&self.folder)
+            .build_with(&driver.text, &linked, &self.folder)?;
+        driver.execute(&self.folder).map_err(diagnostics::steady)
     }
 
-    /// Calls the compiler on a program.
-    fn compile(&self, options: &[&str], source: &str) -> Result<(), Outcome> {
-        self.folder.write("program.st", source).map_err(failed)?;
+    /// What errors say of the only program that was compiled.
+    fn refused(&self, program: &Program<'_>, found: Vec<Found>) -> Outcome {
+        let own = |(about, _): &Found| matches!(about, About::Program(_));
+        let shows = |(about, _): &Found| matches!(about, About::Functions(_));
+        if found.iter().any(own) {
+            let own = found.into_iter().filter(own);
+            return diagnostics::rejected(own.map(|(_, told)| program.original(told)));
+        }
+        let Some((_, told)) = found.iter().find(|found| shows(found)) else {
+            return diagnostics::rejected(found.into_iter().map(|(_, told)| told));
+        };
+        // The program alone decides whether it is accepted.
+        match self.accepts(&OBJECT, program.request.source) {
+            Ok(()) => Outcome::Unsupported {
+                reason: format!(
+                    "the functions that show its values are not accepted: {}",
+                    told.message
+                ),
+            },
+            Err(outcome) => outcome,
+        }
+    }
+
+    /// Has the compiler say what it has to say of a program as it is.
+    fn accepts(&self, options: &[&str], source: &str) -> Result<(), Outcome> {
+        let file = Program::file_of(0);
+        self.folder.write(&file, source).map_err(failed)?;
+        let found = self.call(&[file], options)?;
+        match found.is_empty() {
+            true => Ok(()),
+            false => Err(diagnostics::rejected(found.into_iter().map(|(_, told)| told))),
+        }
+    }
+
+    /// Makes an object file of programs and of the functions that show their values, unless there are errors.
+    fn compile(&self, programs: &[Program<'_>], functions: &str) -> Result<Vec<Found>, Outcome> {
+        let mut files = Vec::with_capacity(programs.len() + 1);
+        for program in programs {
+            let file = Program::file_of(program.place);
+            self.folder.write(&file, program.text()).map_err(failed)?;
+            files.push(file);
+        }
+        self.folder.write(FUNCTIONS, functions).map_err(failed)?;
+        files.push(FUNCTIONS.to_owned());
+        self.call(&files, &OBJECT)
+    }
+
+    /// Calls the compiler.
+    fn call(&self, files: &[String], options: &[&str]) -> Result<Vec<Found>, Outcome> {
         let mut declarations = self.engine.declarations.clone();
         declarations.push("*.st");
-        let mut arguments: Vec<OsString> = ["program.st", "--error-format=clang", "-i"]
-            .map(OsString::from)
-            .to_vec();
+        let mut arguments: Vec<OsString> = files.iter().map(OsString::from).collect();
+        arguments.extend(["--error-format=clang", "-i"].map(OsString::from));
         arguments.push(declarations.into());
         arguments.extend(options.iter().map(OsString::from));
-        let ended = call(&self.engine.compiler, &arguments, &self.folder)?;
-        match ended.code()? {
-            0 => Ok(()),
-            1 => Err(self.rejected(&ended)),
-            _ => Err(ended.crashed()),
-        }
-    }
-
-    fn rejected(&self, ended: &Ended) -> Outcome {
-        let text = without_colours(&format!("{}\n{}", ended.stderr, ended.stdout));
-        let told = self.engine.diagnostic.diagnostics(&text, "program.st");
-        let mut diagnostics: Vec<Diagnostic> = told.into_iter().map(translated).collect();
-        if diagnostics.is_empty() {
-            return ended.crashed();
-        }
-        diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
-        diagnostics.dedup();
-        Outcome::Rejected { diagnostics }
-    }
-}
-
-/// A diagnostic with the registry's code where one of the compiler's says the same.
-///
-/// Basis: rusty: its reference of error codes: E037 is an invalid assignment.
-fn translated(diagnostic: Diagnostic) -> Diagnostic {
-    match diagnostic.code.as_deref() {
-        Some("E037") => Diagnostic {
-            code: Some(Code::AssignmentTypeMismatch.as_str().to_owned()),
-            message: format!("E037: {}", diagnostic.message),
-            ..diagnostic
-        },
-        _ => diagnostic,
+        let limits = ToolLimits::default();
+        let ended = run_tool_with(
+            &self.engine.compiler,
+            &arguments,
+            self.folder.path(),
+            &limits,
+            |start| {
+                // Where it panics, what it says of that is worth more than where it was called from.
+                start.env("RUST_BACKTRACE", "0");
+            },
+        )?;
+        self.engine.reader.errors(&ended)
     }
 }
 

@@ -227,6 +227,14 @@ fn rusty_behaves() {
         return;
     };
     behaves(engine.as_ref());
+    divides_by_zero(engine.as_ref());
+}
+
+#[test]
+fn rusty_packs() {
+    if let Some(engine) = here(Compiler::Rusty) {
+        packs(engine.as_ref());
+    }
 }
 
 #[test]

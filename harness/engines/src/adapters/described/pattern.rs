@@ -70,14 +70,27 @@ impl DiagnosticPattern {
     /// The diagnostics of a text about the file `program`, in the order in which they stand there. Of one about another file
     /// the place is left out: it says nothing about a line of the program.
     pub(in crate::adapters) fn diagnostics(&self, text: &str, program: &str) -> Vec<Diagnostic> {
-        let read = |captures: Captures<'_>| diagnostic(&captures, program);
+        let here =
+            |file: Option<&str>| file.is_none_or(|file| file.rsplit(['/', '\\']).next() == Some(program));
+        let read = |captures: Captures<'_>| diagnostic(&captures, here(file(&captures)));
+        self.0.captures_iter(text).map(read).collect()
+    }
+
+    /// The same, of any file, each with the file that it is about where it says so.
+    pub(in crate::adapters) fn by_file<'t>(&self, text: &'t str) -> Vec<(Option<&'t str>, Diagnostic)> {
+        let read = |captures: Captures<'t>| (file(&captures), diagnostic(&captures, true));
         self.0.captures_iter(text).map(read).collect()
     }
 }
 
-fn diagnostic(captures: &Captures<'_>, program: &str) -> Diagnostic {
+/// The file that a diagnostic is about, where it says so.
+fn file<'t>(captures: &Captures<'t>) -> Option<&'t str> {
+    captures.name("file").map(|group| group.as_str().trim())
+}
+
+/// A diagnostic; with its place only where that is of the program.
+fn diagnostic(captures: &Captures<'_>, here: bool) -> Diagnostic {
     let group = |name: &str| captures.name(name).map(|group| group.as_str().trim());
-    let here = group("file").is_none_or(|file| file.rsplit(['/', '\\']).next() == Some(program));
     // Line 0 is how some compilers say that they do not know.
     let number = |name: &str| {
         let number = group(name).filter(|_| here)?.parse().ok();

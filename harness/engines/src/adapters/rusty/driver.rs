@@ -1,27 +1,25 @@
-//! The C program that runs a compiled one, and the calls by which that one shows what is observed of it.
+//! The C program that runs compiled ones, and the functions by which these show what is observed of them.
+//!
+//! The functions stand in a text of their own, so that the one under test is compiled as it is.
 //!
 //! Basis: rusty: book, *External Functions*: a function that is declared `{external}` is one of C; `VAR_INPUT {ref}` takes the
 //! address. Integers and bit strings have their width, BOOL a byte, durations and dates are nanoseconds in 64 bits, texts end
-//! with a zero.
+//! with a zero. That one may look at the variables of a program from outside is a warning, E049.
 
 use crate::RunRequest;
-use crate::adapters::driver::{Driven, Driver};
+use crate::adapters::driver::{self, Driven, Driver};
 use crate::adapters::printed::{self, Kind};
-use crate::adapters::source::{MainProgram, words};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
 
 /// The headers that the driver includes.
-pub(super) const HEADER: &str = "#include <stdint.h>\n#include <stdio.h>\n#include <string.h>\n";
+pub(super) const HEADER: &str =
+    "#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n";
 
-/// What the main program is called in what is compiled.
-const PROGRAM: &str = "stickler_program";
-
-/// The function that runs one scan.
-const SCAN: &str = "stickler_scan";
-
+/// One function for each form in which a value is printed, where it is asked for after this scan.
 const PRINTERS: &str = "\
+static const unsigned long *after;
 static unsigned long scan;
 static void print_bits(int32_t number, const void *value, size_t size) {
     unsigned long long bits = 0;
@@ -42,61 +40,119 @@ static void print_units(int32_t number, const uint16_t *text) {
 }
 ";
 
-/// The driver of a request.
+/// What a driver is to run: what was asked about a program, and by what names that is to be found in what is compiled.
+pub(super) struct Subject<'r> {
+    pub(super) request: RunRequest<'r>,
+    /// The main program.
+    pub(super) program: String,
+    /// The variables that are observed, in order.
+    pub(super) observed: Vec<String>,
+}
+
+/// The driver of compiled programs. What sets the initial values of variables that the loader cannot set is named after the first
+/// file that the compiler was given.
+///
+/// Basis: rusty: book, *Variables*, *Pointer Initialization*: a runtime has to call it. Linkers that know of constructors do so,
+/// too, and to do it again changes nothing.
 ///
 /// # Errors
 /// A fragment that says what cannot be observed or set.
-pub(super) fn driver<'r>(request: &RunRequest<'r>) -> Result<Driver<'r>, String> {
-    if !(request.clock.is_empty() && request.set.is_empty()) {
-        return Err("its driver takes neither a clock nor values between scans".to_owned());
+pub(super) fn driver<'r>(subjects: &[Subject<'r>], first_file: &str) -> Result<Driver<'r>, String> {
+    let mut driven = Vec::with_capacity(subjects.len());
+    for Subject { request, .. } in subjects {
+        if !(request.clock.is_empty() && request.set.is_empty()) {
+            return Err("its driver takes neither a clock nor values between scans".to_owned());
+        }
+        driven.push(Driven {
+            request: *request,
+            kinds: printed::kinds(request, |_| true)?,
+        });
     }
-    let kinds = printed::kinds(request, |_| true)?;
-    let after: Vec<String> = request
-        .observe
-        .iter()
-        .map(|asked| format!("{}UL", asked.after.unwrap_or(request.scans)))
-        .collect();
-    // C has no empty arrays.
-    let after = if after.is_empty() {
-        "0".to_owned()
-    } else {
-        after.join(", ")
-    };
-    let mut text = format!(
-        "#include \"stickler.h\"\nstatic const unsigned long after[] = {{{after}}};\n{PRINTERS}int32_t {SCAN}(void);\n"
-    );
-    for (name, ty) in shown(&kinds) {
-        // Writing into a String does not fail.
-        let _ = match ty {
-            ElementaryType::String => writeln!(
-                text,
-                "int32_t {name}(int32_t number, unsigned char *value) {{ print_bytes(number, value); return 0; }}"
-            ),
-            ElementaryType::Wstring => writeln!(
-                text,
-                "int32_t {name}(int32_t number, uint16_t *value) {{ print_units(number, value); return 0; }}"
-            ),
-            _ => writeln!(
-                text,
-                "int32_t {name}(int32_t number, {} value) {{ print_bits(number, &value, sizeof value); return 0; }}",
-                of_c(ty)
-            ),
-        };
+    let mut text = format!("#include \"stickler.h\"\n{PRINTERS}");
+    for (name, ty) in shown(&driven) {
+        text.push_str(&printer(&name, ty));
     }
-    let _ = write!(
+    for (number, subject) in subjects.iter().enumerate() {
+        write_run(&mut text, number, &subject.request);
+    }
+    let initialises = format!("__init___{}", first_file.replace('.', "_"));
+    // Writing into a String does not fail.
+    let _ = writeln!(
         text,
-        "int main(void) {{\n    for (scan = 1; scan <= {}UL; scan++) {SCAN}();\n    return 0;\n}}\n",
-        request.scans
+        "__attribute__((weak)) void {initialises}(void);\n\
+         static int run_initialised(int (*run)(void)) {{\n    if ({initialises}) {initialises}();\n    return run();\n}}"
     );
+    let run = |number| format!("run_initialised(run_{number})");
+    text.push_str(&driver::main(subjects.len(), run));
     Ok(Driver {
         text,
-        subjects: vec![Driven {
-            request: *request,
-            kinds,
-        }],
+        subjects: driven,
         read: value,
         faults: &[],
     })
+}
+
+/// The function that a program calls to show a value of a type.
+fn printer(name: &str, ty: ElementaryType) -> String {
+    match ty {
+        ElementaryType::String => format!(
+            "int32_t {name}(int32_t number, unsigned char *value) {{ print_bytes(number, value); return 0; }}\n"
+        ),
+        ElementaryType::Wstring => format!(
+            "int32_t {name}(int32_t number, uint16_t *value) {{ print_units(number, value); return 0; }}\n"
+        ),
+        _ => format!(
+            "int32_t {name}(int32_t number, {} value) {{ print_bits(number, &value, sizeof value); return 0; }}\n",
+            of_c(ty)
+        ),
+    }
+}
+
+/// The function that runs a program; before its first scan it is looked at where there is to be none.
+fn write_run(text: &mut String, number: usize, request: &RunRequest<'_>) {
+    let after = request
+        .observe
+        .iter()
+        .map(|asked| format!("{}UL", asked.after.unwrap_or(request.scans)));
+    // C has no empty arrays.
+    let after: Vec<String> = after.chain(["0".to_owned()]).collect();
+    // Writing into a String does not fail.
+    let _ = write!(
+        text,
+        "int32_t stickler_scan_{number}(void);\nint32_t stickler_look_{number}(void);\n\
+         static const unsigned long after_{number}[] = {{{}}};\n\
+         static int run_{number}(void) {{\n    after = after_{number};\n    stickler_look_{number}();\n    \
+         for (scan = 1; scan <= {}UL; scan++) {{\n        \
+         stickler_scan_{number}();\n        stickler_look_{number}();\n    }}\n    return 0;\n}}\n",
+        after.join(", "),
+        request.scans,
+    );
+}
+
+/// The text of the functions that the driver calls: a line for each program, in order, and then what these call.
+pub(super) fn functions(subjects: &[Subject<'_>], driven: &[Driven<'_>]) -> String {
+    let mut text = String::new();
+    for (number, (subject, driven)) in subjects.iter().zip(driven).enumerate() {
+        let program = &subject.program;
+        // Writing into a String does not fail.
+        let _ = write!(
+            text,
+            "FUNCTION stickler_scan_{number} : DINT {program}(); END_FUNCTION FUNCTION stickler_look_{number} : DINT"
+        );
+        for (asked_as, (variable, kind)) in subject.observed.iter().zip(&driven.kinds).enumerate() {
+            let _ = write!(text, " {}({asked_as}, {program}.{variable});", function(kind));
+        }
+        text.push_str(" END_FUNCTION\n");
+    }
+    for (name, ty) in shown(driven) {
+        let by = if ty.is_text() { " {ref}" } else { "" };
+        let _ = writeln!(
+            text,
+            "{{external}} FUNCTION {name} : DINT VAR_INPUT number : DINT; END_VAR VAR_INPUT{by} value : {ty}; END_VAR \
+             END_FUNCTION"
+        );
+    }
+    text
 }
 
 /// The type of a value as it is shown. The values of an enumeration are numbers.
@@ -108,9 +164,9 @@ fn shown_as(kind: &Kind<'_>) -> ElementaryType {
 }
 
 /// The functions by which values are shown, each once, and the type that each takes.
-fn shown(kinds: &[Kind<'_>]) -> BTreeMap<String, ElementaryType> {
-    let function = |kind: &Kind<'_>| (function(kind), shown_as(kind));
-    kinds.iter().map(function).collect()
+fn shown(driven: &[Driven<'_>]) -> BTreeMap<String, ElementaryType> {
+    let kinds = driven.iter().flat_map(|driven| &driven.kinds);
+    kinds.map(|kind| (function(kind), shown_as(kind))).collect()
 }
 
 fn function(kind: &Kind<'_>) -> String {
@@ -132,40 +188,6 @@ fn of_c(ty: ElementaryType) -> &'static str {
             _ => "uint64_t",
         },
     }
-}
-
-/// The program with the calls that show what is observed. Each line stays the line that it was.
-pub(super) fn instrumented(request: &RunRequest<'_>, main: &MainProgram, kinds: &[Kind<'_>]) -> String {
-    let source = request.source;
-    let mut text = renamed(&source[..main.inside.end], &main.name);
-    for (number, (asked, kind)) in request.observe.iter().zip(kinds).enumerate() {
-        // Writing into a String does not fail.
-        let _ = write!(text, "{}({number}, {}); ", function(kind), asked.name);
-    }
-    text.push_str(&renamed(&source[main.inside.end..], &main.name));
-    for (name, ty) in shown(kinds) {
-        let by = if ty.is_text() { " {ref}" } else { "" };
-        let _ = write!(
-            text,
-            "\n{{external}} FUNCTION {name} : DINT VAR_INPUT number : DINT; END_VAR VAR_INPUT{by} value : {ty}; END_VAR \
-             END_FUNCTION"
-        );
-    }
-    let _ = write!(text, "\nFUNCTION {SCAN} : DINT {PROGRAM}(); END_FUNCTION\n");
-    text
-}
-
-/// The text with another name for the main program.
-fn renamed(text: &str, name: &str) -> String {
-    let mut changed = String::with_capacity(text.len());
-    let mut at = 0;
-    for word in words(text).filter(|word| word.is(name)) {
-        changed.push_str(&text[at..word.at]);
-        changed.push_str(PROGRAM);
-        at = word.at + word.text.len();
-    }
-    changed.push_str(&text[at..]);
-    changed
 }
 
 /// A value as it was printed; `None` where that is nonsense.

@@ -1,0 +1,148 @@
+//! A program as it is compiled: under names that meet neither those of C nor those of another program.
+
+use super::driver::Subject;
+use crate::adapters::apart::{Apart, declared};
+use crate::adapters::source::{MainProgram, main_program, words};
+use crate::{Diagnostic, RunRequest};
+use std::collections::HashSet;
+use std::path::Path;
+
+/// What stands behind the names of a program, and then its number.
+const SUFFIX: &str = "_in_pack_";
+
+/// The functions and operators that the language itself declares, in capitals; they stand in no file of the library.
+///
+/// Basis: iec-61131-3: tables of the standard functions of selection, comparison and arithmetic; rusty: book, *Libraries*.
+const BUILT_IN: &[&str] = &[
+    "ADD",
+    "SUB",
+    "MUL",
+    "DIV",
+    "GT",
+    "GE",
+    "EQ",
+    "LE",
+    "LT",
+    "NE",
+    "SEL",
+    "MUX",
+    "MOVE",
+    "ADR",
+    "REF",
+    "SIZEOF",
+    "LOWER_BOUND",
+    "UPPER_BOUND",
+];
+
+/// A program that has a main program.
+pub(super) struct Program<'r> {
+    /// Its place among the requests.
+    pub(super) place: usize,
+    pub(super) request: RunRequest<'r>,
+    main: MainProgram,
+    /// The names that get a suffix, in capitals.
+    names: HashSet<String>,
+    apart: Apart,
+}
+
+impl<'r> Program<'r> {
+    /// A program that is compiled alone: only the name of its main program changes, since `main` is where a C program begins.
+    /// `None` where it has no main program.
+    pub(super) fn alone(request: &RunRequest<'r>) -> Option<Program<'r>> {
+        let main = main_program(request.source)?;
+        let names = HashSet::from([main.name.to_ascii_uppercase()]);
+        Some(Program::with(request, 0, main, names))
+    }
+
+    /// A program among others, from which all its names are kept apart; `None` where it cannot stand there.
+    pub(super) fn among_others(
+        request: &RunRequest<'r>,
+        place: usize,
+        taken: &HashSet<String>,
+    ) -> Option<Program<'r>> {
+        // The bits of a variable are no places of the machine.
+        let names = declared(&request.source.replace(".%", ". "), taken)?;
+        if names.iter().any(|name| BUILT_IN.contains(&name.as_str())) {
+            return None;
+        }
+        let main = main_program(request.source)?;
+        let fits = !request.source.to_ascii_lowercase().contains(SUFFIX);
+        fits.then(|| Program::with(request, place, main, names))
+    }
+
+    fn with(
+        request: &RunRequest<'r>,
+        place: usize,
+        main: MainProgram,
+        names: HashSet<String>,
+    ) -> Program<'r> {
+        let apart = Apart::of(request.source, &names, &format!("{SUFFIX}{place}"));
+        Program {
+            place,
+            request: *request,
+            main,
+            names,
+            apart,
+        }
+    }
+
+    /// The file in which the program of a place stands.
+    pub(super) fn file_of(place: usize) -> String {
+        format!("program_{place}.st")
+    }
+
+    /// The place of the program that stands in a file.
+    pub(super) fn place_of(file: &str) -> Option<usize> {
+        let name = Path::new(file).file_name()?.to_str()?;
+        name.strip_prefix("program_")?.strip_suffix(".st")?.parse().ok()
+    }
+
+    /// Its text.
+    pub(super) fn text(&self) -> &str {
+        &self.apart.text
+    }
+
+    /// What a driver is to run of it.
+    pub(super) fn subject(&self) -> Subject<'r> {
+        let renamed = |name: &str| Apart::of(name, &self.names, &format!("{SUFFIX}{}", self.place)).text;
+        Subject {
+            request: self.request,
+            program: renamed(&self.main.name),
+            observed: self
+                .request
+                .observe
+                .iter()
+                .map(|asked| renamed(asked.name))
+                .collect(),
+        }
+    }
+
+    /// What a diagnostic of its text is of the program itself.
+    pub(super) fn original(&self, told: Diagnostic) -> Diagnostic {
+        self.apart.original(told)
+    }
+}
+
+/// The places of the programs whose names a text has.
+pub(super) fn named(text: &str) -> impl Iterator<Item = usize> + '_ {
+    let behind = text.split(SUFFIX).skip(1);
+    behind.filter_map(|behind| {
+        let end = behind
+            .find(|next: char| !next.is_ascii_digit())
+            .unwrap_or(behind.len());
+        behind[..end].parse().ok()
+    })
+}
+
+/// Every word of the texts in a folder, in capitals: the keywords of a library, and the names that it declares.
+pub(super) fn library_words(folder: &Path) -> HashSet<String> {
+    // What cannot be read is seen by the compiler, which then says so.
+    let files = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let paths = files.map(|file| file.path());
+    let texts = paths.filter(|path| path.extension().is_some_and(|extension| extension == "st"));
+    let mut taken = HashSet::new();
+    for text in texts.filter_map(|path| std::fs::read_to_string(path).ok()) {
+        taken.extend(words(&text).map(|word| word.text.to_ascii_uppercase()));
+    }
+    taken
+}
