@@ -156,16 +156,27 @@ pub(super) fn rejected(told: impl Iterator<Item = Diagnostic>) -> Outcome {
     Outcome::Rejected { diagnostics }
 }
 
-/// A diagnostic with the registry's code where one of the compiler's says the same.
+/// The compiler's codes that say what one of the registry says.
 ///
-/// Basis: rusty: its reference of error codes: E037 is an invalid assignment.
+/// Basis: rusty: its reference of error codes, `plc explain`. Others, such as E048 of anything that is not declared, stand for
+/// several of the registry.
+const CODES: [(&str, Code); 5] = [
+    ("E032", Code::FunctionCallWrongArgCount),
+    ("E037", Code::AssignmentTypeMismatch),
+    ("E052", Code::UndeclaredUnknownType),
+    ("E057", Code::BitAccessOutOfRange),
+    ("E058", Code::ArrayIndexOutOfBounds),
+];
+
+/// A diagnostic with the registry's code where one of the compiler's says the same.
 fn translated(diagnostic: Diagnostic) -> Diagnostic {
-    match diagnostic.code.as_deref() {
-        Some("E037") => Diagnostic {
-            code: Some(Code::AssignmentTypeMismatch.as_str().to_owned()),
-            message: format!("E037: {}", diagnostic.message),
+    let own = diagnostic.code.as_deref().unwrap_or_default();
+    match CODES.iter().find(|(code, _)| *code == own) {
+        Some((own, code)) => Diagnostic {
+            code: Some(code.as_str().to_owned()),
+            message: format!("{own}: {}", diagnostic.message),
             ..diagnostic
         },
-        _ => diagnostic,
+        None => diagnostic,
     }
 }

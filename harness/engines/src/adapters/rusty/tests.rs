@@ -13,6 +13,7 @@ use std::process::ExitStatus;
 const SAID: &str = "program_0.st:3:7:{3:7-3:8}: warning[E067]: Implicit downcast from 'LREAL' to 'REAL'.\n\
                     program_0.st:6:5:{6:5-6:11}: error[E037]: Invalid assignment: cannot assign 'STRING' to 'INT'\n\
                     program_0.st:4:10:{4:10-4:17}: error[E048]: Could not resolve reference to unknown\n\
+                    program_0.st:7:9:{7:9-7:10}: error[E058]: Array access must be in the range 1..2\n\
                     stickler.st:1:132:{1:132-1:133}: warning[E049]: Illegal access to private member main_in_pack_0.n\n\
                     Compilation aborted due to critical errors\n";
 
@@ -154,7 +155,8 @@ fn rejections_crashes_and_faults_are_told_apart() {
         diagnostics.iter().map(told).collect::<Vec<_>>(),
         [
             (Some(4), Some(10), Some(17), "E048".to_owned()),
-            (Some(6), Some(5), Some(11), "P4035".to_owned())
+            (Some(6), Some(5), Some(11), "P4035".to_owned()),
+            (Some(7), Some(9), Some(10), "P2027".to_owned())
         ]
     );
     assert!(matches!(asked(&engine, "panic", 2), Outcome::Crashed { .. }));
