@@ -1,9 +1,7 @@
 //! What several tests of the command do.
 
 use std::path::Path;
-#[cfg(unix)]
-use std::process::Child;
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 
 /// The program under test.
 pub const STICKLER: &str = env!("CARGO_BIN_EXE_stickler");
@@ -30,6 +28,12 @@ pub fn stickler(folder: &Path, arguments: &[&str]) -> Command {
 /// What the program does in a folder.
 pub fn output(folder: &Path, arguments: &[&str]) -> Output {
     stickler(folder, arguments).output().expect("the command runs")
+}
+
+/// A command that is under way, with both of its streams to be read.
+pub fn under_way(command: &mut Command) -> Child {
+    let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.spawn().expect("the command starts")
 }
 
 /// What a stream of it holds.

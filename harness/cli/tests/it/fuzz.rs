@@ -1,10 +1,9 @@
 //! Campaigns from the outside: engines that are processes and have a defect, folders that cannot be used, Ctrl-C.
 
-use crate::common::{STICKLER, interrupt};
+use crate::common::{self, STICKLER, interrupt, under_way};
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 /// An engine that takes MOD for a division, after this script of sed on each request.
 fn defective(script: &str) -> String {
@@ -14,13 +13,7 @@ fn defective(script: &str) -> String {
 
 /// What a command shows on both streams, and its exit code.
 fn stickler(arguments: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(STICKLER)
-        .args(arguments)
-        .env("NO_COLOR", "1")
-        .env("CARGO_MANIFEST_DIR", "")
-        .stdin(Stdio::null())
-        .output()
-        .expect("the command runs");
+    let output = common::output(Path::new("."), arguments);
     let shown = [output.stdout, output.stderr].concat();
     (output.status.code(), String::from_utf8_lossy(&shown).into_owned())
 }
@@ -237,22 +230,8 @@ fn an_input_of_libfuzzer_is_judged_alone() {
 #[test]
 fn ctrl_c_ends_a_campaign_with_what_it_has() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut campaign = Command::new(STICKLER)
-        .args([
-            "fuzz",
-            "--target",
-            "execute",
-            "--time",
-            "10m",
-            "--findings",
-            text(folder.path()),
-        ])
-        .env("NO_COLOR", "1")
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the command starts");
+    let arguments = ["fuzz", "--target", "execute", "--time", "10m", "--findings", "."];
+    let mut campaign = under_way(&mut common::stickler(folder.path(), &arguments));
     let mut out = BufReader::new(campaign.stdout.take().expect("a pipe"));
     let mut shown = String::new();
     // The handler stands when the record of the campaign is there.

@@ -1,6 +1,6 @@
 //! Reductions from the outside, where a printed page is not enough: an engine with a wrong value, and Ctrl-C.
 
-use crate::common::{STICKLER, interrupt};
+use crate::common::{STICKLER, interrupt, under_way};
 use std::fs;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
@@ -88,11 +88,7 @@ while IFS= read -r line; do
 done
 "#;
     fs::write(folder.path().join("slow.sh"), script).expect("a file");
-    let run = reduce(folder.path(), "cmd:sh slow.sh")
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the command runs");
+    let run = under_way(&mut reduce(folder.path(), "cmd:sh slow.sh"));
     while !folder.path().join("under-way").exists() {
         std::thread::sleep(Duration::from_millis(20));
     }

@@ -2,7 +2,7 @@
 
 #[cfg(unix)]
 use crate::common::interrupt;
-use crate::common::{STICKLER, SUITE, output, stickler, text};
+use crate::common::{STICKLER, SUITE, output, stickler, text, under_way};
 use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -123,11 +123,7 @@ fn a_filter_that_leaves_nothing_keeps_the_reports_of_the_last_run() {
 #[test]
 fn a_reader_that_goes_away_is_no_error() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut list = stickler(folder.path(), &["list", "--cases", SUITE])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the command starts");
+    let mut list = under_way(&mut stickler(folder.path(), &["list", "--cases", SUITE]));
     drop(list.stdout.take());
     let end = list.wait_with_output().expect("the command ends");
     assert_eq!(end.status.code(), Some(0));
@@ -138,11 +134,10 @@ fn a_reader_that_goes_away_is_no_error() {
 fn a_reader_that_goes_away_does_not_turn_a_rejection_into_success() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     fs::write(folder.path().join("bad.st"), "PROGRAM main x := 1; END_PROGRAM").expect("a program");
-    let mut check = stickler(folder.path(), &["check", "bad.st", "--dialect", "matiec"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the command starts");
+    let mut check = under_way(&mut stickler(
+        folder.path(),
+        &["check", "bad.st", "--dialect", "matiec"],
+    ));
     drop(check.stdout.take());
     let end = check.wait_with_output().expect("the command ends");
     assert_eq!(end.status.code(), Some(1), "{}", text(&end.stderr));
@@ -189,11 +184,7 @@ fn wait_for_header(run: &mut Child, log: &Path) {
 fn ctrl_c_leaves_a_readable_log_that_is_marked_as_cut_short() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     slow_suite(folder.path());
-    let mut run = stickler(folder.path(), &["run", "--jobs", "1"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the command starts");
+    let mut run = under_way(&mut stickler(folder.path(), &["run", "--jobs", "1"]));
     let log = folder.path().join("reports/latest/events.jsonl");
     wait_for_header(&mut run, &log);
     interrupt(&run);

@@ -1,20 +1,14 @@
 //! A sweep that is interrupted, and sweeps of engines that are processes.
 
-use crate::common::{STICKLER, interrupt};
+use crate::common::{STICKLER, interrupt, output, stickler, text, under_way};
 use std::io::{BufRead, BufReader, Read};
-use std::process::{Command, Stdio};
+use std::path::Path;
 
 #[test]
 fn ctrl_c_tells_how_far_a_sweep_came() {
     // Billions of texts, so that it cannot end by itself before the signal comes.
-    let mut sweep = Command::new(STICKLER)
-        .args(["sweep", "DINT_TO_STRING", "--jobs", "1"])
-        .env("NO_COLOR", "1")
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the command starts");
+    let arguments = ["sweep", "DINT_TO_STRING", "--jobs", "1"];
+    let mut sweep = under_way(&mut stickler(Path::new("."), &arguments));
     let mut out = BufReader::new(sweep.stdout.take().expect("a pipe"));
     let mut lines = String::new();
     // These are shown when the handler stands and the sweep is about to begin.
@@ -33,23 +27,18 @@ fn ctrl_c_tells_how_far_a_sweep_came() {
 /// What a sweep of an engine shows, and its exit code. `COMMAND` in the engine's command line stands for this command.
 fn swept(function: &str, dialect: &str, engine: &str) -> (Option<i32>, String) {
     let engine = format!("cmd:{}", engine.replace("COMMAND", &format!("\"{STICKLER}\"")));
-    let output = Command::new(STICKLER)
-        .args([
-            "sweep",
-            function,
-            "--dialect",
-            dialect,
-            "--jobs",
-            "1",
-            "--engine",
-            &engine,
-        ])
-        .env("NO_COLOR", "1")
-        .stdin(Stdio::null())
-        .output()
-        .expect("the command runs");
-    let shown = String::from_utf8_lossy(&output.stdout).into_owned();
-    (output.status.code(), shown)
+    let arguments = [
+        "sweep",
+        function,
+        "--dialect",
+        dialect,
+        "--jobs",
+        "1",
+        "--engine",
+        &engine,
+    ];
+    let output = output(Path::new("."), &arguments);
+    (output.status.code(), text(&output.stdout))
 }
 
 #[test]
