@@ -137,7 +137,7 @@ impl Engine for Rusty {
 
     fn fingerprint(&self) -> Option<String> {
         Fingerprint::of("rusty")
-            .file(&self.compiler)
+            .program(&self.compiler)
             .folder(&self.declarations)
             .folder(&self.library)
             .with(self.builder.fingerprint())

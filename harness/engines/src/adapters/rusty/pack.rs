@@ -8,6 +8,7 @@ use super::RustySession;
 use super::diagnostics::{About, Found, rejected, steady};
 use super::driver::{Subject, driver, functions};
 use super::program::{self, Program};
+use crate::adapters::locate::suspects;
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::collections::BTreeSet;
 
@@ -94,14 +95,12 @@ fn look(session: &RustySession<'_>, programs: &[Program<'_>]) -> Known {
 /// What is known after something did not come to an end of its own.
 fn broken_off(outcome: &Outcome, programs: &[Program<'_>]) -> Known {
     let suspects = match outcome {
-        // Smaller packs would each take as long again; alone, only the one at fault does.
-        Outcome::TimedOut { .. } => (0..programs.len()).collect(),
         Outcome::Crashed { reason } => {
             let named: BTreeSet<usize> = program::named(reason).collect();
             let suspected = |number: &usize| named.contains(&programs[*number].place);
             (0..programs.len()).filter(suspected).collect()
         }
-        _ => BTreeSet::new(),
+        other => suspects(other, programs.len()),
     };
     taken(Vec::new(), suspects)
 }
