@@ -3,6 +3,7 @@
 use crate::dialects::Draft;
 use crate::near::{advice, list};
 use crate::table::{Mistake, text};
+use std::collections::BTreeSet;
 use std::ops::Range;
 use stickler_types::definition::{
     BitStringTextWord, Cell, Flag, OutOfRangeWord, RealTextWord, RoundingWord, TextReadingWord,
@@ -156,6 +157,7 @@ fn one_of<T: Copy>(
 /// # Errors
 /// A type that there is not, or that the dialect does not have; a cell that says nothing; another word for one.
 pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mistake> {
+    let mut read = BTreeSet::new();
     for (key, value) in keys.iter() {
         let name = key.get_ref().as_ref();
         match (value.get_ref().as_table(), name.split_once('.')) {
@@ -163,10 +165,14 @@ pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), 
             (Some(columns), None) => {
                 for (column, value) in columns.iter() {
                     let to = column.get_ref().as_ref();
-                    cell((name, &key.span()), (to, &column.span()), value, draft)?;
+                    let pair = cell((name, &key.span()), (to, &column.span()), value, draft)?;
+                    once(&mut read, pair, &column.span())?;
                 }
             }
-            (None, Some((from, to))) => cell((from, &key.span()), (to, &key.span()), value, draft)?,
+            (None, Some((from, to))) => {
+                let pair = cell((from, &key.span()), (to, &key.span()), value, draft)?;
+                once(&mut read, pair, &key.span())?;
+            }
             _ => {
                 let message = format!(
                     "`{name}` names no pair of types; write the value's type, a point and the target's: `\"INT.BOOL\" = \"no\"`"
@@ -178,12 +184,24 @@ pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), 
     Ok(())
 }
 
+/// A pair can be written with and without quotes, and TOML takes the two for different keys.
+fn once(read: &mut BTreeSet<Pair>, pair: Pair, at: &Range<usize>) -> Result<(), Mistake> {
+    if read.insert(pair) {
+        return Ok(());
+    }
+    let message = format!("`{}.{}` has a word already", pair.0, pair.1);
+    Err(Mistake::at(at.clone(), message))
+}
+
+/// The type of a value, and of its target.
+type Pair = (ElementaryType, ElementaryType);
+
 fn cell(
     (from, from_at): (&str, &Range<usize>),
     (to, to_at): (&str, &Range<usize>),
     value: &Spanned<DeValue<'_>>,
     draft: &mut Draft<'_>,
-) -> Result<(), Mistake> {
+) -> Result<Pair, Mistake> {
     let key = format!("{from}.{to}");
     let (from, to) = (elementary(from, from_at, draft)?, elementary(to, to_at, draft)?);
     if from == to {
@@ -200,7 +218,7 @@ fn cell(
     }
     let stated = draft.stated(word, &format!("implicit {from}.{to}"), from_at);
     draft.definition.cells.insert((from, to), stated);
-    Ok(())
+    Ok((from, to))
 }
 
 /// A type that the dialect has.

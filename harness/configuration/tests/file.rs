@@ -408,6 +408,10 @@ fn a_mistake_in_a_dialect_is_told_with_its_place_and_the_word_that_was_meant() {
             "3:10: `INT` names no pair of types",
         ),
         (
+            table("implicit.INT.BOOL = \"no\"\nimplicit.\"INT.BOOL\" = \"yes\""),
+            "4:10: `INT.BOOL` has a word already",
+        ),
+        (
             table("implicit.\"INT.INT\" = \"no\""),
             "3:10: `INT.INT` needs no word",
         ),
