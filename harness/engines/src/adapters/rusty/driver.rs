@@ -75,13 +75,7 @@ pub(super) fn driver<'r>(subjects: &[Subject<'r>], first_file: &str) -> Result<D
     for (number, subject) in subjects.iter().enumerate() {
         write_run(&mut text, number, &subject.request);
     }
-    let initialises = format!("__init___{}", first_file.replace('.', "_"));
-    // Writing into a String does not fail.
-    let _ = writeln!(
-        text,
-        "__attribute__((weak)) void {initialises}(void);\n\
-         static int run_initialised(int (*run)(void)) {{\n    if ({initialises}) {initialises}();\n    return run();\n}}"
-    );
+    text.push_str(&initialisation(first_file));
     let run = |number| format!("run_initialised(run_{number})");
     text.push_str(&driver::main(subjects.len(), run));
     Ok(Driver {
@@ -90,6 +84,20 @@ pub(super) fn driver<'r>(subjects: &[Subject<'r>], first_file: &str) -> Result<D
         read: value,
         faults: &[],
     })
+}
+
+/// The function that runs one of the programs after their initial values are set. Where the standard library panics, its own words
+/// are worth more than where it was called from.
+fn initialisation(first_file: &str) -> String {
+    let initialise = format!("__init___{}", first_file.replace('.', "_"));
+    format!(
+        "__attribute__((weak)) void {initialise}(void);\n\
+         static int run_initialised(int (*run)(void)) {{\n\
+         #if defined(__unix__) || defined(__APPLE__)\n    \
+         setenv(\"RUST_BACKTRACE\", \"0\", 1);\n\
+         #endif\n    \
+         if ({initialise}) {initialise}();\n    return run();\n}}\n"
+    )
 }
 
 /// The function that a program calls to show a value of a type.
