@@ -147,7 +147,8 @@ fn page_of(array: &Array, manifest: &Manifest) -> Result<usize, String> {
         None => return Err("has no results[0], so nobody can say of which page it is".to_owned()),
         Some(other) => {
             return Err(format!(
-                "is no array of results: results[0] is {other}, and a page writes {MAGIC} there"
+                "is no array of results: results[0] is {other}, and a page writes {MAGIC} there; where a row has more than one \
+                 number, copy the headings of the columns, too"
             ));
         }
     }

@@ -90,6 +90,18 @@ fn what_is_no_array_of_this_export_passes_nothing() {
     );
     let notes = exported.notes_without_verdicts("results[0] := 5;\nresults[1] := 7;\n");
     assert!(notes.contains("results[0] is 5"), "{notes}");
+    // The view of a data block in TIA without the row above it: the first number is an offset.
+    let offsets = |heading: &str| {
+        let rows = exported.arrays[0].iter().enumerate();
+        let rows =
+            rows.map(|(index, value)| format!("results[{index}]\tDInt\t{}.0\t0\t{value}\n", index * 4));
+        heading.to_owned() + &rows.collect::<String>()
+    };
+    let notes = exported.notes_without_verdicts(&offsets(""));
+    assert!(notes.contains("copy the headings of the columns, too"), "{notes}");
+    let whole = offsets("Name\tData type\tOffset\tStart value\tMonitor value\n");
+    assert_eq!(odd(&exported.import(&whole).1).len(), 0);
+    assert!(!exported.import(&whole).1.is_empty());
     let notes = exported.notes_without_verdicts("nothing to see\n");
     assert!(notes.contains("there is no number in it"), "{notes}");
     let notes = exported.notes_without_verdicts(
