@@ -1,32 +1,16 @@
 //! What is left of what a compiler says when what differs from program to program is left out.
 
-/// How many words of a message tell one kind of crash or rejection from another.
-const WORDS: usize = 16;
+use stickler_types::ElementaryType;
 
-/// The first words of a message, without what changes from program to program: what has a digit in it, and what stands in
-/// quotes or brackets.
+/// How many words of a message tell one kind of crash or rejection from another.
+const WORDS: usize = 20;
+
+/// The first words of a message, without what changes from program to program: what has a digit in it, the names of elementary
+/// types, and what stands in quotes or brackets.
 pub(super) fn gist(message: &str) -> String {
     let first = message.lines().next().unwrap_or_default();
-    let mut plain = String::with_capacity(first.len());
-    let mut until = None;
-    let mut before = ' ';
-    for character in first.chars() {
-        // Within or behind a word it is an apostrophe.
-        let opens = closing(character).filter(|_| !before.is_alphanumeric());
-        match (until, opens) {
-            (Some(end), _) if character == end => until = None,
-            (Some(_), _) => {}
-            (None, Some(_)) => {
-                plain.truncate(plain.trim_end().len());
-                until = opens;
-            }
-            (None, None) => plain.push(character),
-        }
-        before = character;
-    }
-    let words = plain
-        .split_whitespace()
-        .filter(|word| !word.contains(|character: char| character.is_ascii_digit()));
+    let plain = without_quoted(first);
+    let words = plain.split_whitespace().filter(|word| !is_of_the_program(word));
     let words: Vec<&str> = words.take(WORDS).collect();
     words
         .join(" ")
@@ -34,11 +18,70 @@ pub(super) fn gist(message: &str) -> String {
         .to_owned()
 }
 
+/// Whether a word has a digit or is the name of an elementary type; `time` and `date` are words like others.
+fn is_of_the_program(word: &str) -> bool {
+    let name = word.trim_matches(|end: char| !end.is_ascii_alphanumeric());
+    let is_type = ElementaryType::from_name(name).is_some_and(|ty| ty.name() == name);
+    is_type || word.contains(|character: char| character.is_ascii_digit())
+}
+
+/// A text without what stands in quotes or brackets, and without the space in front of it.
+fn without_quoted(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    // What has to come for each that is open, the innermost last.
+    let mut open: Vec<char> = Vec::new();
+    let mut before = ' ';
+    for character in text.chars() {
+        // Within or behind a word it is an apostrophe.
+        let closing = closing(character).filter(|end| *end != character || !before.is_alphanumeric());
+        match (open.last(), closing) {
+            (Some(end), _) if character == *end => _ = open.pop(),
+            (Some(')'), Some(end)) => open.push(end),
+            (Some(_), _) => {}
+            (None, Some(end)) => {
+                plain.truncate(plain.trim_end().len());
+                open.push(end);
+            }
+            (None, None) => plain.push(character),
+        }
+        before = character;
+    }
+    plain
+}
+
 /// What ends what begins like this.
 const fn closing(opening: char) -> Option<char> {
     match opening {
         '(' => Some(')'),
+        '‘' => Some('’'),
+        '“' => Some('”'),
         '`' | '\'' | '"' => Some(opening),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::gist;
+
+    #[test]
+    fn what_differs_from_program_to_program_is_left_out() {
+        for (message, left) in [
+            ("Cannot assign USINT to INT", "Cannot assign to"),
+            ("no such date", "no such date"),
+            (
+                "POUS.c:22:1: error: no matching function",
+                "error: no matching function",
+            ),
+            ("error: ‘BCD_TO_INT’ was not declared", "error: was not declared"),
+            ("no “r” here, don't know 's'", "no here, don't know"),
+            ("it ended (signal: 11 (SIGSEGV))", "it ended"),
+            ("no match for SEL(g, (a), 'b)') here.", "no match for SEL here"),
+            ("not closed (at line", "not closed"),
+            ("first line: \nsecond", "first line"),
+            ("", ""),
+        ] {
+            assert_eq!(gist(message), left, "{message}");
+        }
     }
 }
