@@ -16,6 +16,7 @@ mod matiec;
 mod places;
 mod plain;
 mod printed;
+mod rounds;
 mod rusty;
 mod source;
 mod strucpp;

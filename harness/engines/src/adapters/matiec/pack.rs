@@ -8,6 +8,7 @@ use super::driver::{Subject, driver};
 use super::{MatiecSession, configuration, diagnostics};
 use crate::adapters::apart::{Apart, declared};
 use crate::adapters::locate::suspects;
+use crate::adapters::rounds::{self, Round};
 use crate::adapters::source::{MainProgram, main_program};
 use crate::adapters::witness::{Copies, with_witnesses};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
@@ -124,92 +125,46 @@ impl Joined {
     }
 }
 
-/// What is known of a pack after a round.
-enum Known {
-    /// All ran.
-    Outcomes(Vec<Outcome>),
-    /// Some are rejected, by these; the others were looked at, too.
-    Rejected(Vec<Vec<Diagnostic>>),
-    /// Some are to be asked about alone.
-    Suspects(BTreeSet<usize>),
-    /// Nothing is known of any of them.
-    Nothing,
-}
-
 /// As [`Session::run_pack`](crate::Session::run_pack).
 pub(super) fn run(session: &MatiecSession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
     let mut answers = vec![Packed::Alone; requests.len()];
     let taken = session.engine.taken();
     let member = |(place, request)| Member::of(place, request, taken);
-    let mut members: Vec<Member<'_>> = requests.iter().enumerate().filter_map(member).collect();
-    for _ in 0..ROUNDS {
-        if members.len() < 2 {
-            break;
-        }
-        match look(session, &members) {
-            Known::Outcomes(known) => {
-                for (member, outcome) in members.drain(..).zip(known) {
-                    answers[member.place] = Packed::Told(outcome);
-                }
-            }
-            Known::Rejected(told) => reject(&mut members, told, &mut answers),
-            Known::Suspects(suspects) => {
-                for number in suspects.into_iter().rev() {
-                    members.remove(number);
-                }
-            }
-            Known::Nothing => break,
-        }
-    }
-    for member in members {
-        answers[member.place] = Packed::Unknown;
-    }
+    let members: Vec<Member<'_>> = requests.iter().enumerate().filter_map(member).collect();
+    let place = |member: &Member<'_>| member.place;
+    rounds::play(members, ROUNDS, &mut answers, place, |members| {
+        look(session, members)
+    });
     answers
 }
 
-/// Takes out the programs that are rejected. One to which variables were added is to be asked about alone: it is not sure whose
-/// mistake it is.
-fn reject(members: &mut Vec<Member<'_>>, told: Vec<Vec<Diagnostic>>, answers: &mut [Packed]) {
-    let mut told = told.into_iter();
-    members.retain(|member| {
-        let told = told.next().unwrap_or_default();
-        if told.is_empty() {
-            return true;
-        }
-        if member.copies.witnesses().is_empty() {
-            answers[member.place] = Packed::Told(diagnostics::rejected(told));
-        }
-        false
-    });
-}
-
 /// Translates, builds and runs programs in one text.
-fn look(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
+fn look(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
     let joined = Joined::of(members);
     let ended = match session.compile(&joined.text) {
         Ok(ended) => ended,
-        Err(outcome) => return suspected(suspects(&outcome, members.len())),
+        Err(outcome) => return Round::alone(suspects(&outcome, members.len())),
     };
     match diagnostics::outcome(&ended) {
         Ok(()) => build(session, members),
-        Err(Outcome::Rejected { .. }) => refused(&joined, &ended.stderr),
-        Err(_) => Known::Nothing,
+        Err(Outcome::Rejected { .. }) => refused(members, &joined, &ended.stderr),
+        Err(_) => Round::nothing(),
     }
 }
 
 /// What it is that `iec2c` does not accept.
-fn refused(joined: &Joined, stderr: &str) -> Known {
+fn refused(members: &[Member<'_>], joined: &Joined, stderr: &str) -> Round {
     let diagnostics = diagnostics::diagnostics(stderr);
     let complete = diagnostics::are_complete(&diagnostics, stderr);
     let mut told: Vec<Vec<Diagnostic>> = joined.members.iter().map(|_| Vec::new()).collect();
     for diagnostic in diagnostics {
         let Some((number, original)) = joined.original(diagnostic) else {
-            return Known::Nothing;
+            return Round::nothing();
         };
         told[number].push(original);
     }
     if complete {
-        return Known::Rejected(told);
+        return rejected(members, told);
     }
     let mut suspects = BTreeSet::new();
     for (number, told) in told.iter().enumerate().filter(|(_, told)| !told.is_empty()) {
@@ -219,11 +174,22 @@ fn refused(joined: &Joined, stderr: &str) -> Known {
             suspects.insert(number - 1);
         }
     }
-    Known::Suspects(suspects)
+    Round::alone(suspects)
+}
+
+/// Takes out the programs that are rejected, by these diagnostics of each. One to which variables were added is to be asked about
+/// alone: it is not sure whose mistake it is.
+fn rejected(members: &[Member<'_>], told: Vec<Vec<Diagnostic>>) -> Round {
+    let told = told.into_iter().enumerate().filter(|(_, told)| !told.is_empty());
+    let known = told.map(|(number, told)| match members[number].copies.witnesses() {
+        [] => (number, Packed::Told(diagnostics::rejected(told))),
+        _ => (number, Packed::Alone),
+    });
+    Round::TakenOut(known.collect())
 }
 
 /// Builds and runs what was translated.
-fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
+fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
     let subjects: Vec<Subject<'_, '_>> = members
         .iter()
         .map(|member| Subject {
@@ -234,7 +200,7 @@ fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
         .collect();
     let Ok(driver) = driver(&subjects) else {
         let cannot = |number: &usize| driver(&subjects[*number..=*number]).is_err();
-        return suspected((0..subjects.len()).filter(cannot).collect());
+        return Round::alone((0..subjects.len()).filter(cannot).collect());
     };
     let built = session
         .engine
@@ -242,10 +208,10 @@ fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
         .try_build(&driver.text, &[], &session.folder);
     let ended = match built {
         Ok(ended) => ended,
-        Err(outcome) => return suspected(suspects(&outcome, members.len())),
+        Err(outcome) => return Round::alone(suspects(&outcome, members.len())),
     };
     if ended.status.success() {
-        return Known::Outcomes(driver.execute_all(&session.folder));
+        return Round::Ran(driver.execute_all(&session.folder));
     }
     let read = |name: &str| std::fs::read_to_string(session.folder.path().join(name)).unwrap_or_default();
     let places = named(
@@ -253,20 +219,12 @@ fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Known {
         [("POUS.c:", read("POUS.c")), ("POUS.h:", read("POUS.h"))],
     );
     let numbers = members.iter().enumerate();
-    suspected(
+    Round::alone(
         numbers
             .filter(|(_, member)| places.contains(&member.place))
             .map(|(number, _)| number)
             .collect(),
     )
-}
-
-fn suspected(suspects: BTreeSet<usize>) -> Known {
-    if suspects.is_empty() {
-        Known::Nothing
-    } else {
-        Known::Suspects(suspects)
-    }
 }
 
 /// The programs that a C compiler names in its errors, or in whose part of these files they stand.

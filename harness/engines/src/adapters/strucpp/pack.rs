@@ -7,6 +7,7 @@ use super::driver::{Subject, driver};
 use super::{Accepted, StrucppSession};
 use crate::adapters::apart::declared;
 use crate::adapters::locate::suspects;
+use crate::adapters::rounds::{self, Round};
 use crate::{Outcome, Packed, RunRequest};
 use std::collections::BTreeSet;
 
@@ -27,27 +28,10 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
             Err(outcome) => answers[place] = Packed::Told(outcome),
         }
     }
-    for _ in 0..ROUNDS {
-        if members.len() < 2 {
-            break;
-        }
-        match build_and_run(session, &members) {
-            Ok(known) => {
-                for ((place, _), outcome) in members.drain(..).zip(known) {
-                    answers[place] = Packed::Told(outcome);
-                }
-            }
-            Err(suspects) if suspects.is_empty() => break,
-            Err(suspects) => {
-                for number in suspects.into_iter().rev() {
-                    members.remove(number);
-                }
-            }
-        }
-    }
-    for (place, _) in members {
-        answers[place] = Packed::Unknown;
-    }
+    let place = |(place, _): &(usize, Accepted<'_>)| *place;
+    rounds::play(members, ROUNDS, &mut answers, place, |members| {
+        build_and_run(session, members).unwrap_or_else(Round::alone)
+    });
     answers
 }
 
@@ -58,7 +42,7 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
 fn build_and_run(
     session: &StrucppSession<'_>,
     members: &[(usize, Accepted<'_>)],
-) -> Result<Vec<Outcome>, BTreeSet<usize>> {
+) -> Result<Round, BTreeSet<usize>> {
     for (number, (_, accepted)) in members.iter().enumerate() {
         let text = in_a_namespace(&accepted.translated.header, &accepted.translated.program);
         let written = session.folder.write(&format!("program_{number}.cpp"), &text);
@@ -72,7 +56,7 @@ fn build_and_run(
         .try_build(&driver.text, &[], &session.folder);
     let ended = built.map_err(|outcome| suspects(&outcome, members.len()))?;
     if ended.status.success() {
-        return Ok(driver.execute_all(&session.folder));
+        return Ok(Round::Ran(driver.execute_all(&session.folder)));
     }
     let named = |(mark, end)| numbers(&ended.stderr, mark, end);
     let named: BTreeSet<usize> = [("program_", '.'), ("pack_", ':')]
