@@ -140,13 +140,16 @@ impl Conversation<'_> {
             Ok((second, _)) => {
                 let first = self.connection.replace(second);
                 self.id += 1;
-                let (line, verb) = request(&Ask::Check(PLAIN), self.id, self.identity.dialects[0]);
+                let (asked, verb) = request(&Ask::Check(PLAIN), self.id, self.identity.dialects[0]);
                 let expect = match self.identity.can(Ability::Check) {
                     true => Expect::Accepted,
                     false => Expect::Refused,
                 };
-                let check = self.ask(rule, line, verb, &expect, &[]);
-                drop(first);
+                let check = self.ask(rule, asked, verb, &expect, &[]);
+                // Whether it leaves is judged by the second; who is killed may leave folders of its own behind.
+                if let Some(first) = first {
+                    first.leave(line(&Request::Bye));
+                }
                 check
             }
             Err(error) => broken(rule, error.to_string()),

@@ -151,6 +151,22 @@ fn every_engine_that_has_a_name_can_be_served_and_validated() {
     assert!(told(&output).contains("no-such-adapter"), "{}", told(&output));
 }
 
+/// What a compiler's adapter leaves behind when it is killed, such as a folder of its own, nobody removes.
+#[cfg(unix)]
+#[test]
+fn each_process_that_is_validated_may_come_to_its_own_end() {
+    let folder = folder("");
+    let script = folder.path().join("adapter.sh");
+    let text = format!("echo started >>log\n'{}' engine\necho left >>log\n", STICKLER);
+    fs::write(&script, text).expect("written");
+    let output = stickler(folder.path(), &["engine", "--validate", "/bin/sh", "adapter.sh"]);
+    assert!(output.status.success(), "{}", told(&output));
+    let log = fs::read_to_string(folder.path().join("log")).expect("a log");
+    let count = |word| log.lines().filter(|line| *line == word).count();
+    assert!(count("started") > 1, "{log}");
+    assert_eq!(count("left"), count("started"), "{log}");
+}
+
 #[test]
 fn a_file_with_a_mistake_stops_what_would_need_it() {
     let folder = folder("[engines.matiec]\nic2c = \"/x\"\n");
