@@ -1,6 +1,7 @@
 //! Expected beside got, line by line: one comparison that every format shows in its own way.
 
 use similar::{ChangeTag, TextDiff, TextDiffConfig};
+use std::borrow::Cow;
 use std::fmt::Write;
 use std::time::Duration;
 
@@ -46,9 +47,10 @@ impl Side {
 
 /// Compares two texts line by line; equal texts give no lines.
 pub fn lines(expected: &str, got: &str) -> Vec<DiffLine> {
+    let (expected, got) = (ended(expected), ended(got));
     let diff: TextDiff<'_, '_, str> = TextDiffConfig::default()
         .timeout(PATIENCE)
-        .diff_lines(expected, got);
+        .diff_lines(&*expected, &*got);
     let mut lines = Vec::new();
     for (number, group) in diff.grouped_ops(CONTEXT).iter().enumerate() {
         if number > 0 {
@@ -83,6 +85,15 @@ pub fn text(expected: &str, got: &str) -> String {
     text
 }
 
+/// A text whose last line ends, too: the end of a line is part of what is compared.
+fn ended(text: &str) -> Cow<'_, str> {
+    if text.is_empty() || text.ends_with('\n') {
+        Cow::from(text)
+    } else {
+        Cow::from(format!("{text}\n"))
+    }
+}
+
 fn side(tag: ChangeTag) -> Side {
     match tag {
         ChangeTag::Equal => Side::Both,
@@ -111,6 +122,14 @@ mod tests {
     #[test]
     fn equal_texts_have_no_difference() {
         assert!(lines("a\nb\n", "a\nb\n").is_empty());
+    }
+
+    #[test]
+    fn a_last_line_is_the_same_where_the_other_text_goes_on() {
+        assert_eq!(text("a\nb", "a\nb\nc"), "  a\n  b\n+ c\n");
+        assert_eq!(text("a\nb\nc", "b"), "- a\n  b\n- c\n");
+        assert_eq!(text("", "b"), "+ b\n");
+        assert!(lines("a\nb\n", "a\nb").is_empty());
     }
 
     #[test]
