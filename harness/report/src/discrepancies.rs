@@ -4,7 +4,6 @@
 //! A cluster is the cases of one case file and claim with one symptom. Of each only its smallest program is kept, so that
 //! memory does not grow with the number of cases.
 
-mod fact;
 mod gist;
 mod page;
 mod symptom;

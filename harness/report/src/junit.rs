@@ -6,24 +6,25 @@
 mod case;
 mod suite;
 
-use crate::ReportError;
 use crate::claims::Claim;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::outdated;
+use crate::{ReportError, compared};
 use quick_junit::Report;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
-use stickler_run::Event;
+use stickler_run::{EngineHeader, Event};
 use suite::{Kind, Problem, Suite, Test};
 
 /// Gathers the run: test suites are apart in the file, and their cases are not in the stream of events.
 pub(crate) struct Junit {
     file: PendingFile,
     suites: BTreeMap<String, Suite>,
+    engines: Vec<EngineHeader>,
 }
 
 impl Junit {
@@ -35,6 +36,7 @@ impl Junit {
         Ok(Junit {
             file: PendingFile::create(path)?,
             suites: BTreeMap::new(),
+            engines: Vec::new(),
         })
     }
 
@@ -42,13 +44,15 @@ impl Junit {
     pub(crate) fn take(&mut self, event: &Event) {
         match event {
             // The times of header and footer are taken from the overview, when the document is written.
-            Event::Header(_) | Event::Footer(_) => {}
+            Event::Header(header) => self.engines.clone_from(&header.engines),
+            Event::Footer(_) => {}
             Event::Case(event) => {
                 let name = format!("{}.{}.{}", event.engine, event.dialect, event.area);
+                let strict = compared::strictness(&self.engines, &event.engine);
                 self.suites
                     .entry(name)
                     .or_insert_with_key(|name| Suite::new(name))
-                    .add(case::test(event));
+                    .add(case::test(event, strict));
             }
         }
     }
@@ -281,6 +285,16 @@ mod tests {
         ] {
             assert!(description.contains(part), "{part} in {description}");
         }
+    }
+
+    #[test]
+    fn what_was_judged_by_line_is_compared_by_line() {
+        let report = document_of(&sample::run_by_line());
+        let TestCaseStatus::NonSuccess { description, .. } = &suite(&report).test_cases[0].status else {
+            panic!("a failure");
+        };
+        let description = description.as_deref().expect("a description");
+        assert!(description.contains(&sample::BY_LINE.join("\n")), "{description}");
     }
 
     #[test]

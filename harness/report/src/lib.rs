@@ -21,11 +21,13 @@
 
 mod badge;
 pub mod claims;
+mod compared;
 pub mod comparison;
 pub mod diff;
 mod discrepancies;
 mod error;
 pub mod events;
+mod fact;
 mod folder;
 mod junit;
 pub mod observations;

@@ -93,6 +93,25 @@ pub(crate) fn run_with_baseline() -> (Vec<Event>, BaselineNote) {
     (events, note)
 }
 
+/// What every report shows of the one case of [`run_by_line`].
+pub(crate) const BY_LINE: [&str; 2] = [
+    "  line 6: error P4001, told as no number",
+    "- line 9: error P4007",
+];
+
+/// A run of one case whose rejection was judged by lines, and does not name both.
+pub(crate) fn run_by_line() -> Vec<Event> {
+    let mut events = run_of(vec![CaseEvent {
+        expected: "line 6: error P4001\nline 9: error P4007".to_owned(),
+        got: "line 6: error without a code: no number".to_owned(),
+        ..case("half", Verdict::Fail)
+    }]);
+    if let Event::Header(header) = &mut events[0] {
+        header.engines[0].strict = Grade::Line;
+    }
+    events
+}
+
 /// A whole run of these cases on several engines.
 pub(crate) fn run_on(engines: &[&str], cases: Vec<CaseEvent>) -> Vec<Event> {
     let mut events = run_of(cases);

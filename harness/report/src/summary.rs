@@ -7,11 +7,11 @@ use crate::discrepancies::NAME;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::{clip, counted, duration, judged, noted, outdated, outdated_entries, visible};
-use crate::{ReportError, diff};
+use crate::{ReportError, compared, diff};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, DefinedHeader, Totals};
+use stickler_run::{CaseEvent, DefinedHeader, Grade, Totals};
 
 /// The most that a step summary takes is 1 MiB; this leaves room for what other steps write.
 const MOST_BYTES: usize = 900_000;
@@ -178,7 +178,7 @@ fn failures(overview: &Overview, page: &mut Page) {
     let shown = overview.failures.iter().take(SHOWN_FAILURES);
     let tried = shown.len() as u64;
     page.left_out = 0;
-    shown.for_each(|case| page.add(&failure(case)));
+    shown.for_each(|case| page.add(&failure(case, overview.strict(&case.engine))));
     let rest = overview.failed - tried + page.left_out;
     if rest > 0 {
         // The note is short, and the limit leaves room for it.
@@ -189,9 +189,10 @@ fn failures(overview: &Overview, page: &mut Page) {
     }
 }
 
-fn failure(case: &CaseEvent) -> String {
-    let expected = clip(&visible(&case.expected), SHOWN_LINES, SHOWN_CHARACTERS);
-    let got = clip(&visible(&case.got), SHOWN_LINES, SHOWN_CHARACTERS);
+fn failure(case: &CaseEvent, strict: Grade) -> String {
+    let (expected, got) = compared::texts(case, strict);
+    let expected = clip(&visible(&expected), SHOWN_LINES, SHOWN_CHARACTERS);
+    let got = clip(&visible(&got), SHOWN_LINES, SHOWN_CHARACTERS);
     let difference = diff::text(&expected, &got);
     let difference = match difference.as_str() {
         // A pass that is not expected.
@@ -290,6 +291,15 @@ mod tests {
         assert!(
             at("### fail: widening/broken@ironplc-ed2 on reference")
                 < at("- into = INT#-128\n+ into = INT#128\n")
+        );
+    }
+
+    #[test]
+    fn what_was_judged_by_line_is_compared_by_line() {
+        let text = page(&sample::run_by_line());
+        assert!(
+            text.contains(&format!("{}\n", sample::BY_LINE.join("\n"))),
+            "{text}"
         );
     }
 

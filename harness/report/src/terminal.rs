@@ -46,7 +46,8 @@ pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>)
 
 fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
     for case in overview.failures.iter().take(SHOWN_FAILURES) {
-        failure::write(out, case, overview.totals.len() > 1)?;
+        let strict = overview.strict(&case.engine);
+        failure::write(out, case, strict, overview.totals.len() > 1)?;
     }
     let rest = overview.failed.saturating_sub(SHOWN_FAILURES as u64);
     if rest > 0 {
@@ -236,7 +237,7 @@ mod tests {
     use super::{SHOWN_FAILURES, Surroundings, write};
     use crate::overview::Overview;
     use crate::sample;
-    use stickler_run::{CaseEvent, Event, Grade, Verdict};
+    use stickler_run::{CaseEvent, Event, Verdict};
 
     fn shown(events: &[Event]) -> String {
         let mut overview = Overview::default();
@@ -378,15 +379,15 @@ Claims                      reference  matiec
 
     #[test]
     fn a_run_that_was_not_judged_by_code_and_line_says_so() {
-        let mut events = sample::run_of(vec![sample::case("a", Verdict::Pass)]);
-        if let Event::Header(header) = &mut events[0] {
-            header.engines[0].strict = Grade::Line;
+        let text = shown(&sample::run_by_line());
+        let [met, missing] = sample::BY_LINE;
+        for part in [
+            "Engine: reference 0.1.0 (rejections judged by line).\n",
+            met,
+            missing,
+        ] {
+            assert!(text.contains(part), "{part} in {text}");
         }
-        let text = shown(&events);
-        assert!(
-            text.contains("Engine: reference 0.1.0 (rejections judged by line).\n"),
-            "{text}"
-        );
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What an engine does otherwise than expected, in a word, from what was expected and what came.
 
-use super::fact::{Diagnostic, Fact, Fault};
 use super::gist::gist;
+use crate::fact::{Diagnostic, Fact, Fault};
 use std::fmt;
 use stickler_run::{CaseEvent, Grade, Verdict};
 

@@ -1,13 +1,13 @@
 //! A case as a test of JUnit.
 
 use super::suite::{Kind, Problem, Test};
-use crate::diff;
 use crate::text::noted;
+use crate::{compared, diff};
 use std::fmt::Write;
-use stickler_run::{CaseEvent, Verdict};
+use stickler_run::{CaseEvent, Grade, Verdict};
 
-/// The test of a case.
-pub(super) fn test(case: &CaseEvent) -> Test<'_> {
+/// The test of a case; its engine's rejections had to be so exact.
+pub(super) fn test(case: &CaseEvent, strict: Grade) -> Test<'_> {
     let problem = kind(case.verdict).map(|(kind, message)| Problem {
         kind,
         type_name: case.verdict.as_str(),
@@ -16,7 +16,7 @@ pub(super) fn test(case: &CaseEvent) -> Test<'_> {
             Some(note) => format!("{message} ({}): {}", note.reason, case.title),
             None => format!("{message}: {}", case.title),
         },
-        text: description(case),
+        text: description(case, strict),
     });
     Test {
         name: &case.id,
@@ -51,7 +51,8 @@ fn kind(verdict: Verdict) -> Option<(Kind, &'static str)> {
     }
 }
 
-fn description(case: &CaseEvent) -> String {
+fn description(case: &CaseEvent, strict: Grade) -> String {
+    let (expected, got) = compared::texts(case, strict);
     let baseline = case
         .baseline
         .as_ref()
@@ -63,7 +64,7 @@ fn description(case: &CaseEvent) -> String {
         basis = case.basis,
         expected = case.expected,
         got = case.got,
-        diff = diff::text(&case.expected, &case.got),
+        diff = diff::text(&expected, &got),
         rerun = case.rerun,
     )
 }

@@ -1,11 +1,12 @@
 //! One case that is not as expected, with all that is needed to look into it.
 
 use super::{BAD, BOLD, DIM, GOOD};
+use crate::compared;
 use crate::diff::{self, DiffLine, Side};
 use crate::text::{clip, noted, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
-use stickler_run::{CaseEvent, Verdict};
+use stickler_run::{CaseEvent, Grade, Verdict};
 
 const BAD_PIECE: Style = AnsiColor::Red.on_default().bold().underline();
 const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
@@ -14,11 +15,11 @@ const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
 const SHOWN_LINES: usize = 40;
 const SHOWN_CHARACTERS: usize = 400;
 
-/// Writes one case that is not as expected, and how to run it again.
+/// Writes one case that is not as expected, and how to run it again; its engine's rejections had to be so exact.
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(out: &mut dyn Write, case: &CaseEvent, name_engine: bool) -> io::Result<()> {
+pub fn write(out: &mut dyn Write, case: &CaseEvent, strict: Grade, name_engine: bool) -> io::Result<()> {
     let verdict = case.verdict.as_str().to_uppercase();
     write!(
         out,
@@ -36,7 +37,8 @@ pub fn write(out: &mut dyn Write, case: &CaseEvent, name_engine: bool) -> io::Re
     }
     // A pass differs in nothing, also where it is not expected.
     if case.verdict != Verdict::Xpass {
-        write_difference(out, ("expected", &case.expected), ("got", &case.got))?;
+        let (expected, got) = compared::texts(case, strict);
+        write_difference(out, ("expected", &expected), ("got", &got))?;
     }
     writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&case.rerun))
 }

@@ -3,7 +3,7 @@
 
 /// One line.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Fact<'t> {
+pub(crate) enum Fact<'t> {
     /// `line 6: error P4025`, `line 6: error without a code: no such bit`, `somewhere: error P4025: no such bit`
     Diagnostic(Diagnostic<'t>),
     /// `rejected`, `rejected, with no diagnostic`
@@ -27,32 +27,33 @@ pub(super) enum Fact<'t> {
 
 /// What is wrong with the program, and where.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Diagnostic<'t> {
+pub(crate) struct Diagnostic<'t> {
     /// `None` where the compiler tells none.
-    pub(super) line: Option<u32>,
+    pub(crate) line: Option<u32>,
     /// `None` where the compiler has none.
-    pub(super) code: Option<&'t str>,
+    pub(crate) code: Option<&'t str>,
     /// Empty where it is not written down.
-    pub(super) message: &'t str,
+    pub(crate) message: &'t str,
 }
 
 /// Where a program stops, and why.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Fault<'t> {
+pub(crate) struct Fault<'t> {
     /// `None` where the compiler tells none.
-    pub(super) line: Option<u32>,
+    pub(crate) line: Option<u32>,
     /// Such as `division-by-zero`.
-    pub(super) name: &'t str,
+    pub(crate) name: &'t str,
 }
 
 impl Fact<'_> {
     /// The facts of a text.
-    pub(super) fn all(text: &str) -> Vec<Fact<'_>> {
+    pub(crate) fn all(text: &str) -> Vec<Fact<'_>> {
         text.lines().map(read).collect()
     }
 }
 
-fn read(text: &str) -> Fact<'_> {
+/// The fact of one line.
+pub(crate) fn read(text: &str) -> Fact<'_> {
     let (line, said) = placed(text);
     let is_placed = said.len() < text.len();
     if is_placed && let Some(told) = said.strip_prefix("error ") {
