@@ -3,6 +3,10 @@
 use crate::{Outcome, Packed};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// So often programs are taken out of a pack and the rest goes on, unless an adapter has a reason for fewer; then whoever gave the
+/// pack makes smaller ones.
+pub(super) const ROUNDS: usize = 12;
+
 /// What is known of the programs of a pack after they were looked at together. Programs have their numbers in the round, from 0.
 #[derive(Debug)]
 pub(super) enum Round {

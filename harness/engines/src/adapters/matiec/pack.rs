@@ -8,7 +8,7 @@ use super::driver::{Subject, driver};
 use super::{MatiecSession, configuration, diagnostics};
 use crate::adapters::apart::{Apart, declared};
 use crate::adapters::locate::suspects;
-use crate::adapters::rounds::{self, Round};
+use crate::adapters::rounds::{self, ROUNDS, Round};
 use crate::adapters::source::{MainProgram, main_program};
 use crate::adapters::witness::{Copies, with_witnesses};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
@@ -16,9 +16,6 @@ use std::collections::{BTreeSet, HashSet};
 
 /// What stands behind the names of a program, and then its number.
 const SUFFIX: &str = "_in_pack_";
-
-/// So often programs are taken out and the rest goes on; then whoever gave the pack makes smaller ones.
-const ROUNDS: usize = 12;
 
 /// A program that may stand among others.
 struct Member<'r> {

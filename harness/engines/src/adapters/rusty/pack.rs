@@ -9,12 +9,9 @@ use super::diagnostics::{About, Found, rejected, steady};
 use super::driver::{Subject, driver, functions};
 use super::program::{self, Program};
 use crate::adapters::locate::suspects;
-use crate::adapters::rounds::{self, Round};
+use crate::adapters::rounds::{self, ROUNDS, Round};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// So often programs are taken out and the rest goes on; then whoever gave the pack makes smaller ones.
-const ROUNDS: usize = 12;
 
 /// As [`Session::run_pack`](crate::Session::run_pack).
 pub(super) fn run(session: &RustySession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
