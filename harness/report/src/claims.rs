@@ -1,6 +1,7 @@
 //! Claims: what each section of each document says, and how an engine stands to it. Every format leads with them,
 //! and every format takes them from here.
 
+use crate::basis::Basis;
 use crate::overview::entry;
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_run::{CaseEvent, Verdict};
@@ -104,14 +105,11 @@ impl Claims {
     /// Every claim, sorted by engine, document and section.
     pub fn iter(&self) -> impl Iterator<Item = Claim<'_>> {
         self.engines.iter().flat_map(|(engine, claims)| {
-            claims.iter().map(move |(basis, standing)| {
-                let (source, section) = split_basis(basis);
-                Claim {
-                    engine,
-                    source,
-                    section,
-                    standing: *standing,
-                }
+            in_order(claims.keys()).map(move |(basis, Basis { source, section })| Claim {
+                engine,
+                source,
+                section,
+                standing: claims[basis],
             })
         })
     }
@@ -121,8 +119,7 @@ impl Claims {
         let bases: BTreeSet<&String> = self.engines.values().flat_map(BTreeMap::keys).collect();
         let mut rows: Vec<Row<'_>> = Vec::new();
         let mut document = 0;
-        for basis in bases {
-            let (source, section) = split_basis(basis);
+        for (basis, Basis { source, section }) in in_order(bases) {
             let of = |engine: &&str| self.engines.get(*engine).and_then(|claims| claims.get(basis));
             let standings: Vec<Standing> = engines
                 .iter()
@@ -173,17 +170,18 @@ impl Claims {
     }
 }
 
-/// The document and the section that a `basis` names. Basis: section 3 of the design, `source: section`.
-pub fn split_basis(basis: &str) -> (&str, &str) {
-    match basis.split_once(':') {
-        Some((source, section)) => (source.trim(), section.trim()),
-        None => (basis.trim(), ""),
-    }
+/// Each basis with what it names, in the order of that.
+fn in_order<'a>(
+    bases: impl IntoIterator<Item = &'a String>,
+) -> impl Iterator<Item = (&'a String, Basis<'a>)> {
+    let mut sorted: Vec<_> = bases.into_iter().map(|basis| (basis, Basis::of(basis))).collect();
+    sorted.sort_by_key(|(_, named)| *named);
+    sorted.into_iter()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Claims, Standing, split_basis};
+    use super::{Claims, Standing};
     use crate::sample;
     use stickler_run::Verdict;
 
@@ -274,8 +272,17 @@ mod tests {
     }
 
     #[test]
-    fn a_basis_is_a_document_and_a_section() {
-        assert_eq!(split_basis("doc: A: B"), ("doc", "A: B"));
-        assert_eq!(split_basis("doc"), ("doc", ""));
+    fn sections_stand_in_the_order_of_their_numbers() {
+        let mut claims = Claims::default();
+        for basis in ["a: Table 31", "a: Table 4", "a: 6.3"] {
+            let mut event = sample::case("x", Verdict::Pass);
+            event.basis = basis.to_owned();
+            claims.take(&event);
+        }
+        let sections: Vec<&str> = claims.iter().map(|claim| claim.section).collect();
+        assert_eq!(sections, ["6.3", "Table 4", "Table 31"]);
+        let rows = claims.rows(&[]);
+        let rows: Vec<&str> = rows.iter().map(|row| row.section).collect();
+        assert_eq!(rows, ["", "6.3", "Table 4", "Table 31"]);
     }
 }

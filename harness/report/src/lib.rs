@@ -20,6 +20,7 @@
 #![forbid(unsafe_code)]
 
 mod badge;
+pub mod basis;
 pub mod claims;
 mod compared;
 pub mod comparison;

@@ -7,7 +7,7 @@ use anstyle::Style;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
-use stickler_report::claims::split_basis;
+use stickler_report::basis::Basis;
 use stickler_run::select;
 use stickler_suite::{Case, WithdrawnCase};
 
@@ -107,10 +107,10 @@ struct ClaimLine<'a> {
 
 /// The claims of these cases, sorted by document and section.
 fn claims<'a>(cases: &[&'a Case]) -> Vec<ClaimLine<'a>> {
-    let mut claims: BTreeMap<(&str, &str), ClaimLine<'_>> = BTreeMap::new();
+    let mut claims: BTreeMap<Basis<'_>, ClaimLine<'_>> = BTreeMap::new();
     for case in cases {
-        let (source, section) = split_basis(&case.basis);
-        let claim = claims.entry((source, section)).or_insert_with(|| ClaimLine {
+        let basis @ Basis { source, section } = Basis::of(&case.basis);
+        let claim = claims.entry(basis).or_insert_with(|| ClaimLine {
             source,
             section,
             cases: 0,

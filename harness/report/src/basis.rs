@@ -1,0 +1,78 @@
+//! The basis of a case: the document that makes a claim, and the section that it stands in.
+
+use std::cmp::Ordering;
+
+/// A document and one of its sections. Sorted as their readers look for them: `Table 4` comes before `Table 31`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Basis<'a> {
+    /// The document, such as `ironplc-type-conversions`.
+    pub source: &'a str,
+    /// Its section, such as `Integer widening`; empty where the whole document is meant.
+    pub section: &'a str,
+}
+
+impl<'a> Basis<'a> {
+    /// Reads the `basis` of a case. Basis: section 3 of the design, `source: section`.
+    pub fn of(basis: &'a str) -> Basis<'a> {
+        let (source, section) = basis.split_once(':').unwrap_or((basis, ""));
+        Basis {
+            source: source.trim(),
+            section: section.trim(),
+        }
+    }
+}
+
+impl Ord for Basis<'_> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        // Names that the natural order takes for one, such as 1.01 and 1.1, are two here, so that it agrees with `Eq`.
+        let sections = || alphanumeric_sort::compare_str(self.section, other.section);
+        let source = self.source.cmp(other.source);
+        source
+            .then_with(sections)
+            .then_with(|| self.section.cmp(other.section))
+    }
+}
+
+impl PartialOrd for Basis<'_> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Basis;
+    use std::cmp::Ordering;
+
+    #[test]
+    fn a_basis_is_a_document_and_a_section() {
+        let read = |text| {
+            let Basis { source, section } = Basis::of(text);
+            (source, section)
+        };
+        assert_eq!(read("doc: A: B"), ("doc", "A: B"));
+        assert_eq!(read("doc"), ("doc", ""));
+    }
+
+    #[test]
+    fn sections_are_sorted_by_their_numbers() {
+        let sorted = [
+            "doc",
+            "doc: 6.4.2",
+            "doc: 6.6.2",
+            "doc: 6.6.2.5",
+            "doc: 6.6.10",
+            "doc: Table 4",
+            "doc: Table 31",
+            "other: 1",
+        ];
+        let mut shuffled = sorted;
+        shuffled.sort_unstable_by(|a, b| b.cmp(a));
+        shuffled.sort_by_key(|basis| Basis::of(basis));
+        assert_eq!(shuffled, sorted);
+        assert_ne!(
+            Basis::of("doc: 1.01").cmp(&Basis::of("doc: 1.1")),
+            Ordering::Equal
+        );
+    }
+}
