@@ -154,20 +154,6 @@ impl Claims {
         claims.for_each(|standing| sum.add(*standing));
         sum
     }
-
-    /// The documents, each with the sum of its sections; sorted by engine and document.
-    pub fn documents(&self) -> Vec<Claim<'_>> {
-        let mut documents: Vec<Claim<'_>> = Vec::new();
-        for claim in self.iter() {
-            match documents.last_mut() {
-                Some(last) if (last.engine, last.source) == (claim.engine, claim.source) => {
-                    last.standing.add(claim.standing);
-                }
-                _ => documents.push(Claim { section: "", ..claim }),
-            }
-        }
-        documents
-    }
 }
 
 /// Each basis with what it names, in the order of that.
@@ -220,19 +206,13 @@ mod tests {
             event.basis = basis.to_owned();
             claims.take(&event);
         }
-        let documents = claims.documents();
-        assert_eq!(
-            documents.iter().map(|claim| claim.source).collect::<Vec<_>>(),
-            ["a", "b"]
-        );
-        assert_eq!(
-            documents[0].standing,
-            Standing {
-                passed: 1,
-                failed: 1,
-                ..Standing::default()
-            }
-        );
+        let rows = claims.rows(&[&sample::case("x", Verdict::Pass).engine]);
+        let sums: Vec<(&str, u64, u64)> = rows
+            .iter()
+            .filter(|row| row.sum)
+            .map(|row| (row.source, row.standings[0].passed, row.standings[0].failed))
+            .collect();
+        assert_eq!(sums, [("a", 1, 1), ("b", 1, 0)]);
     }
 
     #[test]

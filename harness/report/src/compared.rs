@@ -57,14 +57,18 @@ impl Met<'_> {
 
 /// The lines that are expected and told.
 fn met<'t>(expected: &'t str, got: &'t str) -> BTreeMap<u32, Met<'t>> {
-    let mut met: BTreeMap<u32, Met<'t>> = BTreeMap::new();
+    let mut awaited: BTreeMap<u32, Vec<&str>> = BTreeMap::new();
+    for text in expected.lines() {
+        if let Some(line) = placed(text) {
+            awaited.entry(line).or_default().push(text);
+        }
+    }
+    let mut met = BTreeMap::new();
     for diagnostic in got.lines().filter_map(diagnostic) {
-        let Some(line) = diagnostic.line else { continue };
-        let on_line = |text: &&str| placed(text) == Some(line);
-        let expected: Vec<&str> = expected.lines().filter(on_line).collect();
-        if !expected.is_empty() {
+        let expected = diagnostic.line.and_then(|line| awaited.remove_entry(&line));
+        if let Some((line, expected)) = expected {
             let told = told(&diagnostic);
-            met.entry(line).or_insert(Met { expected, told });
+            met.insert(line, Met { expected, told });
         }
     }
     met

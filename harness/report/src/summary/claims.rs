@@ -1,7 +1,7 @@
 //! The claims: what each section of each document says, and how the engines stand to it.
 
 use super::{Page, inline};
-use crate::claims::{Claim, Standing};
+use crate::claims::{Row, Standing};
 use crate::overview::Overview;
 
 /// Writes one table: with a single engine its numbers, with several an engine a column.
@@ -9,14 +9,28 @@ pub(super) fn write(overview: &Overview, page: &mut Page) {
     page.add("\n## Claims\n\n");
     page.add("A claim is a section of a document. *Open*: the document does not say what must happen, ");
     page.add("so what the engine does is recorded and not judged.\n\n");
-    match &overview.engines()[..] {
-        [_] | [] => of_one_engine(overview, page),
-        engines => of_several_engines(overview, engines, page),
+    let engines = overview.engines();
+    let rows = overview.claims.rows(&engines);
+    match &engines[..] {
+        [_] => of_one_engine(&rows, page),
+        _ => of_several_engines(&rows, &engines, page),
     }
 }
 
+/// What a row begins with: a mark where an engine does not meet the claim, the document and the section. `None` where the row
+/// is not shown: a section without a name is the whole document, which has a row already.
+fn name(row: &Row<'_>) -> Option<String> {
+    let section = match (row.sum, row.section) {
+        (true, _) => "*all*".to_owned(),
+        (false, "") => return None,
+        (false, section) => inline(section),
+    };
+    let mark = if row.failed() { "**✗**" } else { "" };
+    Some(format!("| {mark} | {} | {section} |", inline(row.source)))
+}
+
 /// Engines as columns, claims as rows.
-fn of_several_engines(overview: &Overview, engines: &[&str], page: &mut Page) {
+fn of_several_engines(rows: &[Row<'_>], engines: &[&str], page: &mut Page) {
     page.add("| | document | section |");
     engines
         .iter()
@@ -24,15 +38,8 @@ fn of_several_engines(overview: &Overview, engines: &[&str], page: &mut Page) {
     page.add("\n|---|---|---|");
     engines.iter().for_each(|_| page.add("--:|"));
     page.add("\n");
-    for row in overview.claims.rows(engines) {
-        let section = match (row.sum, row.section) {
-            (true, _) => "*all*".to_owned(),
-            // The whole document has a row already.
-            (false, "") => continue,
-            (false, section) => inline(section),
-        };
-        let mark = if row.failed() { "**✗**" } else { "" };
-        let mut line = format!("| {mark} | {} | {section} |", inline(row.source));
+    for row in rows {
+        let Some(mut line) = name(row) else { continue };
         row.standings
             .iter()
             .for_each(|standing| line.push_str(&format!(" {} |", cell(*standing))));
@@ -69,35 +76,27 @@ fn cell(standing: Standing) -> String {
     }
 }
 
-fn of_one_engine(overview: &Overview, page: &mut Page) {
+fn of_one_engine(rows: &[Row<'_>], page: &mut Page) {
     page.add("| | document | section | passed | failed | open | unsupported |\n");
     page.add("|---|---|---|--:|--:|--:|--:|\n");
-    for document in overview.claims.documents() {
-        page.add(&claim_row(&document, "*all*"));
-        let sections = overview
-            .claims
-            .iter()
-            .filter(|claim| (claim.engine, claim.source) == (document.engine, document.source));
-        for section in sections.filter(|claim| !claim.section.is_empty()) {
-            page.add(&claim_row(&section, &inline(section.section)));
+    for row in rows {
+        if let (Some(name), [standing]) = (name(row), &row.standings[..]) {
+            page.add(&format!("{name}{}", numbers(*standing)));
         }
     }
 }
 
-fn claim_row(claim: &Claim<'_>, section: &str) -> String {
+fn numbers(standing: Standing) -> String {
     let Standing {
         passed,
         failed,
         open,
         unsupported,
         ..
-    } = claim.standing;
-    let mark = if failed == 0 { "" } else { "**✗**" };
-    let failed = if failed == 0 {
-        "0".to_owned()
-    } else {
-        format!("**{failed}**")
+    } = standing;
+    let failed = match failed {
+        0 => "0".to_owned(),
+        failed => format!("**{failed}**"),
     };
-    let source = inline(claim.source);
-    format!("| {mark} | {source} | {section} | {passed} | {failed} | {open} | {unsupported} |\n")
+    format!(" {passed} | {failed} | {open} | {unsupported} |\n")
 }

@@ -1,7 +1,7 @@
 //! The claims on the terminal: each document, and those of its sections that an engine does not meet.
 
 use super::{BAD, DIM};
-use crate::claims::Standing;
+use crate::claims::{Row, Standing};
 use crate::overview::Overview;
 use crate::table::{Cell, Table};
 use crate::text::{shortened, visible};
@@ -12,27 +12,33 @@ use std::io::{self, Write};
 /// # Errors
 /// Those of `out`.
 pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
-    match &overview.engines()[..] {
-        [_] | [] => of_one_engine(out, overview),
-        engines => of_several_engines(out, overview, engines),
+    let engines = overview.engines();
+    let rows = overview.claims.rows(&engines);
+    match &engines[..] {
+        [_] => of_one_engine(out, &rows),
+        _ => of_several_engines(out, &rows, &engines),
+    }
+}
+
+/// What stands before the numbers of a row; `None` where the row is not shown: sections are if an engine does not meet them.
+fn name(row: &Row<'_>) -> Option<String> {
+    match row.sum {
+        true => Some(format!("  {}", row.source)),
+        false if row.failed() && !row.section.is_empty() => {
+            Some(format!("    {}", shortened(&visible(row.section), 40)))
+        }
+        false => None,
     }
 }
 
 /// Engines as columns, claims as rows.
-fn of_several_engines(out: &mut dyn Write, overview: &Overview, engines: &[&str]) -> io::Result<()> {
+fn of_several_engines(out: &mut dyn Write, rows: &[Row<'_>], engines: &[&str]) -> io::Result<()> {
     let mut table = Table::new(vec![Cell::left("Claims")]);
     engines
         .iter()
         .for_each(|engine| table.head(Cell::plain(visible(engine))));
-    let rows = overview.claims.rows(engines);
-    for row in &rows {
-        let name = match row.sum {
-            true => format!("  {}", row.source),
-            false if row.failed() && !row.section.is_empty() => {
-                format!("    {}", shortened(&visible(row.section), 40))
-            }
-            false => continue,
-        };
+    for row in rows {
+        let Some(name) = name(row) else { continue };
         let mut cells = vec![Cell::left(name)];
         cells.extend(row.standings.iter().map(|standing| standing_cell(*standing)));
         table.row(cells);
@@ -56,8 +62,9 @@ fn standing_cell(standing: Standing) -> Cell {
     }
 }
 
-fn of_one_engine(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
-    let unsupported = overview.claims.iter().any(|claim| claim.standing.unsupported > 0);
+fn of_one_engine(out: &mut dyn Write, rows: &[Row<'_>]) -> io::Result<()> {
+    let mut standings = rows.iter().flat_map(|row| &row.standings);
+    let unsupported = standings.any(|standing| standing.unsupported > 0);
     let mut table = Table::new(vec![
         Cell::left("Claims"),
         Cell::plain("passed"),
@@ -67,15 +74,9 @@ fn of_one_engine(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
     if unsupported {
         table.head(Cell::plain("unsupported"));
     }
-    for document in overview.claims.documents() {
-        let name = format!("  {}", document.source);
-        table.row(claim_cells(name, document.standing, unsupported));
-        let sections = overview.claims.iter().filter(|claim| {
-            (claim.engine, claim.source) == (document.engine, document.source) && claim.standing.failed > 0
-        });
-        for section in sections.filter(|claim| !claim.section.is_empty()) {
-            let name = shortened(&visible(section.section), 40);
-            table.row(claim_cells(format!("    {name}"), section.standing, unsupported));
+    for row in rows {
+        if let (Some(name), [standing]) = (name(row), &row.standings[..]) {
+            table.row(claim_cells(name, *standing, unsupported));
         }
     }
     table.write(out)?;

@@ -11,7 +11,7 @@ use crate::adapters::rounds::{self, Round};
 use crate::{Outcome, Packed, RunRequest};
 use std::collections::BTreeSet;
 
-/// So often programs are taken out and the rest goes on; then whoever gave the pack makes smaller ones.
+/// Fewer than [`rounds::ROUNDS`]: a round is a C++ compiler's work of seconds, and it names all programs that it complains of at once.
 const ROUNDS: usize = 4;
 
 /// As [`Session::run_pack`](crate::Session::run_pack).
