@@ -67,6 +67,7 @@ pub(crate) fn run_with_baseline() -> (Vec<Event>, BaselineNote) {
     let note = BaselineNote {
         at: "b/reference.toml:7".to_owned(),
         verdict: Verdict::Fail,
+        others: Vec::new(),
         reason: "rounds".to_owned(),
         link: Some("https://example.org/1".to_owned()),
     };

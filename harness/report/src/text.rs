@@ -1,7 +1,7 @@
 //! Making texts of unknown origin fit to be shown: foreign engines print what they like.
 
 use std::fmt::Write;
-use stickler_run::{BaselineNote, Grade, OutdatedEntry};
+use stickler_run::{BaselineNote, Grade, OutdatedEntry, Verdict};
 
 /// The text with control characters spelled out (`\u{1b}`), but for line ends and tabs: what an engine says must not
 /// move the cursor of whoever reads it.
@@ -71,7 +71,8 @@ pub(crate) fn noted(note: &BaselineNote) -> String {
         .link
         .as_ref()
         .map_or(String::new(), |link| format!(" ({link})"));
-    let text = format!("{} expects {}: {}{link}", note.at, note.verdict, note.reason);
+    let expected = Verdict::any_of(&note.verdicts());
+    let text = format!("{} expects {expected}: {}{link}", note.at, note.reason);
     visible(&text).replace(['\n', '\t'], " ")
 }
 
@@ -107,7 +108,24 @@ pub(crate) fn duration(milliseconds: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{clip, duration, shortened, visible};
+    use super::{clip, duration, noted, shortened, visible};
+    use crate::sample;
+    use stickler_run::{BaselineNote, Verdict};
+
+    #[test]
+    fn of_a_baseline_all_that_it_expects_is_told() {
+        let (_, note) = sample::run_with_baseline();
+        assert_eq!(
+            noted(&note),
+            "b/reference.toml:7 expects fail: rounds (https://example.org/1)"
+        );
+        let note = BaselineNote {
+            others: vec![Verdict::Crash, Verdict::Pass],
+            ..note
+        };
+        let told = noted(&note);
+        assert!(told.contains(" expects fail or crash or pass: rounds"), "{told}");
+    }
 
     #[test]
     fn an_escape_sequence_is_shown_and_not_obeyed() {

@@ -37,8 +37,8 @@ pub struct Baseline {
 pub struct Entry {
     /// The cases: an id, or a pattern in which `*` stands for any text; either may end in `@dialect`.
     pub case: Filter,
-    /// What comes of them. Never a pass.
-    pub verdict: Verdict,
+    /// What comes of them: one that is no pass; or any of several, of a compiler that does not do the same each time.
+    pub verdicts: Vec<Verdict>,
     /// Why, for a person.
     pub reason: String,
     /// Where more is written, such as the report in the compiler's tracker.
@@ -88,6 +88,11 @@ impl Entry {
             dialect.definition().is_some() && !suite.cases.iter().any(|case| case.dialect == dialect)
         };
         self.case.dialect().is_some_and(is_beside)
+    }
+
+    /// Whether this is what the entry says.
+    fn expects(&self, verdict: Verdict) -> bool {
+        self.verdicts.contains(&verdict)
     }
 
     /// Whether the entry is about this case.

@@ -11,7 +11,7 @@ use std::io::{BufReader, Write};
 use std::path::{Path, PathBuf};
 use stickler_engines::Reference;
 use stickler_report::events::{self, Completeness};
-use stickler_run::{Baseline, Blessing, Change, ChangeKind, EngineRun, Event, bless};
+use stickler_run::{Baseline, Blessing, Change, ChangeKind, EngineRun, Event, Verdict, bless};
 use stickler_suite::Suite;
 use stickler_types::DialectName;
 
@@ -149,11 +149,12 @@ fn rewrite(
 fn show(blessing: &Blessing, out: &mut dyn Write) -> std::io::Result<()> {
     for Change {
         kind,
-        verdict,
+        verdicts,
         case,
         why,
     } in blessing.changes.iter().take(SHOWN_CHANGES)
     {
+        let verdict = Verdict::any_of(verdicts);
         writeln!(out, "  {} {verdict} {case}  {why}", sign(*kind))?;
     }
     match blessing.changes.len().saturating_sub(SHOWN_CHANGES) {

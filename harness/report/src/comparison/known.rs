@@ -153,6 +153,7 @@ mod tests {
         let note = BaselineNote {
             at: "b/reference.toml:7".to_owned(),
             verdict: Verdict::Crash,
+            others: Vec::new(),
             reason: "known".to_owned(),
             link: None,
         };

@@ -66,8 +66,8 @@ pub struct Blessing {
 pub struct Change {
     /// What happened to the entry.
     pub kind: ChangeKind,
-    /// The verdict that it expects, or expected.
-    pub verdict: Verdict,
+    /// What it expects, or expected; any of them where there are several.
+    pub verdicts: Vec<Verdict>,
     /// Its case or pattern; of one that was narrowed, what it was.
     pub case: String,
     /// How many cases it is about, or what came of them, as a fragment.
@@ -165,7 +165,7 @@ fn fate(
     let mut gone: BTreeMap<Verdict, usize> = BTreeMap::new();
     for &key in cases {
         match run.verdict(key) {
-            Some(verdict) if verdict != entry.verdict => *gone.entry(verdict).or_default() += 1,
+            Some(verdict) if !entry.expects(verdict) => *gone.entry(verdict).or_default() += 1,
             found => {
                 left.insert(key);
                 seen |= found.is_some();
@@ -201,11 +201,9 @@ fn added(
     let mut unexpected: HashMap<Verdict, HashSet<Key<'_>>> = HashMap::new();
     for &key in keys {
         let Some(verdict) = run.verdict(key) else { continue };
-        let expected = owned
-            .owners
-            .get(&key)
-            .map(|&index| baseline.entries[index].verdict);
-        if !verdict.is_as_expected() && expected != Some(verdict) {
+        let entry = owned.owners.get(&key).map(|&index| &baseline.entries[index]);
+        let is_known = entry.is_some_and(|entry| entry.expects(verdict));
+        if !verdict.is_as_expected() && !is_known {
             unexpected.entry(verdict).or_default().insert(key);
         }
     }
@@ -242,14 +240,14 @@ fn changes(baseline: &Baseline, fates: &[Fate], added: &[Added]) -> Vec<Change> 
         };
         Some(Change {
             kind,
-            verdict: entry.verdict,
+            verdicts: entry.verdicts.clone(),
             case: entry.case.as_str().to_owned(),
             why,
         })
     });
     let of_new = added.iter().map(|added| Change {
         kind: ChangeKind::Added,
-        verdict: added.verdict,
+        verdicts: vec![added.verdict],
         case: added.folded.case.clone(),
         why: match added.folded.cases {
             1 => "1 case".to_owned(),

@@ -72,8 +72,8 @@ impl Held<'_> {
     }
 
     /// The judgement of a case with what is known of it: what is expected to come becomes `xfail`, a pass that is not
-    /// expected becomes `xpass`. A case that is expected to be unsupported stays `unsupported`, and whatever else comes than
-    /// what is expected stays what it is.
+    /// expected becomes `xpass`. A pass that may come stays a pass, a case that is expected to be unsupported stays
+    /// `unsupported`, and whatever else comes than what is expected stays what it is.
     #[must_use]
     pub fn apply(
         &self,
@@ -84,20 +84,23 @@ impl Held<'_> {
         let Some(note) = self.owners.get(&(id, dialect)).map(|&index| &self.notes[index]) else {
             return (judgement, None);
         };
-        let verdict = match judgement.verdict {
-            Verdict::Pass => Verdict::Xpass,
-            Verdict::Unsupported => Verdict::Unsupported,
-            verdict if verdict == note.verdict => Verdict::Xfail,
-            verdict => verdict,
+        let came = judgement.verdict;
+        let (verdict, note) = match (came, note.verdicts().contains(&came)) {
+            (Verdict::Pass, false) => (Verdict::Xpass, note.clone()),
+            (Verdict::Pass | Verdict::Unsupported, _) | (_, false) => (came, note.clone()),
+            (_, true) => (Verdict::Xfail, note.of_xfail(came)),
         };
-        (Judgement { verdict, ..judgement }, Some(note.clone()))
+        (Judgement { verdict, ..judgement }, Some(note))
     }
 }
 
 fn note(baseline: &Baseline, entry: &Entry) -> BaselineNote {
+    // Reading a baseline refuses an entry without any.
+    let (verdict, others) = entry.verdicts.split_first().unwrap_or((&Verdict::Fail, &[]));
     BaselineNote {
         at: baseline.place(entry),
-        verdict: entry.verdict,
+        verdict: *verdict,
+        others: others.to_vec(),
         reason: entry.reason.clone(),
         link: entry.link.clone(),
     }

@@ -7,8 +7,9 @@ use semver::VersionReq;
 use serde::Deserialize;
 use toml::{Spanned, Value};
 
-/// The verdicts that may be expected of an engine.
-const EXPECTED: [Verdict; 5] = [
+/// The verdicts that may be expected of an engine: a pass, which comes first, only beside others.
+const EXPECTED: [Verdict; 6] = [
+    Verdict::Pass,
     Verdict::Fail,
     Verdict::Crash,
     Verdict::Timeout,
@@ -43,7 +44,7 @@ struct File {
 #[serde(deny_unknown_fields)]
 struct Table {
     case: Spanned<String>,
-    verdict: Spanned<String>,
+    verdict: Spanned<Value>,
     reason: Spanned<String>,
     link: Option<Spanned<String>>,
     versions: Option<Spanned<String>>,
@@ -83,7 +84,7 @@ fn read(text: &str, stem: &str) -> Result<(String, Vec<Entry>), Mistake> {
 fn entry(table: Table, line: u32) -> Result<Entry, Mistake> {
     Ok(Entry {
         case: Filter::new(said(table.case, "case")?),
-        verdict: verdict(&table.verdict)?,
+        verdicts: verdicts(&table.verdict)?,
         reason: said(table.reason, "reason")?,
         link: table.link.map(|link| said(link, "link")).transpose()?,
         versions: table.versions.as_ref().map(versions).transpose()?,
@@ -100,18 +101,39 @@ fn said(text: Spanned<String>, key: &str) -> Result<String, Mistake> {
     }
 }
 
-fn verdict(text: &Spanned<String>) -> Result<Verdict, Mistake> {
-    let named = EXPECTED
-        .into_iter()
-        .find(|verdict| verdict.as_str() == text.get_ref());
-    named.ok_or_else(|| {
-        let names = EXPECTED.map(|verdict| format!("`{verdict}`"));
-        let message = format!(
-            "`{}` is no verdict that a baseline expects; it may be {}",
-            text.get_ref(),
+/// One verdict that is no pass; or a list of several, of which one may be a pass.
+fn verdicts(value: &Spanned<Value>) -> Result<Vec<Verdict>, Mistake> {
+    let verdicts = match value.get_ref() {
+        Value::Array(list) => {
+            let verdicts = list.iter().map(|one| verdict(one, &EXPECTED));
+            verdicts.collect::<Result<Vec<_>, _>>()
+        }
+        one => verdict(one, &EXPECTED[1..]).map(|verdict| vec![verdict]),
+    };
+    let is_said_once = |verdicts: &Vec<Verdict>| {
+        let mut seen = verdicts.clone();
+        seen.sort_unstable();
+        seen.dedup();
+        seen.len() == verdicts.len() && (seen.len() > 1 || !value.get_ref().is_array())
+    };
+    let verdicts = verdicts.and_then(|verdicts| match is_said_once(&verdicts) {
+        true => Ok(verdicts),
+        false => Err("a list of verdicts has two or more, each once".to_owned()),
+    });
+    verdicts.map_err(|message| (value.span().start, message))
+}
+
+fn verdict(value: &Value, allowed: &[Verdict]) -> Result<Verdict, String> {
+    let named = allowed
+        .iter()
+        .find(|verdict| value.as_str() == Some(verdict.as_str()));
+    named.copied().ok_or_else(|| {
+        let names: Vec<String> = allowed.iter().map(|verdict| format!("`{verdict}`")).collect();
+        let word = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        format!(
+            "`{word}` is no verdict that a baseline expects; it may be {}",
             names.join(", ")
-        );
-        (text.span().start, message)
+        )
     })
 }
 
@@ -164,7 +186,7 @@ until = 2027-01-31
 
 [[expected]]
 case = "a/b"
-verdict = "crash"
+verdict = ["crash", "pass"]
 reason = "see above"
 until = "2026-12-24"
 "#;
@@ -177,7 +199,9 @@ until = "2026-12-24"
             panic!("two entries: {baseline:?}")
         };
         assert_eq!(baseline.place(first), "x/ironplc.toml:4");
-        assert_eq!((first.verdict, first.line, second.line), (Verdict::Fail, 4, 12));
+        assert_eq!((first.line, second.line), (4, 12));
+        assert_eq!(first.verdicts, [Verdict::Fail]);
+        assert_eq!(second.verdicts, [Verdict::Crash, Verdict::Pass]);
         assert_eq!(first.link.as_deref(), Some("https://example.org/1"));
         assert!(
             first
@@ -218,6 +242,26 @@ until = "2026-12-24"
                 6,
                 "`pass` is no verdict that a baseline expects",
             ),
+            ("\"fail\"", "7", 6, "`7` is no verdict"),
+            (
+                "[\"crash\", \"pass\"]",
+                "[\"crash\", \"xpass\"]",
+                14,
+                "`xpass` is no verdict that a baseline expects; it may be `pass`, `fail`",
+            ),
+            (
+                "[\"crash\", \"pass\"]",
+                "[\"pass\"]",
+                14,
+                "two or more, each once",
+            ),
+            (
+                "[\"crash\", \"pass\"]",
+                "[\"crash\", \"crash\"]",
+                14,
+                "two or more, each once",
+            ),
+            ("[\"crash\", \"pass\"]", "[]", 14, "two or more, each once"),
             ("\"<0.240\"", "\"0.240 or so\"", 9, "no range of versions"),
             ("2027-01-31", "2027-02-31", 10, "invalid date"),
             ("2027-01-31", "2027-01-31T00:00:00", 10, "is no day"),

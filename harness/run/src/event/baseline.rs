@@ -35,9 +35,32 @@ pub struct BaselineNote {
     pub at: String,
     /// The verdict that it expects. Where the case's own is [`Verdict::Xfail`], this is what came of it.
     pub verdict: Verdict,
+    /// What else it expects, of a compiler that does not do the same each time.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub others: Vec<Verdict>,
     /// Why.
     pub reason: String,
     /// Where more is written.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub link: Option<String>,
+}
+
+impl BaselineNote {
+    /// All that it expects.
+    #[must_use]
+    pub fn verdicts(&self) -> Vec<Verdict> {
+        [&[self.verdict], &self.others[..]].concat()
+    }
+
+    /// The note of a case of which this came, which is among what it expects.
+    #[must_use]
+    pub(crate) fn of_xfail(&self, came: Verdict) -> BaselineNote {
+        let mut others = self.verdicts();
+        others.retain(|verdict| *verdict != came);
+        BaselineNote {
+            verdict: came,
+            others,
+            ..self.clone()
+        }
+    }
 }

@@ -53,6 +53,13 @@ impl Verdict {
         }
     }
 
+    /// Several, as a person is told that any of them may come: `fail or crash`.
+    #[must_use]
+    pub fn any_of(verdicts: &[Verdict]) -> String {
+        let words: Vec<&str> = verdicts.iter().map(|verdict| verdict.as_str()).collect();
+        words.join(" or ")
+    }
+
     /// Whether a run with this verdict in it is still as expected. An unexpected pass is not: its baseline is
     /// stale.
     #[must_use]

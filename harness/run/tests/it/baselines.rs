@@ -89,6 +89,30 @@ fn held(text: &str, ids: &[&str]) -> Ended {
 }
 
 #[test]
+fn of_several_verdicts_each_may_come() {
+    let text = "[[expected]]\ncase = \"*\"\nverdict = [\"fail\", \"pass\"]\nreason = \"by chance\"\n";
+    let ended = held(text, &["a/bad", "a/good", "a/odd", "a/x"]);
+    let verdicts = [
+        Verdict::Crash,
+        Verdict::Pass,
+        Verdict::Unsupported,
+        Verdict::Xfail,
+    ];
+    assert_eq!(ended.verdicts(), verdicts);
+    let came = ended.cases.iter().map(CaseEvent::came).collect::<Vec<_>>();
+    assert_eq!(came[3], Verdict::Fail);
+    assert_eq!(came[..3], verdicts[..3]);
+
+    let text = text.replace("fail", "timeout").replace("pass", "crash");
+    let ended = held(&text, &["a/bad", "a/good"]);
+    assert_eq!(ended.verdicts(), [Verdict::Xfail, Verdict::Xpass]);
+    // What came goes first, so that whoever reads one verdict alone reads the right one.
+    let note = ended.cases[0].baseline.as_ref().unwrap();
+    assert_eq!(note.verdicts(), [Verdict::Crash, Verdict::Timeout]);
+    assert_eq!(ended.cases[0].came(), Verdict::Crash);
+}
+
+#[test]
 fn what_is_expected_to_fail_fails_as_expected_and_says_why() {
     let text = entry("a/x", "fail", "link = \"https://example.org/7\"") + &entry("a/bad", "crash", "");
     let ended = held(&text, &["a/bad", "a/good", "a/x"]);
