@@ -3,8 +3,8 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
+use stickler_conversions::sweep::{Sampling, Subject, Through, agenda};
 use stickler_exact::Bulk;
-use stickler_sweep::{Sampling, Subject, Through, agenda};
 use stickler_types::DialectName;
 
 /// One function of each family.

@@ -2,9 +2,9 @@
 
 use crate::without::Without;
 use arbitrary::Unstructured;
+use stickler_conversions::Scattered;
 use stickler_generate::generator::{self, Settings};
 use stickler_generate::model::Program;
-use stickler_sweep::Scattered;
 use stickler_types::DialectName;
 
 /// So many programs are made for a place until one comes without what is to be left out.

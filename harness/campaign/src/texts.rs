@@ -3,9 +3,9 @@
 //! Some inputs are as the generator or a list makes them; most have been changed here and there.
 
 use crate::inputs::Inputs;
+use stickler_conversions::Scattered;
 use stickler_generate::oracles::Target;
 use stickler_generate::writer::{Style, write};
-use stickler_sweep::Scattered;
 use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The input of a target at a place: bytes of the row, or a text of the kind that the target reads.

@@ -7,8 +7,8 @@ use crate::exit::Exit;
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use std::time::Duration;
+use stickler_conversions::sweep::{Difference, Findings, Got, KEPT, Sampling, Sweep};
 use stickler_engines::Identity;
-use stickler_sweep::{Difference, Findings, Got, KEPT, Sampling, Sweep};
 use stickler_types::{DialectName, Value};
 
 const BOLD: Style = Style::new().bold();

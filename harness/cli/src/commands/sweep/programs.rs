@@ -9,9 +9,9 @@ use crate::{engines, interrupt};
 use std::io::Write;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
+use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, run};
+use stickler_conversions::sweep::{Detail, Progress as Reached, Sampling, Sweep, Through, agenda};
 use stickler_engines::Engine;
-use stickler_sweep::foreign::{ForeignError, ForeignFindings, run};
-use stickler_sweep::{Detail, Progress as Reached, Sampling, Sweep, Through, agenda};
 
 /// Sweeps a function of an engine in each dialect that both have, and shows what was found after each.
 ///

@@ -4,7 +4,7 @@ use super::{BAD, Page, counted, grouped, shown};
 use crate::output;
 use std::io;
 use std::time::Duration;
-use stickler_sweep::foreign::{ForeignError, ForeignFindings, Unanswered};
+use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, Unanswered};
 use stickler_types::Value;
 
 impl Page<'_> {

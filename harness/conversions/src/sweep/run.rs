@@ -1,9 +1,9 @@
 //! All inputs of a sweep through a subject, on all cores, until done or cancelled.
 
-use crate::agenda::Sweep;
-use crate::comparison::Comparison;
-use crate::findings::Findings;
-use crate::subject::Subject;
+use crate::sweep::agenda::Sweep;
+use crate::sweep::comparison::Comparison;
+use crate::sweep::findings::Findings;
+use crate::sweep::subject::Subject;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};

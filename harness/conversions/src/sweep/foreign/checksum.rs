@@ -11,7 +11,7 @@
 //! A real number is taken apart by comparisons and by products with powers of two, which are exact in every format and
 //! by every rounding of IEC 60559 that holds the number at all; no sum of real numbers is formed, so nothing is lost.
 
-use super::spelling::power_of_two;
+use crate::literals::power_of_two;
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Family};
 

@@ -2,8 +2,8 @@
 
 use crate::support::{findings, sampled};
 use std::collections::HashSet;
+use stickler_conversions::sweep::{AgendaError, Detail, Sampling, Sweep, Through, agenda};
 use stickler_exact::{Signature, functions};
-use stickler_sweep::{AgendaError, Detail, Sampling, Sweep, Through, agenda};
 use stickler_types::DialectName;
 
 /// Every function of every dialect, each distinct rule once: every input of a source of at most 16 bits, and the

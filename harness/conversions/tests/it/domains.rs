@@ -1,6 +1,6 @@
 //! Which inputs a sweep goes through.
 
-use stickler_sweep::{Domain, Sampling};
+use stickler_conversions::sweep::{Domain, Sampling};
 use stickler_types::{ElementaryType, Value, literal};
 
 fn domain(ty: ElementaryType, inputs: u64) -> Domain {

@@ -1,6 +1,6 @@
 //! The reference's own conversion, through the door that its machine uses too: not a copy of it.
 
-use crate::subject::Subject;
+use crate::sweep::subject::Subject;
 use stickler_exact::Signature;
 use stickler_reference::Dialect;
 use stickler_reference::conversion::{Concatenation, Conversion, concatenation, function};

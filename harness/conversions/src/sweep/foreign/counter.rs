@@ -1,6 +1,6 @@
 //! How a program goes from one operand to the next, said in ST.
 
-use super::spelling;
+use crate::literals;
 use std::fmt::Write;
 use std::ops::Range;
 use stickler_types::{ElementaryType, Family, Value};
@@ -12,7 +12,7 @@ const SIGN: u64 = 1 << 31;
 /// The REALs of one sign from infinity on: it and the NaNs.
 const INFINITY: u64 = 0xFF << FRACTION;
 
-/// Counts through a type of at most 32 bits, in the order of [`Domain::Every`](crate::Domain::Every).
+/// Counts through a type of at most 32 bits, in the order of [`Domain::Every`](crate::sweep::Domain::Every).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Counter {
     operand: ElementaryType,
@@ -114,13 +114,13 @@ fn binades(sign: u64) -> impl Iterator<Item = Range<u64>> {
 fn literal(ty: ElementaryType, place: u64) -> String {
     let value = Value::plain(ty, ty.wrap(place.into()));
     // Nothing that is counted is a NaN or an infinity.
-    spelling::literal(&value).unwrap_or_default()
+    literals::literal(&value).unwrap_or_default()
 }
 
 /// The distance from the REAL at a place to the next one away from zero, as a literal with its sign.
 fn ulp(place: u64) -> String {
     let exponent = (place >> FRACTION & 0xFF).max(1) as i32;
-    let magnitude = spelling::power_of_two(exponent - 150).replacen("LREAL#", "", 1);
+    let magnitude = literals::power_of_two(exponent - 150).replacen("LREAL#", "", 1);
     let sign = if place & SIGN == 0 { "" } else { "-" };
     format!("REAL#{sign}{magnitude}")
 }

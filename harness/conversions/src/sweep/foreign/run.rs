@@ -1,13 +1,13 @@
 //! All inputs of a sweep through an engine, by as many sessions as there are workers, until done or cancelled.
 
-use super::asking::{Asker, Refusal};
-use super::claim::Queue;
 use super::findings::ForeignFindings;
-use super::inquiry::Inquiry;
 use super::plan::Plan;
 use super::program::{self, Program};
-use crate::agenda::Sweep;
-use crate::run::Progress;
+use super::queue::Queue;
+use super::worker::Inquiry;
+use crate::session::{Asker, Refusal};
+use crate::sweep::agenda::Sweep;
+use crate::sweep::run::Progress;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -53,9 +53,9 @@ const fn advice(counts: bool) -> &'static str {
 }
 
 /// Holds every input of the sweep that a program can make against exact arithmetic, by so many sessions at a time, 0
-/// being one a processor. The sweep must have one dialect, as those of [`Through::Programs`](crate::Through::Programs) have.
+/// being one a processor. The sweep must have one dialect, as those of [`Through::Programs`](crate::sweep::Through::Programs) have.
 ///
-/// `progress` and `cancel` as for [`crate::run`]; a program that was given to the engine is waited for.
+/// `progress` and `cancel` as for [`crate::sweep::run`]; a program that was given to the engine is waited for.
 ///
 /// # Errors
 /// [`ForeignError`]: no session, no thread, or none of a few inputs from all over the domain is answered at all.

@@ -1,8 +1,8 @@
 //! What the sweep of a foreign engine found.
 
-use super::asking::Refusal;
-use crate::findings::{Difference, KEPT};
-use crate::run::Progress;
+use crate::session::Refusal;
+use crate::sweep::findings::{Difference, KEPT};
+use crate::sweep::run::Progress;
 use stickler_types::Value;
 
 /// How many reasons are told apart; a message may hold a number that is always another.

@@ -1,10 +1,10 @@
 //! The two formulations of counting and of the checksum held to each other: the reference executes the one in ST.
 
-use super::asking::Asker;
 use super::plan::Plan;
 use super::program;
-use crate::agenda::{Through, agenda};
-use crate::domain::{Detail, Sampling};
+use crate::session::Asker;
+use crate::sweep::agenda::{Through, agenda};
+use crate::sweep::domain::{Detail, Sampling};
 use std::ops::Range;
 use stickler_engines::Reference;
 use stickler_exact::{functions, signatures};
@@ -45,7 +45,7 @@ fn the_sum_in_st_is_the_sum_in_rust() {
                 let few = if plan.stretches.len() > 10 { 37 } else { 1 };
                 for places in plan.stretches.iter().step_by(few).flat_map(ends) {
                     let summed = asker.ask(&program::summed(&sweep.signature, counting, &places));
-                    let exact = super::inquiry::total(&sweep, counting, places.clone());
+                    let exact = super::worker::total(&sweep, counting, places.clone());
                     assert_eq!(summed, Ok(vec![exact]), "{function} {places:?}");
                     let unrolled = asker.ask(&program::unrolled(&sweep.signature, counting, &places));
                     let exact: Vec<Value> = places
@@ -99,7 +99,7 @@ fn a_wrong_bit_changes_the_sum_in_st_too() {
         let call = format!("{function}(operand)");
         assert!(program.source.contains(&call));
         program.source = program.source.replace(&call, wrong);
-        let exact = super::inquiry::total(&sweep[0], &counting, places);
+        let exact = super::worker::total(&sweep[0], &counting, places);
         let Ok(summed) = asker.ask(&program) else {
             panic!("{function}: {}", program.source)
         };
@@ -121,7 +121,7 @@ fn what_a_document_speaks_of_does_not_change_back_and_forth() {
             "TRUNC",
         ] {
             for signature in signatures(function, dialect) {
-                let Some(counter) = super::counting::Counter::new(signature.operands[0]) else {
+                let Some(counter) = super::counter::Counter::new(signature.operands[0]) else {
                     continue;
                 };
                 let spoken = |place: u64| {

@@ -1,7 +1,7 @@
 //! The programs that ask: one that counts and adds up, one that counts and tells each result, one that lists operands.
 
 use super::plan::Counting;
-use super::spelling;
+use crate::literals;
 use std::fmt::Write;
 use std::ops::Range;
 use stickler_exact::Signature;
@@ -94,7 +94,7 @@ pub fn listed(signature: &Signature, calls: &[Vec<Value>]) -> Option<Program> {
             let name = format!("operand{number}{letter}");
             let (ty, literal) = (
                 declared(value.type_name(), longest(call)),
-                spelling::literal(value)?,
+                literals::literal(value)?,
             );
             let _ = writeln!(declarations, "    {name} : {ty} := {literal};");
             arguments.push(name);

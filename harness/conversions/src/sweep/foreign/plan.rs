@@ -1,9 +1,9 @@
 //! Which inputs go to the engine in which kind of program.
 
 use super::checksum::Checksum;
-use super::counting::Counter;
-use crate::agenda::Sweep;
-use crate::domain::Domain;
+use super::counter::Counter;
+use crate::sweep::agenda::Sweep;
+use crate::sweep::domain::Domain;
 use std::ops::Range;
 use stickler_exact::Bulk;
 use stickler_types::ElementaryType;

@@ -25,21 +25,19 @@
 //!
 //! Where one of these fails, sums differ though each result is right; that is told apart too.
 
-mod asking;
 mod checksum;
-mod claim;
-mod counting;
+mod counter;
 mod findings;
-mod inquiry;
 mod plan;
 mod program;
+mod queue;
 mod run;
-mod spelling;
 #[cfg(test)]
 mod tests;
+mod worker;
 
-pub use asking::{Refusal, RefusalKind};
 pub use checksum::Checksum;
 pub use findings::{ForeignFindings, Unanswered};
 pub use plan::has_digest;
+pub use program::Program;
 pub use run::{ForeignError, run};

@@ -1,13 +1,13 @@
 //! One worker's dealings with an engine: a program for some inputs, and what to do where its answer is not the exact one.
 
-use super::asking::{Asker, Refusal, RefusalKind};
-use super::claim::{FIRST, Queue};
 use super::findings::ForeignFindings;
 use super::plan::{Counting, Plan};
 use super::program::{self, Program};
-use crate::agenda::Sweep;
-use crate::findings::{Difference, Got, KEPT};
-use crate::run::Progress;
+use super::queue::{FIRST, Queue};
+use crate::session::{Asker, Refusal, RefusalKind};
+use crate::sweep::agenda::Sweep;
+use crate::sweep::findings::{Difference, Got, KEPT};
+use crate::sweep::run::Progress;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};

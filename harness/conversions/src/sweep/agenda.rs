@@ -1,8 +1,8 @@
 //! From the name of a function to the sweeps that it takes: one for each pair of types and each distinct rule.
 
-use crate::domain::{Domain, Sampling};
-use crate::foreign::has_digest;
-use crate::reference::Reference;
+use crate::sweep::domain::{Domain, Sampling};
+use crate::sweep::foreign::has_digest;
+use crate::sweep::reference::Reference;
 use stickler_exact::{Choices, Operation, Signature, signatures};
 use stickler_types::{DialectName, ElementaryType};
 

@@ -1,7 +1,7 @@
 //! A sweep that cannot fail proves nothing: conversions that are wrong in one small thing, and are found.
 
 use crate::support::{Spoilt, findings, sweep};
-use stickler_sweep::{Difference, Findings, Subject};
+use stickler_conversions::sweep::{Difference, Findings, Subject};
 use stickler_types::{DialectName, Value};
 
 /// What a sweep of a function finds in its spoilt reference.

@@ -3,7 +3,7 @@
 use crate::support::{Spoilt, sweep};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use stickler_sweep::{Progress, run};
+use stickler_conversions::sweep::{Progress, run};
 use stickler_types::DialectName;
 
 #[test]

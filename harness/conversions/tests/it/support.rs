@@ -1,7 +1,7 @@
 //! What the tests share.
 
 use std::sync::atomic::AtomicBool;
-use stickler_sweep::{Findings, Sampling, Subject, Sweep, Through, agenda, run};
+use stickler_conversions::sweep::{Findings, Sampling, Subject, Sweep, Through, agenda, run};
 use stickler_types::{DialectName, Value};
 
 /// The sweeps of a function in one dialect, each input of a small source, and a small sample of others.

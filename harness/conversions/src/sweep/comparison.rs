@@ -1,8 +1,8 @@
 //! One stretch of inputs through the subject and through exact arithmetic, and the two results side by side.
 
-use crate::agenda::Sweep;
-use crate::findings::{Difference, Findings, Got, KEPT};
-use crate::subject::Subject;
+use crate::sweep::agenda::Sweep;
+use crate::sweep::findings::{Difference, Findings, Got, KEPT};
+use crate::sweep::subject::Subject;
 use std::ops::Range;
 use stickler_exact::{Bulk, expected, value};
 use stickler_types::{ElementaryType, Value};

@@ -1,6 +1,6 @@
 //! An engine is given a program, and answers with values or with a reason why there are none.
 
-use super::program::Program;
+use crate::sweep::foreign::Program;
 use std::fmt;
 use stickler_engines::{Diagnostic, Engine, EngineError, Observation, Outcome, RunRequest, Session, guard};
 use stickler_types::{DialectName, Fault, Value};

@@ -2,9 +2,10 @@
 
 use crate::between::{Between, wrong};
 use std::sync::atomic::{AtomicBool, Ordering};
+use stickler_conversions::RefusalKind;
+use stickler_conversions::sweep::foreign::{ForeignFindings, run};
+use stickler_conversions::sweep::{Detail, Sampling, Sweep, Through, agenda};
 use stickler_engines::{Engine, Outcome, Reference, RunRequest, Session};
-use stickler_sweep::foreign::{ForeignFindings, RefusalKind, run};
-use stickler_sweep::{Detail, Sampling, Sweep, Through, agenda};
 use stickler_types::DialectName;
 
 fn sweeps(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Sweep> {
@@ -308,7 +309,7 @@ fn an_engine_that_answers_nothing_is_an_error_with_its_words() {
 fn a_sweep_of_an_engine_can_be_cancelled() {
     let sweep = &sweeps("DINT_TO_INT", DialectName::Matiec, None)[0];
     let cancel = AtomicBool::new(false);
-    let progress = |reached: stickler_sweep::Progress| {
+    let progress = |reached: stickler_conversions::sweep::Progress| {
         if reached.done > 10_000 {
             cancel.store(true, Ordering::Relaxed);
         }

@@ -1,6 +1,6 @@
 //! What a sweep found.
 
-use crate::run::Progress;
+use crate::sweep::run::Progress;
 use std::fmt;
 use stickler_types::Value;
 
