@@ -1,181 +1,77 @@
 //! The registry of diagnostic codes.
 //!
-//! Each code stands in one place, a file under `code/`, with all that is said about it; the macros below make the enumeration and
-//! its table of that. The files are in the order of the codes, and so are the variants.
+//! What is said about a code stands in its Markdown file, such as `harness/types/codes/P4035.md`; the table lists the codes.
+//! `harness/types/README.md` tells how a code is added.
 
-mod program;
+mod page;
+mod table;
 
-#[macro_use]
-mod arguments;
-#[macro_use]
-mod compiler;
-#[macro_use]
-mod extensions;
-#[macro_use]
-mod invocations;
-#[macro_use]
-mod literals;
-#[macro_use]
-mod names;
-#[macro_use]
-mod objects;
-#[macro_use]
-mod reading;
-#[macro_use]
-mod references;
-#[macro_use]
-mod statements;
-#[macro_use]
-mod targets;
-#[macro_use]
-mod type_contents;
-#[macro_use]
-mod type_declarations;
+pub use table::Code;
 
 use crate::dialect_name::DialectName;
-use program::{program, program_length};
+use page::Page;
 use std::fmt;
 use std::str::FromStr;
+use std::sync::LazyLock;
+use table::ENTRIES;
 
-/// What the registry says about one code.
-struct Entry {
-    code: &'static str,
-    name: &'static str,
-    summary: &'static str,
-    explanation: &'static str,
-    dialect: Option<DialectName>,
-    example: &'static str,
-    fix: &'static str,
-    repaired: Option<&'static str>,
-}
-
-/// Where the reference gives the code for the example: in that dialect, or only other compilers do (`elsewhere`).
-macro_rules! dialect {
-    (elsewhere) => {
-        None
+/// The pages of the codes in the order of [`Code::ALL`].
+static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
+    let parse = |entry: &table::Entry| match page::parse(entry.code, entry.name, entry.page) {
+        Ok(page) => page,
+        Err(error) => panic!("harness/types/codes/{}.md: {error}", entry.code),
     };
-    ($dialect:ident) => {
-        Some(DialectName::$dialect)
-    };
-}
-
-/// The text of a program without the indent that it has in the registry.
-macro_rules! program {
-    ($text:literal) => {{
-        const TEXT: [u8; program_length($text)] = program($text);
-        match str::from_utf8(&TEXT) {
-            Ok(text) => text,
-            Err(_) => panic!("taking off spaces cannot break a character"),
-        }
-    }};
-}
-
-/// The program put right, if the registry has it.
-macro_rules! repaired {
-    () => {
-        None
-    };
-    ($text:literal) => {
-        Some(program!($text))
-    };
-}
-
-/// Makes the enumeration and its table of the entries.
-macro_rules! registry {
-    ($($code:ident $name:ident {
-        summary: $summary:literal,
-        explanation: $explanation:literal,
-        example: $dialect:ident $example:literal,
-        fix: $fix:literal,
-        $(repaired: $repaired:literal,)?
-    })*) => {
-        /// A kind of diagnostic, in the order of the codes.
-        ///
-        /// Basis: ironplc-problem-codes, whose numbers, names and meanings these are; codes that begin with `S` are Stickler's own.
-        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-        pub enum Code {
-            $(#[doc = concat!("`", stringify!($code), "`: ", $summary, ".")] $name,)*
-        }
-
-        impl Code {
-            /// Every code, in order.
-            pub const ALL: &'static [Code] = &[$(Code::$name,)*];
-        }
-
-        /// What is said about the codes, in their order.
-        const ENTRIES: &[Entry] = &[$(Entry {
-            code: stringify!($code),
-            name: stringify!($name),
-            summary: $summary,
-            explanation: $explanation,
-            dialect: dialect!($dialect),
-            example: program!($example),
-            fix: $fix,
-            repaired: repaired!($($repaired)?),
-        },)*];
-    };
-}
-
-/// Strings the files of the registry together: each takes its turn, and adds its entries behind those before it.
-macro_rules! gather {
-    ([$first:ident $($rest:ident)*] $($entries:tt)*) => { $first! { [$($rest)*] $($entries)* } };
-    ([] $($entries:tt)*) => { registry! { $($entries)* } };
-}
-
-gather! {
-    [
-        reading_codes type_declaration_codes type_content_codes reference_codes literal_codes invocation_codes
-        name_codes argument_codes target_codes extension_codes statement_codes object_codes compiler_codes
-    ]
-}
+    ENTRIES.iter().map(parse).collect()
+});
 
 impl Code {
-    const fn entry(self) -> &'static Entry {
-        &ENTRIES[self as usize]
+    fn page(self) -> &'static Page {
+        &PAGES[self as usize]
     }
 
-    /// The code itself, such as `P4035`.
+    /// Returns the number, such as `P4035`.
     pub const fn as_str(self) -> &'static str {
-        self.entry().code
+        ENTRIES[self as usize].code
     }
 
-    /// The name, such as `AssignmentTypeMismatch`.
+    /// Returns the name, such as `AssignmentTypeMismatch`.
     pub const fn name(self) -> &'static str {
-        self.entry().name
+        ENTRIES[self as usize].name
     }
 
-    /// What the code says, in one line: a lower-case fragment without a full stop.
-    pub const fn summary(self) -> &'static str {
-        self.entry().summary
+    /// Returns what the code says in one line: a lower-case fragment without a full stop.
+    pub fn summary(self) -> &'static str {
+        self.page().summary
     }
 
-    /// What the code means, in a few sentences.
-    pub const fn explanation(self) -> &'static str {
-        self.entry().explanation
+    /// Returns what the code means, in a few sentences on one line.
+    pub fn explanation(self) -> &'static str {
+        &self.page().explanation
     }
 
-    /// A small complete program for which the code is given.
-    pub const fn example(self) -> &'static str {
-        self.entry().example
+    /// Returns a small complete program for which the code is given.
+    pub fn example(self) -> &'static str {
+        self.page().example
     }
 
-    /// The dialect in which the reference gives the code for the [example](Code::example); nothing where only other compilers
-    /// give the code.
-    pub const fn example_dialect(self) -> Option<DialectName> {
-        self.entry().dialect
+    /// Returns the dialect in which the reference gives the code for the [example](Code::example); `None` where only other
+    /// compilers give the code.
+    pub fn example_dialect(self) -> Option<DialectName> {
+        self.page().dialect
     }
 
-    /// How such a program is put right, in words.
-    pub const fn fix(self) -> &'static str {
-        self.entry().fix
+    /// Returns, in words, how such a program is put right.
+    pub fn fix(self) -> &'static str {
+        &self.page().fix
     }
 
-    /// The [example](Code::example) put right, where it can be.
-    pub const fn repaired(self) -> Option<&'static str> {
-        self.entry().repaired
+    /// Returns the [example](Code::example) put right, where it can be.
+    pub fn repaired(self) -> Option<&'static str> {
+        self.page().repaired
     }
 
-    /// Whether the code says that a construct is not enabled, which suppresses all else about that construct.
+    /// Returns whether the code says that a construct is not enabled, which suppresses every other diagnostic about that
+    /// construct.
     ///
     /// Basis: stickler-design: §4.
     pub const fn not_enabled(self) -> bool {
@@ -195,7 +91,7 @@ impl fmt::Display for Code {
     }
 }
 
-/// A text that is no [`Code`].
+/// The error of a text that is not the number of a [`Code`].
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("unknown diagnostic code `{0}`; a code looks like `P4035`")]
 pub struct UnknownCode(pub String);
@@ -203,7 +99,7 @@ pub struct UnknownCode(pub String);
 impl FromStr for Code {
     type Err = UnknownCode;
 
-    /// Reads what [`Code::as_str`] gives, in any case.
+    /// Parses the number of a code, in upper or lower case.
     fn from_str(text: &str) -> Result<Code, UnknownCode> {
         Code::ALL
             .iter()
@@ -228,6 +124,18 @@ mod tests {
         for text in ["", "P", "P9", "P40355", "4035", "AssignmentTypeMismatch"] {
             assert_eq!(text.parse::<Code>(), Err(UnknownCode(text.to_owned())));
         }
+    }
+
+    #[test]
+    fn the_folder_of_the_pages_and_the_table_name_the_same_codes() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/codes");
+        let mut files: Vec<String> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        files.sort();
+        let pages: Vec<String> = Code::ALL.iter().map(|code| format!("{code}.md")).collect();
+        assert_eq!(files, pages);
     }
 
     #[test]

@@ -1,0 +1,141 @@
+//! The Markdown page of a diagnostic code, taken apart.
+
+use crate::dialect_name::DialectName;
+
+/// What a page says about its code.
+pub(super) struct Page {
+    pub summary: &'static str,
+    pub explanation: String,
+    /// The dialect in which the reference gives the code for the example; `None` where only other compilers give it.
+    pub dialect: Option<DialectName>,
+    pub example: &'static str,
+    pub fix: String,
+    pub repaired: Option<&'static str>,
+}
+
+/// The line above the example of a code that the reference never gives.
+const GIVEN_ELSEWHERE: &str = "Only other compilers give this code.";
+
+/// Takes a page apart: heading, summary, explanation, dialect and example, fix and repaired example, as
+/// `harness/types/README.md` describes them.
+///
+/// # Errors
+/// The first part that is missing or written differently.
+pub(super) fn parse(code: &str, name: &str, text: &'static str) -> Result<Page, String> {
+    let rest = text
+        .strip_prefix(&format!("# {code} {name}\n\n"))
+        .ok_or_else(|| format!("the first line must be `# {code} {name}`, with an empty line after it"))?;
+    let (summary, rest) = part(rest, "\n\n", "a summary and an empty line")?;
+    let (explanation, rest) = part(
+        rest,
+        "\n\n## Example\n\n",
+        "an explanation and the heading `## Example`",
+    )?;
+    let (given, rest) = part(rest, "\n\n```st\n", "a line on the dialect and a fence ```st")?;
+    let (example, rest) = program(rest)?;
+    let rest = rest
+        .strip_prefix("\n## Fix\n\n")
+        .ok_or("the heading `## Fix` must follow the example")?;
+    let (fix, repaired) = match rest.split_once("\n\n```st\n") {
+        None => (rest, None),
+        Some((fix, rest)) => match program(rest)? {
+            (repaired, "") => (fix, Some(repaired)),
+            (_, more) => {
+                return Err(format!(
+                    "nothing may follow the repaired example, but `{more}` does"
+                ));
+            }
+        },
+    };
+    Ok(Page {
+        summary,
+        explanation: unwrapped(explanation),
+        dialect: dialect(given)?,
+        example,
+        fix: unwrapped(fix),
+        repaired,
+    })
+}
+
+/// Splits at `end`.
+fn part(text: &'static str, end: &str, expected: &str) -> Result<(&'static str, &'static str), String> {
+    text.split_once(end)
+        .filter(|(part, _)| !part.is_empty() && !part.contains("```"))
+        .ok_or_else(|| {
+            format!(
+                "expected {expected}, found `{}`",
+                text.lines().next().unwrap_or_default()
+            )
+        })
+}
+
+/// Splits behind the fence that closes a program, and returns the program with its last line break.
+fn program(text: &'static str) -> Result<(&'static str, &'static str), String> {
+    let end = text.find("\n```\n").ok_or("a program is not closed with ```")?;
+    Ok((&text[..=end], &text[end + "\n```\n".len()..]))
+}
+
+/// Reads the line above an example.
+fn dialect(given: &str) -> Result<Option<DialectName>, String> {
+    if given == GIVEN_ELSEWHERE {
+        return Ok(None);
+    }
+    given
+        .strip_prefix("Stickler's reference gives this code in the dialect `")
+        .and_then(|rest| rest.strip_suffix("`."))
+        .and_then(|name| {
+            DialectName::ALL
+                .into_iter()
+                .find(|dialect| dialect.as_str() == name)
+        })
+        .map(Some)
+        .ok_or_else(|| format!("`{given}` must name a dialect, or be `{GIVEN_ELSEWHERE}`"))
+}
+
+/// Joins the lines of a paragraph.
+fn unwrapped(paragraph: &str) -> String {
+    paragraph.trim_end().replace('\n', " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Parses the page of a code without the first occurrence of a text, and returns the error.
+    fn error_without(removed: &str) -> String {
+        let text = include_str!("../../codes/P4035.md");
+        assert!(text.contains(removed), "{removed}");
+        let text = String::leak(text.replacen(removed, "", 1));
+        parse("P4035", "AssignmentTypeMismatch", text)
+            .err()
+            .unwrap_or_default()
+    }
+
+    #[test]
+    fn the_error_names_what_is_missing() {
+        for (removed, expected) in [
+            (
+                "# P4035",
+                "the first line must be `# P4035 AssignmentTypeMismatch`",
+            ),
+            ("## Example\n", "the heading `## Example`"),
+            ("gives this code in", "must name a dialect"),
+            ("ironplc-ed2", "must name a dialect"),
+            ("```st\n", "a fence ```st"),
+            ("END_PROGRAM\n```\n", "the heading `## Fix` must follow"),
+            ("## Fix", "the heading `## Fix` must follow the example"),
+        ] {
+            let error = error_without(removed);
+            assert!(error.contains(expected), "without {removed}: {error}");
+        }
+    }
+
+    #[test]
+    fn nothing_follows_the_repaired_example() {
+        let text = String::leak(format!("{}More.\n", include_str!("../../codes/P4035.md")));
+        let error = parse("P4035", "AssignmentTypeMismatch", text)
+            .err()
+            .unwrap_or_default();
+        assert!(error.contains("nothing may follow"), "{error}");
+    }
+}
