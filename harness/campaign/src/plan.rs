@@ -1,7 +1,7 @@
 //! How long a campaign goes on, on how many threads, and which places are its own.
 
-use crate::Part;
 use std::time::Duration;
+use stickler_workers::Shard;
 
 /// A campaign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -11,7 +11,7 @@ pub struct Plan {
     /// How long it goes on.
     pub until: Until,
     /// Which of the places are judged here.
-    pub part: Part,
+    pub shard: Shard,
     /// How many judge at a time; 0: one a processor.
     pub jobs: usize,
     /// How many places are given out at a time.
@@ -34,8 +34,8 @@ impl Plan {
             Until::Count(count) => self.first.saturating_add(count),
             Until::Time(_) => u64::MAX,
         };
-        let step = u64::from(self.part.count());
-        let mut next = self.part.first_at(self.first);
+        let step = u64::from(self.shard.count());
+        let mut next = self.shard.first_place(self.first);
         std::iter::from_fn(move || {
             let mut batch = Vec::with_capacity(self.batch);
             while batch.len() < self.batch.max(1)
@@ -54,9 +54,9 @@ impl Plan {
         let Until::Count(count) = self.until else {
             return None;
         };
-        let first = self.part.first_at(self.first)?;
+        let first = self.shard.first_place(self.first)?;
         let end = self.first.saturating_add(count);
-        Some(end.saturating_sub(first).div_ceil(u64::from(self.part.count())))
+        Some(end.saturating_sub(first).div_ceil(u64::from(self.shard.count())))
     }
 }
 
@@ -80,11 +80,11 @@ mod tests {
         plan.batches().flatten().collect()
     }
 
-    fn plan(part: Part, count: u64) -> Plan {
+    fn plan(shard: Shard, count: u64) -> Plan {
         Plan {
             first: 3,
             until: Until::Count(count),
-            part,
+            shard,
             jobs: 1,
             batch: 4,
         }
@@ -94,20 +94,20 @@ mod tests {
     fn the_parts_together_have_every_place_once() {
         let mut all = Vec::new();
         for index in 1..=3 {
-            let plan = plan(Part::new(index, 3).unwrap(), 20);
+            let plan = plan(Shard::new(index, 3).unwrap(), 20);
             let own = places(plan);
             assert_eq!(Some(own.len() as u64), plan.share());
             all.extend(own);
         }
         all.sort_unstable();
-        assert_eq!(all, places(plan(Part::WHOLE, 20)));
+        assert_eq!(all, places(plan(Shard::WHOLE, 20)));
         assert_eq!(all, (3..23).collect::<Vec<u64>>());
     }
 
     #[test]
     fn a_batch_is_never_empty() {
-        assert_eq!(plan(Part::WHOLE, 0).batches().count(), 0);
-        let sizes: Vec<usize> = plan(Part::WHOLE, 9).batches().map(|batch| batch.len()).collect();
+        assert_eq!(plan(Shard::WHOLE, 0).batches().count(), 0);
+        let sizes: Vec<usize> = plan(Shard::WHOLE, 9).batches().map(|batch| batch.len()).collect();
         assert_eq!(sizes, [4, 4, 1]);
     }
 

@@ -20,8 +20,9 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use numbers::whole;
 use std::path::PathBuf;
-use stickler_run::{Grade, Shard};
+use stickler_run::Grade;
 use stickler_types::DialectName;
+use stickler_workers::Shard;
 
 /// The conformance suite for compilers of IEC 61131-3 Structured Text.
 ///

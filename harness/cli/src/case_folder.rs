@@ -9,9 +9,10 @@ use anyhow::{Context, bail};
 use std::collections::BTreeSet;
 use std::env;
 use std::path::{Path, PathBuf};
-use stickler_run::{DefinedHeader, Filter, Plan, Shard};
+use stickler_run::{DefinedHeader, Filter, Plan};
 use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
+use stickler_workers::Shard;
 
 /// The name of the folder that is looked for.
 const NAME: &str = "conformance-cases";

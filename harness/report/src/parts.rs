@@ -8,7 +8,8 @@ mod belonging;
 use crate::LogError;
 use crate::events::{Completeness, Reader};
 use std::io::BufRead;
-use stickler_run::{CaseEvent, DefinedHeader, EngineTotals, Event, Footer, Header, Shard};
+use stickler_run::{CaseEvent, DefinedHeader, EngineTotals, Event, Footer, Header};
+use stickler_workers::Shard;
 
 /// The event log of one part, and what messages call it.
 pub struct Part<R> {
@@ -152,7 +153,7 @@ impl<R: BufRead> Stream<R> {
         loop {
             match self.reader.next() {
                 Some(Ok(Event::Case(case))) => {
-                    if !self.shard.holds(&case.id, &case.dialect) {
+                    if !self.shard.holds_case(&case.id, &case.dialect) {
                         self.trouble = Some(format!("{name} holds {}, which is another part's", case.id));
                     }
                     self.case = Some(case);

@@ -17,7 +17,6 @@ mod plan;
 mod reorder;
 mod schedule;
 mod select;
-mod shard;
 mod tell;
 mod unstated;
 
@@ -35,7 +34,6 @@ pub use pack::breaks_reading;
 pub use plan::{Plan, RunError, Summary};
 pub use schedule::{run, run_with};
 pub use select::select;
-pub use shard::{Shard, ShardError};
 pub use stickler_engines::Grade;
 pub use tell::Teller;
 pub use unstated::{defined, leave_out};

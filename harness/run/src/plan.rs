@@ -1,12 +1,13 @@
 //! What to run and how, and what can keep a run from being one.
 
-use crate::{Baseline, DefinedHeader, Filter, Grade, Held, Shard, Totals, hold};
+use crate::{Baseline, DefinedHeader, Filter, Grade, Held, Totals, hold};
 use jiff::civil::Date;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use stickler_engines::{EngineError, Identity, Reference};
 use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
+use stickler_workers::Shard;
 
 /// What to run and how. The default runs every case of the suite, each engine judged by the best grade that it claims.
 #[derive(Clone, Debug)]

@@ -15,7 +15,7 @@ pub fn select<'s>(plan: &Plan, cases: &'s [Case]) -> Vec<&'s Case> {
         selected.retain(|_| chosen.next().unwrap_or(false));
     }
     if let Some(shard) = plan.shard {
-        selected.retain(|case| shard.holds(&case.id, case.dialect.as_str()));
+        selected.retain(|case| shard.holds_case(&case.id, case.dialect.as_str()));
     }
     selected
 }

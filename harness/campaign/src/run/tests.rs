@@ -3,11 +3,12 @@
 use super::{Ended, Event, Summary, run};
 use crate::bench::{Bench, Suspicion, Verdict, Worker};
 use crate::finding::Finding;
-use crate::{Part, Plan, Until, sample};
+use crate::{Plan, Until, sample};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 use stickler_engines::EngineError;
+use stickler_workers::Shard;
 
 /// Every fifth input makes an engine disagree, by three defects of two symptoms.
 #[derive(Default)]
@@ -70,11 +71,11 @@ impl Worker for KnownWorker<'_> {
     }
 }
 
-fn plan(jobs: usize, part: Part, until: Until) -> Plan {
+fn plan(jobs: usize, shard: Shard, until: Until) -> Plan {
     Plan {
         first: 0,
         until,
-        part,
+        shard,
         jobs,
         batch: 8,
     }
@@ -86,7 +87,7 @@ fn campaign(bench: &Known, plan: Plan) -> Summary {
 
 #[test]
 fn a_seed_finds_the_same_whatever_the_number_of_workers() {
-    let of = |jobs| campaign(&Known::default(), plan(jobs, Part::WHOLE, Until::Count(3000)));
+    let of = |jobs| campaign(&Known::default(), plan(jobs, Shard::WHOLE, Until::Count(3000)));
     let (one, many) = (of(1), of(7));
     assert_eq!(one.findings, many.findings);
     assert_eq!(one.findings.len(), 4);
@@ -107,11 +108,11 @@ fn a_seed_finds_the_same_whatever_the_number_of_workers() {
 fn the_parts_of_a_seed_find_together_what_the_whole_finds() {
     // So few that each is made small.
     let until = Until::Count(100);
-    let whole = campaign(&Known::default(), plan(2, Part::WHOLE, until)).findings;
+    let whole = campaign(&Known::default(), plan(2, Shard::WHOLE, until)).findings;
     let mut together: BTreeMap<String, Finding> = BTreeMap::new();
     for index in 1..=3 {
-        let part = Part::new(index, 3).unwrap();
-        for (id, finding) in campaign(&Known::default(), plan(2, part, until)).findings {
+        let shard = Shard::new(index, 3).unwrap();
+        for (id, finding) in campaign(&Known::default(), plan(2, shard, until)).findings {
             let best = match together.remove(&id) {
                 Some(known) => known.better(finding),
                 None => finding,
@@ -132,7 +133,7 @@ fn each_finding_is_told_and_what_is_told_last_is_what_is_kept() {
         }
         Event::Progress(progress) => programs = progress.programs,
     };
-    let plan = plan(3, Part::WHOLE, Until::Count(500));
+    let plan = plan(3, Shard::WHOLE, Until::Count(500));
     let summary = run(&plan, &Known::default(), &mut tell, &AtomicBool::new(false)).unwrap();
     assert_eq!(told, summary.findings);
     assert_eq!(programs, 500);
@@ -146,7 +147,7 @@ fn a_campaign_that_is_told_to_stop_keeps_what_it_has() {
             cancel.store(true, Ordering::Relaxed);
         }
     };
-    let endless = plan(2, Part::WHOLE, Until::Count(u64::MAX));
+    let endless = plan(2, Shard::WHOLE, Until::Count(u64::MAX));
     let summary = run(&endless, &Known::default(), &mut tell, &cancel).unwrap();
     assert_eq!(summary.ended, Ended::Interrupted);
     assert!(!summary.findings.is_empty());
@@ -154,7 +155,7 @@ fn a_campaign_that_is_told_to_stop_keeps_what_it_has() {
 
 #[test]
 fn a_campaign_ends_when_its_time_is_up() {
-    let short = plan(2, Part::WHOLE, Until::Time(Duration::from_millis(50)));
+    let short = plan(2, Shard::WHOLE, Until::Time(Duration::from_millis(50)));
     let summary = campaign(&Known::default(), short);
     assert_eq!(summary.ended, Ended::Done);
     assert!(summary.programs > 0);
@@ -167,7 +168,7 @@ fn an_engine_that_is_lost_ends_the_campaign_and_what_was_found_is_kept() {
         gone: Some(400),
         ..Known::default()
     };
-    let summary = campaign(&bench, plan(2, Part::WHOLE, Until::Count(u64::MAX)));
+    let summary = campaign(&bench, plan(2, Shard::WHOLE, Until::Count(u64::MAX)));
     assert_eq!(summary.ended, Ended::Lost("it does not answer".to_owned()));
     assert!(!summary.findings.is_empty());
 }
@@ -178,7 +179,7 @@ fn a_defect_of_stickler_itself_ends_the_campaign_in_words_and_loses_nothing() {
         panics: Some(401),
         ..Known::default()
     };
-    let summary = campaign(&bench, plan(1, Part::WHOLE, Until::Count(u64::MAX)));
+    let summary = campaign(&bench, plan(1, Shard::WHOLE, Until::Count(u64::MAX)));
     let Ended::Lost(reason) = &summary.ended else {
         panic!("{:?}", summary.ended)
     };

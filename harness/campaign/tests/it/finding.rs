@@ -5,8 +5,9 @@ use crate::reproducible::{campaign, whole};
 use std::fs;
 use std::path::Path;
 use stickler_campaign::finding::{Expected, Standing};
-use stickler_campaign::{Ended, Entrant, Finding, Part, Store, Words, load, promote, replay};
+use stickler_campaign::{Ended, Entrant, Finding, Store, Words, load, promote, replay};
 use stickler_engines::{Engine, Reference};
+use stickler_workers::Shard;
 
 /// What a campaign finds that is not probably the same as something simpler.
 fn found(defect: Defect, count: u64) -> Vec<Finding> {
@@ -115,7 +116,7 @@ fn a_program_is_not_blamed_for_the_deaths_of_an_engine_that_is_gone() {
 fn an_engine_that_is_lost_while_a_finding_is_made_small_ends_the_campaign() {
     // The last of these programs has the defect: what the engine is asked last is asked to make that one small.
     let defect = Defect::Mistakes(" MOD ", " / ");
-    let of = |engine: &Defective| campaign(engine, Part::WHOLE, 51, 1);
+    let of = |engine: &Defective| campaign(engine, Shard::WHOLE, 51, 1);
     let lasting = Defective::new(defect);
     assert_eq!(of(&lasting).ended, Ended::Done);
     let summary = of(&Defective::dying(defect, lasting.requests() - 2));
@@ -134,7 +135,7 @@ fn an_engine_that_is_lost_while_a_finding_is_made_small_ends_the_campaign() {
 
 #[test]
 fn the_reference_agrees_with_the_documents() {
-    let summary = campaign(&Reference::default(), Part::WHOLE, 300, 2);
+    let summary = campaign(&Reference::default(), Shard::WHOLE, 300, 2);
     assert_eq!(summary.findings.into_values().collect::<Vec<_>>(), []);
 }
 

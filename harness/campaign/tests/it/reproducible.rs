@@ -5,18 +5,18 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use stickler_campaign::{
-    Commands, Differential, Entrant, Finding, Inputs, Packs, Part, Plan, Store, Summary, Until, Without,
-    merge, run,
+    Commands, Differential, Entrant, Finding, Inputs, Packs, Plan, Store, Summary, Until, Without, merge, run,
 };
 use stickler_engines::{Engine, Reference};
 use stickler_types::DialectName;
+use stickler_workers::Shard;
 
 /// A campaign of the reference and this engine, which are asked for one program at a time.
-pub fn campaign(engine: &dyn Engine, part: Part, count: u64, jobs: usize) -> Summary {
-    campaign_with(Packs::Never, engine, part, count, jobs)
+pub fn campaign(engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> Summary {
+    campaign_with(Packs::Never, engine, shard, count, jobs)
 }
 
-fn campaign_with(packs: Packs, engine: &dyn Engine, part: Part, count: u64, jobs: usize) -> Summary {
+fn campaign_with(packs: Packs, engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> Summary {
     let reference = Reference::default();
     let entrant = |engine, asked_for| Entrant {
         engine,
@@ -42,7 +42,7 @@ fn campaign_with(packs: Packs, engine: &dyn Engine, part: Part, count: u64, jobs
     let plan = Plan {
         first: 0,
         until: Until::Count(count),
-        part,
+        shard,
         jobs,
         batch: 16,
     };
@@ -51,14 +51,14 @@ fn campaign_with(packs: Packs, engine: &dyn Engine, part: Part, count: u64, jobs
 
 /// A campaign that is no part, on two threads.
 pub fn whole(engine: &dyn Engine, count: u64) -> Summary {
-    campaign(engine, Part::WHOLE, count, 2)
+    campaign(engine, Shard::WHOLE, count, 2)
 }
 
 const DEFECT: Defect = Defect::Mistakes(" > ", " >= ");
 
 #[test]
 fn the_number_of_jobs_changes_nothing_that_is_found() {
-    let of = |jobs| campaign(&Defective::new(DEFECT), Part::WHOLE, 100, jobs).findings;
+    let of = |jobs| campaign(&Defective::new(DEFECT), Shard::WHOLE, 100, jobs).findings;
     let one = of(1);
     assert!(!one.is_empty());
     assert_eq!(one, of(4));
@@ -68,7 +68,7 @@ fn the_number_of_jobs_changes_nothing_that_is_found() {
 fn packs_change_nothing_that_is_found() {
     let of = |packs| {
         let defective = Defective::new(Defect::DiesOver("WHILE "));
-        campaign_with(packs, &defective, Part::WHOLE, 64, 1)
+        campaign_with(packs, &defective, Shard::WHOLE, 64, 1)
     };
     let (alone, packed) = (of(Packs::Never), of(Packs::Always));
     assert!(!alone.findings.is_empty());
@@ -80,7 +80,7 @@ fn packs_change_nothing_that_is_found() {
 #[test]
 fn an_engine_that_is_right_is_asked_about_the_programs_of_a_pack_at_once() {
     let right = Defective::new(Defect::DiesOver("what no program has"));
-    let summary = campaign_with(Packs::Always, &right, Part::WHOLE, 160, 1);
+    let summary = campaign_with(Packs::Always, &right, Shard::WHOLE, 160, 1);
     assert_eq!((summary.programs, summary.findings.len()), (160, 0));
     assert!(right.requests() < 80, "{}", right.requests());
 }
@@ -91,9 +91,9 @@ fn the_parts_put_together_have_what_the_whole_has() {
     let root = tempfile::tempdir().unwrap();
     let mut folders = Vec::new();
     for index in 1..=3 {
-        let part = Part::new(index, 3).unwrap();
+        let shard = Shard::new(index, 3).unwrap();
         let store = Store::open(&root.path().join(index.to_string())).unwrap();
-        for finding in campaign(&Defective::new(DEFECT), part, 100, 2).findings.values() {
+        for finding in campaign(&Defective::new(DEFECT), shard, 100, 2).findings.values() {
             store.save(finding).unwrap();
         }
         folders.push(store.folder().to_owned());

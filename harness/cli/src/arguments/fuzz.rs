@@ -7,8 +7,8 @@ use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueP
 use std::path::PathBuf;
 use std::time::Duration;
 use stickler_generate::oracles::Target;
-use stickler_run::Shard;
 use stickler_types::DialectName;
+use stickler_workers::Shard;
 
 /// `stickler fuzz`.
 #[derive(Args, Debug)]

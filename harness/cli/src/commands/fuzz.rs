@@ -18,12 +18,12 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use stickler_campaign::{
-    Bench, Commands, Differential, Ended, Entrant, Event, Inputs, Oracles, Packs, Part, Plan, Request, Store,
+    Bench, Commands, Differential, Ended, Entrant, Event, Inputs, Oracles, Packs, Plan, Request, Store,
     Summary, Until, Without,
 };
 use stickler_generate::oracles::Target;
-use stickler_run::Shard;
 use stickler_types::DialectName;
+use stickler_workers::Shard;
 
 /// How long a campaign goes on for which nothing is said.
 const TIME: Duration = Duration::from_secs(60);
@@ -86,21 +86,21 @@ fn campaign(
     store: Store,
     out: &mut dyn Write,
 ) -> anyhow::Result<Exit> {
-    let part = part(arguments.shard);
+    let shard = arguments.shard.unwrap_or(Shard::WHOLE);
     let plan = Plan {
         first: arguments.first,
         until: match (arguments.count, arguments.time) {
             (Some(count), _) => Until::Count(count),
             (None, time) => Until::Time(time.unwrap_or(TIME)),
         },
-        part,
+        shard,
         jobs: arguments.jobs.map_or(0, usize::from),
         batch,
     };
     let mut page = Page::new(out);
-    page.begin(&request, part)?;
+    page.begin(&request, shard)?;
     let cancel = interrupt::flag()?;
-    let mut keeper = Keeper::begin(store, request, part)?;
+    let mut keeper = Keeper::begin(store, request, shard)?;
     let bar = Bar::new(&plan);
     let mut tell = |event: Event<'_>| match event {
         Event::Progress(progress) => bar.reach(progress),
@@ -176,13 +176,6 @@ fn dialects_of(arguments: &FuzzArguments, engines: &[Named]) -> anyhow::Result<V
     spoken.sort_unstable();
     spoken.dedup();
     Ok(spoken)
-}
-
-fn part(shard: Option<Shard>) -> Part {
-    // A shard is a part of those that there are.
-    shard
-        .and_then(|shard| Part::new(shard.index(), shard.count()))
-        .unwrap_or(Part::WHOLE)
 }
 
 /// The path that was given, or the finding of this name in the folder of findings.

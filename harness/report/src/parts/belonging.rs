@@ -1,6 +1,7 @@
 //! Whether parts belong to one run, and which of them are not there.
 
-use stickler_run::{EngineHeader, Header, Shard};
+use stickler_run::{EngineHeader, Header};
+use stickler_workers::Shard;
 
 /// How many missing parts are named one by one.
 const NAMED: usize = 20;

@@ -4,7 +4,8 @@ use super::{Part, merge};
 use crate::events::Reader;
 use crate::sample;
 use std::io;
-use stickler_run::{Event, Shard, Verdict};
+use stickler_run::{Event, Verdict};
+use stickler_workers::Shard;
 
 /// The events of a whole run of some cases in two files.
 fn whole() -> Vec<Event> {
@@ -24,7 +25,7 @@ fn whole() -> Vec<Event> {
 fn part(index: u32, count: u32) -> Vec<Event> {
     let shard = Shard::new(index, count).expect("a part");
     let cases = whole().into_iter().filter_map(|event| match event {
-        Event::Case(case) if shard.holds(&case.id, &case.dialect) => Some(case),
+        Event::Case(case) if shard.holds_case(&case.id, &case.dialect) => Some(case),
         _ => None,
     });
     let mut events = sample::run_of(cases.collect());

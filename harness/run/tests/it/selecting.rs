@@ -1,9 +1,10 @@
 //! Which cases a plan selects.
 
 use crate::fixtures::case;
-use stickler_run::{Filter, Plan, Shard, select};
+use stickler_run::{Filter, Plan, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
+use stickler_workers::Shard;
 
 fn cases() -> Vec<Case> {
     let ids = ["a/b", "a/b2", "a/b::p(INT,-1)", "a/b::p(INT,-10)", "c/it's"];

@@ -3,8 +3,9 @@
 use crate::fixtures::timeless_events;
 use std::path::Path;
 use stickler_engines::Reference;
-use stickler_run::{Event, Plan, Shard};
+use stickler_run::{Event, Plan};
 use stickler_suite::Suite;
+use stickler_workers::Shard;
 
 /// One part of twenty is enough to meet every kind of case, and quick.
 fn events(suite: &Suite, jobs: usize) -> Vec<Event> {

@@ -4,7 +4,8 @@ use crate::exit::Exit;
 use crate::output;
 use std::collections::BTreeMap;
 use stickler_campaign::record::FORMAT;
-use stickler_campaign::{Ended, Finding, Part, Record, Request, Store, StoreError, Summary};
+use stickler_campaign::{Ended, Finding, Record, Request, Store, StoreError, Summary};
+use stickler_workers::Shard;
 
 /// Keeps the findings of one campaign.
 pub struct Keeper {
@@ -29,13 +30,13 @@ impl Keeper {
     ///
     /// # Errors
     /// [`StoreError`] where the folder cannot be written.
-    pub fn begin(store: Store, asked: Request, part: Part) -> Result<Keeper, StoreError> {
+    pub fn begin(store: Store, asked: Request, shard: Shard) -> Result<Keeper, StoreError> {
         let record = Record {
             format: FORMAT,
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
             asked,
-            part: part.index(),
-            parts: part.count(),
+            part: shard.index(),
+            parts: shard.count(),
             complete: false,
             programs: 0,
             disagreements: 0,

@@ -6,7 +6,8 @@ use anstyle::{AnsiColor, Style};
 use indicatif::HumanCount;
 use std::io::{self, Write};
 use stickler_campaign::finding::Standing;
-use stickler_campaign::{Ended, Finding, Part, Request, Summary};
+use stickler_campaign::{Ended, Finding, Request, Summary};
+use stickler_workers::Shard;
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
@@ -35,10 +36,10 @@ impl<'o> Page<'o> {
     ///
     /// # Errors
     /// Where nothing can be written.
-    pub fn begin(&mut self, request: &Request, part: Part) -> io::Result<()> {
+    pub fn begin(&mut self, request: &Request, shard: Shard) -> io::Result<()> {
         write!(self.out, "seed {}", request.seed)?;
-        if part != Part::WHOLE {
-            write!(self.out, ", part {part}")?;
+        if shard != Shard::WHOLE {
+            write!(self.out, ", part {shard}")?;
         }
         if request.engines.is_empty() {
             writeln!(self.out, ", reference: {}", request.targets.join(", "))?;

@@ -1,36 +1,39 @@
-//! A part of a run, for machines that share the work.
+//! The part of a run or a campaign that one of several machines does.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// Part `index` of `count`, written `index/count`, `index` from 1.
+/// Part `index` of `count`, written `index/count`; `index` counts from 1.
 ///
-/// A case belongs to the part that a hash (FNV-1a) of its key `id@dialect` says, so that a case stays in its
-/// part when others come or go, every case is in exactly one part, and the parts are of about equal size.
+/// What belongs to a part depends on the part alone, so all parts together do exactly what one machine would: every case of
+/// a run and every place of a campaign is in exactly one part, and the parts are of about equal size.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Shard {
     index: u32,
     count: u32,
 }
 
-/// What is wrong with a shard as it was written.
+/// A shard that does not exist or cannot be read.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum ShardError {
-    /// It is not two numbers with a stroke between.
+    /// The text is not two numbers with a stroke between.
     #[error("`{0}` is no shard; write it as part/of, such as 1/4")]
     Malformed(String),
     /// The part does not exist.
     #[error("there is no part {index} of {count}; parts count from 1")]
     NoSuchPart {
-        /// The part.
+        /// The part that was asked for.
         index: u32,
-        /// Of how many.
+        /// The number of parts.
         count: u32,
     },
 }
 
 impl Shard {
-    /// Part `index` (from 1) of `count`.
+    /// All of the work, as one part.
+    pub const WHOLE: Shard = Shard { index: 1, count: 1 };
+
+    /// Returns part `index` (from 1) of `count`.
     ///
     /// # Errors
     /// [`ShardError::NoSuchPart`] unless `1 <= index <= count`.
@@ -41,27 +44,38 @@ impl Shard {
         Err(ShardError::NoSuchPart { index, count })
     }
 
-    /// Which part, from 1.
+    /// Returns the number of the part, from 1.
     #[must_use]
     pub const fn index(self) -> u32 {
         self.index
     }
 
-    /// Of how many.
+    /// Returns the number of parts, which is at least 1.
     #[must_use]
     pub const fn count(self) -> u32 {
         self.count
     }
 
-    /// Whether the case with this id and dialect belongs to this part.
+    /// Returns whether the case with this id and dialect belongs to this part.
+    ///
+    /// A hash (FNV-1a) of `id@dialect` decides, so that a case stays in its part when others come or go.
     #[must_use]
-    pub fn holds(self, id: &str, dialect: &str) -> bool {
+    pub fn holds_case(self, id: &str, dialect: &str) -> bool {
         let hash = [id, "@", dialect]
             .iter()
             .fold(FNV_OFFSET, |hash, part| fnv1a(hash, part.as_bytes()));
         // The low bits of FNV-1a are weak when the count is a power of two.
         let mixed = (hash ^ (hash >> 32)).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32;
         mixed % u64::from(self.count) == u64::from(self.index - 1)
+    }
+
+    /// Returns the first place at or behind this one that belongs to this part, which has every [`count`](Shard::count)-th
+    /// place of a row; `None` where numbers do not reach so far.
+    #[must_use]
+    pub fn first_place(self, from: u64) -> Option<u64> {
+        let count = u64::from(self.count);
+        let wanted = u64::from(self.index - 1);
+        from.checked_add((wanted + count - from % count) % count)
     }
 }
 
@@ -101,7 +115,9 @@ mod tests {
         let mut sizes = [0; 4];
         for number in 0..4000 {
             let id = format!("widening/integer::assignment(SINT,INT,{number})");
-            let holding: Vec<usize> = (0..4).filter(|&part| shards[part].holds(&id, "matiec")).collect();
+            let holding: Vec<usize> = (0..4)
+                .filter(|&part| shards[part].holds_case(&id, "matiec"))
+                .collect();
             assert_eq!(holding.len(), 1, "{id}");
             sizes[holding[0]] += 1;
         }
@@ -112,8 +128,18 @@ mod tests {
     }
 
     #[test]
+    fn every_place_is_in_exactly_one_part() {
+        for place in 0..50 {
+            let holds = |index: &u32| Shard::new(*index, 7).unwrap().first_place(place) == Some(place);
+            assert_eq!((1..=7).filter(holds).count(), 1, "{place}");
+        }
+        assert_eq!(Shard::WHOLE.first_place(17), Some(17));
+        assert_eq!(Shard::new(1, 7).unwrap().first_place(u64::MAX), None);
+    }
+
+    #[test]
     fn a_case_keeps_its_part_for_ever() {
-        let part = (1..=7).find(|&index| Shard::new(index, 7).unwrap().holds("a/b", "matiec"));
+        let part = (1..=7).find(|&index| Shard::new(index, 7).unwrap().holds_case("a/b", "matiec"));
         assert_eq!(part, Some(PART_OF_A_B));
     }
 
