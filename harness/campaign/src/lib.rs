@@ -20,7 +20,6 @@ mod plan;
 mod promote;
 pub mod record;
 mod replay;
-mod rule;
 mod run;
 #[cfg(test)]
 mod sample;

@@ -3,8 +3,8 @@
 //! The words are those that a finding shows for its program ([`crate::Finding::rule`]): what a compiler was found to reject
 //! can be left out by the word that the finding has for it.
 
-use crate::rule::{WORDS, words};
 use stickler_exact::signatures;
+use stickler_generate::features::{Detail, NAMES, features};
 use stickler_generate::model::Program;
 use stickler_types::{DialectName, ElementaryType};
 
@@ -17,7 +17,7 @@ pub struct Without(Vec<String>);
 #[error(
     "`{0}` is nothing that can be left out; there are: the elementary types (`INT`), literals with their type (`INT#`), \
      conversion functions (`INT_TO_REAL`), implicit conversions (`INT to REAL`), and {known}",
-    known = WORDS.join(", ")
+    known = NAMES.join(", ")
 )]
 pub struct UnknownWord(String);
 
@@ -44,9 +44,9 @@ impl Without {
         if self.is_empty() {
             return true;
         }
-        let has = words(program);
-        let unwanted = |word: &String| self.0.iter().any(|other| other.eq_ignore_ascii_case(word));
-        !has.iter().any(unwanted)
+        let has = features(program, Detail::Complete);
+        let unwanted = |name: &String| self.0.iter().any(|other| other.eq_ignore_ascii_case(name));
+        !has.keys().any(unwanted)
     }
 }
 
@@ -66,7 +66,7 @@ fn is_known(word: &str) -> bool {
         let ends = upper.split_once(" TO ");
         ends.is_some_and(|(from, to)| is_type(from) && is_type(to))
     };
-    WORDS.iter().any(|known| known.eq_ignore_ascii_case(word))
+    NAMES.iter().any(|known| known.eq_ignore_ascii_case(word))
         || is_type(word.strip_suffix('#').unwrap_or(word))
         || is_function()
         || is_implicit()
@@ -79,6 +79,15 @@ mod tests {
 
     fn without(words: &[&str]) -> Result<Without, UnknownWord> {
         Without::new(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn every_feature_of_a_program_can_be_left_out() {
+        for place in 0..300 {
+            let program = Inputs::new(9).program(place, &DialectName::ALL, true);
+            let names: Vec<String> = features(&program, Detail::Complete).into_keys().collect();
+            assert_eq!(Without::new(&names).map(|_| ()), Ok(()), "at {place}");
+        }
     }
 
     #[test]

@@ -6,8 +6,8 @@
 
 use arbitrary::Unstructured;
 use std::collections::BTreeMap;
-use stickler_generate::census::census;
 use stickler_generate::evaluate::evaluate;
+use stickler_generate::features::{Detail, features};
 use stickler_generate::generator::{Settings, program};
 use stickler_generate::model::{Program, Statement, StatementKind, Target};
 use stickler_generate::oracles::Tried;
@@ -66,7 +66,7 @@ impl Measured {
                 }
             }
             measured.evaluate(&program);
-            for (construct, times) in census(&program) {
+            for (construct, times) in features(&program, Detail::Measured) {
                 let counted = measured.constructs.entry(construct).or_default();
                 counted.0 += times;
                 counted.1 += 1;

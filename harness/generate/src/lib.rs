@@ -3,9 +3,9 @@
 //! Architecture Invariant: this crate knows neither libFuzzer nor files nor threads. What is random comes from bytes.
 #![forbid(unsafe_code)]
 
-pub mod census;
 mod dialect;
 pub mod evaluate;
+pub mod features;
 pub mod generator;
 pub mod model;
 pub mod oracles;

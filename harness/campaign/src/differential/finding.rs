@@ -8,7 +8,6 @@ use super::worker::Asking;
 use crate::basis::basis;
 use crate::bench::Suspicion;
 use crate::finding::{Answer as Said, Expected, FORMAT, Finding, Observed, Origin, Standing};
-use crate::rule::rule;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::Target;
 use stickler_generate::reduce::{self, Answer, Budget, Ended};
@@ -115,7 +114,7 @@ impl Asking<'_> {
         let original = Subject::new(start.clone())
             .map(|subject| subject.text)
             .unwrap_or_default();
-        let rule = rule(&program);
+        let rule = stickler_generate::features::distinctive(&program);
         let basis = basis(&program);
         let dialect = program.dialect;
         let (text, expected, outcomes, message) = match Subject::new(program) {

@@ -11,7 +11,8 @@ mod renumber;
 use super::comparison::Question;
 use super::subject::Subject;
 use renumber::Shift;
-use stickler_generate::model::walk::walk_program;
+use stickler_generate::model::visit::bodies;
+use stickler_generate::model::visit_mut::walk_program;
 use stickler_generate::model::{Declared, Main, Program, Statement, StatementKind};
 use stickler_generate::writer::{Style, write};
 use stickler_types::{DialectName, Value};
@@ -104,18 +105,9 @@ fn append(all: &mut Program, mut program: Program, prefix: &str) {
 }
 
 fn returns(statements: &[Statement]) -> bool {
-    statements.iter().any(|statement| match &statement.kind {
-        StatementKind::Return | StatementKind::Raw(_) => true,
-        StatementKind::If(branches, other) => {
-            branches.iter().any(|(_, body)| returns(body)) || other.as_deref().is_some_and(returns)
-        }
-        StatementKind::Case(_, branches, other) => {
-            branches.iter().any(|branch| returns(&branch.body)) || other.as_deref().is_some_and(returns)
-        }
-        StatementKind::For { body, .. } | StatementKind::While(_, body) | StatementKind::Repeat(body, _) => {
-            returns(body)
-        }
-        StatementKind::Assign(..) | StatementKind::Invoke { .. } | StatementKind::Exit => false,
+    statements.iter().any(|statement| {
+        matches!(statement.kind, StatementKind::Return | StatementKind::Raw(_))
+            || bodies(statement).into_iter().any(|body| returns(body))
     })
 }
 

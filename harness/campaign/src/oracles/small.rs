@@ -5,7 +5,6 @@ use super::planted::{self, SmallPlant};
 use crate::basis::basis;
 use crate::differential::{Subject, expected};
 use crate::finding::Expected;
-use crate::rule::rule;
 use crate::shrink;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use stickler_generate::model::Program;
@@ -106,7 +105,7 @@ impl Small {
         Small {
             smallest: reduced.ended == Ended::Smallest,
             tries: self.tries.saturating_add(reduced.tries),
-            rule: rule(&reduced.value),
+            rule: stickler_generate::features::distinctive(&reduced.value),
             dialect: Some(reduced.value.dialect),
             expected,
             failure: failure.or(self.failure),

@@ -1,6 +1,8 @@
 //! Questions that every reader of a program asks: what an alias stands for, which fields a structure has, what is observed.
 
-use super::{ArrayType, Declared, Expression, Function, Program, Section, Type, Variable, VariableId};
+use super::{
+    ArrayType, Declared, Expression, Function, Program, Section, Selector, Type, Unit, Variable, VariableId,
+};
 use stickler_types::ElementaryType;
 
 impl Program {
@@ -32,6 +34,20 @@ impl Program {
         let Type::Declared(declared) = ty else { return None };
         match &self.types.get(*declared)?.kind {
             Declared::Enumeration(names) => Some(names),
+            _ => None,
+        }
+    }
+
+    /// Returns the type of what a selector selects of something of type `ty`; `None` if the type has no such part.
+    #[must_use]
+    pub fn selected_type<'t>(&'t self, ty: &'t Type, selector: &Selector) -> Option<&'t Type> {
+        match (selector, self.unaliased(ty)) {
+            (Selector::Index(_), Type::Array(array)) => Some(&array.element),
+            (Selector::Field(field), ty) => self.fields(ty)?.get(*field).map(|(_, ty, _)| ty),
+            (Selector::Output(output), Type::Block(block)) => {
+                let output = Unit::Block(*block).variables(self).get(output.0)?;
+                Some(&output.ty)
+            }
             _ => None,
         }
     }

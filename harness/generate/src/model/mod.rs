@@ -10,7 +10,7 @@ mod program;
 mod statement;
 mod types;
 mod unit;
-pub mod walk;
+mod visitor;
 
 pub use expression::{
     Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Selector, StandardFunction,
@@ -21,3 +21,4 @@ pub use program::{Block, Function, Initial, Main, Program, Section, Variable, Va
 pub use statement::{CaseBranch, CaseLabel, Statement, StatementKind, Target};
 pub use types::{ArrayType, Declared, Type, TypeDeclaration};
 pub use unit::Unit;
+pub use visitor::{visit, visit_mut};

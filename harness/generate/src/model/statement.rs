@@ -54,6 +54,17 @@ pub enum StatementKind {
     Raw(String),
 }
 
+impl Statement {
+    /// Returns whether the statement is FOR, WHILE or REPEAT.
+    #[must_use]
+    pub const fn is_loop(&self) -> bool {
+        matches!(
+            self.kind,
+            StatementKind::For { .. } | StatementKind::While(..) | StatementKind::Repeat(..)
+        )
+    }
+}
+
 /// What an assignment writes to.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Target {

@@ -1,6 +1,7 @@
 //! What can be said where: the units of a program, the variables that they see, and the types of what is written there.
 
 use crate::dialect::has_third_edition;
+use crate::model::visit::bodies;
 use crate::model::{
     ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Selector,
     StandardFunction, StatementKind, Type, Unit, VariableId,
@@ -26,19 +27,6 @@ pub(super) fn element_and_limits<'p>(
             Some((element, dimensions))
         }
         _ => None,
-    }
-}
-
-/// The type of what a selector selects.
-pub(super) fn selected_type<'p>(program: &'p Program, ty: &'p Type, selector: &Selector) -> Option<&'p Type> {
-    match selector {
-        Selector::Index(_) => element_and_limits(program, ty).map(|(element, _)| element),
-        Selector::Field(number) => program.fields(ty)?.get(*number).map(|(_, ty, _)| ty),
-        Selector::Output(id) => {
-            let Type::Block(block) = ty else { return None };
-            let output = Unit::Block(*block).variables(program).get(id.0)?;
-            Some(&output.ty)
-        }
     }
 }
 
@@ -175,30 +163,12 @@ pub(super) fn integer(value: i64) -> Expression {
 /// The variables that a unit's FOR statements control.
 fn controlled(program: &Program, unit: Unit) -> Vec<VariableId> {
     let mut found = Vec::new();
-    let body = match unit {
-        Unit::Types => return found,
-        Unit::Function(number) => program.functions.get(number).map(|function| &function.body),
-        Unit::Block(number) => program.blocks.get(number).map(|block| &block.body),
-        Unit::Main => Some(&program.main.body),
-    };
-    let mut waiting: Vec<_> = body.into_iter().flatten().collect();
+    let mut waiting: Vec<_> = unit.body(program).iter().collect();
     while let Some(statement) = waiting.pop() {
-        match &statement.kind {
-            StatementKind::For { variable, body, .. } => {
-                found.push(*variable);
-                waiting.extend(body);
-            }
-            StatementKind::If(branches, otherwise) => {
-                waiting.extend(branches.iter().flat_map(|(_, body)| body));
-                waiting.extend(otherwise.iter().flatten());
-            }
-            StatementKind::Case(_, branches, otherwise) => {
-                waiting.extend(branches.iter().flat_map(|branch| &branch.body));
-                waiting.extend(otherwise.iter().flatten());
-            }
-            StatementKind::While(_, body) | StatementKind::Repeat(body, _) => waiting.extend(body),
-            _ => {}
+        if let StatementKind::For { variable, .. } = &statement.kind {
+            found.push(*variable);
         }
+        waiting.extend(bodies(statement).into_iter().flatten());
     }
     found
 }

@@ -1,7 +1,8 @@
 //! The places of a program where something can be planted: every expression with what is expected of it, and every list of
 //! statements.
 
-use super::scope::{element_and_limits, selected_type, written};
+use super::scope::{element_and_limits, written};
+use crate::model::visit_mut::bodies;
 use crate::model::{
     Argument, BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program,
     Section, Selector, StandardFunction, Statement, StatementKind, Target, Type, UnaryOperator, Unit,
@@ -82,29 +83,21 @@ pub(super) fn expressions(
             }
         }
     }
-    for (number, function) in copy.functions.iter_mut().enumerate() {
-        let walk = walk(Unit::Function(number));
-        walk.initial_values(&mut function.variables, visit);
-        walk.statements(&mut function.body, visit);
+    for unit in Unit::all(copy) {
+        if let Some((variables, body)) = unit.parts_mut(copy) {
+            walk(unit).initial_values(variables, visit);
+            walk(unit).statements(body, visit);
+        }
     }
-    for (number, block) in copy.blocks.iter_mut().enumerate() {
-        let walk = walk(Unit::Block(number));
-        walk.initial_values(&mut block.variables, visit);
-        walk.statements(&mut block.body, visit);
-    }
-    walk(Unit::Main).initial_values(&mut copy.main.variables, visit);
-    walk(Unit::Main).statements(&mut copy.main.body, visit);
 }
 
 /// Visits every list of statements, with whether it stands in a loop; an outer list before those in it.
 pub(super) fn lists(copy: &mut Program, visit: &mut dyn FnMut(Unit, bool, &mut Vec<Statement>)) {
-    for (number, function) in copy.functions.iter_mut().enumerate() {
-        list(Unit::Function(number), false, &mut function.body, visit);
+    for unit in Unit::all(copy) {
+        if let Some((_, body)) = unit.parts_mut(copy) {
+            list(unit, false, body, visit);
+        }
     }
-    for (number, block) in copy.blocks.iter_mut().enumerate() {
-        list(Unit::Block(number), false, &mut block.body, visit);
-    }
-    list(Unit::Main, false, &mut copy.main.body, visit);
 }
 
 fn list(
@@ -115,29 +108,9 @@ fn list(
 ) {
     visit(unit, in_loop, statements);
     for statement in statements {
-        match &mut statement.kind {
-            StatementKind::If(branches, otherwise) => {
-                let bodies = branches.iter_mut().map(|(_, body)| body);
-                for body in bodies.chain(otherwise.as_mut()) {
-                    list(unit, in_loop, body, visit);
-                }
-            }
-            StatementKind::Case(_, branches, otherwise) => {
-                let bodies = branches.iter_mut().map(|branch| &mut branch.body);
-                for body in bodies.chain(otherwise.as_mut()) {
-                    list(unit, in_loop, body, visit);
-                }
-            }
-            StatementKind::For { body, .. }
-            | StatementKind::While(_, body)
-            | StatementKind::Repeat(body, _) => {
-                list(unit, true, body, visit);
-            }
-            StatementKind::Assign(..)
-            | StatementKind::Invoke { .. }
-            | StatementKind::Exit
-            | StatementKind::Return
-            | StatementKind::Raw(_) => {}
+        let in_loop = in_loop || statement.is_loop();
+        for body in bodies(statement) {
+            list(unit, in_loop, body, visit);
         }
     }
 }
@@ -284,7 +257,7 @@ impl<'p> Walk<'p> {
                     self.expression(subscript, Context::Subscript(low, high), visit);
                 }
             }
-            within = within.and_then(|ty| selected_type(self.program, ty, selector));
+            within = within.and_then(|ty| self.program.selected_type(ty, selector));
         }
     }
 

@@ -1,6 +1,7 @@
 //! Loops: FOR turn after turn, and the first turn of the others in front of them.
 
 use super::walk::{bodies, has_loose_exit, lists};
+use crate::model::visit::bodies as bodies_of;
 use crate::model::{
     Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind, Target, Type,
     UnaryOperator, Variable, VariableId,
@@ -126,21 +127,13 @@ fn of_kind(kind: StatementKind) -> Statement {
     Statement { kind }
 }
 
-/// How many statements these are, those inside them counted too.
+/// Counts statements, including those inside them.
 fn size(statements: &[Statement]) -> usize {
-    let inside = |statement: &Statement| match &statement.kind {
-        StatementKind::If(branches, otherwise) => {
-            branches.iter().map(|(_, body)| size(body)).sum::<usize>()
-                + size(otherwise.as_deref().unwrap_or_default())
-        }
-        StatementKind::Case(_, branches, otherwise) => {
-            branches.iter().map(|branch| size(&branch.body)).sum::<usize>()
-                + size(otherwise.as_deref().unwrap_or_default())
-        }
-        StatementKind::For { body, .. } | StatementKind::While(_, body) | StatementKind::Repeat(body, _) => {
-            size(body)
-        }
-        _ => 0,
+    let inside = |statement| {
+        bodies_of(statement)
+            .into_iter()
+            .map(|body| size(body))
+            .sum::<usize>()
     };
     statements.iter().map(|statement| 1 + inside(statement)).sum()
 }

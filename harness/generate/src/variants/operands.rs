@@ -1,6 +1,7 @@
 //! Operands: the other way round, or in variables of their own.
 
 use super::walk::{Body, FreeNames, bodies, expressions, lists, variable};
+use crate::model::visit_mut::operands;
 use crate::model::{
     BinaryOperator, Expression, ExpressionKind, Place, Program, Section, Statement, StatementKind, Target,
     VariableId,
@@ -69,20 +70,6 @@ pub(super) fn split(program: &mut Program, random: &mut Random<'_, '_>) -> usize
         *body.statements = statements;
     }
     count
-}
-
-fn operands(value: &mut Expression) -> Vec<&mut Expression> {
-    match &mut value.kind {
-        ExpressionKind::Unary(_, operand)
-        | ExpressionKind::Widen(operand)
-        | ExpressionKind::Convert(_, operand) => vec![operand],
-        ExpressionKind::Binary(_, left, right) => vec![left, right],
-        ExpressionKind::Call(_, arguments) => {
-            arguments.iter_mut().map(|argument| &mut argument.value).collect()
-        }
-        ExpressionKind::Standard(_, arguments) => arguments.iter_mut().collect(),
-        _ => Vec::new(),
-    }
 }
 
 const fn is_worth_a_variable(operand: &Expression) -> bool {

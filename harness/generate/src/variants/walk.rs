@@ -1,8 +1,8 @@
 //! The parts of a program that variants change: its bodies, their statement lists and expressions, and names that are free.
 
-use crate::model::walk::{Visitor, walk_expression, walk_statements};
+use crate::model::visit_mut::{self, VisitorMut, walk_expression, walk_statements};
 use crate::model::{
-    Declared, Expression, Place, Program, Section, Statement, StatementKind, Type, Variable, VariableId,
+    Declared, Expression, Program, Section, Statement, StatementKind, Type, Unit, Variable, VariableId, visit,
 };
 use std::collections::HashSet;
 
@@ -61,10 +61,10 @@ impl FreeNames {
         }
         program.functions.iter().for_each(|function| take(&function.name));
         program.blocks.iter().for_each(|block| take(&block.name));
-        let variables = program.functions.iter().map(|function| &function.variables);
-        let variables = variables.chain(program.blocks.iter().map(|block| &block.variables));
-        for variable in variables.chain([&program.main.variables]).flatten() {
-            take(&variable.name);
+        for unit in Unit::all(program) {
+            unit.variables(program)
+                .iter()
+                .for_each(|variable| take(&variable.name));
         }
         FreeNames { taken, next: 0 }
     }
@@ -99,7 +99,7 @@ pub(super) fn expressions(statements: &mut [Statement], visit: &mut dyn FnMut(&m
 
 struct Expressions<'v>(&'v mut dyn FnMut(&mut Expression));
 
-impl Visitor for Expressions<'_> {
+impl VisitorMut for Expressions<'_> {
     fn expression(&mut self, expression: &mut Expression) {
         walk_expression(self, expression);
         (self.0)(expression);
@@ -110,37 +110,17 @@ impl Visitor for Expressions<'_> {
 
 /// Shows every list of statements in a list, the inner ones before the outer, and the list itself last.
 pub(super) fn lists(statements: &mut Vec<Statement>, visit: &mut dyn FnMut(&mut Vec<Statement>)) {
-    Lists(visit).statements(statements);
-}
-
-struct Lists<'v>(&'v mut dyn FnMut(&mut Vec<Statement>));
-
-impl Visitor for Lists<'_> {
-    fn statements(&mut self, statements: &mut Vec<Statement>) {
-        walk_statements(self, statements);
-        (self.0)(statements);
+    for list in statements.iter_mut().flat_map(visit_mut::bodies) {
+        lists(list, visit);
     }
-
-    // No statements stand in these.
-    fn expression(&mut self, _: &mut Expression) {}
-
-    fn literal(&mut self, _: &mut Expression) {}
-
-    fn place(&mut self, _: &mut Place) {}
+    visit(statements);
 }
 
 /// Whether an EXIT in these statements would leave a loop around them.
 pub(super) fn has_loose_exit(statements: &[Statement]) -> bool {
-    statements.iter().any(|statement| match &statement.kind {
-        StatementKind::Exit => true,
-        StatementKind::If(branches, otherwise) => {
-            branches.iter().any(|(_, body)| has_loose_exit(body))
-                || has_loose_exit(otherwise.as_deref().unwrap_or_default())
-        }
-        StatementKind::Case(_, branches, otherwise) => {
-            branches.iter().any(|branch| has_loose_exit(&branch.body))
-                || has_loose_exit(otherwise.as_deref().unwrap_or_default())
-        }
-        _ => false,
+    statements.iter().any(|statement| {
+        let mut inner = visit::bodies(statement).into_iter();
+        matches!(statement.kind, StatementKind::Exit)
+            || !statement.is_loop() && inner.any(|body| has_loose_exit(body))
     })
 }

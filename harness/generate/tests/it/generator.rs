@@ -4,8 +4,8 @@
 use arbitrary::Unstructured;
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_exact::{Word, expected, functions, implicit, signatures};
-use stickler_generate::census::census;
 use stickler_generate::evaluate::evaluate;
+use stickler_generate::features::{Detail, features};
 use stickler_generate::generator::{Settings, program};
 use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
@@ -114,12 +114,12 @@ fn what_is_open_is_used_only_when_asked_for() {
         };
         program(&mut Unstructured::new(&bytes(seed)), &settings)
     };
-    let has_bits = |program: &Program| census(program).contains_key("bit read");
+    let has_bits = |program: &Program| features(program, Detail::Measured).contains_key("bit read");
     assert!((0..200).any(|seed| has_bits(&open(seed))));
     assert!(!(0..200).any(|seed| has_bits(&made(DialectName::Plcnext, seed))));
 }
 
-/// Everything that programs of a dialect must have, by the names of the census.
+/// Everything that programs of a dialect must have, by the names of its features.
 fn demanded(dialect: DialectName) -> Vec<String> {
     let third_edition = !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec);
     let has = |ty: &ElementaryType| {
@@ -131,33 +131,25 @@ fn demanded(dialect: DialectName) -> Vec<String> {
     for &ty in &types {
         demanded.push(format!("variable {ty}"));
         demanded.push(format!("read {ty}"));
-        demanded.push(format!("literal {ty} with its type"));
-        demanded.push(format!("operator = of {ty}"));
+        demanded.push(format!("{ty}#"));
+        demanded.push(format!("= of {ty}"));
         let arithmetic: &[&str] = match ty {
             _ if ty.is_integer() => &["+", "-", "*", "/", "MOD", "<", "<>"],
             _ if ty.is_real() => &["+", "-", "*", "/", "<", "<>"],
             _ if ty.is_bit_string() => &["AND", "OR", "XOR", "<"],
             _ => &[],
         };
-        demanded.extend(
-            arithmetic
-                .iter()
-                .map(|operator| format!("operator {operator} of {ty}")),
-        );
+        demanded.extend(arithmetic.iter().map(|operator| format!("{operator} of {ty}")));
         for &from in &types {
             if from != ty && implicit(from, ty, dialect) == Word::Yes {
-                demanded.push(format!("widen {from} to {ty}"));
+                demanded.push(format!("{from} to {ty}"));
             }
         }
     }
     if !matches!(dialect, DialectName::Matiec | DialectName::Plcnext) {
         demanded.extend(["bit read", "bit written"].map(str::to_owned));
     }
-    demanded.extend(
-        settled_functions(dialect)
-            .into_iter()
-            .map(|name| format!("convert {name}")),
-    );
+    demanded.extend(settled_functions(dialect));
     demanded
 }
 
@@ -181,72 +173,72 @@ fn settled_functions(dialect: DialectName) -> Vec<String> {
 }
 
 const ALWAYS: [&str; 66] = [
-    "function",
-    "function block",
+    "FUNCTION",
+    "FUNCTION_BLOCK",
     "enumeration",
-    "structure",
+    "STRUCT",
     "alias",
     "variable alias",
     "variable instance",
     "variable structure",
     "variable enumeration",
-    "variable ARRAY of 1 dimensions",
+    "variable ARRAY of 1 dimension",
     "variable ARRAY of 2 dimensions",
-    "variable ARRAY of 3 dimensions",
+    "variable ARRAY of 3 or more dimensions",
     "field structure",
     "field enumeration",
-    "field ARRAY of 1 dimensions",
+    "field ARRAY of 1 dimension",
     "element structure",
     "element enumeration",
-    "section VAR",
-    "section VAR CONSTANT",
-    "section VAR_INPUT",
-    "section VAR_OUTPUT",
-    "section VAR_IN_OUT",
+    "VAR",
+    "CONSTANT",
+    "VAR_INPUT",
+    "VAR_OUTPUT",
+    "VAR_IN_OUT",
     "initial value",
     "initial value of a field",
-    "initial value of an array",
-    "initial value of a structure",
-    "statement assignment",
-    "statement IF",
+    "initial array",
+    "initial structure",
+    "assignment",
+    "IF",
     "ELSIF",
     "ELSE of IF",
-    "statement CASE",
+    "CASE",
     "ELSE of CASE",
     "label",
-    "label ..",
-    "statement FOR",
+    "CASE ..",
+    "FOR",
     "BY",
-    "statement WHILE",
-    "statement REPEAT",
-    "statement EXIT",
-    "statement RETURN",
-    "statement call of a function block",
-    "argument of a function block",
-    "output =>",
-    "output of an instance",
-    "result assigned",
-    "call of a function",
-    "read a structure",
-    "read an array",
-    "read an enumeration",
+    "WHILE",
+    "REPEAT",
+    "EXIT",
+    "RETURN",
+    "invocation",
+    "argument of an invocation",
+    "=>",
+    ".output",
+    "result",
+    "call",
+    "read structure",
+    "read ARRAY of 1 dimension",
+    "read enumeration",
     "enumerated value",
-    "element",
-    "field selected",
-    "operator NOT BOOL",
-    "operator - before INT",
-    "operator = of an enumeration",
-    "literal INT without its type",
-    "standard ABS",
-    "standard SEL",
-    "standard MUX",
-    "standard MIN",
-    "standard MAX",
-    "standard LIMIT",
-    "standard SHL",
-    "standard SHR",
-    "standard LEN",
-    "standard CONCAT",
+    "[]",
+    ".field",
+    "NOT of BOOL",
+    "negation of INT",
+    "= of enumeration",
+    "INT literal without its type",
+    "ABS",
+    "SEL",
+    "MUX",
+    "MIN",
+    "MAX",
+    "LIMIT",
+    "SHL",
+    "SHR",
+    "LEN",
+    "CONCAT",
 ];
 
 #[test]
@@ -256,7 +248,7 @@ fn every_construct_occurs_in_some_of_the_programs() {
     for dialect in DialectName::ALL {
         let mut missing: BTreeSet<String> = demanded(dialect).into_iter().collect();
         for seed in 0..PROGRAMS {
-            for construct in census(&made(dialect, seed)).into_keys() {
+            for construct in features(&made(dialect, seed), Detail::Measured).into_keys() {
                 missing.remove(&construct);
             }
             if missing.is_empty() {

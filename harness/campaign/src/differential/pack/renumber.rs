@@ -1,7 +1,11 @@
 //! The numbers by which a program refers to its parts, moved behind those of another.
 
-use stickler_generate::model::walk::{Unit, Visitor, walk_expression, walk_place, walk_statement, walk_type};
-use stickler_generate::model::{Expression, ExpressionKind, Place, Program, Statement, StatementKind, Type};
+use stickler_generate::model::visit_mut::{
+    VisitorMut, walk_expression, walk_place, walk_statement, walk_type,
+};
+use stickler_generate::model::{
+    Expression, ExpressionKind, Place, Program, Statement, StatementKind, Type, Unit,
+};
 
 /// How far each kind of number moves.
 pub(super) struct Shift {
@@ -30,7 +34,7 @@ impl Shift {
     }
 }
 
-impl Visitor for Shift {
+impl VisitorMut for Shift {
     fn enter(&mut self, unit: Unit) {
         self.in_main = unit == Unit::Main;
     }

@@ -2,7 +2,10 @@
 
 use super::plain::{Step, literal_kind, plainest};
 use super::usage::instance_of;
-use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_variable};
+use crate::model::visit::operands;
+use crate::model::visit_mut::{
+    VisitorMut, walk_expression, walk_place, walk_program, walk_statement, walk_variable,
+};
 use crate::model::{
     Argument, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Statement,
     StatementKind, Target, Type, Unit, Variable, VariableId,
@@ -40,18 +43,7 @@ pub(super) fn to_third_operand(program: &mut Program, sites: &mut Sites) {
 
 /// The operand of the same type as the whole, counted among those.
 fn operand(expression: &Expression, which: usize) -> Option<Expression> {
-    let operands: Vec<&Expression> = match &expression.kind {
-        ExpressionKind::Unary(_, operand)
-        | ExpressionKind::Widen(operand)
-        | ExpressionKind::Convert(_, operand) => {
-            vec![operand]
-        }
-        ExpressionKind::Binary(_, left, right) => vec![left, right],
-        ExpressionKind::Call(_, arguments) => arguments.iter().map(|argument| &argument.value).collect(),
-        ExpressionKind::Standard(_, arguments) => arguments.iter().collect(),
-        _ => Vec::new(),
-    };
-    operands
+    operands(expression)
         .into_iter()
         .filter(|operand| operand.ty == expression.ty)
         .nth(which)
@@ -93,7 +85,7 @@ struct Replacer<'p, 's, F> {
     with: F,
 }
 
-impl<F: FnMut(&Expression, &Program) -> Option<Expression>> Visitor for Replacer<'_, '_, F> {
+impl<F: FnMut(&Expression, &Program) -> Option<Expression>> VisitorMut for Replacer<'_, '_, F> {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
     }
@@ -115,7 +107,7 @@ impl<F: FnMut(&Expression, &Program) -> Option<Expression>> Visitor for Replacer
 
 /// An argument of a call of a function block: what stands behind an in-out stays a variable, and only its subscripts may change.
 pub(super) fn walk_input(
-    visitor: &mut impl Visitor,
+    visitor: &mut impl VisitorMut,
     program: &Program,
     unit: Unit,
     instance: VariableId,
@@ -199,7 +191,7 @@ pub(super) fn drop_prefixes(program: &mut Program, sites: &mut Sites) {
             }
         }
     }
-    impl Visitor for Prefixes<'_> {
+    impl VisitorMut for Prefixes<'_> {
         fn statement(&mut self, statement: &mut Statement) {
             if let StatementKind::Assign(Target::Place(Place { .. }) | Target::Result, value) =
                 &mut statement.kind

@@ -4,10 +4,8 @@ use super::expressions::is_in_out;
 use super::plain::plainest;
 use super::statements::drop_exits;
 use super::usage::{Usage, instance_of};
-use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_statements};
-use crate::model::{
-    Argument, Expression, ExpressionKind, Place, Program, Statement, StatementKind, Target, Unit, VariableId,
-};
+use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program, walk_statement, walk_statements};
+use crate::model::{Expression, ExpressionKind, Program, Statement, StatementKind, Target, Unit, VariableId};
 use crate::reduce::Sites;
 use std::mem;
 
@@ -59,12 +57,11 @@ struct Forget<'p> {
 }
 
 impl Forget<'_> {
-    fn forgets(&mut self, variable: VariableId) -> bool {
-        let variables = self.forgotten.variables(self.unit);
-        variables.is_some_and(|variables| variables.get(variable.0) == Some(&true))
+    fn forgets(&self, variable: VariableId) -> bool {
+        self.forgotten.variables(self.unit).get(variable.0) == Some(&true)
     }
 
-    fn forgets_target(&mut self, target: &Target) -> bool {
+    fn forgets_target(&self, target: &Target) -> bool {
         match target {
             Target::Place(place) | Target::Bit(place, _) => self.forgets(place.variable),
             Target::Result => false,
@@ -72,7 +69,7 @@ impl Forget<'_> {
     }
 
     /// Whether a statement goes for what it writes, before anything in it is looked at.
-    fn writes(&mut self, statement: &Statement) -> bool {
+    fn writes(&self, statement: &Statement) -> bool {
         match &statement.kind {
             StatementKind::Assign(target, _) => self.forgets_target(target),
             StatementKind::Invoke { instance, inputs, .. } => {
@@ -88,7 +85,7 @@ impl Forget<'_> {
     }
 }
 
-impl Visitor for Forget<'_> {
+impl VisitorMut for Forget<'_> {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
     }
@@ -132,13 +129,5 @@ impl Visitor for Forget<'_> {
             return;
         }
         walk_expression(self, expression);
-    }
-
-    fn input(&mut self, _: VariableId, argument: &mut Argument) {
-        self.expression(&mut argument.value);
-    }
-
-    fn place(&mut self, place: &mut Place) {
-        walk_place(self, place);
     }
 }

@@ -1,12 +1,13 @@
 //! Values taken out of where they stand: of conditions into variables of their own, of variables into what reads them.
 
-use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_statements};
+use crate::model::visit::{self, Visitor};
+use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{
     Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement, StatementKind, Target, Type,
     Unit, Variable, VariableId,
 };
 use crate::reduce::Sites;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::mem;
 use stickler_types::{ElementaryType, Value};
 
@@ -48,7 +49,7 @@ impl Hoist<'_> {
     }
 }
 
-impl Visitor for Hoist<'_> {
+impl VisitorMut for Hoist<'_> {
     fn statements(&mut self, statements: &mut Vec<Statement>) {
         for statement in &mut *statements {
             let chosen = values(statement).into_iter().find(|_| self.sites.here());
@@ -56,7 +57,7 @@ impl Visitor for Hoist<'_> {
                 *statement = self.assignment(value);
             }
         }
-        walk_statements(self, statements);
+        visit_mut::walk_statements(self, statements);
     }
 }
 
@@ -70,7 +71,7 @@ fn values(statement: &Statement) -> Vec<Expression> {
     };
     let mut parts = Parts(Vec::new());
     for head in heads {
-        parts.expression(&mut head.clone());
+        parts.expression(head);
     }
     parts.0
 }
@@ -78,7 +79,7 @@ fn values(statement: &Statement) -> Vec<Expression> {
 struct Parts(Vec<Expression>);
 
 impl Visitor for Parts {
-    fn expression(&mut self, expression: &mut Expression) {
+    fn expression(&mut self, expression: &Expression) {
         let computed = !matches!(
             expression.kind,
             ExpressionKind::Literal(..)
@@ -89,40 +90,30 @@ impl Visitor for Parts {
         if computed && matches!(expression.ty, Type::Elementary(_)) {
             self.0.push(expression.clone());
         }
-        walk_expression(self, expression);
+        visit::walk_expression(self, expression);
     }
 }
 
 /// Puts what is assigned to a variable, where that is done once, in the place of every value that is read of it.
 pub(super) fn propagate(program: &mut Program, sites: &mut Sites) {
     let mut assigned = Assigned {
-        values: HashMap::new(),
+        values: BTreeMap::new(),
         unit: Unit::Main,
     };
-    walk_program(&mut assigned, &mut program.clone());
-    let mut values: Vec<_> = assigned.values.into_iter().collect();
-    values.sort_by_key(|((unit, variable), _)| (order(*unit), *variable));
-    let chosen = values
+    visit::walk_program(&mut assigned, program);
+    let chosen = assigned
+        .values
         .into_iter()
         .filter_map(|(place, value)| Some((place, value?)))
         .filter(|_| sites.here())
         .collect();
     let unit = Unit::Main;
-    walk_program(&mut Propagate { chosen, unit }, program);
-}
-
-const fn order(unit: Unit) -> (u8, usize) {
-    match unit {
-        Unit::Main => (0, 0),
-        Unit::Function(index) => (1, index),
-        Unit::Block(index) => (2, index),
-        Unit::Types => (3, 0),
-    }
+    visit_mut::walk_program(&mut Propagate { chosen, unit }, program);
 }
 
 /// What each variable is assigned as a whole; `None` where that is done more than once, or with a value that reads it.
 struct Assigned {
-    values: HashMap<(Unit, VariableId), Option<Expression>>,
+    values: BTreeMap<(Unit, VariableId), Option<Expression>>,
     unit: Unit,
 }
 
@@ -131,17 +122,17 @@ impl Visitor for Assigned {
         self.unit = unit;
     }
 
-    fn statement(&mut self, statement: &mut Statement) {
+    fn statement(&mut self, statement: &Statement) {
         if let Some((variable, value)) = whole_assignment(statement) {
             let mut reads = Reads(variable, false);
-            reads.expression(&mut value.clone());
+            reads.expression(value);
             let once = (!reads.1).then(|| value.clone());
             self.values
                 .entry((self.unit, variable))
                 .and_modify(|known| *known = None)
                 .or_insert(once);
         }
-        walk_statement(self, statement);
+        visit::walk_statement(self, statement);
     }
 }
 
@@ -158,18 +149,18 @@ fn whole_assignment(statement: &Statement) -> Option<(VariableId, &Expression)> 
 struct Reads(VariableId, bool);
 
 impl Visitor for Reads {
-    fn place(&mut self, place: &mut Place) {
+    fn place(&mut self, place: &Place) {
         self.1 |= place.variable == self.0;
-        walk_place(self, place);
+        visit::walk_place(self, place);
     }
 }
 
 struct Propagate {
-    chosen: HashMap<(Unit, VariableId), Expression>,
+    chosen: BTreeMap<(Unit, VariableId), Expression>,
     unit: Unit,
 }
 
-impl Visitor for Propagate {
+impl VisitorMut for Propagate {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
     }
@@ -179,7 +170,7 @@ impl Visitor for Propagate {
             whole_assignment(statement)
                 .is_none_or(|(variable, _)| !self.chosen.contains_key(&(self.unit, variable)))
         });
-        walk_statements(self, statements);
+        visit_mut::walk_statements(self, statements);
     }
 
     fn expression(&mut self, expression: &mut Expression) {
@@ -190,14 +181,14 @@ impl Visitor for Propagate {
             *expression = value.clone();
             return;
         }
-        walk_expression(self, expression);
+        visit_mut::walk_expression(self, expression);
     }
 }
 
 /// Ends each REPEAT after its first turn. Code that is not run may say anything there; once it is run, it should end.
 pub(super) fn end_repeats(program: &mut Program, sites: &mut Sites) {
     struct Repeats<'s>(&'s mut Sites);
-    impl Visitor for Repeats<'_> {
+    impl VisitorMut for Repeats<'_> {
         fn statement(&mut self, statement: &mut Statement) {
             if let StatementKind::Repeat(_, until) = &mut statement.kind
                 && !is_true(until)
@@ -206,10 +197,10 @@ pub(super) fn end_repeats(program: &mut Program, sites: &mut Sites) {
                 let yes = Value::plain(ElementaryType::Bool, 1);
                 until.kind = ExpressionKind::Literal(yes, LiteralForm::Untyped);
             }
-            walk_statement(self, statement);
+            visit_mut::walk_statement(self, statement);
         }
     }
-    walk_program(&mut Repeats(sites), program);
+    visit_mut::walk_program(&mut Repeats(sites), program);
 }
 
 /// Whether an expression is TRUE.

@@ -21,6 +21,4 @@ mod usage;
 mod values;
 mod weight;
 
-use crate::model::walk;
-
 pub use method::program;

@@ -2,7 +2,8 @@
 
 use super::removal::keep_only;
 use super::usage::Usage;
-use super::walk::{Visitor, walk_expression, walk_program, walk_statement, walk_type};
+use crate::model::visit::{self, Visitor};
+use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{
     Argument, Declared, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Statement,
     StatementKind, Target, Type, Variable, VariableId,
@@ -47,7 +48,7 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
                 .collect(),
             arguments: Vec::new(),
         };
-        calls.statements(&mut program.main.body);
+        calls.statements(&program.main.body);
         for argument in calls.arguments {
             if let Some(variable) = variables.get_mut(argument.parameter.0) {
                 variable.initial = Some(Initial::Expression(argument.value));
@@ -100,23 +101,23 @@ impl Calls {
 }
 
 impl Visitor for Calls {
-    fn statement(&mut self, statement: &mut Statement) {
+    fn statement(&mut self, statement: &Statement) {
         if let StatementKind::Invoke { instance, inputs, .. } = &statement.kind
             && let Some(Type::Block(block)) = self.instances.get(instance.0)
             && block + self.functions == self.unit
         {
             self.take(inputs);
         }
-        walk_statement(self, statement);
+        visit::walk_statement(self, statement);
     }
 
-    fn expression(&mut self, expression: &mut Expression) {
+    fn expression(&mut self, expression: &Expression) {
         if let ExpressionKind::Call(function, arguments) = &expression.kind
             && *function == self.unit
         {
             self.take(arguments);
         }
-        walk_expression(self, expression);
+        visit::walk_expression(self, expression);
     }
 }
 
@@ -130,14 +131,14 @@ fn free_name(variables: &[Variable]) -> Option<String> {
 /// Assigns what was the result of a function to a variable.
 struct Results(Place);
 
-impl Visitor for Results {
+impl VisitorMut for Results {
     fn statement(&mut self, statement: &mut Statement) {
         if let StatementKind::Assign(target, _) = &mut statement.kind
             && *target == Target::Result
         {
             *target = Target::Place(self.0.clone());
         }
-        walk_statement(self, statement);
+        visit_mut::walk_statement(self, statement);
     }
 }
 
@@ -152,7 +153,7 @@ pub(super) fn enumerations_to_numbers(program: &mut Program, sites: &mut Sites) 
         .map(|declaration| matches!(declaration.kind, Declared::Enumeration(_)) && sites.here())
         .collect();
     if chosen.contains(&true) {
-        walk_program(&mut Numbers(chosen), program);
+        visit_mut::walk_program(&mut Numbers(chosen), program);
     }
 }
 
@@ -164,7 +165,7 @@ impl Numbers {
     }
 }
 
-impl Visitor for Numbers {
+impl VisitorMut for Numbers {
     fn expression(&mut self, expression: &mut Expression) {
         if let ExpressionKind::Enumerated(which) = expression.kind
             && self.has(&expression.ty)
@@ -172,7 +173,7 @@ impl Visitor for Numbers {
             let value = Value::plain(ElementaryType::Lint, which as u64);
             expression.kind = ExpressionKind::Literal(value, LiteralForm::Typed);
         }
-        walk_expression(self, expression);
+        visit_mut::walk_expression(self, expression);
     }
 
     fn literal(&mut self, expression: &mut Expression) {
@@ -183,6 +184,6 @@ impl Visitor for Numbers {
         if self.has(ty) {
             *ty = Type::Elementary(ElementaryType::Lint);
         }
-        walk_type(self, ty);
+        visit_mut::walk_type(self, ty);
     }
 }

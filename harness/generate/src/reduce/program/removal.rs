@@ -1,7 +1,9 @@
 //! Declarations taken out of a program, and every reference to those behind them renumbered.
 
 use super::usage::{Usage, instance_of};
-use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
+use crate::model::visit_mut::{
+    VisitorMut, walk_expression, walk_place, walk_program, walk_statement, walk_type,
+};
 use crate::model::{
     Argument, Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type, Unit,
     VariableId,
@@ -49,22 +51,12 @@ struct Renumber<'p> {
 }
 
 impl Renumber<'_> {
-    fn variables(&self, unit: Unit) -> &[bool] {
-        let variables = match unit {
-            Unit::Main => Some(&self.keep.main),
-            Unit::Function(index) => self.keep.of_functions.get(index),
-            Unit::Block(index) => self.keep.of_blocks.get(index),
-            Unit::Types => None,
-        };
-        variables.map_or(&[], Vec::as_slice)
-    }
-
     fn renumber(&self, unit: Unit, variable: &mut VariableId) {
-        variable.0 = renumbered(variable.0, self.variables(unit));
+        variable.0 = renumbered(variable.0, self.keep.variables(unit));
     }
 
     fn parameters(&self, unit: Unit, arguments: &mut Vec<Argument>) {
-        let keep = self.variables(unit);
+        let keep = self.keep.variables(unit);
         arguments.retain_mut(|argument| {
             let kept = keep.get(argument.parameter.0).copied().unwrap_or(true);
             argument.parameter.0 = renumbered(argument.parameter.0, keep);
@@ -73,7 +65,7 @@ impl Renumber<'_> {
     }
 }
 
-impl Visitor for Renumber<'_> {
+impl VisitorMut for Renumber<'_> {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
     }

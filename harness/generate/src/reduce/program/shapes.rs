@@ -2,14 +2,15 @@
 
 use super::removal::keep_only;
 use super::usage::Usage;
-use super::walk::{Visitor, walk_program, walk_type, walk_variable};
+use crate::model::visit::{self, Visitor};
+use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{ArrayType, Declared, Initial, Program, Section, Type, Variable};
 use crate::reduce::Sites;
 
 /// Drops initial values of variables and fields, and makes variables of constants.
 pub(super) fn drop_initials(program: &mut Program, sites: &mut Sites) {
     struct Initials<'s>(&'s mut Sites);
-    impl Visitor for Initials<'_> {
+    impl VisitorMut for Initials<'_> {
         fn variable(&mut self, variable: &mut Variable) {
             if (variable.initial.is_some() || variable.section == Section::Constant) && self.0.here() {
                 variable.initial = None;
@@ -19,7 +20,7 @@ pub(super) fn drop_initials(program: &mut Program, sites: &mut Sites) {
             }
         }
     }
-    walk_program(&mut Initials(sites), program);
+    visit_mut::walk_program(&mut Initials(sites), program);
     for declaration in &mut program.types {
         if let Declared::Structure(fields) = &mut declaration.kind {
             for (_, _, initial) in fields.iter_mut().filter(|(.., initial)| initial.is_some()) {
@@ -34,27 +35,27 @@ pub(super) fn drop_initials(program: &mut Program, sites: &mut Sites) {
 /// Makes variables of constants, which keep their value.
 pub(super) fn constants_to_variables(program: &mut Program, sites: &mut Sites) {
     struct Constants<'s>(&'s mut Sites);
-    impl Visitor for Constants<'_> {
+    impl VisitorMut for Constants<'_> {
         fn variable(&mut self, variable: &mut Variable) {
             if variable.section == Section::Constant && self.0.here() {
                 variable.section = Section::Local;
             }
         }
     }
-    walk_program(&mut Constants(sites), program);
+    visit_mut::walk_program(&mut Constants(sites), program);
 }
 
 /// Puts the type that an alias stands for wherever the alias stands.
 pub(super) fn resolve_aliases(program: &mut Program, sites: &mut Sites) {
     struct Aliases(Vec<Option<Type>>);
-    impl Visitor for Aliases {
+    impl VisitorMut for Aliases {
         fn ty(&mut self, ty: &mut Type) {
             if let Type::Declared(index) = ty
                 && let Some(Some(target)) = self.0.get(*index)
             {
                 *ty = target.clone();
             }
-            walk_type(self, ty);
+            visit_mut::walk_type(self, ty);
         }
     }
     let targets = program.types.iter().map(|declaration| match &declaration.kind {
@@ -62,7 +63,7 @@ pub(super) fn resolve_aliases(program: &mut Program, sites: &mut Sites) {
         _ => None,
     });
     let mut aliases = Aliases(targets.collect());
-    walk_program(&mut aliases, program);
+    visit_mut::walk_program(&mut aliases, program);
     let mut keep = Usage::uniform(program, true);
     for (kept, target) in keep.types.iter_mut().zip(&aliases.0) {
         *kept = target.is_none();
@@ -82,7 +83,7 @@ pub(super) fn shorten_arrays(program: &mut Program, sites: &mut Sites) {
 
 fn shrink_arrays(program: &mut Program, sites: &mut Sites, new_high: fn(i64, i64) -> i64) {
     let mut found = Arrays(Vec::new());
-    walk_program(&mut found, &mut program.clone());
+    visit::walk_program(&mut found, program);
     let mut changes = Vec::new();
     for array in found.0 {
         let mut shrunk = array.clone();
@@ -96,7 +97,7 @@ fn shrink_arrays(program: &mut Program, sites: &mut Sites, new_high: fn(i64, i64
         }
     }
     if !changes.is_empty() {
-        walk_program(&mut Shrink(changes), program);
+        visit_mut::walk_program(&mut Shrink(changes), program);
     }
 }
 
@@ -104,22 +105,22 @@ fn shrink_arrays(program: &mut Program, sites: &mut Sites, new_high: fn(i64, i64
 struct Arrays(Vec<ArrayType>);
 
 impl Visitor for Arrays {
-    fn ty(&mut self, ty: &mut Type) {
+    fn ty(&mut self, ty: &Type) {
         if let Type::Array(array) = ty
             && !self.0.contains(array)
         {
             self.0.push((**array).clone());
         }
-        walk_type(self, ty);
+        visit::walk_type(self, ty);
     }
 }
 
 /// Puts the second of each pair where the first stands.
 struct Shrink(Vec<(ArrayType, ArrayType)>);
 
-impl Visitor for Shrink {
+impl VisitorMut for Shrink {
     fn ty(&mut self, ty: &mut Type) {
-        walk_type(self, ty);
+        visit_mut::walk_type(self, ty);
         if let Type::Array(array) = ty
             && let Some((_, shrunk)) = self.0.iter().find(|(before, _)| before == &**array)
         {
@@ -128,7 +129,7 @@ impl Visitor for Shrink {
     }
 
     fn variable(&mut self, variable: &mut Variable) {
-        walk_variable(self, variable);
+        visit_mut::walk_variable(self, variable);
         if let (Type::Array(array), Some(Initial::Array(values))) = (&variable.ty, &mut variable.initial) {
             values.truncate(elements(array));
         }

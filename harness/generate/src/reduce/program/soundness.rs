@@ -7,9 +7,8 @@
 //! Basis: stickler-design: §8 (an untyped literal takes the type of the other operand; no third type is sought), §7 (P4039,
 //! P4040, P2027).
 
-use super::unwrap::{Head, inside};
-use super::usage::{instance_of, variable_of, variable_type};
-use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement};
+use super::usage::{variable_of, variable_type};
+use crate::model::visit::{Visitor, walk_expression, walk_place, walk_program, walk_statement};
 use crate::model::{
     BinaryOperator, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Selector,
     Statement, StatementKind, Type, UnaryOperator, Unit, VariableId,
@@ -23,8 +22,7 @@ pub(super) fn breaches(program: &Program) -> usize {
         unit: Unit::Main,
         breaches: 0,
     };
-    // The walk is written for passes, which change what they walk over.
-    walk_program(&mut counter, &mut program.clone());
+    walk_program(&mut counter, program);
     counter.breaches
 }
 
@@ -155,7 +153,7 @@ impl Visitor for Counter<'_> {
         self.unit = unit;
     }
 
-    fn statement(&mut self, statement: &mut Statement) {
+    fn statement(&mut self, statement: &Statement) {
         match &statement.kind {
             StatementKind::Case(selector, ..) => self.count(!has_own_type(selector)),
             StatementKind::If(branches, _) => {
@@ -168,7 +166,7 @@ impl Visitor for Counter<'_> {
         walk_statement(self, statement);
     }
 
-    fn expression(&mut self, expression: &mut Expression) {
+    fn expression(&mut self, expression: &Expression) {
         match &expression.kind {
             ExpressionKind::Unary(_, operand) | ExpressionKind::Widen(operand) => {
                 self.count(!has_own_type(operand))
@@ -193,26 +191,21 @@ impl Visitor for Counter<'_> {
         walk_expression(self, expression);
     }
 
-    fn place(&mut self, place: &mut Place) {
-        let mut ty = variable_type(self.program, self.unit, place.variable).cloned();
+    fn place(&mut self, place: &Place) {
+        let mut ty = variable_type(self.program, self.unit, place.variable);
         for selector in &place.path {
-            let Some(outer) = ty.take() else { break };
-            ty = match selector {
-                Selector::Index(subscripts) => {
-                    if let Type::Array(array) = self.program.unaliased(&outer) {
-                        for (subscript, (low, high)) in subscripts.iter().zip(&array.dimensions) {
-                            let outside = self.constant(subscript).is_some_and(|number| {
-                                !(i128::from(*low)..=i128::from(*high)).contains(&number)
-                            });
-                            self.count(outside || !has_own_type(subscript) && !is_bare(subscript));
-                        }
-                    }
-                    inside(self.program, &outer, Head::Index)
+            let Some(outer) = ty else { break };
+            if let (Selector::Index(subscripts), Type::Array(array)) =
+                (selector, self.program.unaliased(outer))
+            {
+                for (subscript, (low, high)) in subscripts.iter().zip(&array.dimensions) {
+                    let outside = self
+                        .constant(subscript)
+                        .is_some_and(|number| !(i128::from(*low)..=i128::from(*high)).contains(&number));
+                    self.count(outside || !has_own_type(subscript) && !is_bare(subscript));
                 }
-                Selector::Field(field) => inside(self.program, &outer, Head::Field(*field)),
-                Selector::Output(output) => instance_of(self.program, self.unit, place.variable)
-                    .and_then(|block| variable_type(self.program, Unit::Block(block), *output).cloned()),
-            };
+            }
+            ty = self.program.selected_type(outer, selector);
         }
         walk_place(self, place);
     }

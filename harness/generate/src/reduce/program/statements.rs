@@ -1,6 +1,7 @@
 //! Statements dropped, and replaced by the statements that they guard.
 
-use super::walk::{Visitor, walk_program, walk_statement, walk_statements};
+use crate::model::visit::bodies;
+use crate::model::visit_mut::{self, VisitorMut, walk_program, walk_statement, walk_statements};
 use crate::model::{Program, Statement, StatementKind};
 use crate::reduce::Sites;
 use std::mem;
@@ -13,7 +14,7 @@ pub(super) fn drop_of_main(program: &mut Program, sites: &mut Sites) {
 /// Drops statements wherever they stand.
 pub(super) fn drop_anywhere(program: &mut Program, sites: &mut Sites) {
     struct Drop<'s>(&'s mut Sites);
-    impl Visitor for Drop<'_> {
+    impl VisitorMut for Drop<'_> {
         fn statements(&mut self, statements: &mut Vec<Statement>) {
             statements.retain(|_| !self.0.here());
             walk_statements(self, statements);
@@ -25,14 +26,13 @@ pub(super) fn drop_anywhere(program: &mut Program, sites: &mut Sites) {
 /// Puts one of the bodies of a statement in its place: of IF and CASE each branch in turn, of a loop what it repeats.
 pub(super) fn splice(program: &mut Program, sites: &mut Sites) {
     struct Splice<'s>(&'s mut Sites);
-    impl Visitor for Splice<'_> {
+    impl VisitorMut for Splice<'_> {
         fn statements(&mut self, statements: &mut Vec<Statement>) {
             for statement in mem::take(statements) {
-                let chosen = bodies(&statement).position(|_| self.0.here());
-                let body = chosen.and_then(|chosen| bodies(&statement).nth(chosen).cloned());
+                let body = bodies(&statement).into_iter().find(|_| self.0.here()).cloned();
                 match body {
                     Some(mut body) => {
-                        if is_loop(&statement) {
+                        if statement.is_loop() {
                             drop_exits(&mut body);
                         }
                         statements.append(&mut body);
@@ -46,37 +46,18 @@ pub(super) fn splice(program: &mut Program, sites: &mut Sites) {
     walk_program(&mut Splice(sites), program);
 }
 
-fn is_loop(statement: &Statement) -> bool {
-    matches!(
-        statement.kind,
-        StatementKind::For { .. } | StatementKind::While(..) | StatementKind::Repeat(..)
-    )
-}
-
 /// Drops each EXIT that would have left the loop of which these statements were the body.
 pub(super) fn drop_exits(statements: &mut Vec<Statement>) {
     statements.retain(|statement| !matches!(statement.kind, StatementKind::Exit));
-    for statement in statements {
-        match &mut statement.kind {
-            StatementKind::If(branches, otherwise) => {
-                branches.iter_mut().for_each(|(_, body)| drop_exits(body));
-                otherwise.iter_mut().for_each(drop_exits);
-            }
-            StatementKind::Case(_, branches, otherwise) => {
-                branches
-                    .iter_mut()
-                    .for_each(|branch| drop_exits(&mut branch.body));
-                otherwise.iter_mut().for_each(drop_exits);
-            }
-            _ => {}
-        }
+    for statement in statements.iter_mut().filter(|statement| !statement.is_loop()) {
+        visit_mut::bodies(statement).into_iter().for_each(drop_exits);
     }
 }
 
 /// Drops branches of IF and CASE, and ELSE; of an IF the first branch stays, unless another can take its place.
 pub(super) fn drop_branches(program: &mut Program, sites: &mut Sites) {
     struct Branches<'s>(&'s mut Sites);
-    impl Visitor for Branches<'_> {
+    impl VisitorMut for Branches<'_> {
         fn statement(&mut self, statement: &mut Statement) {
             match &mut statement.kind {
                 StatementKind::If(branches, otherwise) => {
@@ -116,23 +97,4 @@ fn drop_else(otherwise: &mut Option<Vec<Statement>>, sites: &mut Sites) {
     if otherwise.is_some() && sites.here() {
         *otherwise = None;
     }
-}
-
-/// The bodies of a statement, in the order of the text.
-fn bodies(statement: &Statement) -> impl Iterator<Item = &Vec<Statement>> {
-    let bodies: Vec<&Vec<Statement>> = match &statement.kind {
-        StatementKind::If(branches, otherwise) => {
-            branches.iter().map(|(_, body)| body).chain(otherwise).collect()
-        }
-        StatementKind::Case(_, branches, otherwise) => branches
-            .iter()
-            .map(|branch| &branch.body)
-            .chain(otherwise)
-            .collect(),
-        StatementKind::For { body, .. } | StatementKind::While(_, body) | StatementKind::Repeat(body, _) => {
-            vec![body]
-        }
-        _ => Vec::new(),
-    };
-    bodies.into_iter()
 }

@@ -1,8 +1,8 @@
 //! Engines with one deliberate bug each, and what the reducer makes of the programs that show it.
 
-use super::walk::{Visitor, walk_expression, walk_program, walk_statement, walk_variable};
 use crate::evaluate::evaluate;
 use crate::generator::{Settings, program as generate};
+use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program, walk_statement, walk_variable};
 use crate::model::{
     BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, LiteralForm, Program, Section,
     StandardFunction, Statement, StatementKind, Target, Type, Variable,
@@ -57,7 +57,7 @@ fn expected(program: &Program) -> Option<Outcome> {
 
 fn any_statement(program: &mut Program, shows: fn(&Statement) -> bool) -> bool {
     struct Any(fn(&Statement) -> bool, bool);
-    impl Visitor for Any {
+    impl VisitorMut for Any {
         fn statement(&mut self, statement: &mut Statement) {
             self.1 |= (self.0)(statement);
             walk_statement(self, statement);
@@ -71,7 +71,7 @@ fn any_statement(program: &mut Program, shows: fn(&Statement) -> bool) -> bool {
 /// Changes every expression, from the inside to the outside.
 fn expressions(program: &mut Program, change: fn(&mut Expression)) {
     struct Each(fn(&mut Expression));
-    impl Visitor for Each {
+    impl VisitorMut for Each {
         fn expression(&mut self, expression: &mut Expression) {
             walk_expression(self, expression);
             (self.0)(expression);
@@ -82,7 +82,7 @@ fn expressions(program: &mut Program, change: fn(&mut Expression)) {
 
 fn statements(program: &mut Program, change: fn(&mut Statement)) {
     struct Each(fn(&mut Statement));
-    impl Visitor for Each {
+    impl VisitorMut for Each {
         fn statement(&mut self, statement: &mut Statement) {
             walk_statement(self, statement);
             (self.0)(statement);
@@ -93,7 +93,7 @@ fn statements(program: &mut Program, change: fn(&mut Statement)) {
 
 fn variables(program: &mut Program, change: fn(&mut Variable)) {
     struct Each(fn(&mut Variable));
-    impl Visitor for Each {
+    impl VisitorMut for Each {
         fn variable(&mut self, variable: &mut Variable) {
             walk_variable(self, variable);
             (self.0)(variable);

@@ -1,7 +1,8 @@
 //! Variables that are arrays or structures, replaced by one element or one field; fields that nothing reads, dropped.
 
-use super::usage::{instance_of, variable_type};
-use super::walk::{Visitor, walk_place, walk_program, walk_statement, walk_variable};
+use super::usage::variable_type;
+use crate::model::visit::{self, Visitor};
+use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{
     Declared, Initial, Place, Program, Section, Selector, Statement, StatementKind, Type, Unit, Variable,
     VariableId,
@@ -16,10 +17,13 @@ pub(super) fn unwrap_variables(program: &mut Program, sites: &mut Sites) {
         heads: HashMap::new(),
         unit: Unit::Main,
     };
-    walk_program(&mut heads, &mut program.clone());
+    visit::walk_program(&mut heads, program);
     let mut unwrapped = Vec::new();
-    for (unit, variables) in units(program) {
-        for (index, variable) in variables.iter().enumerate() {
+    let mut units = Unit::all(program);
+    // Main first: a reduction spends most of its time there.
+    units.rotate_right(1);
+    for unit in units {
+        for (index, variable) in unit.variables(program).iter().enumerate() {
             let at = (unit, VariableId(index));
             let local = matches!(variable.section, Section::Local | Section::Constant);
             if let (true, Some(head)) = (local, heads.heads.get(&at))
@@ -33,12 +37,13 @@ pub(super) fn unwrap_variables(program: &mut Program, sites: &mut Sites) {
     let places = unwrapped.iter().map(|(at, ..)| *at).collect();
     for ((unit, variable), head, ty) in unwrapped {
         let meant = program.unaliased(&ty).clone();
-        if let Some(variable) = variable_mut(program, unit, variable) {
+        let variables = unit.variables_mut(program);
+        if let Some(variable) = variables.and_then(|variables| variables.get_mut(variable.0)) {
             unwrap(variable, head, ty, &meant);
         }
     }
     let unit = Unit::Main;
-    walk_program(&mut Shorten { places, unit }, program);
+    visit_mut::walk_program(&mut Shorten { places, unit }, program);
 }
 
 /// Gives a variable the type of its part, and the part of its initial value; `meant` is what that type stands for.
@@ -57,26 +62,6 @@ fn unwrap(variable: &mut Variable, head: Head, ty: Type, meant: &Type) {
         variable.section = Section::Local;
     }
     variable.ty = ty;
-}
-
-fn variable_mut(program: &mut Program, unit: Unit, variable: VariableId) -> Option<&mut Variable> {
-    let variables = match unit {
-        Unit::Main => &mut program.main.variables,
-        Unit::Function(index) => &mut program.functions.get_mut(index)?.variables,
-        Unit::Block(index) => &mut program.blocks.get_mut(index)?.variables,
-        Unit::Types => return None,
-    };
-    variables.get_mut(variable.0)
-}
-
-/// The units that declare variables, and those.
-fn units(program: &Program) -> impl Iterator<Item = (Unit, &[Variable])> {
-    let main = [(Unit::Main, program.main.variables.as_slice())];
-    let functions = program.functions.iter().enumerate();
-    let blocks = program.blocks.iter().enumerate();
-    main.into_iter()
-        .chain(functions.map(|(index, one)| (Unit::Function(index), one.variables.as_slice())))
-        .chain(blocks.map(|(index, one)| (Unit::Block(index), one.variables.as_slice())))
 }
 
 /// How all places of a variable begin.
@@ -109,14 +94,14 @@ impl Visitor for Heads {
         self.unit = unit;
     }
 
-    fn statement(&mut self, statement: &mut Statement) {
+    fn statement(&mut self, statement: &Statement) {
         if let StatementKind::For { variable, .. } = &statement.kind {
             self.heads.insert((self.unit, *variable), Head::Mixed);
         }
-        walk_statement(self, statement);
+        visit::walk_statement(self, statement);
     }
 
-    fn place(&mut self, place: &mut Place) {
+    fn place(&mut self, place: &Place) {
         let head = match place.path.first() {
             Some(Selector::Index(_)) => Head::Index,
             Some(Selector::Field(field)) => Head::Field(*field),
@@ -126,7 +111,7 @@ impl Visitor for Heads {
         if *known != head {
             *known = Head::Mixed;
         }
-        walk_place(self, place);
+        visit::walk_place(self, place);
     }
 }
 
@@ -136,7 +121,7 @@ struct Shorten {
     unit: Unit,
 }
 
-impl Visitor for Shorten {
+impl VisitorMut for Shorten {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
     }
@@ -145,7 +130,7 @@ impl Visitor for Shorten {
         if self.places.contains(&(self.unit, place.variable)) && !place.path.is_empty() {
             place.path.remove(0);
         }
-        walk_place(self, place);
+        visit_mut::walk_place(self, place);
     }
 }
 
@@ -166,7 +151,7 @@ pub(super) fn drop_fields(program: &mut Program, sites: &mut Sites) {
             }
         },
     };
-    walk_program(&mut fields, program);
+    visit_mut::walk_program(&mut fields, program);
     for kept in &mut kept {
         let mut left = kept.len();
         for kept in kept.iter_mut().filter(|kept| !**kept) {
@@ -182,7 +167,7 @@ pub(super) fn drop_fields(program: &mut Program, sites: &mut Sites) {
             *field = kept.iter().take(*field).filter(|kept| **kept).count();
         },
     };
-    walk_program(&mut renumber, program);
+    visit_mut::walk_program(&mut renumber, program);
     for (declaration, kept) in program.types.iter_mut().zip(&kept) {
         if let Declared::Structure(fields) = &mut declaration.kind {
             let mut kept = kept.iter();
@@ -214,7 +199,7 @@ impl Fields<'_> {
     }
 }
 
-impl Visitor for Fields<'_> {
+impl VisitorMut for Fields<'_> {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
     }
@@ -227,27 +212,19 @@ impl Visitor for Fields<'_> {
                 (self.each)(structure, field);
             }
         }
-        walk_variable(self, variable);
+        visit_mut::walk_variable(self, variable);
     }
 
     fn place(&mut self, place: &mut Place) {
-        let mut ty = variable_type(self.program, self.unit, place.variable).cloned();
+        let mut ty = variable_type(self.program, self.unit, place.variable);
         for selector in &mut place.path {
-            let Some(outer) = ty.take() else { break };
-            ty = match selector {
-                Selector::Index(_) => inside(self.program, &outer, Head::Index),
-                Selector::Field(field) => {
-                    // Its type is that of before it is renumbered.
-                    let inner = inside(self.program, &outer, Head::Field(*field));
-                    if let Some(structure) = self.structure(&outer) {
-                        (self.each)(structure, field);
-                    }
-                    inner
-                }
-                Selector::Output(output) => instance_of(self.program, self.unit, place.variable)
-                    .and_then(|block| variable_type(self.program, Unit::Block(block), *output).cloned()),
-            };
+            let Some(outer) = ty else { break };
+            // The field's type has to be looked up before the field is renumbered.
+            ty = self.program.selected_type(outer, selector);
+            if let (Selector::Field(field), Some(structure)) = (selector, self.structure(outer)) {
+                (self.each)(structure, field);
+            }
         }
-        walk_place(self, place);
+        visit_mut::walk_place(self, place);
     }
 }

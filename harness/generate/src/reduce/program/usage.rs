@@ -1,6 +1,6 @@
 //! What of a program's declarations anything refers to.
 
-use super::walk::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
+use crate::model::visit::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
 use crate::model::{
     Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type, Unit, Variable,
     VariableId,
@@ -27,8 +27,7 @@ impl Usage {
             program,
             unit: Unit::Main,
         };
-        // The walk is written for passes, which change what they walk over.
-        walk_program(&mut gatherer, &mut program.clone());
+        walk_program(&mut gatherer, program);
         gatherer.usage
     }
 
@@ -48,8 +47,19 @@ impl Usage {
         }
     }
 
-    /// The variables of a unit.
-    pub fn variables(&mut self, unit: Unit) -> Option<&mut Vec<bool>> {
+    /// Returns the entries of the variables of a unit; an empty slice if there is no such unit.
+    pub fn variables(&self, unit: Unit) -> &[bool] {
+        let variables = match unit {
+            Unit::Main => Some(&self.main),
+            Unit::Function(index) => self.of_functions.get(index),
+            Unit::Block(index) => self.of_blocks.get(index),
+            Unit::Types => None,
+        };
+        variables.map_or(&[], Vec::as_slice)
+    }
+
+    /// Returns the entries of the variables of a unit for changes.
+    pub fn variables_mut(&mut self, unit: Unit) -> Option<&mut Vec<bool>> {
         match unit {
             Unit::Main => Some(&mut self.main),
             Unit::Function(index) => self.of_functions.get_mut(index),
@@ -85,7 +95,7 @@ struct Gatherer<'p> {
 
 impl Gatherer<'_> {
     fn mark(&mut self, unit: Unit, variable: VariableId) {
-        let variables = self.usage.variables(unit);
+        let variables = self.usage.variables_mut(unit);
         if let Some(used) = variables.and_then(|variables| variables.get_mut(variable.0)) {
             *used = true;
         }
@@ -103,7 +113,7 @@ impl Visitor for Gatherer<'_> {
         self.unit = unit;
     }
 
-    fn statement(&mut self, statement: &mut Statement) {
+    fn statement(&mut self, statement: &Statement) {
         match &statement.kind {
             StatementKind::For { variable, .. } => self.mark(self.unit, *variable),
             StatementKind::Invoke {
@@ -119,7 +129,7 @@ impl Visitor for Gatherer<'_> {
         walk_statement(self, statement);
     }
 
-    fn expression(&mut self, expression: &mut Expression) {
+    fn expression(&mut self, expression: &Expression) {
         if let ExpressionKind::Call(function, _) = &expression.kind
             && let Some(used) = self.usage.functions.get_mut(*function)
         {
@@ -128,7 +138,7 @@ impl Visitor for Gatherer<'_> {
         walk_expression(self, expression);
     }
 
-    fn place(&mut self, place: &mut Place) {
+    fn place(&mut self, place: &Place) {
         self.mark(self.unit, place.variable);
         if let Some(Selector::Output(output)) = place.path.first() {
             self.mark_output(place.variable, *output);
@@ -136,7 +146,7 @@ impl Visitor for Gatherer<'_> {
         walk_place(self, place);
     }
 
-    fn ty(&mut self, ty: &mut Type) {
+    fn ty(&mut self, ty: &Type) {
         let used = match ty {
             Type::Declared(index) => self.usage.types.get_mut(*index),
             Type::Block(index) => self.usage.blocks.get_mut(*index),

@@ -5,8 +5,8 @@
 
 use super::expressions::walk_input;
 use super::plain::literal_kind;
-use super::walk::{Visitor, walk_expression, walk_program};
 use crate::evaluate::evaluate;
+use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program};
 use crate::model::{
     Argument, Expression, ExpressionKind, Place, Program, Section, Statement, StatementKind, Target, Type,
     Unit, Variable, VariableId,
@@ -91,7 +91,7 @@ impl<'w> Walk<'w> {
     }
 }
 
-impl Visitor for Walk<'_> {
+impl VisitorMut for Walk<'_> {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
     }

@@ -1,7 +1,7 @@
 //! How much there is of a program, and which programs are the same.
 
 use super::lift::is_true;
-use super::walk::{
+use crate::model::visit::{
     Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type, walk_variable,
 };
 use crate::model::{
@@ -24,8 +24,7 @@ pub(super) fn of(program: &Program) -> (u64, u128) {
             Declared::Alias(_) => 1,
         };
     }
-    // The walk is written for passes; a copy is cheaper than a second walk to maintain.
-    walk_program(&mut scales, &mut program.clone());
+    walk_program(&mut scales, program);
     (scales.parts, scales.size)
 }
 
@@ -44,7 +43,7 @@ struct Scales {
 }
 
 impl Visitor for Scales {
-    fn statement(&mut self, statement: &mut Statement) {
+    fn statement(&mut self, statement: &Statement) {
         self.parts += match &statement.kind {
             StatementKind::If(branches, otherwise) => {
                 20 * (branches.len() + usize::from(otherwise.is_some())) as u64
@@ -66,7 +65,7 @@ impl Visitor for Scales {
         walk_statement(self, statement);
     }
 
-    fn expression(&mut self, expression: &mut Expression) {
+    fn expression(&mut self, expression: &Expression) {
         self.parts += match &expression.kind {
             ExpressionKind::Literal(value, form) => {
                 self.size += 2 * magnitude(value) + u128::from(*form == LiteralForm::Typed);
@@ -86,11 +85,11 @@ impl Visitor for Scales {
         walk_expression(self, expression);
     }
 
-    fn literal(&mut self, expression: &mut Expression) {
+    fn literal(&mut self, expression: &Expression) {
         self.expression(expression);
     }
 
-    fn place(&mut self, place: &mut Place) {
+    fn place(&mut self, place: &Place) {
         self.parts += place.path.len() as u64;
         self.parts += place
             .path
@@ -100,7 +99,7 @@ impl Visitor for Scales {
         walk_place(self, place);
     }
 
-    fn variable(&mut self, variable: &mut Variable) {
+    fn variable(&mut self, variable: &Variable) {
         // Each section that is not VAR brings two lines of its own.
         self.parts += if variable.section == Section::Local {
             10
@@ -111,7 +110,7 @@ impl Visitor for Scales {
         walk_variable(self, variable);
     }
 
-    fn ty(&mut self, ty: &mut Type) {
+    fn ty(&mut self, ty: &Type) {
         match ty {
             Type::Array(array) => {
                 self.parts += 3 * array.dimensions.len() as u64;

@@ -1,0 +1,306 @@
+//! Traversal of programs, read-only ([`visit`]) and mutable ([`visit_mut`]).
+//!
+//! Both traits have the same hooks and the same default traversal. A visitor overrides the hooks that it is interested in, and
+//! calls the free function of the same name (`walk_…`) to descend into the children of a node. `PROGRAM main` is visited first,
+//! because a reduction spends most of its time there.
+
+use super::{
+    Argument, CaseBranch, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program, Selector,
+    Statement, StatementKind, Target, Type, TypeDeclaration, Unit, Variable, VariableId,
+};
+
+/// Defines a visitor trait and its traversal; `$mutability` is `mut` or nothing, `$list` the type of a list of statements.
+macro_rules! define_visitor {
+    ($visitor:ident, $list:ty $(, $mutability:tt)?) => {
+        use super::*;
+
+        /// Hooks that a traversal calls on each part of a program; by default each hook descends into its node.
+        pub trait $visitor {
+            /// Enters a program organization unit, or the type declarations; the nodes that follow stand there.
+            fn enter(&mut self, _unit: Unit) {}
+
+            /// Visits a list of statements: a body or a branch.
+            fn statements(&mut self, statements: &$($mutability)? $list) {
+                walk_statements(self, statements);
+            }
+
+            /// Visits a statement.
+            fn statement(&mut self, statement: &$($mutability)? Statement) {
+                walk_statement(self, statement);
+            }
+
+            /// Visits an expression.
+            fn expression(&mut self, expression: &$($mutability)? Expression) {
+                walk_expression(self, expression);
+            }
+
+            /// Visits an expression that must stay a literal: a CASE label, or the value after BY.
+            fn literal(&mut self, expression: &$($mutability)? Expression) {
+                walk_expression(self, expression);
+            }
+
+            /// Visits an argument in the call of a function block instance.
+            fn input(&mut self, _instance: VariableId, argument: &$($mutability)? Argument) {
+                self.expression(&$($mutability)? argument.value);
+            }
+
+            /// Visits a variable, or a part of one, that is read or written.
+            fn place(&mut self, place: &$($mutability)? Place) {
+                walk_place(self, place);
+            }
+
+            /// Visits the declaration of a variable.
+            fn variable(&mut self, variable: &$($mutability)? Variable) {
+                walk_variable(self, variable);
+            }
+
+            /// Visits the declaration of a type.
+            fn declaration(&mut self, declaration: &$($mutability)? TypeDeclaration) {
+                walk_declaration(self, declaration);
+            }
+
+            /// Visits the type of a variable, field, expression, place or function result.
+            fn ty(&mut self, ty: &$($mutability)? Type) {
+                walk_type(self, ty);
+            }
+        }
+
+        /// Visits a program: main, functions, function blocks, then type declarations; of each unit the body before the
+        /// variables.
+        pub fn walk_program(visitor: &mut (impl $visitor + ?Sized), program: &$($mutability)? Program) {
+            let Program { types, functions, blocks, main, .. } = program;
+            visitor.enter(Unit::Main);
+            walk_unit(visitor, &$($mutability)? main.variables, &$($mutability)? main.body);
+            for (index, function) in functions.into_iter().enumerate() {
+                visitor.enter(Unit::Function(index));
+                visitor.ty(&$($mutability)? function.result);
+                walk_unit(visitor, &$($mutability)? function.variables, &$($mutability)? function.body);
+            }
+            for (index, block) in blocks.into_iter().enumerate() {
+                visitor.enter(Unit::Block(index));
+                walk_unit(visitor, &$($mutability)? block.variables, &$($mutability)? block.body);
+            }
+            visitor.enter(Unit::Types);
+            for declaration in types {
+                visitor.declaration(declaration);
+            }
+        }
+
+        fn walk_unit(
+            visitor: &mut (impl $visitor + ?Sized),
+            variables: &$($mutability)? [Variable],
+            body: &$($mutability)? $list,
+        ) {
+            visitor.statements(body);
+            for variable in variables {
+                visitor.variable(variable);
+            }
+        }
+
+        /// Visits the types and initial values in the declaration of a type.
+        pub fn walk_declaration(
+            visitor: &mut (impl $visitor + ?Sized),
+            declaration: &$($mutability)? TypeDeclaration,
+        ) {
+            match &$($mutability)? declaration.kind {
+                Declared::Structure(fields) => {
+                    for (_, ty, initial) in fields {
+                        visitor.ty(ty);
+                        if let Some(value) = initial {
+                            visitor.expression(value);
+                        }
+                    }
+                }
+                Declared::Enumeration(_) => {}
+                Declared::Alias(ty) => visitor.ty(ty),
+            }
+        }
+
+        /// Visits the type and the initial value of a variable.
+        pub fn walk_variable(
+            visitor: &mut (impl $visitor + ?Sized),
+            variable: &$($mutability)? Variable,
+        ) {
+            visitor.ty(&$($mutability)? variable.ty);
+            match &$($mutability)? variable.initial {
+                None => {}
+                Some(Initial::Expression(value)) => visitor.expression(value),
+                Some(Initial::Array(values)) => {
+                    for value in values {
+                        visitor.expression(value);
+                    }
+                }
+                Some(Initial::Structure(fields)) => {
+                    for (_, value) in fields {
+                        visitor.expression(value);
+                    }
+                }
+            }
+        }
+
+        /// Visits the statements of a list.
+        pub fn walk_statements(
+            visitor: &mut (impl $visitor + ?Sized),
+            statements: &$($mutability)? [Statement],
+        ) {
+            for statement in statements {
+                visitor.statement(statement);
+            }
+        }
+
+        /// Visits the parts of a statement.
+        pub fn walk_statement(
+            visitor: &mut (impl $visitor + ?Sized),
+            statement: &$($mutability)? Statement,
+        ) {
+            match &$($mutability)? statement.kind {
+                StatementKind::Assign(target, value) => {
+                    match target {
+                        Target::Place(place) | Target::Bit(place, _) => visitor.place(place),
+                        Target::Result => {}
+                    }
+                    visitor.expression(value);
+                }
+                StatementKind::If(branches, otherwise) => {
+                    for (condition, body) in branches {
+                        visitor.expression(condition);
+                        visitor.statements(body);
+                    }
+                    if let Some(body) = otherwise {
+                        visitor.statements(body);
+                    }
+                }
+                StatementKind::Case(selector, branches, otherwise) => {
+                    visitor.expression(selector);
+                    for branch in branches {
+                        walk_branch(visitor, branch);
+                    }
+                    if let Some(body) = otherwise {
+                        visitor.statements(body);
+                    }
+                }
+                StatementKind::For { from, to, by, body, .. } => {
+                    visitor.expression(from);
+                    visitor.expression(to);
+                    if let Some(by) = by {
+                        visitor.literal(by);
+                    }
+                    visitor.statements(body);
+                }
+                StatementKind::While(condition, body) | StatementKind::Repeat(body, condition) => {
+                    visitor.expression(condition);
+                    visitor.statements(body);
+                }
+                StatementKind::Invoke { instance, inputs, outputs } => {
+                    for input in inputs {
+                        visitor.input(*instance, input);
+                    }
+                    for (_, place) in outputs {
+                        visitor.place(place);
+                    }
+                }
+                StatementKind::Exit | StatementKind::Return | StatementKind::Raw(_) => {}
+            }
+        }
+
+        fn walk_branch(visitor: &mut (impl $visitor + ?Sized), branch: &$($mutability)? CaseBranch) {
+            for label in &$($mutability)? branch.labels {
+                match label {
+                    CaseLabel::One(value) => visitor.literal(value),
+                    CaseLabel::Range(low, high) => {
+                        visitor.literal(low);
+                        visitor.literal(high);
+                    }
+                }
+            }
+            visitor.statements(&$($mutability)? branch.body);
+        }
+
+        /// Visits the parts of an expression.
+        pub fn walk_expression(
+            visitor: &mut (impl $visitor + ?Sized),
+            expression: &$($mutability)? Expression,
+        ) {
+            visitor.ty(&$($mutability)? expression.ty);
+            if let ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) =
+                &$($mutability)? expression.kind
+            {
+                visitor.place(place);
+            }
+            for operand in operands(expression) {
+                visitor.expression(operand);
+            }
+        }
+
+        /// Visits the type of a place and its subscripts.
+        pub fn walk_place(visitor: &mut (impl $visitor + ?Sized), place: &$($mutability)? Place) {
+            visitor.ty(&$($mutability)? place.ty);
+            for selector in &$($mutability)? place.path {
+                if let Selector::Index(subscripts) = selector {
+                    for subscript in subscripts {
+                        visitor.expression(subscript);
+                    }
+                }
+            }
+        }
+
+        /// Visits the element type of an array type.
+        pub fn walk_type(visitor: &mut (impl $visitor + ?Sized), ty: &$($mutability)? Type) {
+            if let Type::Array(array) = ty {
+                visitor.ty(&$($mutability)? array.element);
+            }
+        }
+
+        /// Returns the operands or arguments of an expression, from left to right; none for a literal or a place.
+        pub fn operands(expression: &$($mutability)? Expression) -> Vec<&$($mutability)? Expression> {
+            match &$($mutability)? expression.kind {
+                ExpressionKind::Unary(_, operand)
+                | ExpressionKind::Widen(operand)
+                | ExpressionKind::Convert(_, operand) => vec![operand],
+                ExpressionKind::Binary(_, left, right) => vec![left, right],
+                ExpressionKind::Call(_, arguments) => {
+                    let values = arguments.into_iter();
+                    values.map(|argument| &$($mutability)? argument.value).collect()
+                }
+                ExpressionKind::Standard(_, arguments) => arguments.into_iter().collect(),
+                ExpressionKind::Literal(..)
+                | ExpressionKind::Enumerated(_)
+                | ExpressionKind::Read(_)
+                | ExpressionKind::Bit(..)
+                | ExpressionKind::Raw(_) => Vec::new(),
+            }
+        }
+
+        /// Returns the lists of statements directly inside a statement, in the order of the text.
+        pub fn bodies(statement: &$($mutability)? Statement) -> Vec<&$($mutability)? Vec<Statement>> {
+            match &$($mutability)? statement.kind {
+                StatementKind::If(branches, otherwise) => {
+                    let bodies = branches.into_iter().map(|(_, body)| body);
+                    bodies.chain(otherwise).collect()
+                }
+                StatementKind::Case(_, branches, otherwise) => {
+                    let bodies = branches.into_iter().map(|branch| &$($mutability)? branch.body);
+                    bodies.chain(otherwise).collect()
+                }
+                StatementKind::For { body, .. }
+                | StatementKind::While(_, body)
+                | StatementKind::Repeat(body, _) => vec![body],
+                StatementKind::Assign(..)
+                | StatementKind::Invoke { .. }
+                | StatementKind::Exit
+                | StatementKind::Return
+                | StatementKind::Raw(_) => Vec::new(),
+            }
+        }
+    };
+}
+
+/// Read-only traversal.
+pub mod visit {
+    define_visitor!(Visitor, [Statement]);
+}
+
+/// Mutable traversal.
+pub mod visit_mut {
+    define_visitor!(VisitorMut, Vec<Statement>, mut);
+}
