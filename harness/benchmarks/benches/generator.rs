@@ -4,7 +4,7 @@ use arbitrary::Unstructured;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use stickler_generate::evaluate::evaluate;
-use stickler_generate::generator::{Settings, program};
+use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
 
@@ -17,7 +17,7 @@ fn bytes(seed: u64) -> Vec<u8> {
 }
 
 fn make(bytes: &[u8]) -> Program {
-    program(&mut Unstructured::new(bytes), &Settings::default())
+    program(&mut Unstructured::new(bytes), &GeneratorSettings::default())
 }
 
 fn generation(criterion: &mut Criterion) {

@@ -3,7 +3,7 @@
 use crate::without::Without;
 use arbitrary::Unstructured;
 use stickler_conversions::Scattered;
-use stickler_generate::generator::{self, Settings};
+use stickler_generate::generator::{self, GeneratorSettings};
 use stickler_generate::model::Program;
 use stickler_types::DialectName;
 
@@ -93,15 +93,15 @@ impl Inputs {
             .find(|program| without.admits(program))
     }
 
-    fn settings(self, place: u64, dialects: &[DialectName], open: bool) -> Settings {
+    fn settings(self, place: u64, dialects: &[DialectName], open: bool) -> GeneratorSettings {
         let count = dialects.len().max(1) as u64;
         // From the far end of the row, where no byte comes from.
         let drawn = self.draws(place).at(u64::MAX) % count;
         let dialect = usize::try_from(drawn).ok().and_then(|index| dialects.get(index));
-        Settings {
+        GeneratorSettings {
             dialect: dialect.copied(),
             open,
-            ..Settings::default()
+            ..GeneratorSettings::default()
         }
     }
 }

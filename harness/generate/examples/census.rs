@@ -8,7 +8,7 @@ use arbitrary::Unstructured;
 use std::collections::BTreeMap;
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::features::{Detail, features};
-use stickler_generate::generator::{Settings, program};
+use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::{Program, Statement, StatementKind, Target};
 use stickler_generate::oracles::Tried;
 use stickler_generate::oracles::execute::judge_program;
@@ -46,9 +46,9 @@ struct Measured {
 
 impl Measured {
     fn of(dialect: DialectName, seeds: u64) -> Measured {
-        let settings = Settings {
+        let settings = GeneratorSettings {
             dialect: Some(dialect),
-            ..Settings::default()
+            ..GeneratorSettings::default()
         };
         let mut measured = Measured::default();
         for seed in 0..seeds {

@@ -1,7 +1,7 @@
 //! Prints the programs of a dialect, by their seeds: `cargo run -p stickler-generate --example programs -- ironplc-ed3 7 8`.
 
 use arbitrary::Unstructured;
-use stickler_generate::generator::{Settings, program};
+use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::writer::{Style, write};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -10,9 +10,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .next()
         .ok_or("which dialect, and which seeds?")?
         .parse()?;
-    let settings = Settings {
+    let settings = GeneratorSettings {
         dialect: Some(dialect),
-        ..Settings::default()
+        ..GeneratorSettings::default()
     };
     for seed in arguments {
         let bytes = bytes(seed.parse()?);

@@ -387,7 +387,7 @@ const fn type_name(ty: &Type) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::generator::{Settings, program};
+    use crate::generator::{GeneratorSettings, program};
     use crate::random::bytes;
     use arbitrary::Unstructured;
 
@@ -395,7 +395,12 @@ mod tests {
     fn an_input_is_left_out_once_a_call_gives_one_less() {
         const NAME: &str = "input left out";
         let has_name = |program: &Program| features(program, Detail::Distinctive).contains_key(NAME);
-        let made = |seed| program(&mut Unstructured::new(&bytes(seed, 2000)), &Settings::default());
+        let made = |seed| {
+            program(
+                &mut Unstructured::new(&bytes(seed, 2000)),
+                &GeneratorSettings::default(),
+            )
+        };
         let (with, without): (Vec<Program>, Vec<Program>) = (0..300).map(made).partition(has_name);
         assert!(!with.is_empty());
         let mut shortened = 0;
@@ -420,7 +425,10 @@ mod tests {
     #[test]
     fn each_level_of_detail_includes_the_one_before() {
         for seed in 0..50 {
-            let program = program(&mut Unstructured::new(&bytes(seed, 2000)), &Settings::default());
+            let program = program(
+                &mut Unstructured::new(&bytes(seed, 2000)),
+                &GeneratorSettings::default(),
+            );
             let [least, middle, most] = [Detail::Distinctive, Detail::Complete, Detail::Measured]
                 .map(|detail| features(&program, detail));
             assert!(least.iter().all(|(name, count)| middle.get(name) == Some(count)));

@@ -177,12 +177,12 @@ fn places(found: &[u8]) -> Vec<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stickler_generate::generator::{Settings, program};
+    use stickler_generate::generator::{GeneratorSettings, program};
 
     /// A program of which the bytes are drawn from this seed.
     fn generated(seed: u64) -> Program {
         let bytes = random::bytes(seed, 1500);
-        program(&mut Unstructured::new(&bytes), &Settings::default())
+        program(&mut Unstructured::new(&bytes), &GeneratorSettings::default())
     }
 
     /// The smallest text in which a reference that overlooks some errors of a kind overlooks one: those of which the text passes a

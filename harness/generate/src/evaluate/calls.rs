@@ -1,7 +1,7 @@
 //! Calls of functions, and invocations of the instances of function blocks.
 
+use super::cell::Cell;
 use super::machine::{Machine, Unit};
-use super::memory::Cell;
 use super::{Question, Refusal};
 use crate::model::{Argument, ExpressionKind, Place, Section, Type, VariableId};
 use std::rc::Rc;

@@ -1,7 +1,7 @@
 //! Conversions, explicit and implicit, by exact arithmetic.
 
+use super::cell::Cell;
 use super::machine::{Machine, Unit};
-use super::memory::Cell;
 use super::{Question, Refusal};
 use std::sync::LazyLock;
 use stickler_exact::{Choices, Operation, Signature, Word, expected, implicit, value};

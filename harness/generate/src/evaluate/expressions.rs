@@ -1,7 +1,7 @@
 //! Expressions.
 
+use super::cell::Cell;
 use super::machine::{Machine, Unit};
-use super::memory::Cell;
 use super::statements::DIVISION_BY_ZERO;
 use super::{Question, Refusal, arithmetic, ordering};
 use crate::model::{BinaryOperator, Expression, ExpressionKind, Place, Type, UnaryOperator};

@@ -1,7 +1,7 @@
 //! The state of an evaluation, and its course: start, scan by scan, and the values at the end.
 
+use super::cell::Cell;
 use super::layout::{Layout, Offsets};
-use super::memory::Cell;
 use super::{Evaluation, Opened, Question, Refusal};
 use crate::model::{Program, Type, Variable};
 use std::rc::Rc;

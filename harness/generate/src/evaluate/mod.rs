@@ -16,6 +16,7 @@
 mod answer;
 mod arithmetic;
 mod calls;
+mod cell;
 mod conversions;
 mod expressions;
 mod layout;

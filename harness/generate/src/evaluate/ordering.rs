@@ -2,7 +2,7 @@
 //!
 //! Basis: iec-61131-3: Table 33 (comparison); the table comparison of the cases says it type by type.
 
-use super::memory::Cell;
+use super::cell::Cell;
 use std::cmp::Ordering;
 use stickler_types::ElementaryType;
 

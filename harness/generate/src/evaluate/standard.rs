@@ -3,8 +3,8 @@
 //! Basis: iec-61131-3: Tables 28 to 32 and 34; the table standard-functions of the cases.
 
 use super::arithmetic::{self, Computed};
+use super::cell::Cell;
 use super::machine::{Machine, Unit};
-use super::memory::Cell;
 use super::{Question, Refusal, ordering};
 use crate::model::{Expression, StandardFunction, Type, UnaryOperator};
 use std::cmp::Ordering;

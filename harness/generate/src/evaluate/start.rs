@@ -1,7 +1,7 @@
 //! Initial values: of types, of variables, and of the instances of function blocks.
 
+use super::cell::Cell;
 use super::machine::{Machine, Unit};
-use super::memory::Cell;
 use super::{Question, Refusal};
 use crate::model::{Declared, Initial, Section, Type, Variable};
 use stickler_types::ElementaryType;

@@ -1,7 +1,7 @@
 //! Statements.
 
+use super::cell::Cell;
 use super::machine::{Machine, Unit};
-use super::memory::Cell;
 use super::{Question, Refusal};
 use crate::model::{
     CaseBranch, CaseLabel, Expression, ExpressionKind, Place, Statement, StatementKind, Target, Type,

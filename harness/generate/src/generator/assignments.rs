@@ -1,16 +1,16 @@
 //! Assignments: to variables, parts of them, and bits.
 
-use super::expressions::{Wanted, elementary};
-use super::features::Feature;
-use super::maker::Maker;
-use super::operations::{binary, has_bits};
+use super::builder::ProgramBuilder;
+use super::constructs::Construct;
+use super::operations::has_bits;
 use super::scope::contains_text;
+use super::type_context::TypeContext;
 use crate::model::{
     BinaryOperator, Expression, ExpressionKind, Place, StatementKind, Target, Type, VariableId,
 };
 use stickler_types::{ElementaryType, Family};
 
-impl Maker<'_, '_> {
+impl ProgramBuilder<'_, '_> {
     /// An assignment to anything that can be written.
     pub fn assignment(&mut self) -> Option<StatementKind> {
         let place = self.target(|_| true)?;
@@ -35,15 +35,15 @@ impl Maker<'_, '_> {
             return None;
         };
         let operator = match ty.family() {
-            Family::Signed | Family::Unsigned | Family::Real if self.has(Feature::Arithmetic) => {
+            Family::Signed | Family::Unsigned | Family::Real if self.has(Construct::Arithmetic) => {
                 [BinaryOperator::Add, BinaryOperator::Subtract][self.random.below(2)]
             }
-            Family::Boolean | Family::BitString if self.has(Feature::Logic) => BinaryOperator::Xor,
+            Family::Boolean | Family::BitString if self.has(Construct::Logic) => BinaryOperator::Xor,
             _ => return None,
         };
-        let held = elementary(ty, ExpressionKind::Read(place.clone()));
-        let added = self.value(ty, Wanted::Operand, self.deepest - 1);
-        Some(binary(operator, held, added, ty))
+        let held = Expression::elementary(ty, ExpressionKind::Read(place.clone()));
+        let added = self.value(ty, TypeContext::Operand, self.deepest - 1);
+        Some(Expression::binary(operator, held, added, ty))
     }
 
     /// A value for a place of this type, which is of that variable; nothing where there is none.
@@ -52,7 +52,7 @@ impl Maker<'_, '_> {
             self.text_bound = VariableId(variable);
         }
         if let Type::Elementary(ty) = ty {
-            return Some(self.value(*ty, Wanted::Assigned, self.deepest));
+            return Some(self.value(*ty, TypeContext::Assigned, self.deepest));
         }
         if self.program.enumerated_values(ty).is_some() {
             let called = if self.random.chance(1, 4) {
@@ -69,7 +69,7 @@ impl Maker<'_, '_> {
     pub fn assigned_bit(&mut self) -> Option<StatementKind> {
         let place = self.target(has_bits)?;
         let bit = self.bit_number(&place.ty);
-        let value = self.value(ElementaryType::Bool, Wanted::Assigned, self.deepest);
+        let value = self.value(ElementaryType::Bool, TypeContext::Assigned, self.deepest);
         Some(StatementKind::Assign(Target::Bit(place, bit), value))
     }
 }

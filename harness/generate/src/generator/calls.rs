@@ -1,19 +1,24 @@
 //! Calls: of conversion functions, and of the program's own.
 
-use super::expressions::{Wanted, elementary};
-use super::features::Feature;
-use super::language::{Offer, Settled};
+use super::builder::ProgramBuilder;
+use super::constructs::Construct;
 use super::literals;
-use super::maker::Maker;
+use super::profile::{ConversionOffer, ResultCoverage};
+use super::type_context::TypeContext;
 use crate::model::{Argument, Expression, ExpressionKind, LiteralForm, StandardFunction, Type, VariableId};
 use stickler_exact::{Operation, Signature, expected};
 use stickler_types::{ElementaryType, Family, Value};
 
-impl Maker<'_, '_> {
-    /// A conversion whose result documents settle; where what is open is wanted, any.
-    pub fn conversion(&mut self, ty: ElementaryType, wanted: Wanted, depth: usize) -> Option<Expression> {
-        let offer = self.offer(ty, wanted)?;
-        let settled = offer.settled == Settled::Always || (self.open && self.random.chance(1, 2));
+impl ProgramBuilder<'_, '_> {
+    /// A conversion whose result documents settle; where what is open is context, any.
+    pub fn conversion(
+        &mut self,
+        ty: ElementaryType,
+        context: TypeContext,
+        depth: usize,
+    ) -> Option<Expression> {
+        let offer = self.offer(ty, context)?;
+        let settled = offer.settled == ResultCoverage::Always || (self.open && self.random.chance(1, 2));
         let operand = if settled {
             self.operand(offer, depth)
         } else {
@@ -23,43 +28,44 @@ impl Maker<'_, '_> {
     }
 
     /// A conversion function that gives this type; rather one of a type that variables have.
-    fn offer(&mut self, ty: ElementaryType, wanted: Wanted) -> Option<&'static Offer> {
+    fn offer(&mut self, ty: ElementaryType, context: TypeContext) -> Option<&'static ConversionOffer> {
         let seen_only = self.random.chance(3, 4);
         let (open, pou) = (self.open, &self.pou);
-        let suits = |offer: &Offer| {
-            (open || offer.settled != Settled::Never)
-                && (!offer.ambiguous || wanted == Wanted::Assigned)
+        let suits = |offer: &ConversionOffer| {
+            (open || offer.settled != ResultCoverage::Never)
+                && (!offer.ambiguous || context == TypeContext::Assigned)
                 && (!seen_only || pou.varies(offer.from))
         };
-        self.random.pick_where(self.language.offers(ty), suits)
+        self.random.pick_where(self.profile.offers(ty), suits)
     }
 
     /// The argument of a conversion function; sometimes one that has to widen first, if the function's name says into what.
-    fn operand(&mut self, offer: &Offer, depth: usize) -> Expression {
-        let widened = if offer.plain && self.has(Feature::Widening) && self.random.chance(1, 8) {
-            self.widened(offer.from, Wanted::Argument, depth)
+    fn operand(&mut self, offer: &ConversionOffer, depth: usize) -> Expression {
+        let widened = if offer.plain && self.has(Construct::Widening) && self.random.chance(1, 8) {
+            self.widened(offer.from, TypeContext::Argument, depth)
         } else {
             None
         };
-        widened.unwrap_or_else(|| self.value(offer.from, Wanted::Exact, depth))
+        widened.unwrap_or_else(|| self.value(offer.from, TypeContext::Exact, depth))
     }
 
     /// A variable, converted to this type by a function that is settled for all its values.
     pub fn converted_variable(&mut self, ty: ElementaryType) -> Option<Expression> {
         let pou = &self.pou;
-        let suits =
-            |offer: &Offer| offer.settled == Settled::Always && !offer.ambiguous && pou.varies(offer.from);
-        let offer = self.random.pick_where(self.language.offers(ty), suits)?;
+        let suits = |offer: &ConversionOffer| {
+            offer.settled == ResultCoverage::Always && !offer.ambiguous && pou.varies(offer.from)
+        };
+        let offer = self.random.pick_where(self.profile.offers(ty), suits)?;
         let operand = self.read(&Type::Elementary(offer.from), true)?;
         Some(convert(&offer.signature, operand))
     }
 
     /// An operand of which documents say what the function gives.
-    fn settled_operand(&mut self, offer: &Offer, depth: usize) -> Option<Expression> {
+    fn settled_operand(&mut self, offer: &ConversionOffer, depth: usize) -> Option<Expression> {
         let (from, to) = (offer.from, offer.signature.result);
         let variable = match (offer.signature.operation, from.family(), to.family()) {
             // Only a NaN is not settled, and the evaluator sees to that.
-            (_, Family::Real, Family::Boolean) => return Some(self.value(from, Wanted::Exact, depth)),
+            (_, Family::Real, Family::Boolean) => return Some(self.value(from, TypeContext::Exact, depth)),
             (Operation::ToBcd, ..) => {
                 self.limited_number(from, 0, if to == ElementaryType::Byte { 99 } else { 9999 })
             }
@@ -99,13 +105,13 @@ impl Maker<'_, '_> {
             } else {
                 number.to_bits()
             };
-            elementary(
+            Expression::elementary(
                 from,
                 ExpressionKind::Literal(Value::plain(from, raw), LiteralForm::Typed),
             )
         };
         let arguments = vec![limit(low), operand, limit(high)];
-        Some(elementary(
+        Some(Expression::elementary(
             from,
             ExpressionKind::Standard(StandardFunction::Limit, arguments),
         ))
@@ -113,22 +119,22 @@ impl Maker<'_, '_> {
 
     /// The text of a number, which certainly is one.
     fn written_number(&mut self, text: ElementaryType, number: ElementaryType) -> Option<Expression> {
-        let signature = self.language.settled(number, text)?;
+        let signature = self.profile.settled(number, text)?;
         let operand = self.read(&Type::Elementary(number), true)?;
         Some(convert(signature, operand))
     }
 
     /// A literal of which documents say what the function gives, if one is found quickly.
-    fn settled_literal(&mut self, offer: &Offer) -> Option<Expression> {
-        const TRIES: usize = 4;
-        let dialect = self.language.dialect;
-        for _ in 0..TRIES {
+    fn settled_literal(&mut self, offer: &ConversionOffer) -> Option<Expression> {
+        const MAX_TRIES: usize = 4;
+        let dialect = self.profile.dialect;
+        for _ in 0..MAX_TRIES {
             let value = literals::value(offer.from, &mut self.random);
             if expected(&offer.signature, std::slice::from_ref(&value), dialect)
                 .basis
                 .is_some()
             {
-                return Some(elementary(
+                return Some(Expression::elementary(
                     offer.from,
                     ExpressionKind::Literal(value, LiteralForm::Typed),
                 ));
@@ -150,7 +156,7 @@ impl Maker<'_, '_> {
             .map(|(parameter, variable)| (parameter, variable.ty.clone()))
             .collect();
         // One stays, for a call without arguments has none by name.
-        if parameters.len() > 1 && self.language.leaves_inputs_out(self.open) && self.random.chance(1, 3) {
+        if parameters.len() > 1 && self.profile.leaves_inputs_out(self.open) && self.random.chance(1, 3) {
             parameters.remove(self.random.below(parameters.len()));
         }
         self.spend(self.function_costs[called]);
@@ -168,7 +174,7 @@ impl Maker<'_, '_> {
     /// What is passed to a parameter of an elementary type or an enumeration.
     pub fn argument(&mut self, ty: &Type, depth: usize) -> Expression {
         match ty {
-            Type::Elementary(ty) => self.value(*ty, Wanted::Argument, depth),
+            Type::Elementary(ty) => self.value(*ty, TypeContext::Argument, depth),
             ty => self.enumerated(ty),
         }
     }
@@ -176,7 +182,7 @@ impl Maker<'_, '_> {
 
 /// A call of a conversion function.
 pub(super) fn convert(signature: &Signature, operand: Expression) -> Expression {
-    elementary(
+    Expression::elementary(
         signature.result,
         ExpressionKind::Convert(signature.clone(), Box::new(operand)),
     )

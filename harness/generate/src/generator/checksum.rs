@@ -15,13 +15,11 @@
 //! The comparison lets little of a value through (in PLCnext, whose documents say next to nothing about conversion functions, also
 //! of a ULINT or LWORD). But each value is observed itself, too: see [`crate::model::Program::observed`].
 
+use super::builder::ProgramBuilder;
 use super::calls::convert;
-use super::expressions::elementary;
 use super::literals;
-use super::maker::Maker;
-use super::operations::binary;
 use super::places::{assign, integer, whole};
-use super::scope::Step;
+use super::scope::PathStep;
 use crate::model::{
     ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Place,
     Selector, StandardFunction, Statement, StatementKind, Type, VariableId, subscripts,
@@ -31,7 +29,7 @@ use stickler_types::{ElementaryType, Family, Value};
 const LINT: ElementaryType = ElementaryType::Lint;
 const LREAL: ElementaryType = ElementaryType::Lreal;
 
-impl Maker<'_, '_> {
+impl ProgramBuilder<'_, '_> {
     /// Adds the variables of the checksums and the statements that compute them from all others.
     pub fn add_checksums(&mut self, body: &mut Vec<Statement>) {
         let places = self.parts();
@@ -83,7 +81,7 @@ impl Maker<'_, '_> {
         let mut statements = Vec::new();
         if ty.is_text() {
             let length = ExpressionKind::Standard(StandardFunction::Len, vec![read(place.clone(), ty)]);
-            let length = elementary(ElementaryType::Int, length);
+            let length = Expression::elementary(ElementaryType::Int, length);
             statements.extend(
                 self.as_lint(length, ElementaryType::Int)
                     .map(|number| mix(checksum, number)),
@@ -94,7 +92,7 @@ impl Maker<'_, '_> {
             }
         }
         let literal = self.telling_value(ty);
-        let literal = elementary(
+        let literal = Expression::elementary(
             ty,
             ExpressionKind::Literal(
                 literal,
@@ -114,7 +112,7 @@ impl Maker<'_, '_> {
         let condition = if ty == ElementaryType::Bool {
             read(place, ty)
         } else {
-            binary(operator, read(place, ty), literal, ElementaryType::Bool)
+            Expression::binary(operator, read(place, ty), literal, ElementaryType::Bool)
         };
         let otherwise = vec![mix(checksum, number(2))];
         statements.push(Statement {
@@ -137,10 +135,13 @@ impl Maker<'_, '_> {
         if ty == LINT {
             return Some(value);
         }
-        if self.language.sources(LINT).contains(&ty) {
-            return Some(elementary(LINT, ExpressionKind::Widen(Box::new(value))));
+        if self.profile.sources(LINT).contains(&ty) {
+            return Some(Expression::elementary(
+                LINT,
+                ExpressionKind::Widen(Box::new(value)),
+            ));
         }
-        let settled = self.language.settled(ty, LINT)?;
+        let settled = self.profile.settled(ty, LINT)?;
         Some(convert(settled, value))
     }
 
@@ -167,34 +168,34 @@ impl Maker<'_, '_> {
     fn mixed_real(&self, sum: VariableId, value: Expression, ty: ElementaryType) -> Option<Statement> {
         let value = if ty == LREAL {
             value
-        } else if self.language.sources(LREAL).contains(&ty) {
-            elementary(LREAL, ExpressionKind::Widen(Box::new(value)))
+        } else if self.profile.sources(LREAL).contains(&ty) {
+            Expression::elementary(LREAL, ExpressionKind::Widen(Box::new(value)))
         } else {
-            convert(self.language.settled(ty, LREAL)?, value)
+            convert(self.profile.settled(ty, LREAL)?, value)
         };
         let half = ExpressionKind::Literal(Value::plain(LREAL, 0.5_f64.to_bits()), LiteralForm::Typed);
-        let halved = binary(
+        let halved = Expression::binary(
             BinaryOperator::Multiply,
             whole(sum, LREAL),
-            elementary(LREAL, half),
+            Expression::elementary(LREAL, half),
             LREAL,
         );
         Some(assign(
             sum,
             LREAL,
-            binary(BinaryOperator::Add, halved, value, LREAL),
+            Expression::binary(BinaryOperator::Add, halved, value, LREAL),
         ))
     }
 }
 
 /// The paths to every element that steps lead to.
-fn spread(steps: &[Step]) -> Vec<Vec<Selector>> {
+fn spread(steps: &[PathStep]) -> Vec<Vec<Selector>> {
     let mut paths = vec![Vec::new()];
     for step in steps {
         let selectors = match step {
-            Step::Field(field) => vec![Selector::Field(*field)],
-            Step::Output(output) => vec![Selector::Output(*output)],
-            Step::Index(limits) => every_element(limits),
+            PathStep::Field(field) => vec![Selector::Field(*field)],
+            PathStep::Output(output) => vec![Selector::Output(*output)],
+            PathStep::Index(limits) => every_element(limits),
         };
         paths = paths
             .into_iter()
@@ -223,7 +224,7 @@ fn every_element(limits: &[(i64, i64)]) -> Vec<Selector> {
 }
 
 fn read(place: Place, ty: ElementaryType) -> Expression {
-    elementary(ty, ExpressionKind::Read(place))
+    Expression::elementary(ty, ExpressionKind::Read(place))
 }
 
 fn number(number: i64) -> Expression {
@@ -232,6 +233,10 @@ fn number(number: i64) -> Expression {
 
 /// `checksum := checksum * 31 + number;`
 fn mix(checksum: VariableId, added: Expression) -> Statement {
-    let product = binary(BinaryOperator::Multiply, whole(checksum, LINT), number(31), LINT);
-    assign(checksum, LINT, binary(BinaryOperator::Add, product, added, LINT))
+    let product = Expression::binary(BinaryOperator::Multiply, whole(checksum, LINT), number(31), LINT);
+    assign(
+        checksum,
+        LINT,
+        Expression::binary(BinaryOperator::Add, product, added, LINT),
+    )
 }

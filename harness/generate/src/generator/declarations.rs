@@ -1,10 +1,10 @@
 //! Types, and variables with their initial values.
 
-use super::expressions::{Wanted, elementary};
-use super::features::Feature;
+use super::builder::ProgramBuilder;
+use super::constructs::Construct;
 use super::literals;
-use super::maker::Maker;
-use super::scope::Kind;
+use super::scope::PouKind;
+use super::type_context::TypeContext;
 use crate::model::{
     ArrayType, Declared, Expression, ExpressionKind, Initial, LiteralForm, Section, Type, TypeDeclaration,
     Variable, VariableId, subscripts,
@@ -12,15 +12,15 @@ use crate::model::{
 use stickler_types::{ElementaryType, Family};
 
 /// How many elements an array has at most.
-const MOST_ELEMENTS: usize = 8;
+const MAX_ELEMENTS: usize = 8;
 
 /// The same, where the elements are no elementary values.
-const MOST_STRUCTURES: usize = 3;
+const MAX_STRUCTURES: usize = 3;
 
-impl Maker<'_, '_> {
+impl ProgramBuilder<'_, '_> {
     /// TYPE … END_TYPE.
     pub fn declare_types(&mut self) {
-        if self.has(Feature::Enumerations) {
+        if self.has(Construct::Enumerations) {
             for _ in 0..=self.random.below(2) {
                 let number = self.program.types.len();
                 let names = (0..2 + self.random.below(4)).map(|value| format!("e{number}v{value}"));
@@ -28,7 +28,7 @@ impl Maker<'_, '_> {
                 self.declare_type("Enum", Declared::Enumeration(names));
             }
         }
-        if self.has(Feature::Structures) {
+        if self.has(Construct::Structures) {
             for _ in 0..=self.random.below(2) {
                 let fields = (0..1 + self.random.below(4))
                     .map(|field| self.field(field))
@@ -36,7 +36,7 @@ impl Maker<'_, '_> {
                 self.declare_type("Rec", Declared::Structure(fields));
             }
         }
-        if self.has(Feature::Aliases) {
+        if self.has(Construct::Aliases) {
             self.declare_alias();
         }
     }
@@ -48,7 +48,7 @@ impl Maker<'_, '_> {
 
     fn field(&mut self, number: usize) -> (String, Type, Option<Expression>) {
         let ty = match self.random.weighted(&[6, 1, 1]) {
-            1 if self.has(Feature::Arrays) => self.array(),
+            1 if self.has(Construct::Arrays) => self.array(),
             2 => self.declared_type(),
             _ => Type::Elementary(self.any_type()),
         };
@@ -85,7 +85,7 @@ impl Maker<'_, '_> {
         };
         let dimensions = 1 + self.random.weighted(&[6, 2, 1]);
         let is_simple = matches!(element, Type::Elementary(_));
-        let mut left = if is_simple { MOST_ELEMENTS } else { MOST_STRUCTURES };
+        let mut left = if is_simple { MAX_ELEMENTS } else { MAX_STRUCTURES };
         let limits = (0..dimensions).map(|_| {
             let low = [0, 1, -1, 5, -3][self.random.below(5)];
             let length = 1 + self.random.below(left.min(6));
@@ -135,7 +135,7 @@ impl Maker<'_, '_> {
     /// A type for a variable: of an array, a structure, an enumeration or an elementary one.
     pub fn variable_type(&mut self) -> Type {
         match self.random.weighted(&[7, 2, 2]) {
-            1 if self.has(Feature::Arrays) => self.array(),
+            1 if self.has(Construct::Arrays) => self.array(),
             2 if !self.program.types.is_empty() => {
                 Type::Declared(self.random.below(self.program.types.len()))
             }
@@ -160,7 +160,7 @@ impl Maker<'_, '_> {
     pub fn declare_local(&mut self, ty: Type) -> VariableId {
         let initial = self.initial(&ty);
         let may_be_constant =
-            self.has(Feature::Constants) && matches!(ty, Type::Elementary(_)) && initial.is_some();
+            self.has(Construct::Constants) && matches!(ty, Type::Elementary(_)) && initial.is_some();
         if may_be_constant && self.random.chance(1, 4) {
             return self.declare_variable("c", ty, Section::Constant, initial);
         }
@@ -190,7 +190,7 @@ impl Maker<'_, '_> {
     }
 
     fn wants_initial(&mut self) -> bool {
-        self.has(Feature::Initials) && self.random.chance(3, 4)
+        self.has(Construct::Initials) && self.random.chance(3, 4)
     }
 
     /// An initial value, perhaps.
@@ -243,23 +243,23 @@ impl Maker<'_, '_> {
 
     /// A literal, or one of a type that widens.
     fn initial_value(&mut self, ty: ElementaryType) -> Expression {
-        let sources = self.language.sources(ty);
-        if self.has(Feature::Widening) && !sources.is_empty() && self.random.chance(1, 4) {
+        let sources = self.profile.sources(ty);
+        if self.has(Construct::Widening) && !sources.is_empty() && self.random.chance(1, 4) {
             let from = self.random.pick(sources).copied().unwrap_or(ty);
             let value = literals::value(from, &mut self.random);
-            let literal = elementary(from, ExpressionKind::Literal(value, LiteralForm::Typed));
-            return elementary(ty, ExpressionKind::Widen(Box::new(literal)));
+            let literal = Expression::elementary(from, ExpressionKind::Literal(value, LiteralForm::Typed));
+            return Expression::elementary(ty, ExpressionKind::Widen(Box::new(literal)));
         }
         self.initial_literal(ty)
     }
 
     fn initial_literal(&mut self, ty: ElementaryType) -> Expression {
-        self.literal(ty, Wanted::Initial)
+        self.literal(ty, TypeContext::Initial)
     }
 
     /// Starts a POU that gets so many statements.
-    pub fn begin(&mut self, kind: Kind, statements: usize) {
-        self.pou = super::scope::Pou::new(kind);
+    pub fn begin(&mut self, kind: PouKind, statements: usize) {
+        self.pou = super::scope::PouScope::new(kind);
         self.statements_left = statements;
     }
 }

@@ -7,7 +7,7 @@ use stickler_types::{ElementaryType, Family, Value};
 /// The values of a type at which something changes; the default value first.
 pub(super) fn boundaries(ty: ElementaryType) -> &'static [Value] {
     static TABLE: LazyLock<Vec<Vec<Value>>> =
-        LazyLock::new(|| ElementaryType::ALL.into_iter().map(written_out).collect());
+        LazyLock::new(|| ElementaryType::ALL.into_iter().map(build).collect());
     &TABLE[ty as usize]
 }
 
@@ -35,7 +35,7 @@ fn small(ty: ElementaryType, random: &mut Random<'_, '_>) -> i64 {
     }
 }
 
-fn written_out(ty: ElementaryType) -> Vec<Value> {
+fn build(ty: ElementaryType) -> Vec<Value> {
     const MILLISECOND: i64 = 1_000_000;
     const DAY: i64 = 86_400_000 * MILLISECOND;
     let of = |numbers: &[i64], unit: i64| -> Vec<Value> {

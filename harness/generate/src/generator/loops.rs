@@ -1,10 +1,9 @@
 //! Loops, all of which end by construction.
 
-use super::expressions::{Wanted, elementary};
-use super::maker::Maker;
-use super::operations::binary;
+use super::builder::ProgramBuilder;
 use super::places::{assign, integer, whole};
-use super::scope::{Seen, Step};
+use super::scope::{PathStep, VisiblePlace};
+use super::type_context::TypeContext;
 use crate::model::{
     BinaryOperator, Expression, ExpressionKind, LiteralForm, StandardFunction, Statement, StatementKind,
     Type, VariableId,
@@ -12,16 +11,16 @@ use crate::model::{
 use stickler_types::ElementaryType;
 
 /// How often a loop turns at most.
-const MOST_TURNS: i64 = 5;
+const MAX_TURNS: i64 = 5;
 
 /// What a FOR loop runs over.
-struct Range {
+struct LoopRange {
     from: i64,
     to: i64,
     by: i64,
 }
 
-impl Maker<'_, '_> {
+impl ProgramBuilder<'_, '_> {
     /// A variable of this type that the generator keeps for itself.
     pub fn reserved(&mut self, ty: ElementaryType) -> VariableId {
         if let Some(place) = self.pou.idle.iter().position(|&(_, idle)| idle == ty) {
@@ -50,7 +49,7 @@ impl Maker<'_, '_> {
             .pick(&integers)
             .copied()
             .unwrap_or(ElementaryType::Int);
-        let Range { from, to, by } = self.range(ty);
+        let LoopRange { from, to, by } = self.range(ty);
         let bounds = self.bounds(ty, from, to, by);
         let variable = self.reserved(ty);
         self.pou.hold(variable, &bounds.from);
@@ -76,26 +75,26 @@ impl Maker<'_, '_> {
     }
 
     /// A few numbers of an integer type: those of an array's subscripts, some near zero, or near the type's limits. One step further is still in the type.
-    fn range(&mut self, ty: ElementaryType) -> Range {
+    fn range(&mut self, ty: ElementaryType) -> LoopRange {
         let (least, greatest) = limits(ty);
         if self.random.chance(1, 2)
             && let Some((low, high)) = self.dimension(least.saturating_add(1), greatest.saturating_sub(1))
         {
             return if ty.is_signed() && self.random.chance(1, 4) {
-                Range {
+                LoopRange {
                     from: high,
                     to: low,
                     by: -1,
                 }
             } else {
-                Range {
+                LoopRange {
                     from: low,
                     to: high,
                     by: 1,
                 }
             };
         }
-        let turns = self.random.between(1, MOST_TURNS);
+        let turns = self.random.between(1, MAX_TURNS);
         let step = 1 + self.random.weighted(&[6, 1, 1]) as i64;
         let span = step * turns;
         let lowest = match self.random.weighted(&[6, 2, 1, 1]) {
@@ -107,13 +106,13 @@ impl Maker<'_, '_> {
         };
         let highest = lowest + span - step;
         if ty.is_signed() && self.random.chance(1, 4) {
-            Range {
+            LoopRange {
                 from: highest,
                 to: lowest,
                 by: -step,
             }
         } else {
-            Range {
+            LoopRange {
                 from: lowest,
                 to: highest,
                 by: step,
@@ -123,17 +122,18 @@ impl Maker<'_, '_> {
 
     /// The limits of a dimension of some array, if they lie between these.
     fn dimension(&mut self, least: i64, greatest: i64) -> Option<(i64, i64)> {
-        let limits = |seen: &Seen| match seen.path.last() {
-            Some(Step::Index(limits)) => limits.last().copied(),
+        let limits = |seen: &VisiblePlace| match seen.path.last() {
+            Some(PathStep::Index(limits)) => limits.last().copied(),
             _ => None,
         };
-        let suits = |seen: &Seen| limits(seen).is_some_and(|(low, high)| least <= low && high <= greatest);
+        let suits =
+            |seen: &VisiblePlace| limits(seen).is_some_and(|(low, high)| least <= low && high <= greatest);
         self.random.pick_where(&self.pou.places, suits).and_then(limits)
     }
 
     /// The expressions of a range. Sometimes a variable decides where it begins or ends, which the body then leaves alone.
-    fn bounds(&mut self, ty: ElementaryType, from: i64, to: i64, by: i64) -> Bounds {
-        let mut bounds = Bounds {
+    fn bounds(&mut self, ty: ElementaryType, from: i64, to: i64, by: i64) -> LoopBounds {
+        let mut bounds = LoopBounds {
             from: self.bound(ty, from),
             to: self.bound(ty, to),
             by: (by != 1 || self.random.chance(1, 8)).then(|| integer(ty, by, LiteralForm::Untyped)),
@@ -150,7 +150,8 @@ impl Maker<'_, '_> {
         {
             let limit = |number| integer(ty, number, LiteralForm::Typed);
             let arguments = vec![limit(low), whole(variable, ty), limit(high)];
-            bounds.to = elementary(ty, ExpressionKind::Standard(StandardFunction::Limit, arguments));
+            bounds.to =
+                Expression::elementary(ty, ExpressionKind::Standard(StandardFunction::Limit, arguments));
             bounds.locked = Some(variable);
         }
         bounds
@@ -164,7 +165,7 @@ impl Maker<'_, '_> {
     }
 
     fn bound(&mut self, ty: ElementaryType, number: i64) -> Expression {
-        let form = self.form(ty, Wanted::Assigned);
+        let form = self.form(ty, TypeContext::Assigned);
         integer(ty, number, form)
     }
 
@@ -173,13 +174,13 @@ impl Maker<'_, '_> {
         let condition = self.condition();
         let (counter, turns) = self.counter();
         let ty = ElementaryType::Int;
-        let fewer = binary(
+        let fewer = Expression::binary(
             BinaryOperator::Less,
             whole(counter, ty),
             integer(ty, turns, LiteralForm::Untyped),
             ElementaryType::Bool,
         );
-        let condition = binary(BinaryOperator::And, condition, fewer, ElementaryType::Bool);
+        let condition = Expression::binary(BinaryOperator::And, condition, fewer, ElementaryType::Bool);
         let mut body = vec![counted(counter)];
         body.extend(self.looped(depth, turns as u32));
         made.push(self.reset(counter, ty));
@@ -197,13 +198,13 @@ impl Maker<'_, '_> {
         body.extend(self.looped(depth, turns as u32));
         self.begin_statement();
         let condition = self.condition();
-        let enough = binary(
+        let enough = Expression::binary(
             BinaryOperator::GreaterOrEqual,
             whole(counter, ty),
             integer(ty, turns, LiteralForm::Untyped),
             ElementaryType::Bool,
         );
-        let condition = binary(BinaryOperator::Or, condition, enough, ElementaryType::Bool);
+        let condition = Expression::binary(BinaryOperator::Or, condition, enough, ElementaryType::Bool);
         made.push(self.reset(counter, ty));
         made.push(Statement {
             kind: StatementKind::Repeat(body, condition),
@@ -213,7 +214,7 @@ impl Maker<'_, '_> {
 
     fn counter(&mut self) -> (VariableId, i64) {
         let counter = self.reserved(ElementaryType::Int);
-        (counter, self.random.between(1, MOST_TURNS))
+        (counter, self.random.between(1, MAX_TURNS))
     }
 
     /// The statements of a loop that turns so often.
@@ -229,7 +230,7 @@ impl Maker<'_, '_> {
 }
 
 /// The head of a FOR loop.
-struct Bounds {
+struct LoopBounds {
     from: Expression,
     to: Expression,
     by: Option<Expression>,
@@ -243,7 +244,7 @@ fn counted(counter: VariableId) -> Statement {
     assign(
         counter,
         ty,
-        binary(BinaryOperator::Add, whole(counter, ty), one, ty),
+        Expression::binary(BinaryOperator::Add, whole(counter, ty), one, ty),
     )
 }
 

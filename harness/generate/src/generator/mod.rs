@@ -1,35 +1,38 @@
-//! The generator: random programs that are well-typed by construction, end by construction, and keep to what documents settle.
+//! The generator: random programs that are well-typed by construction, terminate by construction, and keep to what documents
+//! settle.
 //!
 //! | file | decides |
 //! |---|---|
-//! | `settings` | what the caller may ask |
-//! | `features` | which constructs and types one program has |
-//! | `language` | what a dialect has: types, implicit conversions, functions whose results documents give |
-//! | `literals` | values, biased to boundaries |
-//! | `maker` | what is being made: the program so far, and what is left of the budget |
-//! | `scope` | the POU in hand: what can be read and written in it |
+//! | `settings` | what the caller may ask for |
+//! | `constructs` | which constructs and types one program uses |
+//! | `profile` | what a dialect has: types, implicit conversions, conversion functions whose results documents give |
+//! | `literals` | values, biased towards boundaries |
+//! | `builder` | the program so far, and the rest of the budget |
+//! | `scope` | what can be read and written in the program organization unit (POU) under construction |
 //! | `declarations`, `routines` | types and variables; functions and function blocks |
-//! | `expressions`, `places`, `operations`, `standard`, `calls` | expressions of a wanted type |
+//! | `type_context` | how the type of an expression is determined where it stands |
+//! | `expressions`, `places`, `operations`, `standard`, `calls` | expressions of a given type |
 //! | `statements`, `assignments`, `loops` | statements |
-//! | `checksum` | the end of main, where everything flows together |
+//! | `checksum` | the end of main, where all values are combined |
 
 mod assignments;
+mod builder;
 mod calls;
 mod checksum;
+mod constructs;
 mod declarations;
 mod expressions;
-mod features;
-mod language;
 mod literals;
 mod loops;
-mod maker;
 mod operations;
 mod places;
+mod profile;
 mod routines;
 mod scope;
 mod settings;
 mod standard;
 mod statements;
+mod type_context;
 
-pub use maker::program;
-pub use settings::Settings;
+pub use builder::program;
+pub use settings::GeneratorSettings;

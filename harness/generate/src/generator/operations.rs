@@ -1,17 +1,17 @@
 //! Operators, and bits.
 
-use super::expressions::{Wanted, elementary};
-use super::features::Feature;
+use super::builder::ProgramBuilder;
+use super::constructs::Construct;
 use super::literals;
-use super::maker::Maker;
-use super::scope::{Held, Seen};
+use super::scope::{HeldValue, VisiblePlace};
+use super::type_context::TypeContext;
 use crate::model::{
     BinaryOperator as Operator, Expression, ExpressionKind, LiteralForm, StandardFunction as Function, Type,
     UnaryOperator,
 };
 use stickler_types::{ElementaryType, Family, Value};
 
-impl Maker<'_, '_> {
+impl ProgramBuilder<'_, '_> {
     /// `+`, `-` or `*`.
     pub fn arithmetic(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         if ty.is_duration() {
@@ -24,7 +24,7 @@ impl Maker<'_, '_> {
         let right = if ty.is_real() && operator == Operator::Multiply && !self.random.chance(1, 4) {
             self.factor(ty)
         } else {
-            self.value(ty, Wanted::Operand, depth)
+            self.value(ty, TypeContext::Operand, depth)
         };
         Some(self.in_some_order(operator, left, right, ty))
     }
@@ -32,20 +32,20 @@ impl Maker<'_, '_> {
     /// What a real is multiplied by: often something tiny, for only there do products stop to be normal numbers.
     fn factor(&mut self, ty: ElementaryType) -> Expression {
         if !self.random.chance(1, 3) {
-            return self.literal(ty, Wanted::Operand);
+            return self.literal(ty, TypeContext::Operand);
         }
         let tiny = literals::tiny(ty);
         let raw = tiny[self.random.below(tiny.len())];
-        let form = self.form(ty, Wanted::Operand);
-        elementary(ty, ExpressionKind::Literal(Value::plain(ty, raw), form))
+        let form = self.form(ty, TypeContext::Operand);
+        Expression::elementary(ty, ExpressionKind::Literal(Value::plain(ty, raw), form))
     }
 
     /// Durations grow by literals only, so that none of them leaves the range that every system has.
     fn sum_of_durations(&mut self, ty: ElementaryType) -> Option<Expression> {
         let operator = [Operator::Add, Operator::Subtract][self.random.below(2)];
         let left = self.read(&Type::Elementary(ty), true)?;
-        let right = self.literal(ty, Wanted::Operand);
-        Some(binary(operator, left, right, ty))
+        let right = self.literal(ty, TypeContext::Operand);
+        Some(Expression::binary(operator, left, right, ty))
     }
 
     /// The operands as they are, or the other way round where that makes no difference to the types.
@@ -57,9 +57,9 @@ impl Maker<'_, '_> {
         result: ElementaryType,
     ) -> Expression {
         if self.random.chance(1, 4) {
-            binary(operator, right, left, result)
+            Expression::binary(operator, right, left, result)
         } else {
-            binary(operator, left, right, result)
+            Expression::binary(operator, left, right, result)
         }
     }
 
@@ -73,26 +73,26 @@ impl Maker<'_, '_> {
         };
         let left = self.varying(ty, depth)?;
         let right = self.divisor(ty);
-        Some(binary(operator, left, right, ty))
+        Some(Expression::binary(operator, left, right, ty))
     }
 
     fn divisor(&mut self, ty: ElementaryType) -> Expression {
         if self.random.chance(1, 3)
             && let Some(operand) = self.read(&Type::Elementary(ty), true)
         {
-            let one = elementary(ty, ExpressionKind::Literal(one(ty), LiteralForm::Typed));
-            return elementary(ty, ExpressionKind::Standard(Function::Max, vec![operand, one]));
+            let one = Expression::elementary(ty, ExpressionKind::Literal(one(ty), LiteralForm::Typed));
+            return Expression::elementary(ty, ExpressionKind::Standard(Function::Max, vec![operand, one]));
         }
         let value = literals::value(ty, &mut self.random);
         let value = if divides(&value) { value } else { one(ty) };
-        let form = self.form(ty, Wanted::Operand);
-        elementary(ty, ExpressionKind::Literal(value, form))
+        let form = self.form(ty, TypeContext::Operand);
+        Expression::elementary(ty, ExpressionKind::Literal(value, form))
     }
 
     /// A minus before a variable or what contains one.
     pub fn negation(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         let operand = self.varying(ty, depth)?;
-        Some(elementary(
+        Some(Expression::elementary(
             ty,
             ExpressionKind::Unary(UnaryOperator::Negate, Box::new(operand)),
         ))
@@ -102,20 +102,20 @@ impl Maker<'_, '_> {
     pub fn logic(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let operators = [Operator::And, Operator::Or, Operator::Xor];
         let operator = operators[self.random.below(operators.len())];
-        let left = self.value(ty, Wanted::Exact, depth);
-        let right = self.value(ty, Wanted::Operand, depth);
+        let left = self.value(ty, TypeContext::Exact, depth);
+        let right = self.value(ty, TypeContext::Operand, depth);
         self.in_some_order(operator, left, right, ty)
     }
 
     /// NOT.
     pub fn complement(&mut self, ty: ElementaryType, depth: usize) -> Expression {
-        let operand = self.value(ty, Wanted::Exact, depth);
-        elementary(ty, ExpressionKind::Unary(UnaryOperator::Not, Box::new(operand)))
+        let operand = self.value(ty, TypeContext::Exact, depth);
+        Expression::elementary(ty, ExpressionKind::Unary(UnaryOperator::Not, Box::new(operand)))
     }
 
     /// Two operands of any type that the program has, compared.
     pub fn comparison(&mut self, depth: usize) -> Expression {
-        if self.has(Feature::Enumerations)
+        if self.has(Construct::Enumerations)
             && self.random.chance(1, 6)
             && let Some(compared) = self.compared_enumeration()
         {
@@ -125,7 +125,7 @@ impl Maker<'_, '_> {
         let operator = self.comparison_operator(ty);
         let left = match self.varying(ty, depth) {
             Some(left) => left,
-            None => self.value(ty, Wanted::Exact, depth),
+            None => self.value(ty, TypeContext::Exact, depth),
         };
         let right = self.compared(&left, ty, depth);
         self.in_some_order(operator, left, right, ElementaryType::Bool)
@@ -138,17 +138,17 @@ impl Maker<'_, '_> {
             && self.random.chance(1, 2)
         {
             let pou = &self.pou;
-            let suits = |held: &Held| held.variable == place.variable && held.ty == ty;
+            let suits = |held: &HeldValue| held.variable == place.variable && held.ty == ty;
             self.random.pick_where(&pou.held, suits).cloned()
         } else {
             None
         };
         match held {
             Some(held) => {
-                let form = self.form(ty, Wanted::Operand);
-                elementary(ty, ExpressionKind::Literal(held.value, form))
+                let form = self.form(ty, TypeContext::Operand);
+                Expression::elementary(ty, ExpressionKind::Literal(held.value, form))
             }
-            None => self.value(ty, Wanted::Operand, depth),
+            None => self.value(ty, TypeContext::Operand, depth),
         }
     }
 
@@ -171,7 +171,7 @@ impl Maker<'_, '_> {
 
     fn compared_enumeration(&mut self) -> Option<Expression> {
         let program = &self.program;
-        let is_enumeration = |seen: &Seen| program.enumerated_values(&seen.ty).is_some();
+        let is_enumeration = |seen: &VisiblePlace| program.enumerated_values(&seen.ty).is_some();
         let seen = self.random.pick_where(&self.pou.places, is_enumeration)?.clone();
         let operator = [Operator::Equal, Operator::NotEqual][self.random.below(2)];
         let place = self.place(&seen, false);
@@ -180,7 +180,7 @@ impl Maker<'_, '_> {
             kind: ExpressionKind::Read(place),
         };
         let right = self.enumerated(&seen.ty);
-        Some(binary(operator, left, right, ElementaryType::Bool))
+        Some(Expression::binary(operator, left, right, ElementaryType::Bool))
     }
 
     /// A value of an enumeration: of a variable, or by its name.
@@ -202,7 +202,10 @@ impl Maker<'_, '_> {
         let seen = self.choose(has_bits)?;
         let bit = self.bit_number(&seen.ty);
         let place = self.place(&seen, false);
-        Some(elementary(ElementaryType::Bool, ExpressionKind::Bit(place, bit)))
+        Some(Expression::elementary(
+            ElementaryType::Bool,
+            ExpressionKind::Bit(place, bit),
+        ))
     }
 
     /// Which bit: the first and the last ones more often than others.
@@ -220,21 +223,8 @@ impl Maker<'_, '_> {
 }
 
 /// Whether it is an integer or bit string, whose bits can be named.
-pub(super) fn has_bits(seen: &Seen) -> bool {
+pub(super) fn has_bits(seen: &VisiblePlace) -> bool {
     matches!(&seen.ty, Type::Elementary(ty) if ty.is_integer() || ty.is_bit_string())
-}
-
-/// An operator with its operands.
-pub(super) fn binary(
-    operator: Operator,
-    left: Expression,
-    right: Expression,
-    result: ElementaryType,
-) -> Expression {
-    elementary(
-        result,
-        ExpressionKind::Binary(operator, Box::new(left), Box::new(right)),
-    )
 }
 
 fn one(ty: ElementaryType) -> Value {

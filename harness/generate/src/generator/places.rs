@@ -1,21 +1,20 @@
 //! What is read and written: variables, and parts of them.
 
-use super::expressions::elementary;
-use super::maker::Maker;
-use super::scope::{Seen, Step, contains_text};
+use super::builder::ProgramBuilder;
+use super::scope::{PathStep, VisiblePlace, contains_text};
 use crate::model::{
     Expression, ExpressionKind, LiteralForm, Place, Selector, StandardFunction, Statement, StatementKind,
     Target, Type, VariableId,
 };
 use stickler_types::{ElementaryType, Value};
 
-impl Maker<'_, '_> {
+impl ProgramBuilder<'_, '_> {
     /// The value of something that has exactly this type; nothing where there is none. `varying` asks for what no compiler
     /// can know.
     pub fn read(&mut self, ty: &Type, varying: bool) -> Option<Expression> {
         let is_bound = contains_text(ty, &self.program);
         let bound = self.text_bound;
-        let suits = |seen: &Seen| {
+        let suits = |seen: &VisiblePlace| {
             seen.ty == *ty && !(varying && seen.constant) && !(is_bound && seen.variable >= bound)
         };
         let chosen = self.choose(suits)?;
@@ -27,16 +26,16 @@ impl Maker<'_, '_> {
     }
 
     /// One of the places that suit.
-    pub fn choose(&mut self, suits: impl Fn(&Seen) -> bool) -> Option<Seen> {
+    pub fn choose(&mut self, suits: impl Fn(&VisiblePlace) -> bool) -> Option<VisiblePlace> {
         self.random.pick_where(&self.pou.places, suits).cloned()
     }
 
     /// A place with its subscripts; `fixed` ones depend on no variable.
-    pub fn place(&mut self, seen: &Seen, fixed: bool) -> Place {
+    pub fn place(&mut self, seen: &VisiblePlace, fixed: bool) -> Place {
         let path = seen.path.iter().map(|step| match step {
-            Step::Field(field) => Selector::Field(*field),
-            Step::Output(output) => Selector::Output(*output),
-            Step::Index(limits) => {
+            PathStep::Field(field) => Selector::Field(*field),
+            PathStep::Output(output) => Selector::Output(*output),
+            PathStep::Index(limits) => {
                 let subscripts = limits.iter().map(|&(low, high)| self.subscript(low, high, fixed));
                 Selector::Index(subscripts.collect())
             }
@@ -93,7 +92,7 @@ impl Maker<'_, '_> {
         let variable = self.plain_variable(ty)?;
         let typed = |number| integer(ty, number, LiteralForm::Typed);
         let arguments = vec![typed(low), whole(variable, ty), typed(high)];
-        Some(elementary(
+        Some(Expression::elementary(
             ty,
             ExpressionKind::Standard(StandardFunction::Limit, arguments),
         ))
@@ -109,15 +108,16 @@ impl Maker<'_, '_> {
     /// Somewhere to write a value of exactly this type, of a variable that is none of these; its subscripts are fixed.
     pub fn writable_part(&mut self, ty: &Type, besides: &[VariableId]) -> Option<Place> {
         let pou = &self.pou;
-        let suits = |seen: &Seen| seen.ty == *ty && pou.may_write(seen) && !besides.contains(&seen.variable);
+        let suits =
+            |seen: &VisiblePlace| seen.ty == *ty && pou.may_write(seen) && !besides.contains(&seen.variable);
         let seen = self.random.pick_where(&pou.places, suits)?.clone();
         Some(self.place(&seen, true))
     }
 
     /// A place to write to that suits.
-    pub fn target(&mut self, suits: impl Fn(&Seen) -> bool) -> Option<Place> {
+    pub fn target(&mut self, suits: impl Fn(&VisiblePlace) -> bool) -> Option<Place> {
         let pou = &self.pou;
-        let suits = |seen: &Seen| pou.may_write(seen) && suits(seen);
+        let suits = |seen: &VisiblePlace| pou.may_write(seen) && suits(seen);
         let seen = self.random.pick_where(&pou.places, suits)?.clone();
         Some(self.place(&seen, false))
     }
@@ -125,7 +125,7 @@ impl Maker<'_, '_> {
 
 /// The value of a whole variable of an elementary type.
 pub(super) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
-    elementary(
+    Expression::elementary(
         ty,
         ExpressionKind::Read(Place::whole(variable, Type::Elementary(ty))),
     )
@@ -142,5 +142,5 @@ pub(super) fn assign(variable: VariableId, ty: ElementaryType, value: Expression
 /// A literal of an integer type or a bit string.
 pub(super) fn integer(ty: ElementaryType, number: i64, form: LiteralForm) -> Expression {
     let value = Value::plain(ty, ty.wrap(i128::from(number)));
-    elementary(ty, ExpressionKind::Literal(value, form))
+    Expression::elementary(ty, ExpressionKind::Literal(value, form))
 }

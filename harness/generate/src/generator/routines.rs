@@ -1,18 +1,18 @@
 //! Functions and function blocks.
 
-use super::features::Feature;
-use super::maker::Maker;
-use super::scope::{Kind, contains_text};
+use super::builder::ProgramBuilder;
+use super::constructs::Construct;
+use super::scope::{PouKind, contains_text};
 use crate::model::{Block, Function, Section, Statement, StatementKind, Target, Type};
 use stickler_types::ElementaryType;
 
 /// How many statements a function or function block has at most, besides those that end it.
-const MOST_STATEMENTS: usize = 7;
+const MAX_STATEMENTS: usize = 7;
 
-impl Maker<'_, '_> {
+impl ProgramBuilder<'_, '_> {
     /// The functions, each of which may call those before it.
     pub fn functions(&mut self) {
-        if !self.has(Feature::Functions) {
+        if !self.has(Construct::Functions) {
             return;
         }
         for number in 0..=self.random.below(3) {
@@ -23,8 +23,8 @@ impl Maker<'_, '_> {
                 }
                 ty => ty,
             };
-            let most = 1 + self.random.below(MOST_STATEMENTS);
-            self.begin(Kind::Function(result.clone()), most);
+            let most = 1 + self.random.below(MAX_STATEMENTS);
+            self.begin(PouKind::Function(result.clone()), most);
             for _ in 0..=self.random.below(3) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);
@@ -58,12 +58,12 @@ impl Maker<'_, '_> {
 
     /// The function blocks, each of which may have instances of those before it.
     pub fn blocks(&mut self) {
-        if !self.has(Feature::Blocks) {
+        if !self.has(Construct::Blocks) {
             return;
         }
         for number in 0..=self.random.below(2) {
-            let most = 2 + self.random.below(MOST_STATEMENTS);
-            self.begin(Kind::Block, most);
+            let most = 2 + self.random.below(MAX_STATEMENTS);
+            self.begin(PouKind::Block, most);
             for _ in 0..self.random.below(3) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);

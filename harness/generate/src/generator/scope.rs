@@ -8,7 +8,7 @@ use stickler_types::{ElementaryType, Value};
 
 /// Which kind of POU it is.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum Kind {
+pub(super) enum PouKind {
     /// A function that gives this.
     Function(Type),
     /// A function block.
@@ -18,13 +18,13 @@ pub(super) enum Kind {
 }
 
 /// The POU in hand.
-pub(super) struct Pou {
-    pub kind: Kind,
+pub(super) struct PouScope {
+    pub kind: PouKind,
     pub variables: Vec<Variable>,
     /// Every variable, element and part that can be read.
-    pub places: Vec<Seen>,
+    pub places: Vec<VisiblePlace>,
     /// Values that variables, or parts of them, hold at some time.
-    pub held: Vec<Held>,
+    pub held: Vec<HeldValue>,
     /// The control variables of the FOR loops around, with the values that they take.
     pub loops: Vec<(VariableId, ElementaryType, i64, i64)>,
     /// The control variables that no loop uses at the moment.
@@ -41,9 +41,9 @@ pub(super) struct Pou {
 
 /// Something that can be read.
 #[derive(Clone, Debug)]
-pub(super) struct Seen {
+pub(super) struct VisiblePlace {
     pub variable: VariableId,
-    pub path: Vec<Step>,
+    pub path: Vec<PathStep>,
     /// Its type; what stands behind an alias.
     pub ty: Type,
     pub writable: bool,
@@ -53,7 +53,7 @@ pub(super) struct Seen {
 
 /// A value that a variable, or an elementary part of it, is given where a literal says so: at the start, or by an assignment.
 #[derive(Clone, Debug)]
-pub(super) struct Held {
+pub(super) struct HeldValue {
     pub variable: VariableId,
     pub ty: ElementaryType,
     pub value: Value,
@@ -61,15 +61,15 @@ pub(super) struct Held {
 
 /// One step into a variable, before its subscripts are chosen.
 #[derive(Clone, Debug)]
-pub(super) enum Step {
+pub(super) enum PathStep {
     Index(Vec<(i64, i64)>),
     Field(usize),
     Output(VariableId),
 }
 
-impl Pou {
-    pub fn new(kind: Kind) -> Pou {
-        Pou {
+impl PouScope {
+    pub fn new(kind: PouKind) -> PouScope {
+        PouScope {
             kind,
             variables: Vec::new(),
             places: Vec::new(),
@@ -92,7 +92,7 @@ impl Pou {
         );
         let constant = variable.section == Section::Constant;
         self.see(
-            Seen {
+            VisiblePlace {
                 variable: id,
                 path: Vec::new(),
                 ty: variable.ty.clone(),
@@ -115,7 +115,7 @@ impl Pou {
             }
             (None, Type::Elementary(ty)) => {
                 self.held
-                    .extend(literals::boundaries(*ty).first().map(|zero| Held {
+                    .extend(literals::boundaries(*ty).first().map(|zero| HeldValue {
                         variable: id,
                         ty: *ty,
                         value: zero.clone(),
@@ -129,14 +129,14 @@ impl Pou {
     pub fn hold(&mut self, variable: VariableId, value: &Expression) {
         if let (ExpressionKind::Literal(value, _), &Type::Elementary(ty)) = (&value.kind, &value.ty) {
             let value = value.clone();
-            self.held.push(Held { variable, ty, value });
+            self.held.push(HeldValue { variable, ty, value });
         }
     }
 
     /// Declares a variable that statements may read but not write, because the generator needs it for itself.
     pub fn declare_reserved(&mut self, name: String, ty: ElementaryType) -> VariableId {
         let id = VariableId(self.variables.len());
-        self.places.push(Seen {
+        self.places.push(VisiblePlace {
             variable: id,
             path: Vec::new(),
             ty: Type::Elementary(ty),
@@ -153,12 +153,12 @@ impl Pou {
     }
 
     /// Remembers a place and all its parts.
-    fn see(&mut self, place: Seen, program: &Program) {
+    fn see(&mut self, place: VisiblePlace, program: &Program) {
         let ty = program.unaliased(&place.ty).clone();
-        let part = |step: Step, ty: &Type| {
+        let part = |step: PathStep, ty: &Type| {
             let mut path = place.path.clone();
             path.push(step);
-            Seen {
+            VisiblePlace {
                 path,
                 ty: ty.clone(),
                 ..place.clone()
@@ -166,12 +166,12 @@ impl Pou {
         };
         match &ty {
             Type::Array(array) => self.see(
-                part(Step::Index(array.dimensions.clone()), &array.element),
+                part(PathStep::Index(array.dimensions.clone()), &array.element),
                 program,
             ),
             Type::Declared(_) => {
                 for (field, (_, ty, _)) in program.fields(&ty).unwrap_or_default().iter().enumerate() {
-                    self.see(part(Step::Field(field), ty), program);
+                    self.see(part(PathStep::Field(field), ty), program);
                 }
             }
             Type::Block(block) => {
@@ -181,9 +181,9 @@ impl Pou {
                     .map_or(&[][..], |block| &block.variables);
                 for (number, output) in outputs.iter().enumerate() {
                     if output.section == Section::Output {
-                        let seen = part(Step::Output(VariableId(number)), &output.ty);
+                        let seen = part(PathStep::Output(VariableId(number)), &output.ty);
                         self.see(
-                            Seen {
+                            VisiblePlace {
                                 writable: false,
                                 ..seen
                             },
@@ -197,12 +197,12 @@ impl Pou {
         // An array that has no name is of a type of its own, so nothing else can be assigned to it as a whole.
         let named = !matches!(place.ty, Type::Array(_) | Type::Block(_));
         if named {
-            self.places.push(Seen { ty, ..place });
+            self.places.push(VisiblePlace { ty, ..place });
         }
     }
 
     /// Whether this may be written here.
-    pub fn may_write(&self, place: &Seen) -> bool {
+    pub fn may_write(&self, place: &VisiblePlace) -> bool {
         place.writable && !self.locked.contains(&place.variable)
     }
 

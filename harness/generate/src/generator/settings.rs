@@ -4,7 +4,7 @@ use stickler_types::DialectName;
 
 /// What kind of program is wanted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Settings {
+pub struct GeneratorSettings {
     /// The dialect; `None` lets the input choose.
     pub dialect: Option<DialectName>,
     /// Whether the program may use what documents leave open.
@@ -13,10 +13,10 @@ pub struct Settings {
     pub statements: usize,
 }
 
-impl Default for Settings {
+impl Default for GeneratorSettings {
     /// Any dialect, nothing open, at most 80 statements.
-    fn default() -> Settings {
-        Settings {
+    fn default() -> GeneratorSettings {
+        GeneratorSettings {
             dialect: None,
             open: false,
             statements: 80,

@@ -1,26 +1,26 @@
 //! Calls of standard functions that are no conversions.
 
-use super::expressions::{Wanted, elementary};
+use super::builder::ProgramBuilder;
 use super::literals;
-use super::maker::Maker;
 use super::operations::real;
 use super::places::integer;
+use super::type_context::TypeContext;
 use crate::model::{Expression, ExpressionKind, LiteralForm, StandardFunction as Function};
 use stickler_types::{ElementaryType, Family, Value};
 
-impl Maker<'_, '_> {
+impl ProgramBuilder<'_, '_> {
     /// SEL or MUX.
     pub fn selection(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         if self.random.chance(1, 3) {
             let count = 2 + self.random.below(2);
             let mut arguments = vec![self.selector(count as i64 - 1)];
-            arguments.extend((0..count).map(|_| self.value(ty, Wanted::Exact, depth)));
-            return elementary(ty, ExpressionKind::Standard(Function::Mux, arguments));
+            arguments.extend((0..count).map(|_| self.value(ty, TypeContext::Exact, depth)));
+            return Expression::elementary(ty, ExpressionKind::Standard(Function::Mux, arguments));
         }
-        let condition = self.value(ElementaryType::Bool, Wanted::Exact, depth);
-        let first = self.value(ty, Wanted::Exact, depth);
-        let second = self.value(ty, Wanted::Exact, depth);
-        elementary(
+        let condition = self.value(ElementaryType::Bool, TypeContext::Exact, depth);
+        let first = self.value(ty, TypeContext::Exact, depth);
+        let second = self.value(ty, TypeContext::Exact, depth);
+        Expression::elementary(
             ty,
             ExpressionKind::Standard(Function::Sel, vec![condition, first, second]),
         )
@@ -45,9 +45,9 @@ impl Maker<'_, '_> {
         if function == Function::Limit {
             return self.limit(ty, depth);
         }
-        let arguments = (0..count).map(|_| self.value(ty, Wanted::Exact, depth));
+        let arguments = (0..count).map(|_| self.value(ty, TypeContext::Exact, depth));
         let arguments = arguments.collect();
-        elementary(ty, ExpressionKind::Standard(function, arguments))
+        Expression::elementary(ty, ExpressionKind::Standard(function, arguments))
     }
 
     /// LIMIT with a lower limit that is not above the upper one, for no document says what it gives otherwise.
@@ -59,10 +59,10 @@ impl Maker<'_, '_> {
         if is_above(&limits[0], &limits[1]) {
             limits.swap(0, 1);
         }
-        let [low, high] =
-            limits.map(|limit| elementary(ty, ExpressionKind::Literal(limit, LiteralForm::Typed)));
-        let inner = self.value(ty, Wanted::Exact, depth);
-        elementary(
+        let [low, high] = limits
+            .map(|limit| Expression::elementary(ty, ExpressionKind::Literal(limit, LiteralForm::Typed)));
+        let inner = self.value(ty, TypeContext::Exact, depth);
+        Expression::elementary(
             ty,
             ExpressionKind::Standard(Function::Limit, vec![low, inner, high]),
         )
@@ -74,17 +74,17 @@ impl Maker<'_, '_> {
         let operand = match (ty.family(), ty.integer_range()) {
             (Family::Signed, Some((least, greatest))) => {
                 let limit = |number: i128| {
-                    elementary(
+                    Expression::elementary(
                         ty,
                         ExpressionKind::Literal(Value::plain(ty, ty.wrap(number)), LiteralForm::Typed),
                     )
                 };
                 let arguments = vec![limit(least + 1), operand, limit(greatest)];
-                elementary(ty, ExpressionKind::Standard(Function::Limit, arguments))
+                Expression::elementary(ty, ExpressionKind::Standard(Function::Limit, arguments))
             }
             _ => operand,
         };
-        Some(elementary(
+        Some(Expression::elementary(
             ty,
             ExpressionKind::Standard(Function::Abs, vec![operand]),
         ))
@@ -94,7 +94,7 @@ impl Maker<'_, '_> {
     pub fn shift(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let functions = [Function::Shl, Function::Shr, Function::Rol, Function::Ror];
         let function = functions[self.random.below(functions.len())];
-        let operand = self.value(ty, Wanted::Exact, depth);
+        let operand = self.value(ty, TypeContext::Exact, depth);
         // Where what is open is wanted, a shift may be longer than its operand.
         let last = i64::from(ty.bits()) - 1;
         let most = last + if self.open { 2 } else { 0 };
@@ -108,13 +108,13 @@ impl Maker<'_, '_> {
         } else {
             self.selector(most)
         };
-        elementary(ty, ExpressionKind::Standard(function, vec![operand, count]))
+        Expression::elementary(ty, ExpressionKind::Standard(function, vec![operand, count]))
     }
 
     /// LEN.
     pub fn length(&mut self, depth: usize) -> Expression {
-        let operand = self.value(ElementaryType::String, Wanted::Exact, depth.min(1));
-        elementary(
+        let operand = self.value(ElementaryType::String, TypeContext::Exact, depth.min(1));
+        Expression::elementary(
             ElementaryType::Int,
             ExpressionKind::Standard(Function::Len, vec![operand]),
         )
@@ -122,14 +122,14 @@ impl Maker<'_, '_> {
 
     /// CONCAT of a text and a literal.
     pub fn concatenation(&mut self, ty: ElementaryType, depth: usize) -> Expression {
-        let text = self.value(ty, Wanted::Exact, depth.min(2));
-        let more = self.literal(ty, Wanted::Exact);
+        let text = self.value(ty, TypeContext::Exact, depth.min(2));
+        let more = self.literal(ty, TypeContext::Exact);
         let arguments = if self.random.chance(1, 2) {
             vec![more, text]
         } else {
             vec![text, more]
         };
-        elementary(ty, ExpressionKind::Standard(Function::Concat, arguments))
+        Expression::elementary(ty, ExpressionKind::Standard(Function::Concat, arguments))
     }
 }
 

@@ -1,10 +1,10 @@
 //! Statements, but for loops.
 
-use super::expressions::Wanted;
-use super::features::Feature;
-use super::maker::Maker;
+use super::builder::ProgramBuilder;
+use super::constructs::Construct;
 use super::places::integer;
-use super::scope::Kind;
+use super::scope::PouKind;
+use super::type_context::TypeContext;
 use crate::model::{
     Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Section, Statement,
     StatementKind, Type, VariableId,
@@ -13,7 +13,7 @@ use stickler_types::ElementaryType;
 
 /// The kinds of statements that the generator chooses from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Choice {
+enum StatementForm {
     Assign,
     AssignBit,
     If,
@@ -25,7 +25,7 @@ enum Choice {
     Leave,
 }
 
-impl Maker<'_, '_> {
+impl ProgramBuilder<'_, '_> {
     /// The statements of a POU: so many, or fewer if the bytes run out.
     pub fn body(&mut self, most: usize) -> Vec<Statement> {
         let mut made = Vec::new();
@@ -50,7 +50,7 @@ impl Maker<'_, '_> {
 
     /// Starts a statement: what it may consist of is counted afresh.
     pub fn begin_statement(&mut self) {
-        self.nodes_left = if self.has(Feature::Deep) && self.random.chance(1, 8) {
+        self.nodes_left = if self.has(Construct::Deep) && self.random.chance(1, 8) {
             60
         } else {
             12
@@ -64,15 +64,15 @@ impl Maker<'_, '_> {
         self.begin_statement();
         self.spend(1);
         let kind = match self.choice(depth) {
-            Choice::Assign => self.assignment(),
-            Choice::AssignBit => self.assigned_bit(),
-            Choice::If => Some(self.branches(depth)),
-            Choice::Case => self.case(depth),
-            Choice::For => return self.for_loop(depth, made),
-            Choice::While => return self.while_loop(depth, made),
-            Choice::Repeat => return self.repeat_loop(depth, made),
-            Choice::Invoke => self.invocation(),
-            Choice::Leave => Some(self.leave()),
+            StatementForm::Assign => self.assignment(),
+            StatementForm::AssignBit => self.assigned_bit(),
+            StatementForm::If => Some(self.branches(depth)),
+            StatementForm::Case => self.case(depth),
+            StatementForm::For => return self.for_loop(depth, made),
+            StatementForm::While => return self.while_loop(depth, made),
+            StatementForm::Repeat => return self.repeat_loop(depth, made),
+            StatementForm::Invoke => self.invocation(),
+            StatementForm::Leave => Some(self.leave()),
         };
         if let Some(kind) = kind.or_else(|| self.assignment()) {
             made.push(Statement { kind });
@@ -87,8 +87,8 @@ impl Maker<'_, '_> {
         made.push(self.reset(variable, ElementaryType::Int));
     }
 
-    fn choice(&mut self, depth: usize) -> Choice {
-        let deepest = if self.has(Feature::Nested) { 4 } else { 2 };
+    fn choice(&mut self, depth: usize) -> StatementForm {
+        let deepest = if self.has(Construct::Nested) { 4 } else { 2 };
         let nests = depth < deepest && self.statements_left > 0;
         let loops = nests && self.pou.loops_around < 3 && self.affords(8);
         let weight = |offered: bool, weight: u16| if offered { weight } else { 0 };
@@ -97,19 +97,25 @@ impl Maker<'_, '_> {
             .variables
             .iter()
             .any(|variable| matches!(variable.ty, Type::Block(_)));
-        let may_leave = (self.pou.loops_around > 0 && self.has(Feature::Exit))
-            || (self.pou.kind != Kind::Main && self.has(Feature::Return));
-        let bits = self.has(Feature::Bits) && self.language.has_bits(self.open);
+        let may_leave = (self.pou.loops_around > 0 && self.has(Construct::Exit))
+            || (self.pou.kind != PouKind::Main && self.has(Construct::Return));
+        let bits = self.has(Construct::Bits) && self.profile.has_bits(self.open);
         let choices = [
-            (Choice::Assign, 12),
-            (Choice::AssignBit, weight(bits, 4)),
-            (Choice::If, weight(nests && self.has(Feature::If), 5)),
-            (Choice::Case, weight(nests && self.has(Feature::Case), 4)),
-            (Choice::For, weight(loops && self.has(Feature::For), 3)),
-            (Choice::While, weight(loops && self.has(Feature::While), 2)),
-            (Choice::Repeat, weight(loops && self.has(Feature::Repeat), 2)),
-            (Choice::Invoke, weight(instances, 6)),
-            (Choice::Leave, weight(depth > 0 && may_leave, 2)),
+            (StatementForm::Assign, 12),
+            (StatementForm::AssignBit, weight(bits, 4)),
+            (StatementForm::If, weight(nests && self.has(Construct::If), 5)),
+            (StatementForm::Case, weight(nests && self.has(Construct::Case), 4)),
+            (StatementForm::For, weight(loops && self.has(Construct::For), 3)),
+            (
+                StatementForm::While,
+                weight(loops && self.has(Construct::While), 2),
+            ),
+            (
+                StatementForm::Repeat,
+                weight(loops && self.has(Construct::Repeat), 2),
+            ),
+            (StatementForm::Invoke, weight(instances, 6)),
+            (StatementForm::Leave, weight(depth > 0 && may_leave, 2)),
         ];
         let weights = choices.map(|(_, weight)| weight);
         choices[self.random.weighted(&weights)].0
@@ -146,7 +152,7 @@ impl Maker<'_, '_> {
     }
 
     fn enumeration_selector(&mut self) -> Option<(Expression, usize)> {
-        if !self.has(Feature::Enumerations) || !self.random.chance(1, 2) {
+        if !self.has(Construct::Enumerations) || !self.random.chance(1, 2) {
             return None;
         }
         let is_enumeration = |place: &usize| {
@@ -189,7 +195,7 @@ impl Maker<'_, '_> {
         let &ty = self.random.pick(&integers)?;
         let selector = match self.varying(ty, 2) {
             Some(varying) => varying,
-            None => self.value(ty, Wanted::Exact, 2),
+            None => self.value(ty, TypeContext::Exact, 2),
         };
         let (least, greatest) = ty.integer_range()?;
         // Labels go upwards, so that none meets another.
@@ -284,8 +290,8 @@ impl Maker<'_, '_> {
 
     /// EXIT or RETURN, if a condition holds.
     fn leave(&mut self) -> StatementKind {
-        let may_exit = self.pou.loops_around > 0 && self.has(Feature::Exit);
-        let may_return = self.pou.kind != Kind::Main && self.has(Feature::Return);
+        let may_exit = self.pou.loops_around > 0 && self.has(Construct::Exit);
+        let may_return = self.pou.kind != PouKind::Main && self.has(Construct::Return);
         let kind = if may_exit && !(may_return && self.random.chance(1, 4)) {
             StatementKind::Exit
         } else {

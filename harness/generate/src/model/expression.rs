@@ -2,7 +2,7 @@
 
 use super::{Type, VariableId};
 use stickler_exact::Signature;
-use stickler_types::Value;
+use stickler_types::{ElementaryType, Value};
 
 /// An expression and its type.
 #[derive(Clone, PartialEq, Debug)]
@@ -11,6 +11,29 @@ pub struct Expression {
     pub ty: Type,
     /// What it is.
     pub kind: ExpressionKind,
+}
+
+impl Expression {
+    /// Creates an expression of an elementary type.
+    #[must_use]
+    pub const fn elementary(ty: ElementaryType, kind: ExpressionKind) -> Expression {
+        Expression {
+            ty: Type::Elementary(ty),
+            kind,
+        }
+    }
+
+    /// Creates an operation with two operands whose result has an elementary type.
+    #[must_use]
+    pub fn binary(
+        operator: BinaryOperator,
+        left: Expression,
+        right: Expression,
+        result: ElementaryType,
+    ) -> Expression {
+        let kind = ExpressionKind::Binary(operator, Box::new(left), Box::new(right));
+        Expression::elementary(result, kind)
+    }
 }
 
 /// The forms of an expression.

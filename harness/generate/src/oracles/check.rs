@@ -2,7 +2,7 @@
 //! suggested helps.
 
 use super::{Failure, Tried};
-use crate::generator::{Settings, program};
+use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::plant::{Planted, plant};
 use crate::writer::{Keywords, LineEnds, Style, write};
@@ -48,7 +48,10 @@ impl<'d> SoundProgram<'d> {
         let (of_the_error, of_the_program) = data.split_at_checked(OF_THE_ERROR)?;
         let (&of_the_style, error) = of_the_error.split_first()?;
         Some(SoundProgram {
-            sound: program(&mut Unstructured::new(of_the_program), &Settings::default()),
+            sound: program(
+                &mut Unstructured::new(of_the_program),
+                &GeneratorSettings::default(),
+            ),
             style: style(of_the_style),
             error,
         })

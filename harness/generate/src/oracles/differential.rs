@@ -4,7 +4,7 @@
 
 use super::{Failure, Tried};
 use crate::evaluate::evaluate;
-use crate::generator::{Settings, program};
+use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::reduce::Symptom;
 use crate::writer::{Style, write};
@@ -85,9 +85,9 @@ pub fn program_for(dialects: &[DialectName], data: &[u8]) -> Program {
     let (first, rest) = data
         .split_first()
         .map_or((0, data), |(first, rest)| (usize::from(*first), rest));
-    let settings = Settings {
+    let settings = GeneratorSettings {
         dialect: dialects.get(first % dialects.len().max(1)).copied(),
-        ..Settings::default()
+        ..GeneratorSettings::default()
     };
     program(&mut Unstructured::new(rest), &settings)
 }

@@ -3,7 +3,7 @@
 
 use super::{Failure, Tried};
 use crate::evaluate::{Evaluation, Refusal, evaluate};
-use crate::generator::{Settings, program};
+use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::random::{Random, bytes};
 use crate::variants::Variant;
@@ -26,7 +26,7 @@ pub fn execute(data: &[u8]) -> Result<Tried, Failure> {
 /// The program that these bytes stand for: of any dialect, and free of what documents leave open.
 #[must_use]
 pub fn program_of(data: &[u8]) -> Program {
-    program(&mut Unstructured::new(data), &Settings::default())
+    program(&mut Unstructured::new(data), &GeneratorSettings::default())
 }
 
 /// Judges a program. The bytes of `rest` choose which variants are tried, and what they vary: the same bytes choose alike for

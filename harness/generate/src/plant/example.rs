@@ -1,6 +1,6 @@
 //! A program made by hand that has a place for every kind of error.
 
-use super::plot::{literal, of};
+use super::plot::literal;
 use super::scope::integer;
 use crate::model::*;
 use stickler_types::{DialectName, ElementaryType as E, Value};
@@ -75,7 +75,7 @@ fn assign(id: usize, value: Expression) -> Statement {
 }
 
 fn binary(ty: E, operator: BinaryOperator, left: Expression, right: Expression) -> Expression {
-    of(
+    Expression::elementary(
         ty,
         ExpressionKind::Binary(operator, Box::new(left), Box::new(right)),
     )
@@ -171,7 +171,7 @@ fn main(dialect: DialectName) -> Main {
         assign(R, literal(E::Real)),
         assign(
             S,
-            of(
+            Expression::elementary(
                 E::String,
                 ExpressionKind::Standard(StandardFunction::Concat, vec![text(), text()]),
             ),
@@ -187,14 +187,14 @@ fn main(dialect: DialectName) -> Main {
         ),
         assign(
             W,
-            of(
+            Expression::elementary(
                 E::Word,
                 ExpressionKind::Unary(UnaryOperator::Not, Box::new(read(W, Type::Elementary(E::Word)))),
             ),
         ),
         assign(
             I,
-            of(
+            Expression::elementary(
                 E::Int,
                 ExpressionKind::Standard(StandardFunction::Abs, vec![read(I, Type::Elementary(E::Int))]),
             ),
@@ -215,7 +215,7 @@ fn main(dialect: DialectName) -> Main {
 
 fn text() -> Expression {
     let value = Value::text(E::String, vec![u16::from(b'x')]);
-    of(E::String, ExpressionKind::Literal(value, LiteralForm::Untyped))
+    Expression::elementary(E::String, ExpressionKind::Literal(value, LiteralForm::Untyped))
 }
 
 fn call() -> Expression {
@@ -227,13 +227,13 @@ fn call() -> Expression {
         argument(0, read(I, Type::Elementary(E::Int))),
         argument(1, read(R, Type::Elementary(E::Real))),
     ];
-    of(E::Int, ExpressionKind::Call(0, arguments))
+    Expression::elementary(E::Int, ExpressionKind::Call(0, arguments))
 }
 
 fn element() -> Expression {
     let subscripts = Selector::Index(vec![integer(1), read(I, Type::Elementary(E::Int))]);
     let place = place(LIST, vec![subscripts], Type::Elementary(E::Int));
-    of(E::Int, ExpressionKind::Read(place))
+    Expression::elementary(E::Int, ExpressionKind::Read(place))
 }
 
 fn condition() -> Expression {
@@ -254,7 +254,7 @@ fn choice() -> Statement {
     let label = |value: i64| {
         let literal =
             ExpressionKind::Literal(Value::plain(E::Int, value.cast_unsigned()), LiteralForm::Untyped);
-        of(E::Int, literal)
+        Expression::elementary(E::Int, literal)
     };
     let branch = |label| CaseBranch {
         labels: vec![label],
@@ -313,7 +313,7 @@ fn loops() -> Vec<Statement> {
 fn conversions(dialect: DialectName) -> Vec<Statement> {
     let convert = |name: &str, argument: Expression| {
         let signature = stickler_exact::signatures(name, dialect).swap_remove(0);
-        of(
+        Expression::elementary(
             signature.result,
             ExpressionKind::Convert(signature, Box::new(argument)),
         )
@@ -336,7 +336,10 @@ fn conversions(dialect: DialectName) -> Vec<Statement> {
                 int(),
             ),
         ),
-        assign(I, of(E::Int, ExpressionKind::Call(0, arguments))),
+        assign(
+            I,
+            Expression::elementary(E::Int, ExpressionKind::Call(0, arguments)),
+        ),
         statement(StatementKind::If(vec![(bool(), vec![])], None)),
         assign(B, bool()),
         assign(P, read(P, POINT)),

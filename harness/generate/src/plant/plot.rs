@@ -231,7 +231,7 @@ impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
     /// A value of an elementary type that is no bare variable: an operation on one, where the type has operations.
     pub fn operation(&mut self, unit: Unit, ty: ElementaryType) -> Option<ExpressionKind> {
         let kind = self.variable(unit, ty)?;
-        let operand = || Box::new(of(ty, kind.clone()));
+        let operand = || Box::new(Expression::elementary(ty, kind.clone()));
         Some(match ty.family() {
             Family::Signed | Family::Unsigned | Family::Real | Family::Duration => {
                 ExpressionKind::Binary(BinaryOperator::Add, operand(), operand())
@@ -251,7 +251,10 @@ impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
         let from = self.choose(sources)?;
         let argument = self.variable(unit, from)?;
         let signature = signatures(&format!("{from}_TO_{ty}"), dialect).swap_remove(0);
-        Some(ExpressionKind::Convert(signature, Box::new(of(from, argument))))
+        Some(ExpressionKind::Convert(
+            signature,
+            Box::new(Expression::elementary(from, argument)),
+        ))
     }
 }
 
@@ -264,14 +267,6 @@ pub(super) fn literal_text(ty: ElementaryType) -> String {
     }
 }
 
-/// An expression of an elementary type.
-pub(super) fn of(ty: ElementaryType, kind: ExpressionKind) -> Expression {
-    Expression {
-        ty: Type::Elementary(ty),
-        kind,
-    }
-}
-
 /// A small literal of an elementary type, with the type's name in front of it; of texts without, for a literal in quotes has
 /// its type in them, and two characters, so that it is no single one.
 pub(super) fn literal(ty: ElementaryType) -> Expression {
@@ -280,7 +275,7 @@ pub(super) fn literal(ty: ElementaryType) -> Expression {
         Family::Text => {
             let form = LiteralForm::Untyped;
             let value = Value::text(ty, vec![u16::from(b'a'), u16::from(b'b')]);
-            return of(ty, ExpressionKind::Literal(value, form));
+            return Expression::elementary(ty, ExpressionKind::Literal(value, form));
         }
         Family::Real if ty == ElementaryType::Real => u64::from(1.5f32.to_bits()),
         Family::Real => 1.5f64.to_bits(),
@@ -289,7 +284,7 @@ pub(super) fn literal(ty: ElementaryType) -> Expression {
         Family::Date | Family::DateAndTime => 0,
         Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString => 1,
     };
-    of(
+    Expression::elementary(
         ty,
         ExpressionKind::Literal(Value::plain(ty, raw), LiteralForm::Typed),
     )

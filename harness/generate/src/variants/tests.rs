@@ -3,7 +3,7 @@
 use super::*;
 use crate::evaluate::evaluate;
 use crate::evaluate::tests as hand;
-use crate::generator::{Settings, program};
+use crate::generator::{GeneratorSettings, program};
 use crate::model::*;
 use crate::random::Random;
 use crate::writer::{Style, write};
@@ -17,7 +17,10 @@ fn bytes(seed: u64) -> Vec<u8> {
 }
 
 fn made(seed: u64) -> Program {
-    program(&mut Unstructured::new(&bytes(seed)), &Settings::default())
+    program(
+        &mut Unstructured::new(&bytes(seed)),
+        &GeneratorSettings::default(),
+    )
 }
 
 /// The values of everything that is observed of `original`, in another program that has these variables and more.

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use stickler_exact::{Word, expected, functions, implicit, signatures};
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::features::{Detail, features};
-use stickler_generate::generator::{Settings, program};
+use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
 use stickler_types::{DialectName, ElementaryType, Value};
@@ -16,10 +16,10 @@ fn bytes(seed: u64) -> Vec<u8> {
     stickler_generate::random::bytes(seed, (seed * 7 % 3000) as usize)
 }
 
-fn of_dialect(dialect: DialectName) -> Settings {
-    Settings {
+fn of_dialect(dialect: DialectName) -> GeneratorSettings {
+    GeneratorSettings {
         dialect: Some(dialect),
-        ..Settings::default()
+        ..GeneratorSettings::default()
     }
 }
 
@@ -82,7 +82,7 @@ fn programs_end_and_hardly_any_meets_what_documents_leave_open() {
 fn the_same_bytes_make_the_same_program() {
     for seed in 0..50 {
         let bytes = bytes(seed);
-        let make = || program(&mut Unstructured::new(&bytes), &Settings::default());
+        let make = || program(&mut Unstructured::new(&bytes), &GeneratorSettings::default());
         assert_eq!(make(), make(), "seed {seed}");
     }
 }
@@ -100,7 +100,13 @@ fn no_bytes_make_a_small_program() {
 #[test]
 fn the_input_chooses_the_dialect_where_the_caller_does_not() {
     let chosen: BTreeSet<DialectName> = (0..100)
-        .map(|seed| program(&mut Unstructured::new(&bytes(seed)), &Settings::default()).dialect)
+        .map(|seed| {
+            program(
+                &mut Unstructured::new(&bytes(seed)),
+                &GeneratorSettings::default(),
+            )
+            .dialect
+        })
         .collect();
     assert_eq!(chosen.len(), DialectName::ALL.len());
 }
@@ -108,7 +114,7 @@ fn the_input_chooses_the_dialect_where_the_caller_does_not() {
 #[test]
 fn what_is_open_is_used_only_when_asked_for() {
     let open = |seed| {
-        let settings = Settings {
+        let settings = GeneratorSettings {
             open: true,
             ..of_dialect(DialectName::Plcnext)
         };

@@ -3,7 +3,7 @@
 use arbitrary::Unstructured;
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::features::{Detail, features};
-use stickler_generate::generator::{Settings, program};
+use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::visit_mut::{VisitorMut, walk_expression, walk_program};
 use stickler_generate::model::{
     Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Program, StandardFunction, Type,
@@ -19,7 +19,7 @@ const ENOUGH: usize = 6;
 
 fn made(seed: u64) -> Program {
     let bytes = bytes(seed, (seed * 7 % 3000) as usize);
-    program(&mut Unstructured::new(&bytes), &Settings::default())
+    program(&mut Unstructured::new(&bytes), &GeneratorSettings::default())
 }
 
 /// A wrong reading of every expression, the parts before the whole.
@@ -154,10 +154,10 @@ fn without_products(expression: &mut Expression) {
 #[test]
 fn calls_leave_inputs_out_only_where_documents_say_what_they_are_then() {
     let leaves_out = |open, dialect| {
-        let settings = Settings {
+        let settings = GeneratorSettings {
             dialect: Some(dialect),
             open,
-            ..Settings::default()
+            ..GeneratorSettings::default()
         };
         (0..300).any(|seed| {
             let program = program(&mut Unstructured::new(&bytes(seed, 2000)), &settings);

@@ -1,7 +1,7 @@
 //! What the writer promises: every style of a program is a text that its dialect accepts, and it remembers where rules break.
 
 use arbitrary::Unstructured;
-use stickler_generate::generator::{Settings, program};
+use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::{Expression, ExpressionKind, Program, Statement, StatementKind, Target};
 use stickler_generate::writer::{Arguments, Bits, Keywords, LineEnds, Notation, Style, Widening, write};
 use stickler_types::{DialectName, Value};
@@ -10,9 +10,9 @@ fn made(dialect: DialectName, seed: u8) -> Program {
     let bytes: Vec<u8> = (0..1500_u32)
         .map(|place| (place.wrapping_mul(2_654_435_761) >> 13) as u8 ^ seed)
         .collect();
-    let settings = Settings {
+    let settings = GeneratorSettings {
         dialect: Some(dialect),
-        ..Settings::default()
+        ..GeneratorSettings::default()
     };
     program(&mut Unstructured::new(&bytes), &settings)
 }

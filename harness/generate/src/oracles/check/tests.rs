@@ -9,7 +9,7 @@ fn planted(kind: &str) -> (Program, Planted) {
         let bytes: Vec<u8> = (0..400u16)
             .map(|place| byte.wrapping_mul(29).wrapping_add(place.to_le_bytes()[0]))
             .collect();
-        let sound = program(&mut Unstructured::new(&bytes), &Settings::default());
+        let sound = program(&mut Unstructured::new(&bytes), &GeneratorSettings::default());
         let planted = crate::plant::plant_kind(&sound, kind, &mut Unstructured::new(&bytes))?;
         Some((sound, planted))
     });

@@ -2,7 +2,7 @@
 //!
 //! Basis: ironplc-problem-codes: P4049; stickler-design: §8 (*mixed operands*).
 
-use super::super::plot::{Plot, of};
+use super::super::plot::Plot;
 use super::super::scope::types;
 use super::super::walk::{Context, Site};
 use super::misfits::{ALL_SHAPES, Shape, foreign, never, value};
@@ -98,7 +98,7 @@ pub(super) fn undefined_operation(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
     };
     let ty = plot.choose(types(dialect).filter(without).collect())?;
     let kind = plot.variable(site.unit, ty)?;
-    let operand = || Box::new(of(ty, kind.clone()));
+    let operand = || Box::new(Expression::elementary(ty, kind.clone()));
     plot.replace(number, ExpressionKind::Binary(operator, operand(), operand()));
     Some(())
 }

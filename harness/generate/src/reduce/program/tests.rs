@@ -1,7 +1,7 @@
 //! Engines with one deliberate bug each, and what the reducer makes of the programs that show it.
 
 use crate::evaluate::evaluate;
-use crate::generator::{Settings, program as generate};
+use crate::generator::{GeneratorSettings, program as generate};
 use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program, walk_statement, walk_variable};
 use crate::model::{
     BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, LiteralForm, Program, Section,
@@ -313,7 +313,7 @@ const BUGS: [(&str, Bug); 16] = [
 fn shown(bug: &Bug, seeds: Range<u64>) -> Option<(Program, Symptom)> {
     seeds.into_iter().find_map(|seed| {
         let bytes = bytes(seed, 1500);
-        let program = generate(&mut Unstructured::new(&bytes), &Settings::default());
+        let program = generate(&mut Unstructured::new(&bytes), &GeneratorSettings::default());
         let symptom = Symptom::first(&expected(&program)?, &outcome(bug, &program))?;
         Some((program, symptom))
     })

@@ -1,8 +1,8 @@
 //! Declarations dropped and made plainer: program organization units, sections, variables, types, initial values.
 
-use super::draft::{Change, Draft, Edit, bytes};
+use super::draft::{Change, Draft, Edit};
 use super::expressions::list_items;
-use super::tree::{behind_blanks, parse, place, pous, statements, with_semicolon};
+use super::tree::{behind_blanks, bytes, place, pous, statements, with_semicolon};
 use crate::reduce::Sites;
 use std::ops::Range;
 use stickler_reference::source::Span;
@@ -14,7 +14,7 @@ use stickler_reference::syntax::tree::{
 /// Drops program organization units, configurations and sections of global variables.
 pub(super) fn drop_units(draft: &mut Draft, sites: &mut Sites) {
     draft.change("drop units", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let places = unit
             .declarations
             .iter()
@@ -32,7 +32,7 @@ pub(super) fn drop_units(draft: &mut Draft, sites: &mut Sites) {
 /// Drops sections of variables.
 pub(super) fn drop_sections(draft: &mut Draft, sites: &mut Sites) {
     draft.change("drop sections", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let changes = blocks(&unit)
             .into_iter()
             .map(|block| Change::drop(bytes(block.span)));
@@ -43,7 +43,7 @@ pub(super) fn drop_sections(draft: &mut Draft, sites: &mut Sites) {
 /// Drops declarations that nothing refers to: of variables, fields and types.
 pub(super) fn drop_unused(draft: &mut Draft, sites: &mut Sites) {
     draft.change("drop unused", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let text = draft.text.as_str();
         let mut changes = Vec::new();
         for block in blocks(&unit) {
@@ -94,7 +94,7 @@ fn around_type(text: &str, from: usize, end: usize) -> Range<usize> {
 /// without it.
 pub(super) fn forget_variables(draft: &mut Draft, sites: &mut Sites) {
     draft.change("forget variables", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let statements: Vec<Range<usize>> =
             statements(&unit).into_iter().map(|one| bytes(one.span)).collect();
         let mut changes = Vec::new();
@@ -145,7 +145,7 @@ fn naming(unit: &SourceUnit<'_>, pou: &Pou<'_>, name: &Name<'_>, statements: &[R
 /// Drops initial values, RETAIN and CONSTANT, the lengths of texts and the limits of subranges.
 pub(super) fn drop_initials(draft: &mut Draft, sites: &mut Sites) {
     draft.change("drop initials", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let mut changes = Vec::new();
         for block in blocks(&unit) {
             let open = block.span.start as usize;
@@ -197,7 +197,7 @@ pub(super) fn drop_initials(draft: &mut Draft, sites: &mut Sites) {
 /// Makes variables of the elements' type of arrays of which every use has subscripts.
 pub(super) fn unwrap_arrays(draft: &mut Draft, sites: &mut Sites) {
     draft.change("unwrap arrays", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let mut changes = Vec::new();
         for pou in pous(&unit) {
             for group in pou.blocks.iter().flat_map(|block| &block.groups) {
@@ -232,7 +232,7 @@ pub(super) fn unwrap_arrays(draft: &mut Draft, sites: &mut Sites) {
 /// Puts what a declared type stands for where a variable has it.
 pub(super) fn resolve_types(draft: &mut Draft, sites: &mut Sites) {
     draft.change("resolve types", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let declared = unit.declarations.iter().filter_map(|declaration| match declaration {
             Declaration::Types(types) => Some(types),
             _ => None,

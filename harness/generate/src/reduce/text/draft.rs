@@ -1,14 +1,14 @@
 //! A source text on its way to becoming smaller: changes to it, its weight, and which changes are allowed.
 
-use super::chunks::words;
 use super::tree::lists;
+use super::words::words;
 use crate::reduce::Sites;
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 use std::rc::Rc;
-use stickler_reference::source::Span;
+use stickler_reference::syntax::tree::SourceUnit;
 use stickler_reference::{Dialect, syntax};
 use stickler_types::{Code, DialectName};
 
@@ -68,11 +68,6 @@ impl Change {
     }
 }
 
-/// The bytes of a span.
-pub(super) fn bytes(span: Span) -> Range<usize> {
-    span.start as usize..span.end as usize
-}
-
 impl Draft {
     /// The draft that a reduction begins with.
     pub fn new(text: &str, dialect: DialectName) -> Draft {
@@ -82,6 +77,11 @@ impl Draft {
             allowed: Rc::new(Allowed::by(text, dialect)),
             found: Rc::default(),
         }
+    }
+
+    /// Parses the text.
+    pub fn tree(&self) -> SourceUnit<'_> {
+        syntax::parse(&self.text, &Dialect::of(self.dialect)).0
     }
 
     /// Whether the reference accepts the text, or finds nothing wrong that it did not find in the first one.

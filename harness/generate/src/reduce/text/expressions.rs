@@ -1,7 +1,7 @@
 //! Expressions replaced by their operands and by literals, and literals made smaller.
 
-use super::draft::{Change, Draft, bytes};
-use super::tree::{expression, operands, parse, place, statements};
+use super::draft::{Change, Draft};
+use super::tree::{bytes, expression, operands, place, statements};
 use crate::reduce::Sites;
 use std::ops::Range;
 use stickler_reference::syntax::tree::{Expression, ExpressionKind, LiteralKind, SourceUnit, StatementKind};
@@ -24,7 +24,7 @@ const TYPED: [&str; 8] = [
 /// Replaces expressions by a plain literal that can stand in their place, outermost first; what ends REPEAT, by TRUE.
 pub(super) fn to_literal(draft: &mut Draft, sites: &mut Sites) {
     draft.change("to literal", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let ends: Vec<Range<usize>> = statements(&unit)
             .into_iter()
             .filter_map(|statement| match &statement.kind {
@@ -54,7 +54,7 @@ pub(super) fn to_typed_literal(draft: &mut Draft, sites: &mut Sites) {
         if draft.began_accepted() {
             return Vec::new();
         }
-        let unit = parse(draft);
+        let unit = draft.tree();
         let mut changes = Vec::new();
         for expression in outermost_first(&unit) {
             if !matches!(expression.kind, ExpressionKind::Literal(_)) {
@@ -82,7 +82,7 @@ pub(super) fn to_third_operand(draft: &mut Draft, sites: &mut Sites) {
 }
 
 fn to_operand(draft: &Draft, which: usize) -> Vec<Change> {
-    let unit = parse(draft);
+    let unit = draft.tree();
     let mut changes = Vec::new();
     for whole in outermost_first(&unit) {
         if let Some(operand) = operands(whole).get(which).and_then(|id| expression(&unit, *id)) {
@@ -95,7 +95,7 @@ fn to_operand(draft: &Draft, which: usize) -> Vec<Change> {
 /// Drops arguments of calls, and subscripts behind the first.
 pub(super) fn drop_arguments(draft: &mut Draft, sites: &mut Sites) {
     draft.change("drop arguments", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let mut changes = Vec::new();
         for call in outermost_first(&unit) {
             if let ExpressionKind::Call { callee, arguments } = &call.kind {
@@ -169,7 +169,7 @@ enum Step {
 }
 
 fn literals(draft: &Draft, step: Step) -> Vec<Change> {
-    let unit = parse(draft);
+    let unit = draft.tree();
     let mut changes = Vec::new();
     for expression in outermost_first(&unit) {
         let ExpressionKind::Literal(literal) = &expression.kind else {

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `draft` | a text with the changes that can be made to it |
 //! | `tree` | what the passes ask of the syntax tree |
+//! | `words` | comments and words, found without a parser |
 //! | `statements`, `expressions`, `values`, `declarations`, `chunks` | the passes |
 //! | `method` | their order |
 
@@ -21,5 +22,6 @@ mod statements;
 mod tests;
 mod tree;
 mod values;
+mod words;
 
 pub use method::text;

@@ -1,7 +1,7 @@
 //! Statements dropped, replaced by what they guard, and relieved of branches.
 
-use super::draft::{Change, Draft, bytes};
-use super::tree::{behind_blanks, bodies, extent, label, lists, parse, place, statements, with_semicolon};
+use super::draft::{Change, Draft};
+use super::tree::{behind_blanks, bodies, bytes, extent, label, lists, place, statements, with_semicolon};
 use crate::reduce::Sites;
 use std::ops::Range;
 use stickler_reference::syntax::tree::{Statement, StatementKind};
@@ -9,7 +9,7 @@ use stickler_reference::syntax::tree::{Statement, StatementKind};
 /// Drops statements, whole with what they guard; those of the last program first.
 pub(super) fn drop_statements(draft: &mut Draft, sites: &mut Sites) {
     draft.change("drop statements", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let places = statements(&unit)
             .into_iter()
             .map(|statement| whole(&draft.text, statement));
@@ -21,7 +21,7 @@ pub(super) fn drop_statements(draft: &mut Draft, sites: &mut Sites) {
 /// statement there, and a compiler may do so too.
 pub(super) fn drop_empty_statements(draft: &mut Draft, sites: &mut Sites) {
     draft.change("drop empty statements", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let is_empty = |statement: &&Statement| matches!(statement.kind, StatementKind::Empty);
         let mut changes = Vec::new();
         for list in lists(&unit) {
@@ -47,7 +47,7 @@ fn whole(text: &str, statement: &Statement) -> Range<usize> {
 /// Puts one of the bodies of a statement in its place.
 pub(super) fn splice(draft: &mut Draft, sites: &mut Sites) {
     draft.change("splice", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let mut changes = Vec::new();
         for statement in statements(&unit) {
             for body in bodies(statement) {
@@ -63,7 +63,7 @@ pub(super) fn splice(draft: &mut Draft, sites: &mut Sites) {
 /// Drops branches of IF and CASE, ELSE, labels of CASE, and BY.
 pub(super) fn drop_branches(draft: &mut Draft, sites: &mut Sites) {
     draft.change("drop branches", sites, |draft| {
-        let unit = parse(draft);
+        let unit = draft.tree();
         let text = draft.text.as_str();
         let mut changes = Vec::new();
         for statement in statements(&unit) {

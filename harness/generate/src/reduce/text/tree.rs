@@ -1,17 +1,15 @@
 //! What the passes ask of the reference's syntax tree.
 
-use super::draft::{Draft, bytes};
 use std::ops::Range;
-use stickler_reference::Dialect;
-use stickler_reference::syntax;
+use stickler_reference::source::Span;
 use stickler_reference::syntax::tree::{
     Argument, CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Pou, SourceUnit, Statement,
     StatementKind,
 };
 
-/// The tree of a draft.
-pub(super) fn parse(draft: &Draft) -> SourceUnit<'_> {
-    syntax::parse(&draft.text, &Dialect::of(draft.dialect)).0
+/// The bytes of a span.
+pub(super) fn bytes(span: Span) -> Range<usize> {
+    span.start as usize..span.end as usize
 }
 
 /// The program organization units of a text.

@@ -3,9 +3,9 @@
 //! That cuts a program off from all that led to a value, as the evaluator does for programs of the model. Which value a
 //! variable has where it is read is not known here; that of the start and that of the end are good guesses.
 
-use super::draft::{Change, Draft, bytes};
+use super::draft::{Change, Draft};
 use super::expressions::outermost_first;
-use super::tree::parse;
+use super::tree::bytes;
 use crate::reduce::Sites;
 use std::collections::HashMap;
 use stickler_reference::syntax::tree::ExpressionKind;
@@ -27,7 +27,7 @@ pub(super) fn to_initial_value(draft: &mut Draft, sites: &mut Sites) {
 
 fn to_value(draft: &Draft, scans: u32) -> Vec<Change> {
     let values = values(draft, scans);
-    let unit = parse(draft);
+    let unit = draft.tree();
     let mut changes = Vec::new();
     for expression in outermost_first(&unit) {
         let is_read = matches!(

@@ -1,9 +1,9 @@
 //! What is being made: the program so far, the POU in hand, and what is left of the budget.
 
-use super::features::{Feature, Features, palette};
-use super::language::Language;
-use super::scope::{Kind, Pou};
-use super::settings::Settings;
+use super::constructs::{Construct, ConstructSet, palette};
+use super::profile::DialectProfile;
+use super::scope::{PouKind, PouScope};
+use super::settings::GeneratorSettings;
 use crate::model::{Main, Program, VariableId};
 use crate::random::Random;
 use arbitrary::Unstructured;
@@ -13,25 +13,25 @@ use stickler_types::{DialectName, ElementaryType};
 /// bytes are enough for the largest programs.
 ///
 /// What it makes is well-typed in its dialect, ends after a few thousand statements, and uses nothing that documents leave
-/// open, as far as that can be known without running it; [`Settings::open`] lifts the last.
+/// open, as far as that can be known without running it; [`GeneratorSettings::open`] lifts the last.
 #[must_use]
-pub fn program(input: &mut Unstructured<'_>, settings: &Settings) -> Program {
-    let mut maker = Maker::new(Random::new(input), settings);
-    maker.declare_types();
-    maker.functions();
-    maker.blocks();
-    maker.main(settings.statements);
-    let Maker { mut program, pou, .. } = maker;
+pub fn program(input: &mut Unstructured<'_>, settings: &GeneratorSettings) -> Program {
+    let mut builder = ProgramBuilder::new(Random::new(input), settings);
+    builder.declare_types();
+    builder.functions();
+    builder.blocks();
+    builder.main(settings.statements);
+    let ProgramBuilder { mut program, pou, .. } = builder;
     program.main.variables = pou.variables;
     program
 }
 
 /// Everything that is known while a program is being made.
-pub(super) struct Maker<'r, 'u> {
+pub(super) struct ProgramBuilder<'r, 'u> {
     pub random: Random<'r, 'u>,
-    pub language: &'static Language,
+    pub profile: &'static DialectProfile,
     pub open: bool,
-    pub features: Features,
+    pub constructs: ConstructSet,
     /// The types that variables have.
     pub palette: Vec<ElementaryType>,
     /// How many levels an expression has at most.
@@ -42,7 +42,7 @@ pub(super) struct Maker<'r, 'u> {
     pub function_costs: Vec<u32>,
     pub block_costs: Vec<u32>,
     /// The POU in hand.
-    pub pou: Pou,
+    pub pou: PouScope,
     /// How many statements the POU in hand may still get.
     pub statements_left: usize,
     /// How many parts the statement in hand may still get.
@@ -53,27 +53,27 @@ pub(super) struct Maker<'r, 'u> {
 }
 
 /// How many statements a whole program executes at most, counted as if every branch were taken.
-pub(super) const MOST_EXECUTED: u32 = 6000;
+pub(super) const MAX_EXECUTED_STATEMENTS: u32 = 6000;
 
-impl<'r, 'u> Maker<'r, 'u> {
-    fn new(mut random: Random<'r, 'u>, settings: &Settings) -> Maker<'r, 'u> {
+impl<'r, 'u> ProgramBuilder<'r, 'u> {
+    fn new(mut random: Random<'r, 'u>, settings: &GeneratorSettings) -> ProgramBuilder<'r, 'u> {
         let dialect = settings.dialect.unwrap_or_else(|| {
             let chosen = random.pick(&DialectName::ALL).copied();
             chosen.unwrap_or(DialectName::IronplcEd2)
         });
-        let language = Language::of(dialect);
-        let features = Features::drawn(&mut random);
-        let palette = palette(language, &mut random);
-        let deepest = if features.has(Feature::Deep) {
+        let profile = DialectProfile::of(dialect);
+        let constructs = ConstructSet::drawn(&mut random);
+        let palette = palette(profile, &mut random);
+        let deepest = if constructs.has(Construct::Deep) {
             random.between(3, 8) as usize
         } else {
             2
         };
-        Maker {
+        ProgramBuilder {
             random,
-            language,
+            profile,
             open: settings.open,
-            features,
+            constructs,
             palette,
             deepest,
             program: Program {
@@ -88,7 +88,7 @@ impl<'r, 'u> Maker<'r, 'u> {
             },
             function_costs: Vec::new(),
             block_costs: Vec::new(),
-            pou: Pou::new(Kind::Main),
+            pou: PouScope::new(PouKind::Main),
             statements_left: 0,
             nodes_left: 0,
             text_bound: VariableId(0),
@@ -96,8 +96,8 @@ impl<'r, 'u> Maker<'r, 'u> {
     }
 
     /// Whether the program may use this construct.
-    pub const fn has(&self, feature: Feature) -> bool {
-        self.features.has(feature)
+    pub const fn has(&self, feature: Construct) -> bool {
+        self.constructs.has(feature)
     }
 
     /// One of the types that the program uses.
@@ -120,7 +120,7 @@ impl<'r, 'u> Maker<'r, 'u> {
 
     /// Whether the POU in hand may execute so much more where it stands.
     pub const fn affords(&self, cost: u32) -> bool {
-        self.pou.cost + self.pou.turns * cost <= MOST_EXECUTED
+        self.pou.cost + self.pou.turns * cost <= MAX_EXECUTED_STATEMENTS
     }
 
     /// Notes that something is executed where the POU in hand stands.
@@ -131,7 +131,7 @@ impl<'r, 'u> Maker<'r, 'u> {
     fn main(&mut self, most: usize) {
         // Programs of very different lengths: a short one shows a fault clearly, a long one meets more of them.
         let most = most.min([3, 6, 12, 24, 60][self.random.below(5)]);
-        self.begin(Kind::Main, most);
+        self.begin(PouKind::Main, most);
         self.main_variables();
         let mut body = self.body(most);
         self.add_checksums(&mut body);

@@ -1,7 +1,7 @@
 //! What a dialect has, by its documents: types, implicit conversions, and conversion functions whose results are settled.
 
-use super::expressions::Wanted;
 use super::literals;
+use super::type_context::TypeContext;
 use crate::dialect::{has_bits, has_third_edition};
 use std::sync::LazyLock;
 use stickler_exact::{Signature, Word, expected, functions, implicit, signatures};
@@ -9,7 +9,7 @@ use stickler_types::{BuiltIn, DialectName, ElementaryType, Family};
 
 /// How much of what a conversion gives is said by documents.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Settled {
+pub(super) enum ResultCoverage {
     /// What every value gives that the generator makes.
     Always,
     /// What some values give.
@@ -19,10 +19,10 @@ pub(super) enum Settled {
 }
 
 /// A conversion function of one argument.
-pub(super) struct Offer {
+pub(super) struct ConversionOffer {
     pub signature: Signature,
     pub from: ElementaryType,
-    pub settled: Settled,
+    pub settled: ResultCoverage,
     /// Whether it is `<FROM>_TO_<RESULT>`.
     pub plain: bool,
     /// Whether the call alone does not say which type it gives: the name has signatures with other results.
@@ -30,27 +30,27 @@ pub(super) struct Offer {
 }
 
 /// One dialect.
-pub(super) struct Language {
+pub(super) struct DialectProfile {
     pub dialect: DialectName,
     /// The elementary types to draw from: the frequent ones stand there several times, INT first.
-    pub urn: Vec<ElementaryType>,
+    pub weighted_types: Vec<ElementaryType>,
     /// The types that become a type without a call, by that type's place in the declaration.
     sources: Vec<Vec<ElementaryType>>,
     /// The conversion functions that give a type, by that type's place in the declaration.
-    offers: Vec<Vec<Offer>>,
+    offers: Vec<Vec<ConversionOffer>>,
 }
 
-static LANGUAGES: [LazyLock<Language>; DialectName::ALL.len()] = [
-    LazyLock::new(|| Language::written_out(DialectName::IronplcEd2)),
-    LazyLock::new(|| Language::written_out(DialectName::IronplcEd3)),
-    LazyLock::new(|| Language::written_out(DialectName::IronplcRusty)),
-    LazyLock::new(|| Language::written_out(DialectName::Matiec)),
-    LazyLock::new(|| Language::written_out(DialectName::Plcnext)),
+static PROFILES: [LazyLock<DialectProfile>; DialectName::ALL.len()] = [
+    LazyLock::new(|| DialectProfile::build(DialectName::IronplcEd2)),
+    LazyLock::new(|| DialectProfile::build(DialectName::IronplcEd3)),
+    LazyLock::new(|| DialectProfile::build(DialectName::IronplcRusty)),
+    LazyLock::new(|| DialectProfile::build(DialectName::Matiec)),
+    LazyLock::new(|| DialectProfile::build(DialectName::Plcnext)),
 ];
 
-impl Language {
-    pub fn of(dialect: DialectName) -> &'static Language {
-        &LANGUAGES[dialect.base() as usize]
+impl DialectProfile {
+    pub fn of(dialect: DialectName) -> &'static DialectProfile {
+        &PROFILES[dialect.base() as usize]
     }
 
     /// The types that become `into` without a call.
@@ -59,7 +59,7 @@ impl Language {
     }
 
     /// The conversion functions that give a value of this type; the overloaded `TO_…`, of which no document speaks, are left out.
-    pub fn offers(&self, result: ElementaryType) -> &[Offer] {
+    pub fn offers(&self, result: ElementaryType) -> &[ConversionOffer] {
         &self.offers[result as usize]
     }
 
@@ -67,7 +67,7 @@ impl Language {
     pub fn settled(&self, from: ElementaryType, into: ElementaryType) -> Option<&Signature> {
         let mut offers = self.offers(into).iter();
         let found =
-            offers.find(|offer| offer.from == from && offer.plain && offer.settled == Settled::Always);
+            offers.find(|offer| offer.from == from && offer.plain && offer.settled == ResultCoverage::Always);
         found.map(|offer| &offer.signature)
     }
 
@@ -91,7 +91,7 @@ impl Language {
     /// prefix has the type by itself (`TRUE`, `T#5ms`, `'text'`), it does everywhere.
     ///
     /// Basis: ironplc-type-conversions: Cross-family widening; stickler-design: §8 (untyped literals).
-    pub fn takes_untyped(&self, ty: ElementaryType, wanted: Wanted) -> bool {
+    pub fn takes_untyped(&self, ty: ElementaryType, context: TypeContext) -> bool {
         match ty.family() {
             Family::Boolean | Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
                 true
@@ -99,26 +99,26 @@ impl Language {
             Family::Text => true,
             // `'a'` may be a text of one character, and no document says whether it is a character as well.
             Family::Character => false,
-            Family::Signed | Family::Unsigned | Family::Real => wanted != Wanted::Exact,
-            Family::BitString => match (wanted, self.dialect) {
-                (Wanted::Exact, _) | (_, DialectName::Plcnext) => false,
-                (Wanted::Initial | Wanted::Operand, _) => true,
+            Family::Signed | Family::Unsigned | Family::Real => context != TypeContext::Exact,
+            Family::BitString => match (context, self.dialect) {
+                (TypeContext::Exact, _) | (_, DialectName::Plcnext) => false,
+                (TypeContext::Initial | TypeContext::Operand, _) => true,
                 (_, DialectName::IronplcRusty | DialectName::Matiec) => true,
                 _ => false,
             },
         }
     }
 
-    fn written_out(dialect: DialectName) -> Language {
+    fn build(dialect: DialectName) -> DialectProfile {
         let types = types(dialect);
         let sources = ElementaryType::ALL.map(|into| {
             let becomes =
                 |from: &ElementaryType| *from != into && implicit(*from, into, dialect) == Word::Yes;
             types.iter().copied().filter(becomes).collect()
         });
-        Language {
+        DialectProfile {
             dialect,
-            urn: urn(&types),
+            weighted_types: weighted_types(&types),
             sources: sources.into(),
             offers: offers(dialect, &types),
         }
@@ -126,8 +126,8 @@ impl Language {
 }
 
 /// The conversion functions of a dialect by their results.
-fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<Offer>> {
-    let mut offers: Vec<Vec<Offer>> = ElementaryType::ALL.map(|_| Vec::new()).into();
+fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<ConversionOffer>> {
+    let mut offers: Vec<Vec<ConversionOffer>> = ElementaryType::ALL.map(|_| Vec::new()).into();
     for function in functions(dialect) {
         if function.starts_with("TO_") {
             continue;
@@ -142,7 +142,7 @@ fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<Offer>> {
                 continue;
             };
             if types.contains(&from) && types.contains(&signature.result) {
-                offers[signature.result as usize].push(Offer {
+                offers[signature.result as usize].push(ConversionOffer {
                     settled: settled(&signature, from, dialect),
                     from,
                     ambiguous,
@@ -168,8 +168,8 @@ fn types(dialect: DialectName) -> Vec<ElementaryType> {
 }
 
 /// Each type as often as it deserves: conversions, widening and bits are about numbers and bit strings.
-fn urn(types: &[ElementaryType]) -> Vec<ElementaryType> {
-    let mut urn = vec![ElementaryType::Int];
+fn weighted_types(types: &[ElementaryType]) -> Vec<ElementaryType> {
+    let mut weighted_types = vec![ElementaryType::Int];
     for &ty in types {
         let times = match ty.family() {
             Family::Signed | Family::Unsigned => 4,
@@ -178,13 +178,13 @@ fn urn(types: &[ElementaryType]) -> Vec<ElementaryType> {
             Family::Text | Family::Duration => 2,
             _ => 1,
         };
-        urn.extend(std::iter::repeat_n(ty, times));
+        weighted_types.extend(std::iter::repeat_n(ty, times));
     }
-    urn
+    weighted_types
 }
 
 /// How much of what a conversion gives documents say, tried on the values that the generator likes.
-fn settled(signature: &Signature, from: ElementaryType, dialect: DialectName) -> Settled {
+fn settled(signature: &Signature, from: ElementaryType, dialect: DialectName) -> ResultCoverage {
     let values = literals::boundaries(from);
     let said = |value| {
         expected(signature, std::slice::from_ref(value), dialect)
@@ -192,8 +192,8 @@ fn settled(signature: &Signature, from: ElementaryType, dialect: DialectName) ->
             .is_some()
     };
     match values.iter().filter(|value| said(value)).count() {
-        0 => Settled::Never,
-        some if some == values.len() => Settled::Always,
-        _ => Settled::Sometimes,
+        0 => ResultCoverage::Never,
+        some if some == values.len() => ResultCoverage::Always,
+        _ => ResultCoverage::Sometimes,
     }
 }

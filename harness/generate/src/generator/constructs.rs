@@ -3,13 +3,13 @@
 //! A program with everything in it hides much: what one construct breaks, another covers. So each program gets about half of
 //! the constructs and a handful of types, and what it has it has often. Basis: Groce and others, "Swarm testing" (ISSTA 2012).
 
-use super::language::Language;
+use super::profile::DialectProfile;
 use crate::random::Random;
 use stickler_types::ElementaryType;
 
 /// A construct that a program may or may not have.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Feature {
+pub(super) enum Construct {
     /// Implicit conversions.
     Widening,
     /// Conversion functions.
@@ -68,16 +68,16 @@ pub(super) enum Feature {
 
 /// The constructs of one program.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Features(u32);
+pub(super) struct ConstructSet(u32);
 
-impl Features {
+impl ConstructSet {
     /// Draws them: each as likely as not, what the suite is about more often, and all of them in one program of sixteen.
-    pub fn drawn(random: &mut Random<'_, '_>) -> Features {
-        use Feature as F;
+    pub fn drawn(random: &mut Random<'_, '_>) -> ConstructSet {
+        use Construct as F;
         let all = random.chance(1, 16);
         let [drawn, often, mostly] = [random.bits(), random.bits(), random.bits()].map(|bits| bits as u32);
-        let bits = |features: &[Feature]| {
-            features
+        let bits = |constructs: &[Construct]| {
+            constructs
                 .iter()
                 .fold(0, |bits, feature| bits | 1 << *feature as u32)
         };
@@ -93,23 +93,26 @@ impl Features {
             ]);
         // Without initial values nearly everything stays zero.
         let mostly = mostly & bits(&[F::Initials, F::Arithmetic]);
-        Features(if all { u32::MAX } else { drawn | often | mostly })
+        ConstructSet(if all { u32::MAX } else { drawn | often | mostly })
     }
 
     /// Whether the program may use this.
-    pub const fn has(self, feature: Feature) -> bool {
+    pub const fn has(self, feature: Construct) -> bool {
         self.0 >> feature as u32 & 1 == 1
     }
 }
 
 /// How many types a program uses at most, besides those that its conversions bring.
-const MOST_TYPES: usize = 7;
+const MAX_TYPES: usize = 7;
 
 /// The elementary types of one program, each once; INT alone when the bytes have run out.
-pub(super) fn palette(language: &Language, random: &mut Random<'_, '_>) -> Vec<ElementaryType> {
-    let mut palette = Vec::with_capacity(MOST_TYPES);
-    for _ in 0..=random.below(MOST_TYPES) {
-        let ty = random.pick(&language.urn).copied().unwrap_or(ElementaryType::Int);
+pub(super) fn palette(profile: &DialectProfile, random: &mut Random<'_, '_>) -> Vec<ElementaryType> {
+    let mut palette = Vec::with_capacity(MAX_TYPES);
+    for _ in 0..=random.below(MAX_TYPES) {
+        let ty = random
+            .pick(&profile.weighted_types)
+            .copied()
+            .unwrap_or(ElementaryType::Int);
         if !palette.contains(&ty) {
             palette.push(ty);
         }

@@ -1,0 +1,16 @@
+//! The places in which an expression gets its type in different ways.
+
+/// How the type of an expression is determined by the place in which it stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum TypeContext {
+    /// An operand of something that takes several types: the text alone must determine the type.
+    Exact,
+    /// The other operand of an operator whose first operand determines the type.
+    Operand,
+    /// The right side of an assignment.
+    Assigned,
+    /// An argument of a parameter.
+    Argument,
+    /// An initial value.
+    Initial,
+}

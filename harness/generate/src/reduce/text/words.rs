@@ -1,0 +1,86 @@
+//! Comments and words of a source text, found without a parser.
+
+use std::ops::Range;
+
+/// The places of comments: `(* … *)`, not nested, and `// …`; those in character strings are none.
+pub(super) fn comments(text: &str) -> Vec<Range<usize>> {
+    let bytes = text.as_bytes();
+    let mut found = Vec::new();
+    let mut at = 0;
+    while let Some(byte) = bytes.get(at) {
+        let rest = &text.as_bytes()[at..];
+        at += match byte {
+            b'\'' | b'"' => string_length(rest),
+            b'(' if rest.starts_with(b"(*") => {
+                let length = end_of(rest, b"*)", 2);
+                found.push(at..at + length);
+                length
+            }
+            b'/' if rest.starts_with(b"//") => {
+                let length = rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len());
+                found.push(at..at + length);
+                length
+            }
+            _ => 1,
+        };
+    }
+    found
+}
+
+/// The length up to and with `end`, which is sought from `from` on.
+fn end_of(bytes: &[u8], end: &[u8], from: usize) -> usize {
+    let rest = bytes.get(from..).unwrap_or_default();
+    let found = rest.windows(end.len()).position(|window| window == end);
+    found.map_or(bytes.len(), |at| from + at + end.len())
+}
+
+/// The length of a character string, its quotes included; it ends with its line at the latest.
+fn string_length(bytes: &[u8]) -> usize {
+    let quote = bytes.first().copied();
+    let mut at = 1;
+    while let Some(byte) = bytes.get(at) {
+        match byte {
+            b'$' => at += 2,
+            b'\n' => return at,
+            byte if Some(*byte) == quote => return at + 1,
+            _ => at += 1,
+        }
+    }
+    bytes.len()
+}
+
+/// Words, and every other character that is no blank by itself.
+pub(super) fn words(text: &str) -> Vec<Range<usize>> {
+    let mut found: Vec<Range<usize>> = Vec::new();
+    let mut in_word = false;
+    for (at, character) in text.char_indices() {
+        let end = at + character.len_utf8();
+        let is_word = character.is_alphanumeric() || character == '_' || character == '#';
+        match found.last_mut() {
+            Some(last) if is_word && in_word => last.end = end,
+            _ if character.is_whitespace() => {}
+            _ => found.push(at..end),
+        }
+        in_word = is_word;
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{comments, words};
+
+    #[test]
+    fn comments_are_found_and_strings_are_none() {
+        let text = "a (* x *) '(* $' *)' // y\nb (* open";
+        let found: Vec<&str> = comments(text).into_iter().map(|at| &text[at]).collect();
+        assert_eq!(found, ["(* x *)", "// y", "(* open"]);
+    }
+
+    #[test]
+    fn words_are_whole_and_signs_stand_alone() {
+        let text = "x := INT#5;";
+        let found: Vec<&str> = words(text).into_iter().map(|at| &text[at]).collect();
+        assert_eq!(found, ["x", ":", "=", "INT#5", ";"]);
+    }
+}
