@@ -10,9 +10,9 @@ mod literal;
 mod numerals;
 mod operands;
 mod parse;
+mod places;
 mod protocol;
 mod target;
-mod tree;
 mod words;
 
 pub use check::{SoundProgram, check, judge as judge_planted, judge_planted_text, judge_sound_text};

@@ -1,6 +1,6 @@
 //! Oracle `parse`: any bytes are a source text, and reading, checking and rendering one keep what they promise.
 
-use super::tree::{hold_places, is_inside, shape};
+use super::places::{hold_places, is_inside};
 use super::words::{census, missing};
 use super::{Failure, Tried};
 use stickler_reference::diagnostic::Diagnostic;
@@ -20,7 +20,7 @@ const LONGEST_MESSAGE: usize = 1000;
 /// The most bytes of a rendering for each byte of its text: a semicolon at the greatest depth comes with its indent.
 const GROWTH: usize = 1000;
 
-/// So many leading zeros of a tree's fingerprint make the checker read the rendering too.
+/// So many leading zeros of a text's census make the checker read the rendering too.
 const CHECKED_AGAIN: u32 = 2;
 
 /// Holds against a text what the reference promises of every text. A first byte below 5 names the dialect; otherwise the bytes
@@ -29,9 +29,9 @@ const CHECKED_AGAIN: u32 = 2;
 /// 1. Every span of the tree and of every diagnostic, the checker's among them, lies in the text; every diagnostic has a message
 ///    of bounded length.
 /// 2. A text that reads without an error is rendered; the rendering has the words of the text, reads without an error to a
-///    tree of the same shape, and rendering that changes nothing.
-/// 3. The checker finds the same in the rendering as in the text; asked of one tree in four, for the checker takes the most time
-///    of all. The tree's shape chooses, so an input is always judged alike, and its next mutation is asked anew.
+///    tree that is equal, and rendering that changes nothing.
+/// 3. The checker finds the same in the rendering as in the text; asked of one text in four, for the checker takes the most time
+///    of all. The words of the text choose, so an input is always judged alike, and its next mutation is asked anew.
 ///
 /// That memory and time stay bounded is seen by libFuzzer's limits and by those on the sizes here.
 ///
@@ -84,7 +84,8 @@ fn hold_rendering(
 ) -> Result<(), Failure> {
     let failed = |symptom: &str, said: String| Err(Failure::new(symptom, format!("{said}\n{rendered}")));
     let nested = dialect.nested_comments;
-    if census(text, nested) != census(rendered, nested) {
+    let words = census(text, nested);
+    if words != census(rendered, nested) {
         let (lost, added) = (missing(text, rendered, nested), missing(rendered, text, nested));
         return failed(
             "rendering:words",
@@ -96,8 +97,7 @@ fn hold_rendering(
         let said = format!("the rendering is rejected with {}, {message}:", code.as_str());
         return failed(&format!("rendering:{}", code.as_str()), said);
     }
-    let fingerprint = shape(unit);
-    if fingerprint != shape(&again) {
+    if *unit != again {
         return failed(
             "rendering:tree",
             "the rendering reads to another tree:".to_owned(),
@@ -108,7 +108,7 @@ fn hold_rendering(
         let said = format!("rendering the rendering gives\n{twice}\ninstead of");
         return failed("rendering:changes", said);
     }
-    if fingerprint.leading_zeros() < CHECKED_AGAIN {
+    if words.leading_zeros() < CHECKED_AGAIN {
         return Ok(());
     }
     let (_, found_again) = semantics::check(&again, rendered, &LineIndex::new(rendered), dialect);

@@ -5,10 +5,9 @@
 
 use super::lowering::Lowering;
 use super::model::PouEntry;
-use super::scope::Folded;
 use super::standard::mixed;
 use crate::source::Span;
-use crate::syntax::tree::{Argument, ExpressionId, Name, VariableKind};
+use crate::syntax::tree::{Argument, ExpressionId, Folded, Name, VariableKind};
 use rustc_hash::FxHashSet;
 use stickler_types::Code;
 

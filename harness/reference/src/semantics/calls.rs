@@ -3,12 +3,11 @@
 use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
 use super::model::Definition;
-use super::scope::Folded;
 use super::standard::{Fault, standard_function};
 use super::types::{Kind, TypeId};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
 use crate::instruction::{Instruction, StandardFunction};
-use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, Name, PouKind};
+use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, Folded, Name, PouKind};
 use stickler_types::{Code, ElementaryType};
 
 /// What a call calls.

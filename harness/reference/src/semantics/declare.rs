@@ -6,12 +6,12 @@ use super::constants::Constant;
 use super::layout::Memory;
 use super::model::{Definition, Initial, InitialValue, Instance, Model, PouEntry, Source};
 use super::reporter::Reporter;
-use super::scope::{Folded, Scope};
+use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
 use crate::instruction::RoutineId;
 use crate::source::Span;
 use crate::syntax::tree::{
-    Configuration, Declaration, Name, Pou, PouKind, TypeDeclaration, TypeSpecification, VariableBlock,
+    Configuration, Declaration, Folded, Name, Pou, PouKind, TypeDeclaration, TypeSpecification, VariableBlock,
 };
 use rustc_hash::{FxHashMap, FxHashSet};
 use stickler_types::Code;

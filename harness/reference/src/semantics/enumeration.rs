@@ -2,9 +2,9 @@
 
 use super::declare::Declarer;
 use super::model::EnumeratedName;
-use super::scope::{Folded, Named};
+use super::scope::Named;
 use super::types::{DefaultValue, Enumeration, Extent, Kind, TypeId};
-use crate::syntax::tree::{ExpressionId, Name};
+use crate::syntax::tree::{ExpressionId, Folded, Name};
 use stickler_types::{Code, ElementaryType};
 
 impl<'u> Declarer<'u, '_> {

@@ -15,7 +15,6 @@ use super::contexts::{Context, Fit, fit};
 use super::conversions::{parameter_type, single_argument};
 use super::inferred::Inferred;
 use super::literals::{Read, Signed, inferred_literal, literal_type, read_literal};
-use super::scope::Folded;
 use super::standard::{self, ordered_by};
 use super::suggestion::misfit;
 use super::types::TypeId;
@@ -25,7 +24,7 @@ use crate::conversion::{
 };
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
-use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, UnaryOperator};
+use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, Folded, UnaryOperator};
 use stickler_types::{Code, ElementaryType};
 
 /// A function that may be called in a constant expression.

@@ -5,9 +5,8 @@
 use super::constants::Constant;
 use super::declare::{Declarer, narrow};
 use super::model::{Storage, Variable};
-use super::scope::Folded;
 use super::types::TypeId;
-use crate::syntax::tree::{Name, PouKind, VariableBlock, VariableGroup, VariableKind};
+use crate::syntax::tree::{Folded, Name, PouKind, VariableBlock, VariableGroup, VariableKind};
 use stickler_types::Code;
 
 impl<'u> Declarer<'u, '_> {

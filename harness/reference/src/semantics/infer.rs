@@ -4,9 +4,8 @@ use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::model::{Definition, EnumeratedName};
 use super::operators::Signature;
-use super::scope::Folded;
 use super::types::{Kind, TypeId};
-use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, PartialAccessForm, UnaryOperator};
+use crate::syntax::tree::{ExpressionId, ExpressionKind, Folded, Name, UnaryOperator};
 use stickler_types::ElementaryType;
 
 impl<'m> Lowering<'m> {
@@ -52,7 +51,7 @@ impl<'m> Lowering<'m> {
             ExpressionKind::EnumeratedValue(word) => self.infer_enumerated(word.prefix(), word.value()),
             ExpressionKind::Field { base, field } => self.infer_field(*base, *field),
             ExpressionKind::Index { base, subscripts } => self.infer_element(*base, subscripts.len()),
-            ExpressionKind::PartialAccess { base, form, .. } => self.infer_bit(*base, *form),
+            ExpressionKind::Bit { base, .. } => self.infer_bit(*base),
             ExpressionKind::Call { callee, arguments } => self.infer_call(*callee, arguments),
             ExpressionKind::Unary { operator, operand } => self.infer_unary(*operator, *operand),
             ExpressionKind::Parenthesized(inner) => self.infer(*inner),
@@ -127,12 +126,11 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn infer_bit(&mut self, base: ExpressionId, form: PartialAccessForm) -> Inferred {
+    fn infer_bit(&mut self, base: ExpressionId) -> Inferred {
         let Some(ty) = self.infer(base).elementary() else {
             return Inferred::Error;
         };
-        let has_bits = ty.is_integer() || ty.is_bit_string();
-        if has_bits && self.selects_bits(form) {
+        if ty.is_integer() || ty.is_bit_string() {
             Inferred::Known(TypeId::BOOL)
         } else {
             Inferred::Error

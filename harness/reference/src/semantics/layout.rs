@@ -102,7 +102,10 @@ impl Declarer<'_, '_> {
         for index in 0..self.model.variables.len() {
             let variable = &self.model.variables[index];
             if variable.kind == VariableKind::External
-                && let Some(&global) = self.model.globals.get(&super::scope::Folded(variable.name.text))
+                && let Some(&global) = self
+                    .model
+                    .globals
+                    .get(&crate::syntax::tree::Folded(variable.name.text))
             {
                 self.model.variables[index].storage = self.model.variable(global).storage;
             }

@@ -10,12 +10,11 @@ use super::inferred::Inferred;
 use super::layout::Memory;
 use super::model::{Model, PouEntry, Variable};
 use super::reporter::Reporter;
-use super::scope::Folded;
 use super::statements::Loop;
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use crate::source::Span;
-use crate::syntax::tree::{Expression, ExpressionId, VariableKind};
+use crate::syntax::tree::{Expression, ExpressionId, Folded, VariableKind};
 use rustc_hash::FxHashSet;
 use stickler_types::{Code, ElementaryType};
 

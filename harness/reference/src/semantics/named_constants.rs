@@ -6,10 +6,10 @@ use super::declare::{Declared, Declarer};
 use super::emitter::SHORT_TEXT;
 use super::folding::Known;
 use super::model::Definition;
-use super::scope::Folded;
 use super::types::{DEFAULT_CAPACITY, TypeId};
 use crate::syntax::tree::{
-    ExpressionId, Initializer, InitializerKind, Name, TypeSpecification, TypeSpecificationKind, VariableGroup,
+    ExpressionId, Folded, Initializer, InitializerKind, Name, TypeSpecification, TypeSpecificationKind,
+    VariableGroup,
 };
 use stickler_types::{Code, ElementaryType};
 

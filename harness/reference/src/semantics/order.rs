@@ -6,11 +6,10 @@
 use super::cycles::{Event, walk};
 use super::declare::{Declared, Declarer, TypeNode};
 use super::model::{Definition, InitialValue, Model};
-use super::scope::Folded;
 use super::types::{DefaultValue, Kind, TypeId};
 use crate::source::Span;
 use crate::syntax::tree::{
-    ExpressionKind, Initializer, InitializerKind, Name, TypeDeclaration, TypeSpecification,
+    ExpressionKind, Folded, Initializer, InitializerKind, Name, TypeDeclaration, TypeSpecification,
     TypeSpecificationKind, VariableKind,
 };
 use rustc_hash::FxHashSet;

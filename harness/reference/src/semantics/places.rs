@@ -7,12 +7,10 @@ use super::contexts::Context;
 use super::inferred::Inferred;
 use super::locations::{Location, Place};
 use super::lowering::{Lowering, Value};
-use super::scope::Folded;
 use super::types::{ArrayShape, Dimension, Kind, TypeId};
-use crate::dialect::PartialAccess;
 use crate::instruction::Instruction;
 use crate::source::Span;
-use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, PartialAccessForm};
+use crate::syntax::tree::{ExpressionId, ExpressionKind, Folded, Name};
 use stickler_types::{Code, ElementaryType};
 
 impl<'m> Lowering<'m> {
@@ -32,12 +30,7 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Name(name) => self.named_place(*name),
             ExpressionKind::Field { base, field } => self.field(*base, *field),
             ExpressionKind::Index { base, subscripts } => self.element(*base, subscripts, expression.span),
-            ExpressionKind::PartialAccess {
-                base,
-                form,
-                index,
-                suffix,
-            } => self.bit(*base, *form, *index, *suffix),
+            ExpressionKind::Bit { base, index } => self.bit(*base, *index, expression.span),
             ExpressionKind::Error => None,
             _ => {
                 // What is wrong inside is to be said too.
@@ -199,13 +192,7 @@ impl<'m> Lowering<'m> {
     ///
     /// Basis: ironplc-bit-access: Bit Access ("reads and writes as a BOOL"); stickler-design: §4 (all that a person would want at
     /// once).
-    fn bit(
-        &mut self,
-        base: ExpressionId,
-        form: PartialAccessForm,
-        index: u64,
-        suffix: Span,
-    ) -> Option<Place> {
+    fn bit(&mut self, base: ExpressionId, index: u64, span: Span) -> Option<Place> {
         if !self.names_a_place(base) {
             let value = self.value(base, None);
             if value.ty != TypeId::ERROR {
@@ -218,32 +205,24 @@ impl<'m> Lowering<'m> {
             return None;
         }
         let place = self.place(base)?;
-        if !self.selects_bits(form) {
-            // The parser has said that the dialect does not have this.
-            return None;
-        }
         let name = self.model.types.name(place.content());
         let ty = self
             .model
             .elementary(place.content())
             .filter(|ty| ty.is_integer() || ty.is_bit_string());
         let Some(ty) = ty else {
-            self.report(
-                Code::BitAccessTypeInvalid,
-                self.span(base).to(suffix),
-                format!("{name} has no bits"),
-            );
+            self.report(Code::BitAccessTypeInvalid, span, format!("{name} has no bits"));
             return None;
         };
         let bit = u8::try_from(index).ok().filter(|&bit| u32::from(bit) < ty.bits());
         if bit.is_none() {
             let message = format!("{name} has the bits 0 to {}", ty.bits() - 1);
-            self.report(Code::BitAccessOutOfRange, self.span(base).to(suffix), message);
+            self.report(Code::BitAccessOutOfRange, span, message);
         }
         // A variable with limits is looked at again once the bit is set.
         let limited = matches!(self.model.types.kind(place.ty), Kind::Subrange(_));
         let location = if limited {
-            self.pinned(place.location, suffix)
+            self.pinned(place.location, span)
         } else {
             place.location
         };
@@ -262,17 +241,7 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Name(_)
                 | ExpressionKind::Field { .. }
                 | ExpressionKind::Index { .. }
-                | ExpressionKind::PartialAccess { .. }
+                | ExpressionKind::Bit { .. }
         )
-    }
-
-    /// Whether the dialect has this form of partial access; the parser complains where it does not.
-    pub(super) fn selects_bits(&self, form: PartialAccessForm) -> bool {
-        let dialect = self.model.source.dialect;
-        match form {
-            PartialAccessForm::Short => dialect.bit_access,
-            PartialAccessForm::Bit => dialect.partial_access == PartialAccess::BitsOnly,
-            _ => false,
-        }
     }
 }

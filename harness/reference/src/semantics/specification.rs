@@ -3,13 +3,13 @@
 use super::constants::{Constant, Evaluator, NotConstant};
 use super::declare::Declarer;
 use super::model::{Definition, InitialValue};
-use super::scope::{Folded, Named};
+use super::scope::Named;
 use super::suggestion::similar_function;
 use super::types::{ArrayShape, DefaultValue, Dimension, Extent, Kind, Member, Structure, Subrange, TypeId};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::tree::{
-    ExpressionId, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
+    ExpressionId, Folded, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
 };
 use stickler_types::{Code, ElementaryType};
 

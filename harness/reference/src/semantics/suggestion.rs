@@ -68,7 +68,10 @@ impl<'m> Lowering<'m> {
         let source = self.model.source;
         let name = conversion_function_name(from, to, source.dialect)?;
         let hidden = self.variable(&name).is_some()
-            || self.model.definitions.contains_key(&super::scope::Folded(&name));
+            || self
+                .model
+                .definitions
+                .contains_key(&crate::syntax::tree::Folded(&name));
         (!hidden).then(|| format!("{name}({})", source.text_of(id)))
     }
 

@@ -3,9 +3,11 @@
 use super::constants::Constant;
 use super::declare::{Declarer, Deferred, narrow};
 use super::model::{Storage, Variable};
-use super::scope::{Folded, Named};
+use super::scope::Named;
 use super::types::{DefaultValue, Extent, Kind, Member, Structure, TypeId};
-use crate::syntax::tree::{Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind};
+use crate::syntax::tree::{
+    Folded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+};
 use stickler_types::Code;
 
 impl<'u> Declarer<'u, '_> {

@@ -3,8 +3,19 @@
 use super::state::Parser;
 use crate::dialect::PartialAccess;
 use crate::syntax::token::{Token, TokenKind};
-use crate::syntax::tree::{ExpressionId, ExpressionKind, PartialAccessForm as Form};
+use crate::syntax::tree::{ExpressionId, ExpressionKind};
 use stickler_types::Code;
+
+/// The forms of partial access.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Form {
+    /// `.n`.
+    Short,
+    /// `.%Xn`.
+    Bit,
+    /// `.%Bn`, `.%Wn`, `.%Dn` or `.%Ln`.
+    Wider,
+}
 
 impl Parser<'_, '_> {
     /// The suffix behind `dot`, which stands behind `base`. Where the dialect does not have it, the suffix is
@@ -20,12 +31,7 @@ impl Parser<'_, '_> {
                 self.report(code, suffix, || message);
                 ExpressionKind::Error
             }
-            None => ExpressionKind::PartialAccess {
-                base,
-                form,
-                index,
-                suffix,
-            },
+            None => ExpressionKind::Bit { base, index },
         };
         let span = self.span_of(base).to(suffix);
         self.push(kind, span)
@@ -63,10 +69,7 @@ impl Parser<'_, '_> {
 fn form_and_index(kind: TokenKind, text: &str) -> (Form, u64) {
     let form = match text.as_bytes().get(1).map(u8::to_ascii_uppercase) {
         _ if kind == TokenKind::Integer => Form::Short,
-        Some(b'B') => Form::Byte,
-        Some(b'W') => Form::Word,
-        Some(b'D') => Form::DoubleWord,
-        Some(b'L') => Form::LongWord,
+        Some(b'B' | b'W' | b'D' | b'L') => Form::Wider,
         _ => Form::Bit,
     };
     let digits = text.bytes().filter(u8::is_ascii_digit);

@@ -148,7 +148,7 @@ mod tests {
     fn suffixes_are_read_from_the_left() {
         let text = "PROGRAM p x := a[i, j + 1].b.3; fbs[1](q => r); END_PROGRAM";
         let tree = shape(text);
-        for form in ["Index", "Field", "PartialAccess { base", "Call", "Output { name"] {
+        for form in ["Index", "Field", "Bit { base", "Call", "Output { name"] {
             assert!(tree.contains(form), "{form}");
         }
     }

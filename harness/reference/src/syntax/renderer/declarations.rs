@@ -1,10 +1,11 @@
 //! Declarations: POUs, variable sections, types, initial values, configurations.
 
-use super::names::{Folded, Shape};
+use super::names::Shape;
 use super::writer::Writer;
 use crate::syntax::tree::{
-    ArrayElement, Configuration, Declaration, Initializer, InitializerKind, Name, Pou, PouKind, Resource,
-    TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    ArrayElement, Configuration, Declaration, Folded, Initializer, InitializerKind, Name, Pou, PouKind,
+    Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
+    VariableKind,
 };
 use rustc_hash::FxHashMap;
 use stickler_types::ElementaryType;

@@ -4,8 +4,7 @@
 use super::names::Shape;
 use super::writer::Writer;
 use crate::syntax::tree::{
-    Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, PartialAccessForm,
-    UnaryOperator,
+    Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, UnaryOperator,
 };
 
 impl<'u, 's> Writer<'u, 's> {
@@ -37,11 +36,10 @@ impl<'u, 's> Writer<'u, 's> {
                 self.between_brackets(|writer| writer.expressions(subscripts));
                 return self.names.element(of);
             }
-            ExpressionKind::PartialAccess {
-                base, form, index, ..
-            } => {
+            ExpressionKind::Bit { base, index } => {
                 self.expression(*base);
-                self.partial_access(*form, *index);
+                self.put(".");
+                self.put(&index.to_string());
             }
             ExpressionKind::Call { callee, arguments } => {
                 let of = self.expression(*callee);
@@ -144,16 +142,5 @@ impl<'u, 's> Writer<'u, 's> {
         } else {
             self.put(literal.text());
         }
-    }
-
-    fn partial_access(&mut self, form: PartialAccessForm, index: u64) {
-        self.put(match form {
-            PartialAccessForm::Short | PartialAccessForm::Bit => ".",
-            PartialAccessForm::Byte => ".%B",
-            PartialAccessForm::Word => ".%W",
-            PartialAccessForm::DoubleWord => ".%D",
-            PartialAccessForm::LongWord => ".%L",
-        });
-        self.put(&index.to_string());
     }
 }

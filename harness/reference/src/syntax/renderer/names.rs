@@ -2,30 +2,10 @@
 //! variables to spell fields too.
 
 use crate::syntax::tree::{
-    Declaration, Pou, SourceUnit, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
+    Declaration, Folded, Pou, SourceUnit, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    VariableGroup,
 };
 use rustc_hash::FxHashMap;
-use std::hash::{Hash, Hasher};
-
-/// A name that equals, and hashes like, the same name in another case.
-#[derive(Clone, Copy)]
-pub(super) struct Folded<'s>(pub(super) &'s str);
-
-impl PartialEq for Folded<'_> {
-    fn eq(&self, other: &Folded) -> bool {
-        self.0.eq_ignore_ascii_case(other.0)
-    }
-}
-
-impl Eq for Folded<'_> {}
-
-impl Hash for Folded<'_> {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        for byte in self.0.bytes() {
-            state.write_u8(byte.to_ascii_lowercase());
-        }
-    }
-}
 
 /// What is known of a name or of an expression.
 #[derive(Clone, Copy, Default)]

@@ -18,7 +18,7 @@ pub struct Configuration<'s> {
 }
 
 /// RESOURCE … END_RESOURCE.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub struct Resource<'s> {
     /// Name and the type behind ON; `None` for a configuration without resources.
     pub header: Option<(Name<'s>, Name<'s>)>,
@@ -29,7 +29,7 @@ pub struct Resource<'s> {
 }
 
 /// A task.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub struct Task<'s> {
     /// Its name.
     pub name: Name<'s>,
@@ -38,7 +38,7 @@ pub struct Task<'s> {
 }
 
 /// A program instance.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub struct ProgramInstance<'s> {
     /// The instance's name.
     pub name: Name<'s>,

@@ -4,7 +4,7 @@ use super::{Configuration, ExpressionId, Name, Statement};
 use crate::source::Span;
 
 /// A declaration at the top level of a source text.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub enum Declaration<'s> {
     /// PROGRAM, FUNCTION or FUNCTION_BLOCK.
     Pou(Pou<'s>),
@@ -81,7 +81,7 @@ pub struct VariableBlock<'s> {
 }
 
 /// `a, b : TYPE := initializer;`: also the fields of a structure.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub struct VariableGroup<'s> {
     /// The names declared.
     pub names: Vec<Name<'s>>,
@@ -92,7 +92,7 @@ pub struct VariableGroup<'s> {
 }
 
 /// `name : specification := initializer;` in TYPE … END_TYPE.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub struct TypeDeclaration<'s> {
     /// The new type's name.
     pub name: Name<'s>,
@@ -112,7 +112,7 @@ pub struct TypeSpecification<'s> {
 }
 
 /// The forms of a type in a declaration.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub enum TypeSpecificationKind<'s> {
     /// An elementary or declared type's name, STRING and WSTRING without a length among them.
     Named(Name<'s>),
@@ -161,7 +161,7 @@ pub struct Initializer<'s> {
 }
 
 /// The forms of an initial value.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub enum InitializerKind<'s> {
     /// An expression.
     Expression(ExpressionId),
@@ -172,7 +172,7 @@ pub enum InitializerKind<'s> {
 }
 
 /// One entry of an array's initial value.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub struct ArrayElement<'s> {
     /// `3` of `3(0)`.
     pub repetition: Option<ExpressionId>,

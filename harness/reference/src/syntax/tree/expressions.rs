@@ -13,7 +13,7 @@ pub struct Expression<'s> {
 }
 
 /// The forms of an expression.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub enum ExpressionKind<'s> {
     /// A literal.
     Literal(Literal<'s>),
@@ -35,16 +35,12 @@ pub enum ExpressionKind<'s> {
         /// The subscripts.
         subscripts: Vec<ExpressionId>,
     },
-    /// `base.3`, `base.%X3`, `base.%B1` …
-    PartialAccess {
+    /// `base.3` or `base.%X3`, where the dialect has that form.
+    Bit {
         /// The variable.
         base: ExpressionId,
-        /// Which form is written.
-        form: PartialAccessForm,
         /// The index as written; `u64::MAX` stands for anything larger.
         index: u64,
-        /// The suffix from the point on.
-        suffix: Span,
     },
     /// A call of a function, a function block or (as TIME()) anything that looks like one.
     Call {
@@ -75,25 +71,8 @@ pub enum ExpressionKind<'s> {
     Error,
 }
 
-/// The forms of partial access.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum PartialAccessForm {
-    /// `.n`.
-    Short,
-    /// `.%Xn`.
-    Bit,
-    /// `.%Bn`.
-    Byte,
-    /// `.%Wn`.
-    Word,
-    /// `.%Dn`.
-    DoubleWord,
-    /// `.%Ln`.
-    LongWord,
-}
-
 /// An argument of a call.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub enum Argument<'s> {
     /// `value`.
     Positional(ExpressionId),

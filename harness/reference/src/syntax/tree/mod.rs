@@ -6,8 +6,10 @@
 
 mod configuration;
 mod declarations;
+mod equality;
 mod expressions;
 mod literals;
+mod name;
 mod statements;
 mod unit;
 
@@ -16,9 +18,8 @@ pub use declarations::{
     ArrayElement, Declaration, Initializer, InitializerKind, Pou, PouKind, TypeDeclaration,
     TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
-pub use expressions::{
-    Argument, BinaryOperator, Expression, ExpressionKind, PartialAccessForm, UnaryOperator,
-};
+pub use expressions::{Argument, BinaryOperator, Expression, ExpressionKind, UnaryOperator};
 pub use literals::{Literal, LiteralKind, Prefixed};
+pub use name::{Folded, Name};
 pub use statements::{CaseBranch, CaseLabel, Statement, StatementKind};
-pub use unit::{ExpressionId, Name, SourceUnit};
+pub use unit::{ExpressionId, SourceUnit};

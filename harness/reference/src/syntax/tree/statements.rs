@@ -13,7 +13,7 @@ pub struct Statement {
 }
 
 /// The statements of ST.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub enum StatementKind {
     /// `target := value`.
     Assignment {
@@ -78,7 +78,7 @@ pub enum StatementKind {
 }
 
 /// One branch of a CASE statement.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub struct CaseBranch {
     /// The labels.
     pub labels: Vec<CaseLabel>,
@@ -87,7 +87,7 @@ pub struct CaseBranch {
 }
 
 /// A label of a CASE branch.
-#[derive(Debug)]
+#[derive(PartialEq, Debug)]
 pub enum CaseLabel {
     /// `5` or `RED`.
     Value(ExpressionId),

@@ -1,0 +1,41 @@
+//! Identifiers.
+//!
+//! Basis: iec-61131-3: 6.1.2 (identifiers compare without regard to case).
+
+use crate::source::Span;
+use std::hash::{Hash, Hasher};
+
+/// An identifier as written.
+#[derive(Clone, Copy, Debug)]
+pub struct Name<'s> {
+    /// The identifier as written.
+    pub text: &'s str,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A word that compares and hashes without regard to ASCII case.
+#[derive(Clone, Copy, Debug)]
+pub struct Folded<'s>(pub &'s str);
+
+impl PartialEq for Folded<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.eq_ignore_ascii_case(other.0)
+    }
+}
+
+impl Eq for Folded<'_> {}
+
+impl Hash for Folded<'_> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        // Setting the bit that tells upper from lower case makes a few other characters alike too, which costs
+        // a collision now and then and saves looking at each byte.
+        const LOWER: u64 = 0x2020_2020_2020_2020;
+        for chunk in self.0.as_bytes().chunks(8) {
+            let mut bytes = [0_u8; 8];
+            bytes[..chunk.len()].copy_from_slice(chunk);
+            state.write_u64(u64::from_le_bytes(bytes) | LOWER);
+        }
+        state.write_usize(self.0.len());
+    }
+}
