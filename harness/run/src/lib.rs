@@ -14,7 +14,6 @@ mod judge;
 mod memory;
 mod pack;
 mod plan;
-mod reorder;
 mod schedule;
 mod select;
 mod tell;

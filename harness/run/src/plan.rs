@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use stickler_engines::{EngineError, Identity, Reference};
 use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
-use stickler_workers::Shard;
+use stickler_workers::{Shard, SpawnError};
 
 /// What to run and how. The default runs every case of the suite, each engine judged by the best grade that it claims.
 #[derive(Clone, Debug)]
@@ -85,9 +85,9 @@ pub enum RunError {
     /// An engine could not be run. Exit code 3.
     #[error(transparent)]
     Engine(#[from] EngineError),
-    /// The workers could not be started.
-    #[error("the worker threads could not be started")]
-    Workers(#[from] rayon::ThreadPoolBuildError),
+    /// The worker threads could not be started.
+    #[error(transparent)]
+    Workers(#[from] SpawnError),
 }
 
 impl Plan {

@@ -1,21 +1,21 @@
 //! Running cases on workers, and giving their events on in order from the caller's own thread.
 
+mod batches;
+mod context;
 mod known;
 
-use crate::answers::{Answers, Desk};
 use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM};
-use crate::memory::{self, Memory};
-use crate::pack::{packs, settle};
-use crate::reorder::{Dispenser, Reorder};
-use crate::{Held, Plan, RunError, Summary, Teller, Totals, select};
+use crate::memory::Memory;
+use crate::{Held, Plan, RunError, Summary, Totals, select};
+use batches::Batches;
+use context::RunContext;
 use known::Known;
-use std::sync::Mutex;
-use std::sync::PoisonError;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc;
+use std::ops::Range;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineError};
 use stickler_suite::{Case, Suite};
+use stickler_workers::{Reorder, SpawnError, Supervisor, WorkerPool};
 
 /// Runs the cases that the plan selects on every engine that speaks their dialect.
 ///
@@ -55,11 +55,6 @@ pub fn run_with(
     if jobs.is_empty() {
         return Err(RunError::NoCaseSelected);
     }
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(plan.jobs)
-        .stack_size(STACK)
-        .thread_name(|index| format!("stickler-{index}"))
-        .build()?;
     let held: Vec<Option<Held<'_>>> = engines
         .iter()
         .map(|engine| plan.hold(suite, engine.identity()))
@@ -76,28 +71,41 @@ pub fn run_with(
     sink(Event::Header(header));
     let mut known = Known::of(&jobs, memories);
     let open: Vec<Job<'_>> = known.open.iter().map(|&place| jobs[place]).collect();
-    let floor = Floor {
+    let context = RunContext {
         plan,
         jobs: &open,
         engines,
         memories,
-        pack_sizes: engines.iter().map(|engine| pack_size(plan, *engine)).collect(),
         held: &held,
         cancel,
-        stop: AtomicBool::new(false),
-        broken: Mutex::new(None),
+        is_broken: AtomicBool::new(false),
     };
     let mut tally = Tally::new(engines);
     let mut give = |job: &Job<'_>, event: CaseEvent| {
         tally.count(job.engine, &event);
         sink(Event::Case(event));
     };
-    known.give_before(0, &jobs, &floor, &mut give);
-    floor.work(&pool, &mut |index, event| {
+    known.give_before(0, &jobs, &context, &mut give);
+    let mut give = |index: usize, event| {
         give(&open[index], event);
-        known.give_before(index + 1, &jobs, &floor, &mut give);
-    });
-    if let Some(error) = floor.broken.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        known.give_before(index + 1, &jobs, &context, &mut give);
+    };
+    let pool = WorkerPool::new(plan.jobs);
+    let mut schedule = Schedule {
+        context: &context,
+        batches: Batches::new(open.len(), pool.threads(), context.batch_len_for_packs()),
+        begun: 0,
+        reorder: Reorder::default(),
+        given: 0,
+        error: None,
+        give: &mut give,
+    };
+    pool.run(
+        || Ok::<_, SpawnError>(context.desks()),
+        |desks, (number, jobs)| context.batch(number, jobs, desks),
+        &mut schedule,
+    )?;
+    if let Some(error) = schedule.error {
         return Err(error.into());
     }
     let cancelled = tally.cases < jobs.len() as u64;
@@ -116,22 +124,6 @@ pub fn run_with(
         outdated,
         cancelled,
     })
-}
-
-/// An engine in this process may recurse as deep as its own limits allow; two megabytes are too few for some.
-pub(crate) const STACK: usize = 16 << 20;
-
-/// A batch grows while it takes less than this; then workers seldom wake whoever gives their events on, and slow engines
-/// still show progress.
-const QUICK: Duration = Duration::from_millis(50);
-
-const LARGEST_BATCH: usize = 64;
-
-/// A batch for engines that pack holds so many packs of each, for cases of several kinds alternate.
-const PACKS: usize = 2;
-
-fn pack_size(plan: &Plan, engine: &dyn Engine) -> usize {
-    if plan.unpacked { 1 } else { engine.pack_size() }
 }
 
 /// One case on one engine.
@@ -153,153 +145,57 @@ fn jobs<'s>(cases: &[&'s Case], engines: &[&dyn Engine]) -> Vec<Job<'s>> {
     cases.iter().flat_map(|case| speakers(case)).collect()
 }
 
-/// All that workers share.
-struct Floor<'r> {
-    plan: &'r Plan,
-    jobs: &'r [Job<'r>],
-    engines: &'r [&'r dyn Engine],
-    pack_sizes: Vec<usize>,
-    /// By engine; engines behind the last have none.
-    memories: &'r [Option<&'r dyn Memory>],
-    /// By engine.
-    held: &'r [Option<Held<'r>>],
-    cancel: &'r AtomicBool,
-    stop: AtomicBool,
-    broken: Mutex<Option<EngineError>>,
+/// What came of a batch of jobs.
+struct Batch {
+    number: usize,
+    /// The first of the jobs.
+    start: usize,
+    /// How many jobs there are.
+    len: usize,
+    /// The events of the jobs in their order; fewer than jobs where the run stops.
+    events: Vec<CaseEvent>,
+    time: Duration,
+    /// Why an engine cannot be used any more.
+    error: Option<EngineError>,
 }
 
-type Batch = (usize, Vec<CaseEvent>);
-
-impl Floor<'_> {
-    /// Runs all jobs; `give` gets each event with its job's index, in order.
-    fn work(&self, pool: &rayon::ThreadPool, give: &mut dyn FnMut(usize, CaseEvent)) {
-        let dispenser = Dispenser::new(self.jobs.len(), pool.current_num_threads());
-        let (sender, receiver) = mpsc::channel::<Batch>();
-        pool.in_place_scope(|scope| {
-            for _ in 0..pool.current_num_threads() {
-                let (sender, dispenser) = (sender.clone(), &dispenser);
-                scope.spawn(move |_| self.worker(dispenser, &sender));
-            }
-            drop(sender);
-            let mut reorder = Reorder::new();
-            let mut index = 0;
-            for (start, batch) in receiver {
-                let next = reorder.take(start, batch, |event| {
-                    give(index, event);
-                    index += 1;
-                });
-                dispenser.given_on(next);
-                if self.cancel.load(Ordering::Relaxed) {
-                    self.stop.store(true, Ordering::Relaxed);
-                }
-            }
-        });
-    }
-
-    fn worker(&self, dispenser: &Dispenser, sender: &mpsc::Sender<Batch>) {
-        let _alarm = Alarm(&self.stop);
-        let mut desks: Vec<Desk<'_>> = self.engines.iter().map(|&engine| Desk::new(engine)).collect();
-        let for_packs = self.size_for_packs();
-        let mut size = 1;
-        while let Some(range) = dispenser.claim(for_packs.unwrap_or(size), &self.stop) {
-            let begun = Instant::now();
-            let start = range.start;
-            let batch = self.batch(&self.jobs[range], &mut desks);
-            size = if begun.elapsed() < QUICK {
-                LARGEST_BATCH.min(size * 2)
-            } else {
-                1.max(size / 2)
-            };
-            if sender.send((start, batch)).is_err() {
-                return;
-            }
-        }
-    }
-
-    /// How many jobs make a batch where an engine packs.
-    fn size_for_packs(&self) -> Option<usize> {
-        let largest = self.pack_sizes.iter().copied().max().filter(|&size| size > 1);
-        largest.map(|size| size * PACKS * self.engines.len())
-    }
-
-    /// The events of these jobs; fewer where the run stops.
-    fn batch(&self, jobs: &[Job<'_>], desks: &mut [Desk<'_>]) -> Vec<CaseEvent> {
-        let cases: Vec<(&Case, usize)> = jobs.iter().map(|job| (job.case, job.engine)).collect();
-        let mut events: Vec<Option<CaseEvent>> = jobs.iter().map(|_| None).collect();
-        for pack in packs(&cases, &self.pack_sizes) {
-            if self.stopping() {
-                break;
-            }
-            if let Err(error) = self.ask(jobs, &pack, desks, &mut events) {
-                // Whoever stops the run may have ended its engines.
-                if self.stopping() {
-                    break;
-                }
-                self.stop.store(true, Ordering::Relaxed);
-                *self.broken.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
-                break;
-            }
-        }
-        // What stands behind a gap would never be given on.
-        events.into_iter().map_while(|event| event).collect()
-    }
-
-    /// Asks about the jobs at these places, which are one pack, and writes their events down.
-    fn ask(
-        &self,
-        jobs: &[Job<'_>],
-        pack: &[usize],
-        desks: &mut [Desk<'_>],
-        events: &mut [Option<CaseEvent>],
-    ) -> Result<(), EngineError> {
-        let Some(first) = pack.first() else {
-            return Ok(());
-        };
-        let desk = &mut desks[jobs[*first].engine];
-        let cases: Vec<&Case> = pack.iter().map(|&place| jobs[place].case).collect();
-        let settled = settle(desk, &cases, &|| self.stopping())?;
-        for (&place, settled) in pack.iter().zip(settled) {
-            events[place] = settled.map(|(answers, time)| {
-                self.keep(&jobs[place], &answers);
-                self.event(&jobs[place], &answers, time)
-            });
-        }
-        Ok(())
-    }
-
-    /// Keeps answers for later runs.
-    fn keep(&self, job: &Job<'_>, answers: &Answers) {
-        if let Some(Some(memory)) = self.memories.get(job.engine)
-            && let Some(text) = memory::written(answers)
-        {
-            memory.keep(&memory::question(job.case), &text);
-        }
-    }
-
-    fn stopping(&self) -> bool {
-        if self.cancel.load(Ordering::Relaxed) {
-            self.stop.store(true, Ordering::Relaxed);
-        }
-        self.stop.load(Ordering::Relaxed)
-    }
-
-    fn event(&self, job: &Job<'_>, answers: &Answers, time: Duration) -> CaseEvent {
-        let teller = Teller {
-            plan: self.plan,
-            engine: self.engines[job.engine].identity(),
-            held: self.held[job.engine].as_ref(),
-        };
-        teller.event(job.case, answers, time)
-    }
+/// Gives jobs out in batches, and their events on in order.
+struct Schedule<'r, 'g> {
+    context: &'r RunContext<'r>,
+    batches: Batches,
+    /// How many batches were given out.
+    begun: usize,
+    reorder: Reorder<Batch>,
+    /// How many events were given on.
+    given: usize,
+    error: Option<EngineError>,
+    /// Takes each event with the index of its job.
+    give: &'g mut dyn FnMut(usize, CaseEvent),
 }
 
-/// Stops the run if its worker panics, so that the others do not wait for cases that never come.
-struct Alarm<'a>(&'a AtomicBool);
+impl Supervisor<(usize, Range<usize>), Batch> for Schedule<'_, '_> {
+    fn next_task(&mut self) -> Option<(usize, Range<usize>)> {
+        if self.context.is_stopping() {
+            return None;
+        }
+        let jobs = self.batches.next(self.given)?;
+        let number = self.begun;
+        self.begun += 1;
+        Some((number, jobs))
+    }
 
-impl Drop for Alarm<'_> {
-    fn drop(&mut self) {
-        if std::thread::panicking() {
-            self.0.store(true, Ordering::Relaxed);
+    fn take(&mut self, mut batch: Batch) {
+        self.batches.took(batch.len, batch.time);
+        self.error = self.error.take().or(batch.error.take());
+        self.reorder.put(batch.number, batch);
+        while let Some(batch) = self.reorder.pop() {
+            // Behind a batch that was not finished nothing is given on.
+            if batch.start == self.given {
+                for event in batch.events {
+                    (self.give)(self.given, event);
+                    self.given += 1;
+                }
+            }
         }
     }
 }

@@ -5,12 +5,14 @@
 //! documents of the base say, they do not speak of this dialect; and what it does instead is no expectation, for nobody has
 //! written that down. Such a case is left out, and counted.
 
-use crate::schedule::STACK;
 use crate::{DefinedHeader, Desk, Grade, Plan, RunError, is_open, judge, select};
-use rayon::prelude::*;
-use stickler_engines::{EngineError, Reference};
+use stickler_engines::Reference;
 use stickler_suite::Case;
 use stickler_types::DialectName;
+use stickler_workers::WorkerPool;
+
+/// How many cases a worker is given at a time.
+const BATCH_LEN: usize = 64;
 
 /// Takes out of the cases those that the plan selects and nobody states, in the order of the suite.
 ///
@@ -23,19 +25,21 @@ pub fn leave_out(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case>, RunErr
     if selected.is_empty() {
         return Ok(Vec::new());
     }
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(plan.jobs)
-        .stack_size(STACK)
-        .thread_name(|index| format!("stickler-{index}"))
-        .build()?;
     let reference = Reference::new();
-    let changed: Result<Vec<bool>, EngineError> = pool.install(|| {
-        selected
-            .par_iter()
-            .map_init(|| Desk::new(&reference), |desk, case| is_changed(desk, case))
-            .collect()
-    });
-    let gone = selected.iter().zip(changed?).filter(|(_, changed)| *changed);
+    let changed: Vec<Vec<bool>> = WorkerPool::new(plan.jobs).map(
+        selected.chunks(BATCH_LEN),
+        || Ok(Desk::new(&reference)),
+        |desk, cases| {
+            cases
+                .iter()
+                .map(|case| is_changed(desk, case))
+                .collect::<Result<_, RunError>>()
+        },
+    )?;
+    let gone = selected
+        .iter()
+        .zip(changed.iter().flatten())
+        .filter(|(_, changed)| **changed);
     let gone: Vec<Case> = gone.map(|(case, _)| (*case).clone()).collect();
     let mut next = gone.iter().peekable();
     cases.retain(|case| {
@@ -62,14 +66,14 @@ pub fn defined(dialects: &[DialectName], left_out: &[Case]) -> Vec<DefinedHeader
 }
 
 /// Whether the reference meets what the case expects in the dialect that its own extends, and no longer in its own.
-fn is_changed(desk: &mut Desk<'_>, case: &Case) -> Result<bool, EngineError> {
+fn is_changed(desk: &mut Desk<'_>, case: &Case) -> Result<bool, RunError> {
     let in_base = Case {
         dialect: case.dialect.base().name(),
         ..case.clone()
     };
     let mut happens = |case: &Case| {
         let judgement = judge(case, &desk.ask(case)?, Grade::Code);
-        Ok::<_, EngineError>((judgement.verdict, judgement.got))
+        Ok::<_, RunError>((judgement.verdict, judgement.got))
     };
     Ok(happens(&in_base)? != happens(case)?)
 }

@@ -4,13 +4,16 @@
 //! `cargo test -p stickler-run --test conformance -- widening` runs the files whose path contains `widening`;
 //! the command line (`cargo run --release`) runs the same cases with reports.
 
-use rayon::prelude::*;
 use similar::TextDiff;
 use std::fmt::{self, Write};
 use std::path::Path;
 use stickler_engines::Reference;
-use stickler_run::{Desk, Grade, Judgement, Plan, Verdict, judge};
+use stickler_run::{Desk, Grade, Judgement, Plan, RunError, Verdict, judge};
 use stickler_suite::{Case, load_file};
+use stickler_workers::WorkerPool;
+
+/// How many cases a worker is given at a time.
+const BATCH_LEN: usize = 64;
 
 /// The suite, seen from this crate's folder, in which cargo runs tests.
 const ROOT: &str = "../../conformance-cases";
@@ -19,14 +22,18 @@ const ROOT: &str = "../../conformance-cases";
 fn conforms(path: &Path) -> datatest_stable::Result<()> {
     let (cases, errors) = load_file(Path::new(ROOT), path);
     let reference = Reference::new();
-    let judged: Vec<Result<Option<String>, stickler_engines::EngineError>> = cases
-        .par_iter()
-        .map_init(|| Desk::new(&reference), |desk, case| complaint(desk, case))
-        .collect();
+    let judged: Vec<Vec<Option<String>>> = WorkerPool::new(0).map(
+        cases.chunks(BATCH_LEN),
+        || Ok(Desk::new(&reference)),
+        |desk, cases| {
+            cases
+                .iter()
+                .map(|case| complaint(desk, case))
+                .collect::<Result<_, RunError>>()
+        },
+    )?;
     let mut complaints: Vec<String> = errors.iter().map(ToString::to_string).collect();
-    for complaint in judged {
-        complaints.extend(complaint?);
-    }
+    complaints.extend(judged.into_iter().flatten().flatten());
     if cases.is_empty() && errors.is_empty() && !std::fs::read_to_string(path)?.contains("[withdrawn]") {
         complaints.push("the file holds no case".to_owned());
     }
@@ -60,7 +67,7 @@ impl fmt::Display for Complaints {
 impl std::error::Error for Complaints {}
 
 /// What is to be said of a case that does not pass.
-fn complaint(desk: &mut Desk<'_>, case: &Case) -> Result<Option<String>, stickler_engines::EngineError> {
+fn complaint(desk: &mut Desk<'_>, case: &Case) -> Result<Option<String>, RunError> {
     let judgement = judge(case, &desk.ask(case)?, Grade::Code);
     Ok((judgement.verdict != Verdict::Pass).then(|| describe(case, &judgement)))
 }

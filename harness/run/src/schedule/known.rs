@@ -1,6 +1,6 @@
 //! Jobs whose answers are known from earlier runs, and their events in between those of the others.
 
-use super::{Floor, Job};
+use super::{Job, RunContext};
 use crate::CaseEvent;
 use crate::answers::Answers;
 use crate::memory::{self, Memory};
@@ -45,13 +45,16 @@ impl Known {
         &mut self,
         open: usize,
         jobs: &[Job<'_>],
-        floor: &Floor<'_>,
+        context: &RunContext<'_>,
         give: &mut dyn FnMut(&Job<'_>, CaseEvent),
     ) {
         let end = self.open.get(open).copied().unwrap_or(jobs.len());
         while let Some((place, answers)) = self.answers.next_if(|(place, _)| *place < end) {
             // The engine took no time over it.
-            give(&jobs[place], floor.event(&jobs[place], &answers, Duration::ZERO));
+            give(
+                &jobs[place],
+                context.event(&jobs[place], &answers, Duration::ZERO),
+            );
             self.given += 1;
         }
     }

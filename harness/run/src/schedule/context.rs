@@ -1,0 +1,131 @@
+//! The workers' side of a run: engines are asked about a batch of jobs, and their answers become events.
+
+use super::{Batch, Job};
+use crate::answers::{Answers, Desk};
+use crate::event::CaseEvent;
+use crate::memory::{self, Memory};
+use crate::pack::{packs, settle};
+use crate::{Held, Plan, Teller};
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+use stickler_engines::{Engine, EngineError};
+use stickler_suite::Case;
+
+/// A batch for engines that pack holds so many packs of each, for cases of several kinds alternate.
+const PACKS_PER_BATCH: usize = 2;
+
+/// What all workers of a run share.
+pub(super) struct RunContext<'r> {
+    pub(super) plan: &'r Plan,
+    pub(super) jobs: &'r [Job<'r>],
+    pub(super) engines: &'r [&'r dyn Engine],
+    /// By engine; engines behind the last have none.
+    pub(super) memories: &'r [Option<&'r dyn Memory>],
+    /// By engine.
+    pub(super) held: &'r [Option<Held<'r>>],
+    pub(super) cancel: &'r AtomicBool,
+    /// Whether an engine cannot be used any more, so that the run ends.
+    pub(super) is_broken: AtomicBool,
+}
+
+impl<'r> RunContext<'r> {
+    /// Returns what a worker asks engines by; no session is open yet.
+    pub(super) fn desks(&self) -> Vec<Desk<'r>> {
+        self.engines.iter().map(|&engine| Desk::new(engine)).collect()
+    }
+
+    /// Returns how many jobs make a batch where an engine packs.
+    pub(super) fn batch_len_for_packs(&self) -> Option<usize> {
+        let largest = self.pack_sizes().into_iter().max().filter(|&size| size > 1)?;
+        Some(largest * PACKS_PER_BATCH * self.engines.len())
+    }
+
+    fn pack_sizes(&self) -> Vec<usize> {
+        let size = |engine: &&dyn Engine| if self.plan.unpacked { 1 } else { engine.pack_size() };
+        self.engines.iter().map(size).collect()
+    }
+
+    /// Asks about a batch of jobs. There are fewer events than jobs where the run stops.
+    pub(super) fn batch(&self, number: usize, jobs: Range<usize>, desks: &mut [Desk<'_>]) -> Batch {
+        let begun = Instant::now();
+        let (start, len) = (jobs.start, jobs.len());
+        let mut events: Vec<Option<CaseEvent>> = jobs.clone().map(|_| None).collect();
+        let error = self.ask_all(&self.jobs[jobs], desks, &mut events).err();
+        // Whoever cancels the run may have ended its engines.
+        let error = error.filter(|_| !self.is_stopping());
+        if error.is_some() {
+            self.is_broken.store(true, Ordering::Relaxed);
+        }
+        Batch {
+            number,
+            start,
+            len,
+            // What stands behind a gap would never be given on.
+            events: events.into_iter().map_while(|event| event).collect(),
+            time: begun.elapsed(),
+            error,
+        }
+    }
+
+    fn ask_all(
+        &self,
+        jobs: &[Job<'_>],
+        desks: &mut [Desk<'_>],
+        events: &mut [Option<CaseEvent>],
+    ) -> Result<(), EngineError> {
+        let cases: Vec<(&Case, usize)> = jobs.iter().map(|job| (job.case, job.engine)).collect();
+        let packs = packs(&cases, &self.pack_sizes());
+        for pack in packs.iter().take_while(|_| !self.is_stopping()) {
+            self.ask(jobs, pack, desks, events)?;
+        }
+        Ok(())
+    }
+
+    /// Asks about the jobs at these places, which are one pack, and writes their events down.
+    fn ask(
+        &self,
+        jobs: &[Job<'_>],
+        pack: &[usize],
+        desks: &mut [Desk<'_>],
+        events: &mut [Option<CaseEvent>],
+    ) -> Result<(), EngineError> {
+        let Some(first) = pack.first() else {
+            return Ok(());
+        };
+        let desk = &mut desks[jobs[*first].engine];
+        let cases: Vec<&Case> = pack.iter().map(|&place| jobs[place].case).collect();
+        let settled = settle(desk, &cases, &|| self.is_stopping())?;
+        for (&place, settled) in pack.iter().zip(settled) {
+            events[place] = settled.map(|(answers, time)| {
+                self.keep(&jobs[place], &answers);
+                self.event(&jobs[place], &answers, time)
+            });
+        }
+        Ok(())
+    }
+
+    /// Keeps answers for later runs.
+    fn keep(&self, job: &Job<'_>, answers: &Answers) {
+        if let Some(Some(memory)) = self.memories.get(job.engine)
+            && let Some(text) = memory::written(answers)
+        {
+            memory.keep(&memory::question(job.case), &text);
+        }
+    }
+
+    /// Returns whether the run ends before its last job.
+    pub(super) fn is_stopping(&self) -> bool {
+        self.cancel.load(Ordering::Relaxed) || self.is_broken.load(Ordering::Relaxed)
+    }
+
+    /// Judges what an engine answered about a job.
+    pub(super) fn event(&self, job: &Job<'_>, answers: &Answers, time: Duration) -> CaseEvent {
+        let teller = Teller {
+            plan: self.plan,
+            engine: self.engines[job.engine].identity(),
+            held: self.held[job.engine].as_ref(),
+        };
+        teller.event(job.case, answers, time)
+    }
+}
