@@ -221,14 +221,16 @@ fn taken_over(
         }
     }
     let name = entry.name;
-    let cells = other.cells.iter();
+    let implicit = other.implicit.iter();
     let flags = other.flags.iter();
     Definition {
         name: name.to_owned(),
         base: other.base,
         about: None,
         place: written(&entry.span),
-        cells: cells.map(|(pair, stated)| (*pair, said(stated, name))).collect(),
+        implicit: implicit
+            .map(|(pair, stated)| (*pair, said(stated, name)))
+            .collect(),
         flags: flags.map(|(flag, stated)| (*flag, said(stated, name))).collect(),
         rounding: other.rounding.as_ref().map(|stated| said(stated, name)),
         out_of_range: other.out_of_range.as_ref().map(|stated| said(stated, name)),

@@ -5,10 +5,10 @@ use crate::near::{advice, list};
 use crate::table::{Mistake, text};
 use std::collections::BTreeSet;
 use std::ops::Range;
-use stickler_types::definition::{
-    BitStringTextWord, Cell, Flag, OutOfRangeWord, RealTextWord, RoundingWord, TextReadingWord,
+use stickler_types::definition::Flag;
+use stickler_types::{
+    BitStringText, DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding, TextReading,
 };
-use stickler_types::{DialectName, ElementaryType};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -20,6 +20,9 @@ const CONVERSIONS: [&str; 5] = [
     "real-text",
     "bit-string-text",
 ];
+
+/// What may be said of a pair of different types.
+const WORDS: [MatrixWord; 3] = [MatrixWord::Yes, MatrixWord::No, MatrixWord::Open];
 
 /// So many significant digits may be asked for; more than 17 a real number of 64 bits does not have.
 const DIGITS: std::ops::RangeInclusive<u8> = 1..=40;
@@ -61,19 +64,19 @@ fn without_third_edition(draft: &mut Draft<'_>) {
     let has = |ty: ElementaryType| !ty.is_third_edition();
     draft
         .definition
-        .cells
+        .implicit
         .retain(|(from, to), _| has(*from) && has(*to));
 }
 
 /// The flag is another word for cells of the matrix.
 /// Basis: ironplc-type-conversions: Cross-family widening ("an integer type of strictly greater bit width").
 fn cross_family(on: bool, at: &Range<usize>, draft: &mut Draft<'_>) {
-    let cell = if on { Cell::Yes } else { Cell::No };
+    let cell = if on { MatrixWord::Yes } else { MatrixWord::No };
     for from in ElementaryType::ALL.into_iter().filter(|ty| ty.is_bit_string()) {
         for to in ElementaryType::ALL.into_iter().filter(|ty| ty.is_integer()) {
             if from.bits() < to.bits() {
                 let stated = draft.stated(cell, Flag::CrossFamilyWidening.as_str(), at);
-                draft.definition.cells.insert((from, to), stated);
+                draft.definition.implicit.insert((from, to), stated);
             }
         }
     }
@@ -88,15 +91,15 @@ pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(
         let (name, at) = (key.get_ref().as_ref(), &key.span());
         match name {
             "rounding" => {
-                let word = one_of(name, value, RoundingWord::ALL, RoundingWord::as_str)?;
+                let word = one_of(name, value, &Rounding::OF_CONVERSIONS, Rounding::as_str)?;
                 draft.definition.rounding = Some(draft.stated(word, name, at));
             }
             "out-of-range" => {
-                let word = one_of(name, value, OutOfRangeWord::ALL, OutOfRangeWord::as_str)?;
+                let word = one_of(name, value, OutOfRange::ALL, OutOfRange::as_str)?;
                 draft.definition.out_of_range = Some(draft.stated(word, name, at));
             }
             "text-reading" => {
-                let word = one_of(name, value, TextReadingWord::ALL, TextReadingWord::as_str)?;
+                let word = one_of(name, value, TextReading::ALL, TextReading::as_str)?;
                 draft.definition.text_reading = Some(draft.stated(word, name, at));
             }
             "real-text" => {
@@ -104,7 +107,7 @@ pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(
                 draft.definition.real_text = Some(draft.stated(word, name, at));
             }
             "bit-string-text" => {
-                let word = one_of(name, value, BitStringTextWord::ALL, BitStringTextWord::as_str)?;
+                let word = one_of(name, value, BitStringText::ALL, BitStringText::as_str)?;
                 draft.definition.bit_string_text = Some(draft.stated(word, name, at));
             }
             _ => {
@@ -116,7 +119,7 @@ pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(
     Ok(())
 }
 
-fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealTextWord, Mistake> {
+fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealText, Mistake> {
     let said = format!(
         "`{name}` is \"shortest\", or a number of significant digits from {} to {}",
         DIGITS.start(),
@@ -128,8 +131,8 @@ fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealTextWord, M
         .and_then(|number| u8::from_str_radix(number.as_str(), number.radix()).ok())
         .filter(|digits| DIGITS.contains(digits));
     match (value.get_ref().as_str(), digits) {
-        (Some("shortest"), _) => Ok(RealTextWord::Shortest),
-        (None, Some(digits)) => Ok(RealTextWord::SignificantDigits(digits)),
+        (Some("shortest"), _) => Ok(RealText::Shortest),
+        (None, Some(digits)) => Ok(RealText::SignificantDigits(digits)),
         _ => Err(Mistake::at(value.span(), said)),
     }
 }
@@ -208,8 +211,8 @@ fn cell(
         let message = format!("`{key}` needs no word; a type always stands for itself");
         return Err(Mistake::at(to_at.clone(), message));
     }
-    let word = one_of(&key, value, Cell::ALL, Cell::as_str)?;
-    if word != Cell::No && !has_meaning(from, to) {
+    let word = one_of(&key, value, &WORDS, MatrixWord::as_str)?;
+    if word != MatrixWord::No && !has_meaning(from, to) {
         let message = format!(
             "`{key}` cannot be `{}`; there is no conversion from {from} to {to}",
             word.as_str()
@@ -217,7 +220,7 @@ fn cell(
         return Err(Mistake::at(value.span(), message));
     }
     let stated = draft.stated(word, &format!("implicit {from}.{to}"), from_at);
-    draft.definition.cells.insert((from, to), stated);
+    draft.definition.implicit.insert((from, to), stated);
     Ok((from, to))
 }
 

@@ -4,10 +4,11 @@ use std::fs;
 use std::path::Path;
 use stickler_configuration::{Configuration, Entry, Kind};
 use stickler_engines::{Compiler, Places};
-use stickler_types::definition::{
-    BitStringTextWord, Cell, Flag, OutOfRangeWord, RealTextWord, RoundingWord, TextReadingWord,
+use stickler_types::definition::Flag;
+use stickler_types::{
+    BitStringText, BuiltIn, Definition, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding,
+    TextReading,
 };
-use stickler_types::{BuiltIn, Definition, ElementaryType};
 
 /// The configuration in a folder of its own that has this text.
 fn read(text: &str) -> Result<Configuration, String> {
@@ -204,46 +205,46 @@ bit-string-text = "shortest"
     assert_eq!(definition.about.as_deref(), Some("MyPLC 2.1"));
     assert_eq!(definition.place, "stickler.toml:2");
     let cells: Vec<_> = definition
-        .cells
+        .implicit
         .iter()
         .map(|(pair, stated)| (*pair, stated.value))
         .collect();
     assert_eq!(
         cells,
         [
-            ((Sint, Int), Cell::No),
-            ((Sint, Dint), Cell::Open),
-            ((Int, Bool), Cell::Yes)
+            ((Sint, Int), MatrixWord::No),
+            ((Sint, Dint), MatrixWord::Open),
+            ((Int, Bool), MatrixWord::Yes)
         ]
     );
     let basis = "all-kinds: implicit INT.BOOL (stickler.toml:7; https://example.org/manual)";
     assert_eq!(
-        definition.cell(Int, Bool).map(|stated| &*stated.basis),
+        definition.implicit(Int, Bool).map(|stated| &*stated.basis),
         Some(basis)
     );
     assert_eq!(definition.flag(Flag::NestedComments), Some(false));
     assert_eq!(definition.flag(Flag::LineComments), None);
     let stated = definition.rounding.as_ref().unwrap();
-    assert_eq!(stated.value, RoundingWord::HalfAwayFromZero);
+    assert_eq!(stated.value, Rounding::HalfAwayFromZero);
     assert_eq!(
         stated.basis,
         "all-kinds: rounding (stickler.toml:13; https://example.org/manual)"
     );
     assert_eq!(
         definition.out_of_range.as_ref().unwrap().value,
-        OutOfRangeWord::Saturate
+        OutOfRange::Saturate
     );
     assert_eq!(
         definition.text_reading.as_ref().unwrap().value,
-        TextReadingWord::LeadingNumber
+        TextReading::LeadingNumber
     );
     assert_eq!(
         definition.real_text.as_ref().unwrap().value,
-        RealTextWord::SignificantDigits(6)
+        RealText::SignificantDigits(6)
     );
     assert_eq!(
         definition.bit_string_text.as_ref().unwrap().value,
-        BitStringTextWord::Shortest
+        BitStringText::Shortest
     );
 }
 
@@ -252,16 +253,21 @@ fn cross_family_widening_is_another_word_for_its_cells() {
     let definition =
         defined("[dialects.wide]\nextends = \"matiec\"\nflags.allow-cross-family-widening = true\n");
     // BYTE into six integer types, WORD into four, DWORD into two.
-    assert_eq!(definition.cells.len(), 12);
-    assert!(definition.cells.values().all(|stated| stated.value == Cell::Yes));
+    assert_eq!(definition.implicit.len(), 12);
+    assert!(
+        definition
+            .implicit
+            .values()
+            .all(|stated| stated.value == MatrixWord::Yes)
+    );
     let explicit = "[dialects.wide-but]\nextends = \"matiec\"\nflags.allow-cross-family-widening = true\n\
                     implicit.\"BYTE.INT\" = \"no\"\n";
     let cell = defined(explicit)
-        .cell(ElementaryType::Byte, ElementaryType::Int)
+        .implicit(ElementaryType::Byte, ElementaryType::Int)
         .unwrap();
     assert_eq!(
         (cell.value, &*cell.basis),
-        (Cell::No, "wide-but: implicit BYTE.INT (stickler.toml:4)")
+        (MatrixWord::No, "wide-but: implicit BYTE.INT (stickler.toml:4)")
     );
 }
 
@@ -279,7 +285,7 @@ fn a_dialect_extends_another_of_the_file_wherever_that_stands() {
     assert!(second.as_str() == "b-second" && first.as_str() == "a-first");
     let second = second.definition().unwrap();
     assert_eq!(second.base, BuiltIn::Plcnext);
-    assert_eq!(second.rounding.as_ref().unwrap().value, RoundingWord::Truncate);
+    assert_eq!(second.rounding.as_ref().unwrap().value, Rounding::Truncate);
     let taken_over = second.out_of_range.as_ref().unwrap();
     assert_eq!(taken_over.basis, "b-second: out-of-range (stickler.toml:8)");
 }
@@ -292,7 +298,7 @@ fn what_is_taken_over_says_nothing_of_types_that_are_taken_away() {
     )
     .unwrap();
     let definition = configuration.dialects()[1].definition().unwrap();
-    let cells: Vec<_> = definition.cells.keys().copied().collect();
+    let cells: Vec<_> = definition.implicit.keys().copied().collect();
     assert_eq!(cells, [(ElementaryType::Int, ElementaryType::Sint)]);
 }
 
@@ -472,5 +478,5 @@ fn a_mistake_in_a_dialect_is_told_with_its_place_and_the_word_that_was_meant() {
 fn a_dialect_may_be_given_the_types_of_the_third_edition() {
     let text = "[dialects.longer]\nextends = \"ironplc-ed2\"\nflags.third-edition-types = true\n\
                 implicit.\"TIME.LTIME\" = \"yes\"\n";
-    assert_eq!(defined(text).cells.len(), 1);
+    assert_eq!(defined(text).implicit.len(), 1);
 }

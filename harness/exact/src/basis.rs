@@ -6,12 +6,12 @@
 mod stated;
 mod texts;
 
-use crate::choices::Choices;
-use crate::real::{self, Real, Rounding, Whole};
+use crate::choices::choices_of;
+use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::value::value;
 use crate::{bcd, integer, moment};
-use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, Value};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, Rounding, Value};
 
 /// What a call gives.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -29,7 +29,7 @@ pub struct Expected {
 /// states goes before the documents of its base, and the basis is the definition's. See [`value`] for operands that do not fit.
 #[must_use]
 pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
-    let choices = Choices::of(dialect);
+    let choices = choices_of(dialect);
     let basis = match (&signature.operands[..], operands) {
         (&[from], [operand]) if signature.takes(operands) => {
             let call = Call {
@@ -65,7 +65,7 @@ pub fn is_overridden(signature: &Signature, operands: &[Value], dialect: Dialect
             to: signature.result,
             rules: Rules::of(dialect),
         }
-        .is_overridden(operand, definition, &Choices::of(dialect)),
+        .is_overridden(operand, definition, &choices_of(dialect)),
         _ => false,
     }
 }
@@ -254,7 +254,7 @@ impl Call<'_> {
         else {
             return Truncated::NoNumber;
         };
-        match real::to_whole(negative, significand, exponent, Rounding::TowardZero) {
+        match real::to_whole(negative, significand, exponent, Rounding::Truncate) {
             Whole::Number(number) if integer::holds(self.to, number) => Truncated::Inside,
             _ => Truncated::Outside,
         }

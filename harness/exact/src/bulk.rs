@@ -13,9 +13,9 @@ mod real;
 #[cfg(test)]
 mod tests;
 
-use crate::{Choices, Operation, Signature};
-use real::{RealResult, Rounding};
-use stickler_types::{ElementaryType, Family};
+use crate::{Operation, Signature};
+use real::RealResult;
+use stickler_types::{ConversionChoices, ElementaryType, Family, OutOfRange, Rounding};
 
 /// One conversion over many raw forms.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -43,7 +43,7 @@ enum Rule {
     /// REAL as LREAL.
     Lengthened,
     /// REAL as an integer.
-    Integral(Rounding, crate::Outside),
+    Integral(Rounding, OutOfRange),
     /// A number of units of time.
     Units,
     /// The same, of a REAL.
@@ -58,7 +58,7 @@ impl Bulk {
     /// The quick form of a function, where it has one: a single operand of at most 32 bits that is no text, and
     /// a result that is no text.
     #[must_use]
-    pub fn new(signature: &Signature, choices: &Choices) -> Option<Bulk> {
+    pub fn new(signature: &Signature, choices: &ConversionChoices) -> Option<Bulk> {
         let [from] = signature.operands[..] else {
             return None;
         };
@@ -88,7 +88,9 @@ impl Bulk {
             Rule::Nearest(result) => real::nearest(operands, results, result),
             Rule::Same => real::same(operands, results),
             Rule::Lengthened => real::lengthened(operands, results),
-            Rule::Integral(rounding, outside) => real::integral(operands, results, to, rounding, outside),
+            Rule::Integral(rounding, out_of_range) => {
+                real::integral(operands, results, to, rounding, out_of_range)
+            }
             Rule::Units => moment::units(operands, results, to),
             Rule::RealUnits => moment::real_units(operands, results, to),
             Rule::Digits => decimal::number(operands, results, to),
@@ -97,13 +99,13 @@ impl Bulk {
     }
 }
 
-fn of_real(to: ElementaryType, operation: Operation, choices: &Choices) -> Rule {
+fn of_real(to: ElementaryType, operation: Operation, choices: &ConversionChoices) -> Rule {
     match to.family() {
         Family::Boolean => Rule::RealTruth,
         Family::Real if to == ElementaryType::Real => Rule::Same,
         Family::Real => Rule::Lengthened,
         Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => Rule::RealUnits,
-        _ => Rule::Integral(Rounding::of(operation, choices), choices.outside),
+        _ => Rule::Integral(operation.rounding(choices), choices.out_of_range),
     }
 }
 

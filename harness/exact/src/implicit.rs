@@ -6,21 +6,9 @@
 //! what the function `<FROM>_TO_<TO>` gives.
 
 use crate::catalogue::has_third_edition;
-use stickler_types::definition::Cell;
-use stickler_types::{BuiltIn, DialectName, ElementaryType, Family};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 
-/// What documents say of a pair of types.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Word {
-    /// A value of the one type stands wherever the other is expected.
-    Yes,
-    /// That is an error.
-    No,
-    /// No document says.
-    Open,
-}
-
-/// Whether a value of the type `from` stands where `to` is expected, in a dialect. A type stands for itself.
+/// Returns whether a value of the type `from` stands where `to` is expected, in a dialect.
 ///
 /// Types that the dialect does not have convert to nothing, and nothing to them. What a definition states of a pair is so.
 ///
@@ -28,36 +16,32 @@ pub enum Word {
 /// conformance; implicit-conversion-table: SEM1189 table; implicit-conversion-rules: ANY_DURATION, for TIME and LTIME, which are
 /// not in the table.
 #[must_use]
-pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> Word {
+pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> MatrixWord {
     if from == to {
-        return Word::Yes;
+        return MatrixWord::Same;
     }
     if !has_third_edition(dialect) && (from.is_third_edition() || to.is_third_edition()) {
-        return Word::No;
+        return MatrixWord::No;
     }
-    if let Some(cell) = dialect
+    if let Some(stated) = dialect
         .definition()
-        .and_then(|definition| definition.cell(from, to))
+        .and_then(|definition| definition.implicit(from, to))
     {
-        return match cell.value {
-            Cell::Yes => Word::Yes,
-            Cell::No => Word::No,
-            Cell::Open => Word::Open,
-        };
+        return stated.value;
     }
     match dialect.base() {
         BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 => ironplc(from, to),
-        BuiltIn::IronplcRusty if is_cross_family(from, to) => Word::Yes,
+        BuiltIn::IronplcRusty if is_cross_family(from, to) => MatrixWord::Yes,
         BuiltIn::IronplcRusty => ironplc(from, to),
-        BuiltIn::Matiec => Word::No,
+        BuiltIn::Matiec => MatrixWord::No,
         BuiltIn::Plcnext => plcnext(from, to),
     }
 }
 
 /// IronPLC's three categories, and what its general rule leaves open.
-fn ironplc(from: ElementaryType, to: ElementaryType) -> Word {
+fn ironplc(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     if from.long_form() == Some(to) || to.long_form() == Some(from) {
-        return Word::Open;
+        return MatrixWord::Open;
     }
     said(match (from.family(), to.family()) {
         // "The source type's full value range is exactly representable in the target type", which the matrix repeats.
@@ -77,7 +61,7 @@ const fn is_cross_family(from: ElementaryType, to: ElementaryType) -> bool {
 }
 
 /// PLCnext's coloured table.
-fn plcnext(from: ElementaryType, to: ElementaryType) -> Word {
+fn plcnext(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     use ElementaryType::{Ltime, Time, Udint};
     said(match (from.family(), to.family()) {
         (Family::Signed | Family::Unsigned, Family::Signed | Family::Unsigned) => {
@@ -102,6 +86,6 @@ fn holds_every_integer(from: ElementaryType, to: ElementaryType) -> bool {
     low <= least && greatest <= high
 }
 
-const fn said(converts: bool) -> Word {
-    if converts { Word::Yes } else { Word::No }
+const fn said(converts: bool) -> MatrixWord {
+    if converts { MatrixWord::Yes } else { MatrixWord::No }
 }

@@ -10,7 +10,7 @@
 //! |---|---|
 //! | which functions does a dialect have, and between which types? | [`functions`], [`signatures`] |
 //! | what must a call give, and which document says so? | [`expected`] |
-//! | what would it give by other rules? | [`value`] with other [`Choices`] |
+//! | what would it give by other rules? | [`value`] with other choices than [`choices_of`] the dialect |
 //! | the same, for billions of operands? | [`Bulk`] |
 //! | which types become others without a call? | [`implicit`] |
 //!
@@ -52,7 +52,7 @@ mod value;
 pub use basis::{Expected, expected, is_overridden};
 pub use bulk::Bulk;
 pub use catalogue::{functions, signatures};
-pub use choices::{BitStringText, Choices, Outside, RealText, RealToInteger, TextReading};
-pub use implicit::{Word, implicit};
+pub use choices::choices_of;
+pub use implicit::implicit;
 pub use signature::{Operation, Signature};
 pub use value::value;

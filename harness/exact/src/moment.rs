@@ -8,7 +8,7 @@
 use crate::quotient;
 use crate::real::{self, Real};
 use num_bigint::BigUint;
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{ElementaryType, Family, Rounding};
 
 /// The nanoseconds of a day.
 const DAY: i128 = 86_400_000_000_000;
@@ -88,7 +88,7 @@ pub(crate) fn is_whole_moment(raw: u64, from: ElementaryType, to: ElementaryType
     };
     // A whole number has no bits below the point, and no duration has 64 of them above it.
     let whole = exponent >= 0 || significand.trailing_zeros() >= exponent.unsigned_abs() || significand == 0;
-    match real::to_whole(negative, significand, exponent, real::Rounding::TowardZero) {
+    match real::to_whole(negative, significand, exponent, Rounding::Truncate) {
         real::Whole::Number(number) if whole && number.unsigned_abs() < 1 << 64 => fits(of_units(number, to)),
         _ => false,
     }

@@ -1,6 +1,6 @@
 //! The numbers of IEC 60559, taken apart into integers and put together again; each result is rounded once.
 
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, Rounding};
 
 /// What the bits of a REAL or LREAL stand for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -205,21 +205,6 @@ pub(crate) const fn is_nonzero(raw: u64, ty: ElementaryType) -> bool {
     !matches!(decode(raw, ty), Real::Finite { significand: 0, .. })
 }
 
-/// How a real number becomes an integer.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Rounding {
-    /// The fraction is dropped.
-    TowardZero,
-    /// To nearest, ties to the even integer.
-    HalfToEven,
-    /// To nearest, ties to the integer with the greater magnitude.
-    HalfAway,
-    /// To the integer not below the number.
-    Up,
-    /// To the integer not above the number.
-    Down,
-}
-
 /// A real number made an integer.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Whole {
@@ -251,9 +236,9 @@ pub(crate) fn to_whole(negative: bool, significand: u64, exponent: i32, rounding
     let (below, rest) = (scaled >> dropped, scaled & ((1 << dropped) - 1));
     let half = 1_u128 << (dropped - 1);
     let away = match rounding {
-        Rounding::TowardZero => false,
+        Rounding::Truncate => false,
         Rounding::HalfToEven => rest > half || (rest == half && below & 1 == 1),
-        Rounding::HalfAway => rest >= half,
+        Rounding::HalfAwayFromZero => rest >= half,
         Rounding::Up => rest > 0 && !negative,
         Rounding::Down => rest > 0 && negative,
     };

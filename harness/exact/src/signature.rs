@@ -1,6 +1,6 @@
 //! What identifies one conversion: the function's name, its types, and what it does.
 
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ConversionChoices, ElementaryType, Rounding, Value};
 
 /// One conversion function together with the types of its arguments and of its result.
 ///
@@ -48,4 +48,20 @@ pub enum Operation {
     ToBcd,
     /// A date and a time of day as one moment: `CONCAT_DATE_TOD` and its kin.
     Concatenate,
+}
+
+impl Operation {
+    /// Returns how the operation makes an integer of a real number: in a way of its own, or as chosen for conversions.
+    #[must_use]
+    pub(crate) const fn rounding(self, choices: &ConversionChoices) -> Rounding {
+        match self {
+            Operation::Convert => choices.rounding,
+            Operation::Round => Rounding::HalfToEven,
+            Operation::Ceiling => Rounding::Up,
+            Operation::Floor => Rounding::Down,
+            Operation::Truncate | Operation::FromBcd | Operation::ToBcd | Operation::Concatenate => {
+                Rounding::Truncate
+            }
+        }
+    }
 }

@@ -1,10 +1,9 @@
 //! What a call gives by given choices: the rule for each pair of families.
 
-use crate::choices::{Choices, Outside, RealToInteger};
-use crate::real::{self, Real, Rounding, Whole};
+use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::{bcd, character, integer, moment, pair, text};
-use stickler_types::{ElementaryType, Family, Value};
+use stickler_types::{ConversionChoices, ElementaryType, Family, OutOfRange, Rounding, Value};
 
 /// What a call of a conversion function gives, computed exactly by the choices that the caller spells out.
 ///
@@ -14,7 +13,7 @@ use stickler_types::{ElementaryType, Family, Value};
 ///
 /// Basis: stickler-design: §8 (arithmetic rules); forgeiec-conversion-functions: The naming pattern, Range and precision.
 #[must_use]
-pub fn value(signature: &Signature, operands: &[Value], choices: &Choices) -> Value {
+pub fn value(signature: &Signature, operands: &[Value], choices: &ConversionChoices) -> Value {
     let result = match operands {
         _ if !signature.takes(operands) => None,
         [Value::Plain { ty, raw }] => plain(signature, *raw, *ty, choices),
@@ -37,24 +36,25 @@ const fn default(ty: ElementaryType) -> Value {
 }
 
 /// What becomes of one operand that is no text.
-fn plain(signature: &Signature, raw: u64, from: ElementaryType, choices: &Choices) -> Option<Value> {
+fn plain(
+    signature: &Signature,
+    raw: u64,
+    from: ElementaryType,
+    choices: &ConversionChoices,
+) -> Option<Value> {
     let to = signature.result;
-    let rounding = match signature.operation {
+    let result = match signature.operation {
         Operation::Convert if to.is_text() => return Some(Value::text(to, written(raw, from, to, choices))),
-        Operation::Convert => choices.real_to_integer.into(),
-        Operation::Truncate => Rounding::TowardZero,
-        Operation::Round => Rounding::HalfToEven,
-        Operation::Ceiling => Rounding::Up,
-        Operation::Floor => Rounding::Down,
-        Operation::FromBcd => return Some(Value::plain(to, integer::wrapped(bcd::number(raw, from), to))),
-        Operation::ToBcd => return Some(Value::plain(to, bcd::encoded(raw, from, to))),
+        Operation::FromBcd => integer::wrapped(bcd::number(raw, from), to),
+        Operation::ToBcd => bcd::encoded(raw, from, to),
         Operation::Concatenate => return None,
+        operation => convert(raw, from, to, operation.rounding(choices), choices.out_of_range)?,
     };
-    convert(raw, from, to, rounding, choices.outside).map(|raw| Value::plain(to, raw))
+    Some(Value::plain(to, result))
 }
 
 /// The text of a value that is none.
-fn written(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Choices) -> Vec<u16> {
+fn written(raw: u64, from: ElementaryType, to: ElementaryType, choices: &ConversionChoices) -> Vec<u16> {
     if from.is_character() {
         vec![character::unit(character::of_raw(raw), to)]
     } else {
@@ -63,7 +63,7 @@ fn written(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Choices
 }
 
 /// What becomes of a text.
-fn text(signature: &Signature, units: &[u16], choices: &Choices) -> Option<Value> {
+fn text(signature: &Signature, units: &[u16], choices: &ConversionChoices) -> Option<Value> {
     let to = signature.result;
     (signature.operation == Operation::Convert).then(|| match to.family() {
         Family::Text => Value::text(to, character::text(units, to)),
@@ -78,7 +78,7 @@ fn convert(
     from: ElementaryType,
     to: ElementaryType,
     rounding: Rounding,
-    outside: Outside,
+    out_of_range: OutOfRange,
 ) -> Option<u64> {
     use Family::{
         BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, TimeOfDay, Unsigned,
@@ -96,7 +96,7 @@ fn convert(
         }
         (Boolean | Signed | Unsigned | BitString, Real) => real::from_integer(number(), to),
         (Real, Real) => real::between(raw, from, to),
-        (Real, Signed | Unsigned | BitString) => from_real(raw, from, to, rounding, outside),
+        (Real, Signed | Unsigned | BitString) => from_real(raw, from, to, rounding, out_of_range),
         (Boolean | Signed | Unsigned | BitString, Duration | Date | TimeOfDay | DateAndTime) => {
             moment::from_units(number(), to)
         }
@@ -121,7 +121,7 @@ fn from_real(
     from: ElementaryType,
     to: ElementaryType,
     rounding: Rounding,
-    outside: Outside,
+    out_of_range: OutOfRange,
 ) -> u64 {
     let whole = match real::decode(raw, from) {
         Real::NotANumber => return 0,
@@ -132,23 +132,13 @@ fn from_real(
             exponent,
         } => real::to_whole(negative, significand, exponent, rounding),
     };
-    match (whole, outside) {
-        (Whole::Number(number), Outside::Wrap) => integer::wrapped(number, to),
-        (Whole::Number(number), Outside::Saturate) => integer::saturated(number, to),
+    match (whole, out_of_range) {
+        (Whole::Number(number), OutOfRange::Wrap) => integer::wrapped(number, to),
+        (Whole::Number(number), OutOfRange::Saturate) => integer::saturated(number, to),
         // What is huge is a multiple of 2^64, and so 0 in every type; an infinity is 0 by decree.
-        (Whole::Huge { .. }, Outside::Wrap) => 0,
-        (Whole::Huge { negative }, Outside::Saturate) => {
+        (Whole::Huge { .. }, OutOfRange::Wrap) => 0,
+        (Whole::Huge { negative }, OutOfRange::Saturate) => {
             integer::saturated(if negative { i128::MIN } else { i128::MAX }, to)
-        }
-    }
-}
-
-impl From<RealToInteger> for Rounding {
-    fn from(choice: RealToInteger) -> Rounding {
-        match choice {
-            RealToInteger::Truncate => Rounding::TowardZero,
-            RealToInteger::HalfToEven => Rounding::HalfToEven,
-            RealToInteger::HalfAwayFromZero => Rounding::HalfAway,
         }
     }
 }

@@ -1,9 +1,11 @@
 //! The one place where a dialect's name becomes behaviour.
 
-use crate::conversion::{BitStringText, ConversionChoices, RealText, Rounding};
 use std::collections::BTreeMap;
-use stickler_types::definition::{Cell, Flag};
-use stickler_types::{BuiltIn, Definition, DialectName, ElementaryType, Stated};
+use stickler_types::definition::Flag;
+use stickler_types::{
+    BitStringText, BuiltIn, ConversionChoices, Definition, DialectName, ElementaryType, MatrixWord,
+    OutOfRange, RealText, Rounding, Stated, TextReading,
+};
 
 /// The language rules of one documented system. Each field names a choice that the sources make differently
 /// (section 8 of the design, which names the basis of each); nothing else in this crate asks for a dialect's
@@ -39,8 +41,21 @@ pub struct Dialect {
     pub conversions: ConversionChoices,
 }
 
+/// What every documented system chooses unless it says otherwise: truncation, wrapping, whole texts, and values written as the wire
+/// protocol has them.
+///
+/// Basis: forgeiec-conversion-functions: Range and precision, matiec conformance; ironplc-type-conversions: Explicit Conversion
+/// Functions; stickler-design: §8 (what is open).
+pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
+    rounding: Rounding::Truncate,
+    out_of_range: OutOfRange::Wrap,
+    text_reading: TextReading::WholeText,
+    real_text: RealText::Shortest,
+    bit_string_text: BitStringText::FullWidth,
+};
+
 /// What a definition states of pairs of types: of the value, and of the target.
-pub type Cells = BTreeMap<(ElementaryType, ElementaryType), Stated<Cell>>;
+pub type Cells = BTreeMap<(ElementaryType, ElementaryType), Stated<MatrixWord>>;
 
 /// Which pairs of elementary types convert implicitly.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -101,7 +116,7 @@ impl Dialect {
                 Flag::RoundingFunctions => self.only_standard_rounding = !on,
             }
         }
-        self.cells = Some(&definition.cells);
+        self.cells = Some(&definition.implicit);
         self.conversions = self.conversions.overridden(definition);
         self
     }
@@ -124,7 +139,7 @@ impl Dialect {
             nested_comments: false,
             third_edition_types: false,
             only_standard_rounding: false,
-            conversions: ConversionChoices::COMMON,
+            conversions: COMMON_CHOICES,
         }
     }
 
@@ -183,7 +198,7 @@ impl Dialect {
             conversions: ConversionChoices {
                 real_text: RealText::SignificantDigits(10),
                 bit_string_text: BitStringText::Shortest,
-                ..ConversionChoices::COMMON
+                ..COMMON_CHOICES
             },
         }
     }
@@ -207,7 +222,7 @@ impl Dialect {
             nested_comments: true,
             third_edition_types: true,
             only_standard_rounding: false,
-            conversions: ConversionChoices::COMMON.rounding(Rounding::HalfToEven),
+            conversions: COMMON_CHOICES.with_rounding(Rounding::HalfToEven),
         }
     }
 
@@ -221,8 +236,7 @@ impl Dialect {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::conversion::Outside;
-    use stickler_types::definition::{OutOfRangeWord, RoundingWord};
+    use stickler_types::{OutOfRange, Rounding};
 
     #[test]
     fn every_name_has_its_own_dialect() {
@@ -251,14 +265,14 @@ mod tests {
             .map(|flag| (*flag, stated(*flag == Flag::LineComments)));
         let pair = |from, to, cell| ((from, to), stated(cell));
         let name = DialectName::define(Definition {
-            cells: BTreeMap::from([
-                pair(ElementaryType::Int, ElementaryType::Bool, Cell::Yes),
-                pair(ElementaryType::Sint, ElementaryType::Int, Cell::No),
-                pair(ElementaryType::Bool, ElementaryType::Int, Cell::Open),
+            implicit: BTreeMap::from([
+                pair(ElementaryType::Int, ElementaryType::Bool, MatrixWord::Yes),
+                pair(ElementaryType::Sint, ElementaryType::Int, MatrixWord::No),
+                pair(ElementaryType::Bool, ElementaryType::Int, MatrixWord::Open),
             ]),
             flags: flags.collect(),
-            rounding: Some(stated(RoundingWord::HalfAwayFromZero)),
-            out_of_range: Some(stated(OutOfRangeWord::Saturate)),
+            rounding: Some(stated(Rounding::HalfAwayFromZero)),
+            out_of_range: Some(stated(OutOfRange::Saturate)),
             ..Definition::new("reference-overrides", BuiltIn::IronplcEd3, "here")
         })
         .expect("the name is free");
@@ -268,8 +282,8 @@ mod tests {
         );
         assert!(!mine.integer_literal_as_real && !mine.third_edition_types);
         assert_eq!(mine.partial_access, PartialAccess::Disabled);
-        assert_eq!(mine.conversions.real_to_integer, Rounding::HalfAwayFromZero);
-        assert_eq!(mine.conversions.outside, Outside::Saturate);
+        assert_eq!(mine.conversions.rounding, Rounding::HalfAwayFromZero);
+        assert_eq!(mine.conversions.out_of_range, OutOfRange::Saturate);
         assert_eq!(mine.conversions.real_text, RealText::Shortest);
         let accepts = |from: &str, into: &str, dialect| {
             let text =

@@ -39,7 +39,7 @@ pub mod semantics;
 pub mod source;
 pub mod syntax;
 
-pub use dialect::Dialect;
+pub use dialect::{COMMON_CHOICES, Dialect};
 pub use face::{
     ClockSetting, Limits, LocatedDiagnostic, Observation, Outcome, Request, RequestError, ValueSetting,
     check, check_bytes, render, run, variables,

@@ -39,6 +39,6 @@ pub use error::CaseFileError;
 pub use lint::{Finding, Severity, lint};
 pub use model::{
     Acceptance, Case, ClockSetting, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText,
-    ExpectedValue, MatrixCell, Observe, VariableSetting, WithdrawnCase, Word,
+    ExpectedValue, MatrixCell, Observe, VariableSetting, WithdrawnCase,
 };
 pub use suite::{Suite, load_file, read_case_file};

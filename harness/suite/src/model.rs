@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use stickler_types::{Code, DialectName, Fault, Value};
+use stickler_types::{Code, DialectName, Fault, MatrixWord, Value};
 
 /// One program in one dialect, with one expectation.
 ///
@@ -173,32 +173,7 @@ pub struct MatrixCell {
     /// The column's name, the target type: `DINT`.
     pub column: Arc<str>,
     /// What the cell says.
-    pub word: Word,
-}
-
-/// What a matrix says of one pair of types.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Word {
-    /// `yes`: accepted, and the value arrives unchanged.
-    Yes,
-    /// `=`: the same type; treated like `yes`.
-    Same,
-    /// `no`: rejected.
-    No,
-    /// `open`: no document says; what happens is recorded.
-    Open,
-}
-
-impl Word {
-    /// The word as a matrix writes it.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Word::Yes => "yes",
-            Word::Same => "=",
-            Word::No => "no",
-            Word::Open => "open",
-        }
-    }
+    pub word: MatrixWord,
 }
 
 /// A case that was withdrawn: it keeps its id, is listed, and is not run.

@@ -3,7 +3,10 @@
 //! These are the words of `stickler.toml`. What they mean is said where the rules are: by the reference on its side, and by exact
 //! arithmetic on the other, each for itself.
 
-use crate::{BuiltIn, ElementaryType};
+use crate::words::words;
+use crate::{
+    BitStringText, BuiltIn, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding, TextReading,
+};
 use std::collections::BTreeMap;
 
 /// A dialect that is another one with some rules overridden.
@@ -18,19 +21,19 @@ pub struct Definition {
     /// Where it is defined, such as `stickler.toml:3`.
     pub place: String,
     /// Which pairs of types, of the value and of the target, convert implicitly, and which do not.
-    pub cells: BTreeMap<(ElementaryType, ElementaryType), Stated<Cell>>,
+    pub implicit: BTreeMap<(ElementaryType, ElementaryType), Stated<MatrixWord>>,
     /// What the language has and has not.
     pub flags: BTreeMap<Flag, Stated<bool>>,
     /// How an integer is made of a real number.
-    pub rounding: Option<Stated<RoundingWord>>,
+    pub rounding: Option<Stated<Rounding>>,
     /// What becomes of a real number that lies outside the integer.
-    pub out_of_range: Option<Stated<OutOfRangeWord>>,
+    pub out_of_range: Option<Stated<OutOfRange>>,
     /// How much of a text must be a number.
-    pub text_reading: Option<Stated<TextReadingWord>>,
+    pub text_reading: Option<Stated<TextReading>>,
     /// Which digits a real number has as text.
-    pub real_text: Option<Stated<RealTextWord>>,
+    pub real_text: Option<Stated<RealText>>,
     /// How a bit string is written as text.
-    pub bit_string_text: Option<Stated<BitStringTextWord>>,
+    pub bit_string_text: Option<Stated<BitStringText>>,
 }
 
 /// Something that a definition states.
@@ -55,7 +58,7 @@ impl Definition {
             base,
             about: None,
             place: place.to_owned(),
-            cells: BTreeMap::new(),
+            implicit: BTreeMap::new(),
             flags: BTreeMap::new(),
             rounding: None,
             out_of_range: None,
@@ -78,7 +81,7 @@ impl Definition {
             .get(&Flag::CrossFamilyWidening)
             .map(|stated| &stated.basis);
         let cells = self
-            .cells
+            .implicit
             .iter()
             .filter(|(_, stated)| Some(&stated.basis) != cross_family);
         let cells =
@@ -98,8 +101,8 @@ impl Definition {
                 .as_ref()
                 .map(|stated| format!("text-reading = {}", stated.value.as_str())),
             self.real_text.as_ref().map(|stated| match stated.value {
-                RealTextWord::Shortest => "real-text = shortest".to_owned(),
-                RealTextWord::SignificantDigits(digits) => format!("real-text = {digits}"),
+                RealText::Shortest => "real-text = shortest".to_owned(),
+                RealText::SignificantDigits(digits) => format!("real-text = {digits}"),
             }),
             self.bit_string_text
                 .as_ref()
@@ -109,50 +112,8 @@ impl Definition {
     }
 
     /// What it states of a pair of types; `None` where it says nothing.
-    pub fn cell(&self, from: ElementaryType, to: ElementaryType) -> Option<&Stated<Cell>> {
-        self.cells.get(&(from, to))
-    }
-}
-
-/// Declares words that have a spelling of their own.
-macro_rules! words {
-    ($(#[$about:meta])* $name:ident { $($(#[$said:meta])* $word:ident = $text:literal,)* }) => {
-        $(#[$about])*
-        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-        pub enum $name {
-            $($(#[$said])* $word,)*
-        }
-
-        impl $name {
-            /// Every one of them, in the order of the declaration.
-            pub const ALL: &'static [$name] = &[$($name::$word),*];
-
-            /// How it is written.
-            pub const fn as_str(self) -> &'static str {
-                match self {
-                    $($name::$word => $text,)*
-                }
-            }
-
-            /// The one that is written so.
-            #[must_use]
-            pub fn from_word(word: &str) -> Option<$name> {
-                $name::ALL.iter().copied().find(|known| known.as_str() == word)
-            }
-        }
-    };
-}
-
-words! {
-    /// What is stated of a pair of types, in the words of a matrix.
-    Cell {
-        /// A value of the one type stands wherever the other is expected, and becomes what the conversion function
-        /// `<FROM>_TO_<TO>` gives.
-        Yes = "yes",
-        /// That is an error.
-        No = "no",
-        /// Nobody says.
-        Open = "open",
+    pub fn implicit(&self, from: ElementaryType, to: ElementaryType) -> Option<&Stated<MatrixWord>> {
+        self.implicit.get(&(from, to))
     }
 }
 
@@ -182,57 +143,6 @@ words! {
     }
 }
 
-words! {
-    /// How a real number becomes an integer in `<SRC>_TO_<DST>`.
-    RoundingWord {
-        /// The fraction is dropped.
-        Truncate = "truncate",
-        /// To the nearest integer, from the middle to the even one.
-        HalfToEven = "half-to-even",
-        /// To the nearest integer, from the middle to the one with the greater magnitude.
-        HalfAwayFromZero = "half-away-from-zero",
-    }
-}
-
-words! {
-    /// What a real number becomes that lies outside the integer.
-    OutOfRangeWord {
-        /// The integer modulo 2^n.
-        Wrap = "wrap",
-        /// The nearest limit.
-        Saturate = "saturate",
-    }
-}
-
-words! {
-    /// How much of a text must be a number for it not to become 0.
-    TextReadingWord {
-        /// All of it, blanks at either end aside.
-        WholeText = "whole-text",
-        /// The longest part at its beginning that is a number.
-        LeadingNumber = "leading-number",
-    }
-}
-
-words! {
-    /// How a bit string is written as text.
-    BitStringTextWord {
-        /// `16#00FF`.
-        FullWidth = "full-width",
-        /// `16#ff`.
-        Shortest = "shortest",
-    }
-}
-
-/// Which digits a real number has as text.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum RealTextWord {
-    /// `shortest`: the fewest that read back to the same bits.
-    Shortest,
-    /// That many significant digits, as C's `printf` writes them with `%.{n}g`.
-    SignificantDigits(u8),
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -242,15 +152,16 @@ mod tests {
         for flag in Flag::ALL {
             assert_eq!(Flag::from_word(flag.as_str()), Some(*flag));
         }
-        assert_eq!(Cell::from_word("yes"), Some(Cell::Yes));
-        assert_eq!(Cell::from_word("Yes"), None);
     }
 
     #[test]
     fn a_new_definition_says_nothing() {
         let definition = Definition::new("mine", BuiltIn::Plcnext, "stickler.toml:1");
         assert_eq!(definition.flag(Flag::BitAccess), None);
-        assert_eq!(definition.cell(ElementaryType::Int, ElementaryType::Bool), None);
+        assert_eq!(
+            definition.implicit(ElementaryType::Int, ElementaryType::Bool),
+            None
+        );
         assert!(definition.overrides().is_empty());
     }
 }

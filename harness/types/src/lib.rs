@@ -4,6 +4,7 @@
 //! its expectations as [`Value`]s, and the wire protocol carries them in the one canonical spelling that [`Value`]'s `Display`
 //! gives. It knows neither the syntax of Structured Text beyond single literals, nor cases.
 
+pub mod choices;
 pub mod code;
 pub mod definition;
 pub mod dialect_name;
@@ -11,7 +12,11 @@ pub mod elementary;
 pub mod fault;
 pub mod literal;
 pub mod value;
+mod words;
 
+pub use choices::{
+    BitStringText, ConversionChoices, MatrixWord, OutOfRange, RealText, Rounding, TextReading,
+};
 pub use code::{Code, UnknownCode};
 pub use definition::{Definition, Stated};
 pub use dialect_name::{BuiltIn, DefinedDialect, DialectName, UnknownDialect};

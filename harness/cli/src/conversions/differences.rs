@@ -2,17 +2,17 @@
 
 use anstyle::Style;
 use std::io::{self, Write};
-use stickler_exact::{
-    BitStringText, Choices, Operation, Outside, RealText, RealToInteger, Signature, TextReading,
+use stickler_exact::{Operation, Signature, choices_of};
+use stickler_types::{
+    BitStringText, ConversionChoices, DialectName, Family, OutOfRange, RealText, Rounding, TextReading,
 };
-use stickler_types::{DialectName, Family};
 
 const DIM: Style = Style::new().dimmed();
 
 /// A point in which systems may differ, and how to say what one chooses.
 struct Topic {
     label: String,
-    choice: fn(&Choices, &Signature) -> String,
+    choice: fn(&ConversionChoices, &Signature) -> String,
 }
 
 /// Writes the choices that matter for a signature: each with its dialects, or alone where all choose the same.
@@ -49,7 +49,7 @@ fn choices(
 ) -> Vec<(String, Vec<DialectName>)> {
     let mut found: Vec<(String, Vec<DialectName>)> = Vec::new();
     for dialect in dialects {
-        let choice = (topic.choice)(&Choices::of(*dialect), signature);
+        let choice = (topic.choice)(&choices_of(*dialect), signature);
         match found.iter_mut().find(|(known, _)| *known == choice) {
             Some((_, choosers)) => choosers.push(*dialect),
             None => found.push((choice, vec![*dialect])),
@@ -63,7 +63,7 @@ fn topics(signature: &Signature) -> Vec<Topic> {
         return Vec::new();
     };
     let to = signature.result;
-    let topic = |label: &str, choice: fn(&Choices, &Signature) -> String| Topic {
+    let topic = |label: &str, choice: fn(&ConversionChoices, &Signature) -> String| Topic {
         label: label.to_owned(),
         choice,
     };
@@ -104,27 +104,29 @@ fn narrows(signature: &Signature) -> bool {
     matches!(ranges, (Some(from), Some(to)) if from.0 < to.0 || from.1 > to.1)
 }
 
-fn rounding(choices: &Choices, _: &Signature) -> String {
-    match choices.real_to_integer {
-        RealToInteger::Truncate => "toward zero",
-        RealToInteger::HalfToEven => "to the nearest, halves to the even one",
-        RealToInteger::HalfAwayFromZero => "to the nearest, halves away from zero",
+fn rounding(choices: &ConversionChoices, _: &Signature) -> String {
+    match choices.rounding {
+        Rounding::Truncate => "toward zero",
+        Rounding::HalfToEven => "to the nearest, halves to the even one",
+        Rounding::HalfAwayFromZero => "to the nearest, halves away from zero",
+        Rounding::Up => "upward",
+        Rounding::Down => "downward",
     }
     .to_owned()
 }
 
-fn outside_of_reals(choices: &Choices, signature: &Signature) -> String {
-    match choices.outside {
-        Outside::Wrap => format!("{}; NaN and the infinities give 0", modulo(choices, signature)),
-        Outside::Saturate => "the nearest limit, for the infinities too; NaN gives 0".to_owned(),
+fn outside_of_reals(choices: &ConversionChoices, signature: &Signature) -> String {
+    match choices.out_of_range {
+        OutOfRange::Wrap => format!("{}; NaN and the infinities give 0", modulo(choices, signature)),
+        OutOfRange::Saturate => "the nearest limit, for the infinities too; NaN gives 0".to_owned(),
     }
 }
 
-fn modulo(_: &Choices, signature: &Signature) -> String {
+fn modulo(_: &ConversionChoices, signature: &Signature) -> String {
     format!("modulo 2^{}", signature.result.bits())
 }
 
-fn reading(choices: &Choices, _: &Signature) -> String {
+fn reading(choices: &ConversionChoices, _: &Signature) -> String {
     match choices.text_reading {
         TextReading::WholeText => "the whole text, blanks around it aside, must be a number; otherwise 0",
         TextReading::LeadingNumber => "the longest beginning that is a number; 0 where there is none",
@@ -132,14 +134,14 @@ fn reading(choices: &Choices, _: &Signature) -> String {
     .to_owned()
 }
 
-fn digits(choices: &Choices, _: &Signature) -> String {
+fn digits(choices: &ConversionChoices, _: &Signature) -> String {
     match choices.real_text {
         RealText::Shortest => "the fewest that read back to the same bits".to_owned(),
         RealText::SignificantDigits(number) => format!("up to {number} significant ones"),
     }
 }
 
-fn spelling(choices: &Choices, _: &Signature) -> String {
+fn spelling(choices: &ConversionChoices, _: &Signature) -> String {
     match choices.bit_string_text {
         BitStringText::FullWidth => "all digits in upper case, as in 16#00FF",
         BitStringText::Shortest => "no zeros in front, in lower case, as in 16#ff",
@@ -155,7 +157,7 @@ fn is_moment(family: Family) -> bool {
     )
 }
 
-fn unit(_: &Choices, signature: &Signature) -> String {
+fn unit(_: &ConversionChoices, signature: &Signature) -> String {
     let families = [signature.operands[0].family(), signature.result.family()];
     match families.into_iter().find(|family| is_moment(*family)) {
         Some(Family::TimeOfDay) => "the number counts milliseconds since midnight",
@@ -165,7 +167,7 @@ fn unit(_: &Choices, signature: &Signature) -> String {
     .to_owned()
 }
 
-fn outside_of_moments(_: &Choices, signature: &Signature) -> String {
+fn outside_of_moments(_: &ConversionChoices, signature: &Signature) -> String {
     let wrapped = match signature.result.family() {
         Family::TimeOfDay => "modulo a day",
         Family::Date => "modulo 2^64 nanoseconds, of which the day is kept",

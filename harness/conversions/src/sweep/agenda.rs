@@ -3,8 +3,8 @@
 use crate::sweep::domain::{Domain, Sampling};
 use crate::sweep::foreign::has_digest;
 use crate::sweep::reference::Reference;
-use stickler_exact::{Choices, Operation, Signature, signatures};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_exact::{Operation, Signature, choices_of, signatures};
+use stickler_types::{ConversionChoices, DialectName, ElementaryType};
 
 /// One function between fixed types, by one rule.
 #[derive(Clone, PartialEq, Debug)]
@@ -12,7 +12,7 @@ pub struct Sweep {
     /// The function with its types.
     pub signature: Signature,
     /// What decides the exact result besides the types.
-    pub choices: Choices,
+    pub choices: ConversionChoices,
     /// The dialects in which this is the rule; never empty.
     pub dialects: Vec<DialectName>,
     /// The inputs.
@@ -98,7 +98,7 @@ pub fn agenda(
 ) -> Result<Vec<Sweep>, AgendaError> {
     let mut sweeps: Vec<Sweep> = Vec::new();
     for &dialect in dialects {
-        let choices = Choices::of(dialect);
+        let choices = choices_of(dialect);
         for signature in signatures(function, dialect) {
             let Some(reference) = Reference::find(&signature, dialect) else {
                 return Err(AgendaError::NotInReference {
@@ -148,12 +148,12 @@ fn in_order(function: &str, dialects: &[DialectName]) -> Vec<Signature> {
 }
 
 /// The choices with those that cannot matter between these types made equal.
-fn relevant(signature: &Signature, choices: Choices) -> Choices {
+fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoices {
     let has = |is: fn(ElementaryType) -> bool| signature.operands.iter().any(|ty| is(*ty));
     let (real, text) = (has(|ty| ty.is_real()), has(|ty| ty.is_text()));
-    let mut kept = Choices::of(DialectName::ALL[0]);
+    let mut kept = choices_of(DialectName::ALL[0]);
     if real && (signature.result.is_integer() || signature.result.is_bit_string()) {
-        (kept.real_to_integer, kept.outside) = (choices.real_to_integer, choices.outside);
+        (kept.rounding, kept.out_of_range) = (choices.rounding, choices.out_of_range);
     }
     if text {
         kept.text_reading = choices.text_reading;
@@ -166,7 +166,7 @@ fn relevant(signature: &Signature, choices: Choices) -> Choices {
     }
     if signature.operation != Operation::Convert {
         // A function that names its own way of rounding does not ask how a conversion rounds.
-        kept.real_to_integer = Choices::of(DialectName::ALL[0]).real_to_integer;
+        kept.rounding = choices_of(DialectName::ALL[0]).rounding;
     }
     kept
 }

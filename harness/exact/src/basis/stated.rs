@@ -6,10 +6,12 @@
 //! and what becomes of it neither IronPLC nor such a definition says.
 
 use super::{Call, Rules};
-use crate::choices::{BitStringText, Choices, Outside, RealText, RealToInteger, TextReading};
 use crate::signature::Operation;
 use crate::value::value;
-use stickler_types::{Definition, ElementaryType, Family, Value};
+use stickler_types::{
+    BitStringText, ConversionChoices, Definition, ElementaryType, Family, OutOfRange, RealText, Rounding,
+    TextReading, Value,
+};
 
 /// A choice that a definition may make.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -35,7 +37,7 @@ impl Call<'_> {
         self,
         operand: &Value,
         definition: &'static Definition,
-        choices: &Choices,
+        choices: &ConversionChoices,
     ) -> Option<&'static str> {
         let decides = |key: &Key| self.is_decided_by(*key, operand, choices);
         let (stated, left): (Vec<Key>, Vec<Key>) = KEYS
@@ -55,14 +57,14 @@ impl Call<'_> {
         self,
         operand: &Value,
         definition: &'static Definition,
-        choices: &Choices,
+        choices: &ConversionChoices,
     ) -> bool {
         KEYS.into_iter()
             .any(|key| key.stated_by(definition).is_some() && self.is_decided_by(key, operand, choices))
     }
 
     /// Whether another choice would give another value.
-    fn is_decided_by(self, key: Key, operand: &Value, choices: &Choices) -> bool {
+    fn is_decided_by(self, key: Key, operand: &Value, choices: &ConversionChoices) -> bool {
         let operands = std::slice::from_ref(operand);
         let own = value(self.signature, operands, choices);
         key.others(*choices)
@@ -123,23 +125,23 @@ impl Key {
     }
 
     /// These choices with each of the others in the place of this one. Of the numbers of digits a few stand for all.
-    fn others(self, choices: Choices) -> Vec<Choices> {
-        let all: Vec<Choices> = match self {
+    fn others(self, choices: ConversionChoices) -> Vec<ConversionChoices> {
+        let all: Vec<ConversionChoices> = match self {
             Key::Rounding => [
-                RealToInteger::Truncate,
-                RealToInteger::HalfToEven,
-                RealToInteger::HalfAwayFromZero,
+                Rounding::Truncate,
+                Rounding::HalfToEven,
+                Rounding::HalfAwayFromZero,
             ]
-            .map(|real_to_integer| Choices {
-                real_to_integer,
-                ..choices
-            })
+            .map(|rounding| ConversionChoices { rounding, ..choices })
             .to_vec(),
-            Key::OutOfRange => [Outside::Wrap, Outside::Saturate]
-                .map(|outside| Choices { outside, ..choices })
+            Key::OutOfRange => [OutOfRange::Wrap, OutOfRange::Saturate]
+                .map(|out_of_range| ConversionChoices {
+                    out_of_range,
+                    ..choices
+                })
                 .to_vec(),
             Key::TextReading => [TextReading::WholeText, TextReading::LeadingNumber]
-                .map(|text_reading| Choices {
+                .map(|text_reading| ConversionChoices {
                     text_reading,
                     ..choices
                 })
@@ -150,10 +152,10 @@ impl Key {
                 RealText::SignificantDigits(6),
                 RealText::SignificantDigits(17),
             ]
-            .map(|real_text| Choices { real_text, ..choices })
+            .map(|real_text| ConversionChoices { real_text, ..choices })
             .to_vec(),
             Key::BitStringText => [BitStringText::FullWidth, BitStringText::Shortest]
-                .map(|bit_string_text| Choices {
+                .map(|bit_string_text| ConversionChoices {
                     bit_string_text,
                     ..choices
                 })
@@ -166,8 +168,9 @@ impl Key {
 #[cfg(test)]
 mod tests {
     use crate::{expected, signatures};
-    use stickler_types::definition::{OutOfRangeWord, RoundingWord, TextReadingWord};
-    use stickler_types::{BuiltIn, Definition, DialectName, Stated, Value};
+    use stickler_types::{
+        BuiltIn, Definition, DialectName, OutOfRange, Rounding, Stated, TextReading, Value,
+    };
 
     fn stated<T>(value: T, basis: &str) -> Option<Stated<T>> {
         Some(Stated {
@@ -190,7 +193,7 @@ mod tests {
     #[test]
     fn what_is_stated_is_expected_where_it_decides() {
         let dialect = DialectName::define(Definition {
-            rounding: stated(RoundingWord::HalfToEven, "rounds: rounding"),
+            rounding: stated(Rounding::HalfToEven, "rounds: rounding"),
             ..Definition::new("rounds", BuiltIn::IronplcEd3, "here")
         })
         .unwrap();
@@ -227,8 +230,8 @@ mod tests {
     #[test]
     fn what_is_stated_settles_what_documents_leave_open() {
         let dialect = DialectName::define(Definition {
-            out_of_range: stated(OutOfRangeWord::Saturate, "saturates: out-of-range"),
-            text_reading: stated(TextReadingWord::LeadingNumber, "saturates: text-reading"),
+            out_of_range: stated(OutOfRange::Saturate, "saturates: out-of-range"),
+            text_reading: stated(TextReading::LeadingNumber, "saturates: text-reading"),
             ..Definition::new("saturates", BuiltIn::IronplcEd3, "here")
         })
         .unwrap();

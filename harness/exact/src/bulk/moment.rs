@@ -5,8 +5,8 @@
 //! open, and is as the documentation of the reference has it.
 
 use super::each;
-use super::real::{Parts, Rounding};
-use stickler_types::{ElementaryType, Family};
+use super::real::Parts;
+use stickler_types::{ElementaryType, Family, Rounding};
 
 /// Nanoseconds of a day.
 const DAY: i64 = 86_400_000_000_000;

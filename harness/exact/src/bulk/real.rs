@@ -2,41 +2,7 @@
 
 use super::each;
 use super::integer::Narrow;
-use crate::{Choices, Operation, Outside, RealToInteger};
-use stickler_types::ElementaryType;
-
-/// How a number with a fraction becomes an integer.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Rounding {
-    /// Without its fraction.
-    Truncate,
-    /// The nearest, of two the even one.
-    HalfToEven,
-    /// The nearest, of two the one farther from zero.
-    HalfAwayFromZero,
-    /// The next above.
-    Up,
-    /// The next below.
-    Down,
-}
-
-impl Rounding {
-    /// That of an operation, or the one chosen for conversions.
-    #[must_use]
-    pub const fn of(operation: Operation, choices: &Choices) -> Rounding {
-        match operation {
-            Operation::Round => Rounding::HalfToEven,
-            Operation::Ceiling => Rounding::Up,
-            Operation::Floor => Rounding::Down,
-            Operation::Convert => match choices.real_to_integer {
-                RealToInteger::Truncate => Rounding::Truncate,
-                RealToInteger::HalfToEven => Rounding::HalfToEven,
-                RealToInteger::HalfAwayFromZero => Rounding::HalfAwayFromZero,
-            },
-            _ => Rounding::Truncate,
-        }
-    }
-}
+use stickler_types::{ElementaryType, OutOfRange, Rounding};
 
 /// Which of the reals a result is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -246,14 +212,14 @@ pub fn integral(
     results: &mut [u64],
     to: ElementaryType,
     rounding: Rounding,
-    outside: Outside,
+    out_of_range: OutOfRange,
 ) {
     // The rounding is a constant in each of these loops.
     macro_rules! one_loop_for_each {
         ($($rounding:ident)*) => {
-            match (outside, rounding) {
-                $((Outside::Wrap, Rounding::$rounding) => wrapped(operands, results, to, Rounding::$rounding),)*
-                (Outside::Saturate, _) => saturated(operands, results, to, rounding),
+            match (out_of_range, rounding) {
+                $((OutOfRange::Wrap, Rounding::$rounding) => wrapped(operands, results, to, Rounding::$rounding),)*
+                (OutOfRange::Saturate, _) => saturated(operands, results, to, rounding),
             }
         };
     }

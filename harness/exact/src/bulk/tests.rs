@@ -1,9 +1,9 @@
 //! The quick form held to the exact one: at the boundaries of every source, and on scattered operands.
 
 use super::Bulk;
-use crate::{Choices, Operation, Outside, RealToInteger, Signature, functions, signatures, value};
+use crate::{Operation, Signature, choices_of, functions, signatures, value};
 use std::collections::HashSet;
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{ConversionChoices, DialectName, ElementaryType, OutOfRange, Rounding, Value};
 
 /// Every signature that has a quick form, each once whatever its name.
 fn quick_signatures() -> Vec<Signature> {
@@ -12,23 +12,23 @@ fn quick_signatures() -> Vec<Signature> {
     let all = functions(dialect)
         .into_iter()
         .flat_map(|name| signatures(&name, dialect));
-    all.filter(|signature| Bulk::new(signature, &Choices::of(dialect)).is_some())
+    all.filter(|signature| Bulk::new(signature, &choices_of(dialect)).is_some())
         .filter(|signature| seen.insert((signature.operation, signature.operands.clone(), signature.result)))
         .collect()
 }
 
 /// Each way in which numbers are converted.
-fn all_choices() -> impl Iterator<Item = Choices> {
-    use RealToInteger::{HalfAwayFromZero, HalfToEven, Truncate};
+fn all_choices() -> impl Iterator<Item = ConversionChoices> {
+    use Rounding::{HalfAwayFromZero, HalfToEven, Truncate};
     [Truncate, HalfToEven, HalfAwayFromZero]
         .into_iter()
-        .flat_map(|real_to_integer| {
-            [Outside::Wrap, Outside::Saturate].map(|outside| (real_to_integer, outside))
+        .flat_map(|rounding| {
+            [OutOfRange::Wrap, OutOfRange::Saturate].map(|out_of_range| (rounding, out_of_range))
         })
-        .map(|(real_to_integer, outside)| Choices {
-            real_to_integer,
-            outside,
-            ..Choices::of(DialectName::Matiec)
+        .map(|(rounding, out_of_range)| ConversionChoices {
+            rounding,
+            out_of_range,
+            ..choices_of(DialectName::Matiec)
         })
 }
 
@@ -88,7 +88,7 @@ fn every_signature_of_at_most_32_bits_without_texts_has_a_quick_form() {
             let quick = signature.operands.len() == 1
                 && signature.operands.iter().all(plain)
                 && !signature.result.is_text();
-            let bulk = Bulk::new(&signature, &Choices::of(dialect));
+            let bulk = Bulk::new(&signature, &choices_of(dialect));
             assert_eq!(bulk.is_some(), quick, "{signature:?}");
         }
     }
@@ -99,10 +99,10 @@ fn what_is_held_together_can_fall_apart() {
     // The same comparison with another rule finds the difference.
     let signature = &signatures("REAL_TO_INT", DialectName::Matiec)[0];
     let operand = 2.5_f32.to_bits().into();
-    let with = |real_to_integer| {
-        let choices = Choices {
-            real_to_integer,
-            ..Choices::of(DialectName::Matiec)
+    let with = |rounding| {
+        let choices = ConversionChoices {
+            rounding,
+            ..choices_of(DialectName::Matiec)
         };
         let mut result = [0];
         let bulk = Bulk::new(signature, &choices).expect("it has a quick form");
@@ -112,9 +112,9 @@ fn what_is_held_together_can_fall_apart() {
     assert_eq!(signature.operation, Operation::Convert);
     assert_eq!(
         [
-            RealToInteger::Truncate,
-            RealToInteger::HalfToEven,
-            RealToInteger::HalfAwayFromZero
+            Rounding::Truncate,
+            Rounding::HalfToEven,
+            Rounding::HalfAwayFromZero
         ]
         .map(with),
         [2, 2, 3]

@@ -191,10 +191,10 @@ fn whole_by_fractions(exact: &Fraction, rounding: Rounding) -> BigInt {
         }
     };
     let whole = match rounding {
-        Rounding::TowardZero => exact.trunc(),
+        Rounding::Truncate => exact.trunc(),
         Rounding::Up => exact.ceil(),
         Rounding::Down => exact.floor(),
-        Rounding::HalfAway => away(exact),
+        Rounding::HalfAwayFromZero => away(exact),
         Rounding::HalfToEven => {
             let below = exact.floor();
             let is_odd = (below.to_integer() % 2) != BigInt::ZERO;
@@ -228,9 +228,9 @@ fn integers_are_those_that_fractions_round_to() {
             };
             let exact = by_definition(raw, ty).unwrap();
             for rounding in [
-                Rounding::TowardZero,
+                Rounding::Truncate,
                 Rounding::HalfToEven,
-                Rounding::HalfAway,
+                Rounding::HalfAwayFromZero,
                 Rounding::Up,
                 Rounding::Down,
             ] {

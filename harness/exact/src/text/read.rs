@@ -2,10 +2,9 @@
 
 use super::literal::{Decimal, Digits, Integer, Scanner};
 use crate::calendar;
-use crate::choices::{Choices, TextReading};
 use crate::{integer, quotient, real};
 use num_bigint::BigUint;
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{ConversionChoices, ElementaryType, Family, TextReading};
 
 /// The raw form of the value that a text spells in a type that is neither a text nor a character; 0 where it spells none.
 ///
@@ -22,7 +21,7 @@ use stickler_types::{ElementaryType, Family};
 ///
 /// Basis: forgeiec-conversion-functions: matiec conformance ("returns 0 on parse failure rather than raising"); which texts can
 /// be read, beyond plain decimal numbers, no source says.
-pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &Choices) -> u64 {
+pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoices) -> u64 {
     // No literal has a character that is not ASCII; 16#FF stands for all of those.
     let bytes: Vec<u8> = units
         .iter()
@@ -66,7 +65,7 @@ fn whole<'t>(scanner: &mut Scanner<'t>, read: impl Fn(&mut Scanner<'t>) -> Optio
 /// The same of a number, which may also be the text's beginning where that is chosen.
 fn number<'t>(
     scanner: &mut Scanner<'t>,
-    choices: &Choices,
+    choices: &ConversionChoices,
     read: impl Fn(&mut Scanner<'t>) -> Option<u64>,
 ) -> Option<u64> {
     match choices.text_reading {

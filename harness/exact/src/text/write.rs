@@ -2,10 +2,9 @@
 
 use super::digits::{self, Decimal};
 use crate::calendar;
-use crate::choices::{BitStringText, Choices, RealText};
 use crate::integer;
 use crate::real::{self, Real};
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{BitStringText, ConversionChoices, ElementaryType, Family, RealText};
 
 /// The text of a value that is neither a text nor a character, in ASCII characters.
 ///
@@ -19,7 +18,7 @@ use stickler_types::{ElementaryType, Family};
 /// | DATE … LDT | `D#2024-02-29`, `TOD#12:34:56.5`, `DT#2024-02-29-12:34:56.5`; the long forms behind `LDATE#`, `LTOD#`, `LDT#` |
 ///
 /// Basis: stickler-design: §4 (canonical spelling) and §8; for integers forgeiec-conversion-functions: The naming pattern.
-pub(crate) fn write(raw: u64, from: ElementaryType, choices: &Choices) -> String {
+pub(crate) fn write(raw: u64, from: ElementaryType, choices: &ConversionChoices) -> String {
     let nanoseconds = i128::from(raw.cast_signed());
     match from.family() {
         Family::Boolean => if raw == 0 { "FALSE" } else { "TRUE" }.to_owned(),

@@ -203,7 +203,8 @@ fn some_value(ty: ElementaryType) -> Value {
 #[test]
 fn what_is_asserted_does_not_hang_on_open_choices() {
     // Where no document of a dialect chooses, an asserted value must be the same whatever is chosen.
-    use stickler_exact::{BitStringText, Choices, Outside, RealText, RealToInteger, TextReading, value};
+    use stickler_exact::{choices_of, value};
+    use stickler_types::{BitStringText, ConversionChoices, OutOfRange, RealText, Rounding, TextReading};
     let texts = [
         "",
         "x",
@@ -219,8 +220,8 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
         "99999999999999999999",
     ];
     for dialect in DialectName::ALL {
-        let own = Choices::of(dialect);
-        let other = Choices {
+        let own = choices_of(dialect);
+        let other = ConversionChoices {
             text_reading: TextReading::LeadingNumber,
             real_text: RealText::SignificantDigits(3),
             bit_string_text: match own.bit_string_text {
@@ -228,15 +229,15 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
                 BitStringText::Shortest => BitStringText::FullWidth,
             },
             // matiec documents both of these, IronPLC the first, and PLCnext neither.
-            outside: if dialect == DialectName::Matiec {
-                own.outside
+            out_of_range: if dialect == DialectName::Matiec {
+                own.out_of_range
             } else {
-                Outside::Saturate
+                OutOfRange::Saturate
             },
-            real_to_integer: if dialect == DialectName::Plcnext {
-                RealToInteger::HalfAwayFromZero
+            rounding: if dialect == DialectName::Plcnext {
+                Rounding::HalfAwayFromZero
             } else {
-                own.real_to_integer
+                own.rounding
             },
         };
         let mut asserted = 0;

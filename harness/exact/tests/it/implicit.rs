@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 use std::path::Path;
-use stickler_exact::{Word, implicit};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_exact::implicit;
+use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
 /// The tables of elementary types, each in an assignment.
 const FILES: [&str; 11] = [
@@ -23,7 +23,7 @@ const FILES: [&str; 11] = [
 type Cell = (ElementaryType, ElementaryType, DialectName);
 
 /// Every cell of the tables, with the file it stands in and its word.
-fn cells() -> HashMap<Cell, (&'static str, Word)> {
+fn cells() -> HashMap<Cell, (&'static str, MatrixWord)> {
     let mut cells = HashMap::new();
     for file in FILES {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases/widening");
@@ -47,7 +47,7 @@ fn cells() -> HashMap<Cell, (&'static str, Word)> {
 
 /// Adds one matrix: a line of columns, then a line for each row.
 fn add(
-    cells: &mut HashMap<Cell, (&'static str, Word)>,
+    cells: &mut HashMap<Cell, (&'static str, MatrixWord)>,
     file: &'static str,
     matrix: &str,
     names: Option<&toml::Value>,
@@ -66,12 +66,8 @@ fn add(
         let mut words = line.split_whitespace();
         let row = ty(words.next().expect("a row has a name"));
         for (&column, word) in columns.iter().zip(words) {
-            let word = match word {
-                "=" | "yes" => Word::Yes,
-                "no" => Word::No,
-                "open" => Word::Open,
-                other => panic!("{file}: {row} {column}: {other}"),
-            };
+            let word =
+                MatrixWord::from_word(word).unwrap_or_else(|| panic!("{file}: {row} {column}: {word}"));
             for dialect in dialects(names.expect("a matrix has dialects")) {
                 cells.insert((row, column, dialect), (file, word));
             }
@@ -136,7 +132,7 @@ fn a_type_that_a_dialect_does_not_have_converts_to_nothing() {
     for dialect in [DialectName::IronplcEd2, DialectName::Matiec] {
         assert_eq!(
             implicit(ElementaryType::Time, ElementaryType::Ltime, dialect),
-            Word::No
+            MatrixWord::No
         );
     }
 }

@@ -1,11 +1,14 @@
 //! What is written reads back, what the literals of the types crate read is read the same, and no text is too long.
 
-use stickler_exact::{BitStringText, Choices, RealText, TextReading, signatures, value};
-use stickler_types::{DialectName, ElementaryType, Family, Value, literal};
+use stickler_exact::{choices_of, signatures, value};
+use stickler_types::{
+    BitStringText, ConversionChoices, DialectName, ElementaryType, Family, RealText, TextReading, Value,
+    literal,
+};
 
 const DIALECT: DialectName = DialectName::IronplcEd3;
 
-fn call(function: &str, operand: &Value, choices: &Choices) -> Value {
+fn call(function: &str, operand: &Value, choices: &ConversionChoices) -> Value {
     let found = signatures(function, DIALECT);
     value(&found[0], std::slice::from_ref(operand), choices)
 }
@@ -40,8 +43,8 @@ fn raw_forms(ty: ElementaryType) -> Vec<u64> {
 
 #[test]
 fn what_is_written_reads_back() {
-    let long = Choices::of(DIALECT);
-    let short = Choices {
+    let long = choices_of(DIALECT);
+    let short = ConversionChoices {
         real_text: RealText::SignificantDigits(17),
         bit_string_text: BitStringText::Shortest,
         text_reading: TextReading::LeadingNumber,
@@ -67,7 +70,7 @@ fn what_is_written_reads_back() {
 
 #[test]
 fn what_is_written_is_the_canonical_literal_but_for_the_prefix() {
-    let choices = Choices::of(DIALECT);
+    let choices = choices_of(DIALECT);
     for ty in ElementaryType::ALL {
         if ty.is_text() || ty.is_character() {
             continue;
@@ -138,7 +141,7 @@ fn by_literals(text: &str, ty: ElementaryType) -> Value {
 
 #[test]
 fn texts_are_read_as_the_literals_of_the_types_crate_are() {
-    let choices = Choices::of(DIALECT);
+    let choices = choices_of(DIALECT);
     let mut readable = 0;
     for text in concoctions().take(200_000) {
         for ty in [
@@ -162,7 +165,7 @@ fn texts_are_read_as_the_literals_of_the_types_crate_are() {
 
 #[test]
 fn no_text_is_too_long() {
-    let choices = Choices::of(DIALECT);
+    let choices = choices_of(DIALECT);
     let zeros = "0".repeat(65_000);
     let nines = "9".repeat(65_000);
     for (text, ty, result) in [

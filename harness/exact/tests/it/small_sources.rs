@@ -1,6 +1,6 @@
 //! Every value of every type of at most 16 bits through every function, held against the simplest possible computation.
 
-use stickler_exact::{Choices, Operation, Signature, functions, signatures, value};
+use stickler_exact::{Operation, Signature, choices_of, functions, signatures, value};
 use stickler_types::{DialectName, ElementaryType, Family, Value};
 
 const DIALECT: DialectName = DialectName::IronplcEd3;
@@ -118,7 +118,7 @@ fn text(raw: u64, from: ElementaryType, to: ElementaryType) -> Vec<u16> {
 
 #[test]
 fn every_value_of_every_small_type_through_every_function() {
-    let choices = Choices::of(DIALECT);
+    let choices = choices_of(DIALECT);
     let mut count = 0;
     for name in functions(DIALECT) {
         for signature in signatures(&name, DIALECT) {
@@ -141,7 +141,7 @@ fn every_value_of_every_small_type_through_every_function() {
 
 #[test]
 fn what_a_small_type_writes_it_reads_back() {
-    let choices = Choices::of(DIALECT);
+    let choices = choices_of(DIALECT);
     for ty in ElementaryType::ALL {
         if !(1..=16).contains(&ty.bits()) {
             continue;

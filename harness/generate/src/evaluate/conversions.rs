@@ -4,8 +4,8 @@ use super::cell::Cell;
 use super::machine::{Machine, Unit};
 use super::{Question, Refusal};
 use std::sync::LazyLock;
-use stickler_exact::{Choices, Operation, Signature, Word, expected, implicit, value};
-use stickler_types::{ElementaryType, Family, Value};
+use stickler_exact::{Operation, Signature, choices_of, expected, implicit, value};
+use stickler_types::{ElementaryType, Family, MatrixWord, Value};
 
 const TYPES: usize = ElementaryType::ALL.len();
 
@@ -69,9 +69,9 @@ impl<'p> Machine<'p> {
         let arrives = value(
             plain,
             std::slice::from_ref(&operand),
-            &Choices::of(self.program.dialect),
+            &choices_of(self.program.dialect),
         );
-        let granted = implicit(from, to, self.program.dialect) != Word::Open;
+        let granted = implicit(from, to, self.program.dialect) != MatrixWord::Open;
         if !granted || !arrives_as_documented(&operand, from, &arrives, to) {
             self.open(Question::ImplicitConversion, unit, || {
                 format!("{operand} as {to}")

@@ -4,8 +4,8 @@ use super::literals;
 use super::type_context::TypeContext;
 use crate::dialect::{has_bits, has_third_edition};
 use std::sync::LazyLock;
-use stickler_exact::{Signature, Word, expected, functions, implicit, signatures};
-use stickler_types::{BuiltIn, DialectName, ElementaryType, Family};
+use stickler_exact::{Signature, expected, functions, implicit, signatures};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 
 /// How much of what a conversion gives is said by documents.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -113,7 +113,7 @@ impl DialectProfile {
         let types = types(dialect);
         let sources = ElementaryType::ALL.map(|into| {
             let becomes =
-                |from: &ElementaryType| *from != into && implicit(*from, into, dialect) == Word::Yes;
+                |from: &ElementaryType| *from != into && implicit(*from, into, dialect) == MatrixWord::Yes;
             types.iter().copied().filter(becomes).collect()
         });
         DialectProfile {

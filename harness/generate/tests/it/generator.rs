@@ -3,13 +3,13 @@
 
 use arbitrary::Unstructured;
 use std::collections::{BTreeMap, BTreeSet};
-use stickler_exact::{Word, expected, functions, implicit, signatures};
+use stickler_exact::{expected, functions, implicit, signatures};
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::features::{Detail, features};
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
 /// The bytes of a seed: programs of every size.
 fn bytes(seed: u64) -> Vec<u8> {
@@ -147,7 +147,7 @@ fn demanded(dialect: DialectName) -> Vec<String> {
         };
         demanded.extend(arithmetic.iter().map(|operator| format!("{operator} of {ty}")));
         for &from in &types {
-            if from != ty && implicit(from, ty, dialect) == Word::Yes {
+            if from != ty && implicit(from, ty, dialect) == MatrixWord::Yes {
                 demanded.push(format!("{from} to {ty}"));
             }
         }

@@ -3,10 +3,11 @@
 //! Basis: forgeiec-conversion-functions: The naming pattern; ironplc-type-conversions: Explicit Conversion
 //! Functions ("for all type pairs … `<SOURCE>_TO_<TARGET>`").
 
-use super::{Conversion, ConversionChoices, ConversionRule, Rounding};
+use super::{Conversion, ConversionRule};
+use crate::COMMON_CHOICES;
 use crate::dialect::Dialect;
 use std::sync::LazyLock;
-use stickler_types::ElementaryType;
+use stickler_types::{ConversionChoices, ElementaryType, Rounding};
 
 /// What a conversion function takes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -98,7 +99,7 @@ fn sources_of(to: ElementaryType) -> Vec<ElementaryType> {
 }
 
 fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
-    ConversionRule::between(from, to, &ConversionChoices::COMMON).is_some()
+    ConversionRule::between(from, to, &COMMON_CHOICES).is_some()
 }
 
 impl ConversionFunction {
@@ -252,7 +253,7 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
     (!dialect.only_standard_rounding).then_some(ConversionFunction {
         parameter: any_real,
         result: ResultType::OfArgument,
-        meaning: Meaning::Pair(dialect.conversions.rounding(rounding)),
+        meaning: Meaning::Pair(dialect.conversions.with_rounding(rounding)),
     })
 }
 
@@ -264,7 +265,7 @@ fn truncation(parameter: Parameter, to: ElementaryType, dialect: &Dialect) -> Op
     (takes_real && to.is_integer()).then_some(ConversionFunction {
         parameter,
         result: ResultType::Exactly(to),
-        meaning: Meaning::Pair(dialect.conversions.rounding(Rounding::TowardZero)),
+        meaning: Meaning::Pair(dialect.conversions.with_rounding(Rounding::Truncate)),
     })
 }
 

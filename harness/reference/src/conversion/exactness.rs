@@ -2,20 +2,21 @@
 //! mistakes.
 
 use super::real::{decode, parts};
-use super::{Conversion, ConversionChoices, ConversionRule, Outside, Rounding};
+use super::{Conversion, ConversionRule};
+use crate::COMMON_CHOICES;
 use ElementaryType::{
     Bool, Byte, Dint, Dt, Int, Lint, Lreal, Lword, Real, Time, Tod, Udint, Uint, Ulint, Word,
 };
-use stickler_types::ElementaryType;
+use stickler_types::{ConversionChoices, ElementaryType, OutOfRange, Rounding};
 
 fn conversion(from: ElementaryType, to: ElementaryType, rounding: Rounding) -> Conversion {
-    let choices = ConversionChoices::COMMON.rounding(rounding);
+    let choices = COMMON_CHOICES.with_rounding(rounding);
     let rule = ConversionRule::between(from, to, &choices).expect("the pair has a meaning");
     Conversion { from, to, rule }
 }
 
 fn convert(from: ElementaryType, to: ElementaryType, raw: u64) -> u64 {
-    conversion(from, to, Rounding::TowardZero).apply(raw)
+    conversion(from, to, Rounding::Truncate).apply(raw)
 }
 
 /// Numbers without a pattern, the same in every run (splitmix64).
@@ -142,7 +143,7 @@ fn integer_modulo(value: f64, rounding: Rounding) -> u64 {
         }
     }
     let away = match rounding {
-        Rounding::TowardZero => false,
+        Rounding::Truncate => false,
         Rounding::HalfToEven => half && (rest || whole % 2 == 1),
         Rounding::HalfAwayFromZero => half,
         Rounding::Up => (half || rest) && !negative,
@@ -183,7 +184,7 @@ fn reals_become_integers_modulo_the_target_s_width() {
     });
     for value in special.chain(scattered) {
         for rounding in [
-            Rounding::TowardZero,
+            Rounding::Truncate,
             Rounding::HalfToEven,
             Rounding::HalfAwayFromZero,
             Rounding::Up,
@@ -210,14 +211,14 @@ fn reals_become_the_nearest_integer_that_the_target_holds_where_that_is_chosen()
     ];
     for value in special {
         for rounding in [
-            Rounding::TowardZero,
+            Rounding::Truncate,
             Rounding::HalfToEven,
             Rounding::HalfAwayFromZero,
             Rounding::Up,
             Rounding::Down,
         ] {
             for to in integers() {
-                let rule = ConversionRule::FromReal(rounding, Outside::Saturate);
+                let rule = ConversionRule::FromReal(rounding, OutOfRange::Saturate);
                 let got = Conversion {
                     from: Lreal,
                     to,
@@ -242,7 +243,7 @@ fn reals_become_the_nearest_integer_that_the_target_holds_where_that_is_chosen()
         (f32::NEG_INFINITY, -128),
         (f32::MAX, 127),
     ] {
-        let rule = ConversionRule::FromReal(Rounding::TowardZero, Outside::Saturate);
+        let rule = ConversionRule::FromReal(Rounding::Truncate, OutOfRange::Saturate);
         let (from, to) = (Real, ElementaryType::Sint);
         let got = Conversion { from, to, rule }.apply(value.to_bits().into());
         assert_eq!(got.cast_signed(), expected, "{value}");
@@ -252,16 +253,16 @@ fn reals_become_the_nearest_integer_that_the_target_holds_where_that_is_chosen()
 #[test]
 fn many_values_are_converted_as_each_one_is() {
     let roundings = [
-        Rounding::TowardZero,
+        Rounding::Truncate,
         Rounding::HalfToEven,
         Rounding::HalfAwayFromZero,
         Rounding::Up,
         Rounding::Down,
     ];
     let choices = roundings.into_iter().flat_map(|rounding| {
-        [Outside::Wrap, Outside::Saturate].map(|outside| ConversionChoices {
-            outside,
-            ..ConversionChoices::COMMON.rounding(rounding)
+        [OutOfRange::Wrap, OutOfRange::Saturate].map(|out_of_range| ConversionChoices {
+            out_of_range,
+            ..COMMON_CHOICES.with_rounding(rounding)
         })
     });
     for choices in choices {

@@ -2,8 +2,7 @@
 
 use super::{Conversion, ConversionRule};
 use crate::dialect::{Dialect, Widening};
-use stickler_types::ElementaryType;
-use stickler_types::definition::Cell;
+use stickler_types::{ElementaryType, MatrixWord};
 
 /// Whether a value of one elementary type may stand where another is expected, and what becomes of it: the
 /// one place that decides. Takes the two types and the dialect; gives the conversion to perform, the identity
@@ -15,7 +14,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
     }
     let widens = match dialect.cells.and_then(|cells| cells.get(&(from, to))) {
         // Where acceptance is open, the reference accepts.
-        Some(cell) => cell.value != Cell::No,
+        Some(cell) => cell.value != MatrixWord::No,
         None => match dialect.widening {
             Widening::None => false,
             Widening::Ironplc => {

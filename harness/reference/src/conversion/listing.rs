@@ -2,7 +2,8 @@
 //! has, and what they mean, is for [`super::function`] and [`super::concatenation`] to say.
 
 use super::concatenation::{CONCATENATIONS, concatenation};
-use super::{ConversionChoices, ConversionRule, function};
+use super::{ConversionRule, function};
+use crate::COMMON_CHOICES;
 use crate::dialect::Dialect;
 use std::sync::LazyLock;
 use stickler_types::ElementaryType;
@@ -37,7 +38,7 @@ fn of_pairs() -> Vec<String> {
     for to in ElementaryType::ALL {
         names.push(format!("TO_{}", to.name()));
         for from in ElementaryType::ALL {
-            let converts = ConversionRule::between(from, to, &ConversionChoices::COMMON).is_some();
+            let converts = ConversionRule::between(from, to, &COMMON_CHOICES).is_some();
             if from != to && converts {
                 names.push(format!("{}_TO_{}", from.name(), to.name()));
             }

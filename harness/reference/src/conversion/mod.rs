@@ -27,7 +27,6 @@
 
 mod bcd;
 mod catalogue;
-mod choices;
 mod concatenation;
 #[cfg(test)]
 mod exactness;
@@ -41,7 +40,6 @@ mod text;
 mod writing;
 
 pub use catalogue::{ConversionFunction, Parameter, ResultType, conversion_function_name, function};
-pub use choices::{BitStringText, ConversionChoices, Outside, RealText, Rounding, TextReading};
 pub use concatenation::{Concatenation, PARAMETERS, concatenation};
 pub use implicit::implicit;
 pub use listing::{catalogue_names, functions};

@@ -4,9 +4,8 @@
 //! "returns ms"). No source says what the others count in: here LTIME and times of day count in milliseconds
 //! too, dates and dates with a time in seconds since 1970-01-01, as CODESYS has it.
 
-use super::Rounding;
 use super::real::{self, Exact};
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{ElementaryType, Family, Rounding};
 
 const DAY: i64 = 86_400_000_000_000;
 

@@ -6,9 +6,8 @@
 //!
 //! Basis: forgeiec-conversion-functions: matiec conformance ("returns 0 on parse failure rather than raising").
 
-use super::TextReading;
 use std::borrow::Cow;
-use stickler_types::{ElementaryType, Family, LiteralError, Value, literal};
+use stickler_types::{ElementaryType, Family, LiteralError, TextReading, Value, literal};
 
 /// Reads a text, in code units, as a value of the type; gives the raw form of zero where it cannot.
 ///
@@ -177,11 +176,12 @@ fn plain(text: &str, to: ElementaryType) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{BitStringText, RealText, writing::write};
+    use super::super::writing::write;
     use super::*;
     use ElementaryType::{
         Bool, Byte, Date, Dt, Dword, Int, Lreal, Ltime, Lword, Real, Sint, Time, Tod, Udint, Word,
     };
+    use stickler_types::{BitStringText, RealText};
 
     fn units(text: &str) -> Vec<u16> {
         text.encode_utf16().collect()

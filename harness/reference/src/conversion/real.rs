@@ -1,7 +1,6 @@
 //! Exact arithmetic between integers and IEC 60559 numbers: every result is rounded at most once.
 
-use super::Rounding;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, Rounding};
 
 /// The number that a REAL or LREAL raw form stands for; exact, since LREAL holds every REAL.
 #[inline]
@@ -90,7 +89,7 @@ fn rounded(value: f64, rounding: Rounding) -> i64 {
     // Exact: a part of the number's own digits.
     let rest = value - whole as f64;
     let away = match rounding {
-        Rounding::TowardZero => false,
+        Rounding::Truncate => false,
         Rounding::HalfToEven => rest.abs() > 0.5 || (rest.abs() == 0.5 && whole & 1 == 1),
         Rounding::HalfAwayFromZero => rest.abs() >= 0.5,
         Rounding::Up => rest > 0.0,

@@ -1,12 +1,11 @@
 //! What a conversion does to a value: one small rule a pair of types, said once for the implicit rule and for
 //! the catalogue of functions alike.
 
-use super::{
-    BitStringText, ConversionChoices, Outside, RealText, Rounding, TextReading, moment, reading, real, text,
-    writing,
-};
+use super::{moment, reading, real, text, writing};
 use crate::raw;
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{
+    BitStringText, ConversionChoices, ElementaryType, Family, OutOfRange, RealText, Rounding, TextReading,
+};
 
 /// A conversion from one elementary type to another.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -39,7 +38,7 @@ pub enum ConversionRule {
     BetweenReals,
     /// Rounded to an integer, which is then brought into the target; NaN gives 0.
     /// Basis: stickler-design: §8 (arithmetic rules).
-    FromReal(Rounding, Outside),
+    FromReal(Rounding, OutOfRange),
     /// A duration, date or time of day as the number of its units, the fraction dropped, modulo 2^n.
     /// Basis: forgeiec-conversion-functions: The naming pattern (TIME in ms); dates and times of day are open.
     ToUnits,
@@ -103,7 +102,7 @@ impl ConversionRule {
             (Boolean | Signed | Unsigned | BitString, Real) => ConversionRule::ToReal,
             (Real, Real) => ConversionRule::BetweenReals,
             (Real, Signed | Unsigned | BitString) => {
-                ConversionRule::FromReal(choices.real_to_integer, choices.outside)
+                ConversionRule::FromReal(choices.rounding, choices.out_of_range)
             }
             (Duration, Duration)
             | (Date, Date | DateAndTime)
@@ -140,16 +139,16 @@ macro_rules! one_loop_for_each_rule {
     ($self:ident, $conversion:ident => $body:expr) => {
         one_loop_for_each_rule!($self, $conversion => $body;
             Keep, Wrap, NonZero, ToReal, BetweenReals,
-            FromReal(Rounding::TowardZero, Outside::Wrap),
-            FromReal(Rounding::HalfToEven, Outside::Wrap),
-            FromReal(Rounding::HalfAwayFromZero, Outside::Wrap),
-            FromReal(Rounding::Up, Outside::Wrap),
-            FromReal(Rounding::Down, Outside::Wrap),
-            FromReal(Rounding::TowardZero, Outside::Saturate),
-            FromReal(Rounding::HalfToEven, Outside::Saturate),
-            FromReal(Rounding::HalfAwayFromZero, Outside::Saturate),
-            FromReal(Rounding::Up, Outside::Saturate),
-            FromReal(Rounding::Down, Outside::Saturate),
+            FromReal(Rounding::Truncate, OutOfRange::Wrap),
+            FromReal(Rounding::HalfToEven, OutOfRange::Wrap),
+            FromReal(Rounding::HalfAwayFromZero, OutOfRange::Wrap),
+            FromReal(Rounding::Up, OutOfRange::Wrap),
+            FromReal(Rounding::Down, OutOfRange::Wrap),
+            FromReal(Rounding::Truncate, OutOfRange::Saturate),
+            FromReal(Rounding::HalfToEven, OutOfRange::Saturate),
+            FromReal(Rounding::HalfAwayFromZero, OutOfRange::Saturate),
+            FromReal(Rounding::Up, OutOfRange::Saturate),
+            FromReal(Rounding::Down, OutOfRange::Saturate),
             ToUnits, FromUnits, FromRealUnits, FromBcd, ToBcd)
     };
     ($self:ident, $conversion:ident => $body:expr; $($name:ident $(($($choice:path),*))?),*) => {
@@ -194,11 +193,11 @@ impl Conversion {
             ConversionRule::NonZero => u64::from(real::is_nonzero(value, self.from)),
             ConversionRule::ToReal => real::from_integer(value, self.from, self.to),
             ConversionRule::BetweenReals => real::between(value, self.from, self.to),
-            ConversionRule::FromReal(rounding, Outside::Wrap) => raw::narrow(
+            ConversionRule::FromReal(rounding, OutOfRange::Wrap) => raw::narrow(
                 real::to_integer(real::decode(value, self.from), rounding),
                 self.to,
             ),
-            ConversionRule::FromReal(rounding, Outside::Saturate) => {
+            ConversionRule::FromReal(rounding, OutOfRange::Saturate) => {
                 real::to_nearest_of(real::decode(value, self.from), rounding, self.to)
             }
             ConversionRule::ToUnits => raw::narrow(moment::to_units(value, self.from), self.to),

@@ -6,9 +6,9 @@
 //!
 //! Basis: forgeiec-conversion-functions: The naming pattern (`<num>_TO_STRING`); the form is open.
 
-use super::{BitStringText, RealText, real};
+use super::real;
 use std::fmt;
-use stickler_types::{ElementaryType, Family, Value};
+use stickler_types::{BitStringText, ElementaryType, Family, RealText, Value};
 
 /// Writes a value as text, in code units; `reals` and `bits` say in which form REAL and LREAL, and BYTE … LWORD,
 /// are written.

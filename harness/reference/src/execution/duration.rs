@@ -5,10 +5,9 @@
 //! nearest nanosecond, ties to even.
 
 use super::stop::Halt;
-use crate::conversion::Rounding;
 use crate::conversion::real::{self, Exact};
 use crate::instruction::{ArithmeticOperator, FaultKind};
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, Rounding};
 
 /// A duration times or divided by a number of the type, modulo 2^64 nanoseconds. A product with NaN or an
 /// infinity is 0, as such a number is as an integer.

@@ -1,7 +1,8 @@
 //! The machine on small programs written by hand.
 
 use super::{Inconsistency, Machine, RaisedFault, Stop};
-use crate::conversion::{BitStringText, Conversion, ConversionChoices, ConversionRule, RealText};
+use crate::COMMON_CHOICES;
+use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::{
     ArithmeticOperator, ComparisonOperator, FaultKind, Instruction, LogicOperator, LoopTypes, Program,
     StandardFunction, TextCell,
@@ -13,6 +14,7 @@ use Instruction::{
     StoreIndirect, StoreText, Subscript, Swap,
 };
 use stickler_types::ElementaryType::{Bool, Byte, Dint, Int, Sint, String, Uint, Ulint, Wstring};
+use stickler_types::{BitStringText, RealText};
 
 const STEPS: u64 = 10_000;
 
@@ -356,8 +358,7 @@ fn any_instruction(bits: u64) -> Instruction {
         StandardFunction::Ror,
     ];
     let function = functions[(bits >> 40) as usize % 4];
-    let rule =
-        ConversionRule::between(ty, other, &ConversionChoices::COMMON).unwrap_or(ConversionRule::ToBcd);
+    let rule = ConversionRule::between(ty, other, &COMMON_CHOICES).unwrap_or(ConversionRule::ToBcd);
     match bits as u8 % 28 {
         0..4 => Push(small.into()),
         4 => Push(bits),

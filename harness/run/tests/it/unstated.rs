@@ -6,8 +6,8 @@ use std::sync::atomic::AtomicBool;
 use stickler_engines::Reference;
 use stickler_run::{Event, Filter, Plan, Verdict, leave_out, run};
 use stickler_suite::Suite;
-use stickler_types::definition::{Flag, RoundingWord};
-use stickler_types::{BuiltIn, Definition, DialectName, Stated};
+use stickler_types::definition::Flag;
+use stickler_types::{BuiltIn, Definition, DialectName, Rounding, Stated};
 
 fn stated<T>(value: T) -> Stated<T> {
     Stated {
@@ -20,7 +20,7 @@ fn stated<T>(value: T) -> Stated<T> {
 fn what_changes_and_nobody_states_is_left_out_and_all_else_is_as_expected() {
     let dialect = DialectName::define(Definition {
         flags: BTreeMap::from([(Flag::NestedComments, stated(false))]),
-        rounding: Some(stated(RoundingWord::HalfToEven)),
+        rounding: Some(stated(Rounding::HalfToEven)),
         ..Definition::new("unstated", BuiltIn::IronplcEd3, "here")
     })
     .unwrap();

@@ -4,13 +4,13 @@
 
 use std::sync::Arc;
 
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
 use crate::arrival::{Arrival, arrives};
 use crate::assemble::Assembler;
 use crate::assembly::TypeNames;
 use crate::defined::converted;
-use crate::model::{MatrixCell, Word};
+use crate::model::MatrixCell;
 use crate::table::probe::{Probe, Target};
 use crate::table::types::{Input, TypeInfo};
 
@@ -35,7 +35,7 @@ pub(crate) type Texts<'t> = [&'t str; PLACEHOLDERS.len()];
 pub(crate) struct Cell<'a> {
     pub(crate) row: &'a TypeInfo,
     pub(crate) column: &'a TypeInfo,
-    pub(crate) word: Word,
+    pub(crate) word: MatrixWord,
     /// The line of the case file.
     pub(crate) line: u32,
     /// The id up to the value.
@@ -116,7 +116,7 @@ impl CaseOf<'_, '_> {
         if self.rejected || self.probe.program.faults(self.active) {
             return Ok(());
         }
-        let open = self.cell.word == Word::Open;
+        let open = self.cell.word == MatrixWord::Open;
         if open {
             assembler.observe_acceptance();
         }

@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
 use crate::arrival::Arrival;
 use crate::assemble::Assembler;
@@ -13,7 +13,7 @@ use crate::assembly::Assembly;
 use crate::error::Mistake;
 use crate::frame::{Group, Harvest};
 use crate::ident;
-use crate::model::{MatrixCell, Word};
+use crate::model::MatrixCell;
 use crate::program::Remarks;
 use crate::table::budget::Budget;
 use crate::table::cell::{
@@ -79,7 +79,7 @@ pub(crate) fn expand(
 /// What is said of a cell.
 #[derive(Clone, Copy)]
 struct Said {
-    word: Word,
+    word: MatrixWord,
     /// The dialect whose definition says so, and its basis; nothing where the matrix does.
     stated: Option<(DialectName, &'static str)>,
 }
@@ -90,7 +90,7 @@ fn overridden(
     probe: &Probe<'_>,
     row: &str,
     column: &TypeInfo,
-    word: Word,
+    word: MatrixWord,
     dialects: &[DialectName],
 ) -> Vec<(Said, Vec<DialectName>)> {
     let stated = |dialect: &DialectName| {
@@ -98,13 +98,9 @@ fn overridden(
             ElementaryType::from_name(row)?,
             ElementaryType::from_name(&column.name)?,
         );
-        let stated = dialect.definition()?.cell(pair.0, pair.1)?;
+        let stated = dialect.definition()?.implicit(pair.0, pair.1)?;
         Some(Said {
-            word: match stated.value {
-                stickler_types::definition::Cell::Yes => Word::Yes,
-                stickler_types::definition::Cell::No => Word::No,
-                stickler_types::definition::Cell::Open => Word::Open,
-            },
+            word: stated.value,
             stated: Some((*dialect, &stated.basis)),
         })
     };
@@ -271,7 +267,7 @@ impl Expander<'_, '_> {
         for (active, members) in probe.program.groups(dialects, &texts) {
             probe.note_applied(&active);
             let rejected = probe.program.rejects(&active);
-            if word == Word::No && !rejected {
+            if word == MatrixWord::No && !rejected {
                 let message = format!(
                     "{} to {} says no, but no `error` mark applies",
                     row.name, column.name

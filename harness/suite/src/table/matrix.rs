@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use stickler_types::MatrixWord;
+
 use crate::error::Mistake;
-use crate::model::Word;
 use crate::place::TextPlace;
 
 /// A matrix, read.
@@ -22,7 +23,7 @@ pub(crate) struct MatrixRow {
     /// The 1-based line of the case file.
     pub(crate) line: u32,
     /// One for each column; nothing where there is no case.
-    pub(crate) words: Vec<Option<Word>>,
+    pub(crate) words: Vec<Option<MatrixWord>>,
 }
 
 impl Matrix {
@@ -72,7 +73,7 @@ impl Matrix {
 fn read_row(text: &str, line: u32, columns: usize) -> Result<MatrixRow, String> {
     let mut words = text.split_whitespace();
     let name: Arc<str> = words.next().unwrap_or_default().into();
-    let words: Vec<Option<Word>> = words.map(read_word).collect::<Result<_, _>>()?;
+    let words: Vec<Option<MatrixWord>> = words.map(read_word).collect::<Result<_, _>>()?;
     if words.len() != columns {
         return Err(format!(
             "row `{name}` has {} cells for {columns} columns",
@@ -82,17 +83,13 @@ fn read_row(text: &str, line: u32, columns: usize) -> Result<MatrixRow, String> 
     Ok(MatrixRow { name, line, words })
 }
 
-fn read_word(word: &str) -> Result<Option<Word>, String> {
-    match word {
-        "yes" => Ok(Some(Word::Yes)),
-        "=" => Ok(Some(Word::Same)),
-        "no" => Ok(Some(Word::No)),
-        "open" => Ok(Some(Word::Open)),
-        "-" => Ok(None),
-        _ => Err(format!(
-            "`{word}` is no word of a cell; there are yes, no, open, = and -"
-        )),
+fn read_word(word: &str) -> Result<Option<MatrixWord>, String> {
+    if word == "-" {
+        return Ok(None);
     }
+    MatrixWord::from_word(word)
+        .map(Some)
+        .ok_or_else(|| format!("`{word}` is no word of a cell; there are yes, no, open, = and -"))
 }
 
 /// A name that stands twice, if there is one.
@@ -129,8 +126,8 @@ mod tests {
         assert_eq!(
             rows,
             [
-                ("X", 13, &[Some(Word::Same), Some(Word::No)][..]),
-                ("Y", 14, &[None, Some(Word::Open)][..])
+                ("X", 13, &[Some(MatrixWord::Same), Some(MatrixWord::No)][..]),
+                ("Y", 14, &[None, Some(MatrixWord::Open)][..])
             ]
         );
     }

@@ -3,8 +3,9 @@
 use crate::common::folder;
 use std::collections::BTreeMap;
 use stickler_suite::{Acceptance, Case, Suite};
-use stickler_types::definition::{Cell, OutOfRangeWord, RoundingWord};
-use stickler_types::{BuiltIn, Code, Definition, DialectName, ElementaryType, Stated};
+use stickler_types::{
+    BuiltIn, Code, Definition, DialectName, ElementaryType, MatrixWord, OutOfRange, Rounding, Stated,
+};
 
 /// A matrix of implicit conversions, one of another rule, a table of calls, and a program.
 const FILES: [(&str, &str); 4] = [
@@ -98,10 +99,10 @@ fn what_overrides_nothing_takes_every_case_over_as_it_is() {
 fn a_cell_that_is_overridden_expects_what_the_definition_says() {
     use ElementaryType::{Bool, Int, Sint};
     let own = cases(Definition {
-        cells: BTreeMap::from([
-            ((Sint, Int), stated(Cell::No, "cells: implicit SINT.INT")),
-            ((Int, Sint), stated(Cell::Yes, "cells: implicit INT.SINT")),
-            ((Int, Bool), stated(Cell::Open, "cells: implicit INT.BOOL")),
+        implicit: BTreeMap::from([
+            ((Sint, Int), stated(MatrixWord::No, "cells: implicit SINT.INT")),
+            ((Int, Sint), stated(MatrixWord::Yes, "cells: implicit INT.SINT")),
+            ((Int, Bool), stated(MatrixWord::Open, "cells: implicit INT.BOOL")),
         ]),
         ..Definition::new("cells", BuiltIn::IronplcEd3, "here")
     });
@@ -140,10 +141,10 @@ fn a_cell_that_is_overridden_expects_what_the_definition_says() {
 
 #[test]
 fn a_call_expects_what_exact_arithmetic_gives_by_the_choices_of_the_definition() {
-    let rounding = stated(RoundingWord::HalfAwayFromZero, "calls: rounding");
+    let rounding = stated(Rounding::HalfAwayFromZero, "calls: rounding");
     let own = cases(Definition {
         rounding: Some(rounding.clone()),
-        out_of_range: Some(stated(OutOfRangeWord::Saturate, "calls: out-of-range")),
+        out_of_range: Some(stated(OutOfRange::Saturate, "calls: out-of-range")),
         ..Definition::new("calls", BuiltIn::IronplcEd3, "here")
     });
     for (id, expected, basis) in [

@@ -1,8 +1,8 @@
 //! Matrices: what becomes of cells, probes and values.
 
 use crate::common::{cases, load, one_mistake};
-use stickler_suite::{Acceptance, Case, Word};
-use stickler_types::{DialectName, Value};
+use stickler_suite::{Acceptance, Case};
+use stickler_types::{DialectName, MatrixWord, Value};
 
 const HEAD: &str = "title = \"t {row}\"\nbasis = \"ironplc-type-conversions: Integer widening\"\ndialects = [\"ironplc-ed2\", \"matiec\"]\n";
 
@@ -55,7 +55,7 @@ fn a_cell_becomes_a_case_for_each_value_and_dialect() {
     let cell = last.cell.as_ref().unwrap();
     assert_eq!(
         (&*cell.probe, &*cell.row, &*cell.column, cell.word),
-        ("assign", "BOOL", "WORD", Word::Yes)
+        ("assign", "BOOL", "WORD", MatrixWord::Yes)
     );
 }
 

@@ -4,8 +4,7 @@ use super::ask::{Answer, Pair};
 use anstyle::{AnsiColor, Style};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
-use stickler_suite::Word;
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
@@ -19,7 +18,7 @@ const WIDTH: usize = 80;
 const HEAD: usize = 8;
 
 /// What the documents say of each pair, from the case files.
-pub type Documents = BTreeMap<Pair, Word>;
+pub type Documents = BTreeMap<Pair, MatrixWord>;
 
 /// One dialect: what is said, and what each engine does.
 pub struct Matrix {
@@ -49,9 +48,9 @@ impl Column {
     /// Whether the engine does what the documents do not say.
     fn differs(&self, documents: &Documents, pair: Pair) -> bool {
         match (documents.get(&pair), self.answer(pair)) {
-            (_, Answer::Unsupported) | (Some(Word::Open) | None, _) => false,
-            (Some(Word::Yes | Word::Same), answer) => answer != Answer::Accepts,
-            (Some(Word::No), answer) => answer != Answer::Rejects,
+            (_, Answer::Unsupported) | (Some(MatrixWord::Open) | None, _) => false,
+            (Some(MatrixWord::Yes | MatrixWord::Same), answer) => answer != Answer::Accepts,
+            (Some(MatrixWord::No), answer) => answer != Answer::Rejects,
         }
     }
 
@@ -142,10 +141,10 @@ impl Matrix {
 
     fn write_cell(&self, pair: Pair, out: &mut dyn Write) -> io::Result<()> {
         let said = match self.documents.get(&pair) {
-            Some(Word::Yes) => 'y',
-            Some(Word::Same) => '=',
-            Some(Word::No) => 'n',
-            Some(Word::Open) => '?',
+            Some(MatrixWord::Yes) => 'y',
+            Some(MatrixWord::Same) => '=',
+            Some(MatrixWord::No) => 'n',
+            Some(MatrixWord::Open) => '?',
             None => ' ',
         };
         let differs = |engine: &Column| engine.differs(&self.documents, pair);
@@ -184,14 +183,13 @@ mod tests {
     use super::{Column, Documents, Matrix};
     use crate::commands::matrix::ask::Answer;
     use std::collections::BTreeMap;
-    use stickler_suite::Word;
-    use stickler_types::{DialectName, ElementaryType};
+    use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
     const WIDENING: (ElementaryType, ElementaryType) = (ElementaryType::Sint, ElementaryType::Int);
     const NARROWING: (ElementaryType, ElementaryType) = (ElementaryType::Int, ElementaryType::Sint);
 
     fn documents() -> Documents {
-        Documents::from([(WIDENING, Word::Yes), (NARROWING, Word::No)])
+        Documents::from([(WIDENING, MatrixWord::Yes), (NARROWING, MatrixWord::No)])
     }
 
     fn always(engine: &str, answer: Answer) -> Column {

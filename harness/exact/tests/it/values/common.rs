@@ -1,7 +1,7 @@
 //! What the tests of single values share.
 
-use stickler_exact::{Choices, Signature, expected, signatures, value};
-use stickler_types::{DialectName, Value};
+use stickler_exact::{Signature, expected, signatures, value};
+use stickler_types::{ConversionChoices, DialectName, Value};
 
 /// Reads a typed literal.
 pub fn literal(text: &str) -> Value {
@@ -29,7 +29,7 @@ pub fn check(dialect: DialectName, rows: &[(&str, &str, &str)]) {
 
 /// The same by choices that no dialect makes.
 #[track_caller]
-pub fn check_by(choices: Choices, rows: &[(&str, &str, &str)]) {
+pub fn check_by(choices: ConversionChoices, rows: &[(&str, &str, &str)]) {
     for (function, operand, result) in rows {
         let operand = literal(operand);
         let signature = taking(function, &operand, DialectName::IronplcEd3);

@@ -1,7 +1,7 @@
 //! Values of durations, dates and times of day, computed by hand.
 
 use super::common::check;
-use stickler_exact::{Choices, signatures, value};
+use stickler_exact::{choices_of, signatures, value};
 use stickler_types::{DialectName, ElementaryType, Value};
 
 #[test]
@@ -131,7 +131,7 @@ fn a_date_and_a_time_of_day_are_joined() {
         let operands = [date, time].map(|literal| Value::parse(literal).unwrap());
         let found = signatures(function, DialectName::IronplcEd3);
         assert_eq!(found.len(), 1, "{function}");
-        let choices = Choices::of(DialectName::IronplcEd3);
+        let choices = choices_of(DialectName::IronplcEd3);
         value(&found[0], &operands, &choices).to_string()
     };
     assert_eq!(
@@ -152,7 +152,7 @@ fn a_date_and_a_time_of_day_are_joined() {
 #[test]
 fn joining_and_taking_apart_are_inverse() {
     let dialect = DialectName::IronplcEd3;
-    let choices = Choices::of(dialect);
+    let choices = choices_of(dialect);
     let call = |function: &str, operands: &[Value]| {
         let found = signatures(function, dialect);
         value(&found[0], operands, &choices)

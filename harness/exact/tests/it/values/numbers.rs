@@ -1,8 +1,8 @@
 //! Values of the number families, computed by hand from the documents and from the definition of IEC 60559.
 
 use super::common::{check, check_by, literal, taking};
-use stickler_exact::{Choices, Outside, RealToInteger, expected, value};
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_exact::{choices_of, expected, value};
+use stickler_types::{ConversionChoices, DialectName, ElementaryType, OutOfRange, Rounding, Value};
 
 #[test]
 fn the_documents_own_examples() {
@@ -146,10 +146,10 @@ fn a_real_becomes_an_integer_as_its_dialect_rounds() {
 
 #[test]
 fn other_choices_round_away_and_saturate() {
-    let choices = Choices {
-        real_to_integer: RealToInteger::HalfAwayFromZero,
-        outside: Outside::Saturate,
-        ..Choices::of(DialectName::Matiec)
+    let choices = ConversionChoices {
+        rounding: Rounding::HalfAwayFromZero,
+        out_of_range: OutOfRange::Saturate,
+        ..choices_of(DialectName::Matiec)
     };
     check_by(
         choices,
@@ -191,7 +191,7 @@ fn operands_that_do_not_fit_give_the_default() {
     let integer = literal("INT#5");
     let signature = taking("INT_TO_DINT", &integer, DialectName::Matiec);
     let zero = Value::plain(ElementaryType::Dint, 0);
-    let choices = Choices::of(DialectName::Matiec);
+    let choices = choices_of(DialectName::Matiec);
     let real = literal("REAL#5.0");
     for operands in [
         vec![],

@@ -1,8 +1,8 @@
 //! Values as texts and texts as values, worked out by hand.
 
 use super::common::{check, check_by};
-use stickler_exact::{BitStringText, Choices, RealText, TextReading};
-use stickler_types::DialectName;
+use stickler_exact::choices_of;
+use stickler_types::{BitStringText, ConversionChoices, DialectName, RealText, TextReading};
 
 const ED3: DialectName = DialectName::IronplcEd3;
 
@@ -90,10 +90,10 @@ fn matiec_writes_ten_digits_and_short_bit_strings() {
 
 #[test]
 fn a_given_number_of_digits_is_rounded_half_to_even() {
-    let digits = |count| Choices {
+    let digits = |count| ConversionChoices {
         real_text: RealText::SignificantDigits(count),
         bit_string_text: BitStringText::Shortest,
-        ..Choices::of(ED3)
+        ..choices_of(ED3)
     };
     let one = [
         ("LREAL_TO_STRING", "LREAL#2.5", "STRING#'2'"),
@@ -277,9 +277,9 @@ fn whole_texts_are_read_as_durations_and_dates() {
 
 #[test]
 fn the_beginning_of_a_text_is_read_where_that_is_chosen() {
-    let choices = Choices {
+    let choices = ConversionChoices {
         text_reading: TextReading::LeadingNumber,
-        ..Choices::of(ED3)
+        ..choices_of(ED3)
     };
     check_by(
         choices,

@@ -9,8 +9,8 @@ use crate::model::{
     Argument, BinaryOperator, Block, ExpressionKind, Initial, Program, Section, StatementKind, Type, Unit,
     VariableId,
 };
-use stickler_exact::{Word, implicit};
-use stickler_types::ElementaryType;
+use stickler_exact::implicit;
+use stickler_types::{ElementaryType, MatrixWord};
 
 /// The function block of an instance.
 fn block_of(program: &Program, unit: Unit, instance: VariableId) -> Option<&Block> {
@@ -187,7 +187,7 @@ pub(super) fn other_type(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
     let own = elementary(original, &expression.ty)?;
     // What would widen as an input is the error that is easiest to overlook.
     let widening = plot.input.ratio(1, 2).unwrap_or(true);
-    let yes = |ty| implicit(ty, own, original.dialect) == Word::Yes;
+    let yes = |ty| implicit(ty, own, original.dialect) == MatrixWord::Yes;
     let wrong: Vec<_> = types(original.dialect)
         .filter(|&ty| ty != own && (!widening || yes(ty)))
         .collect();

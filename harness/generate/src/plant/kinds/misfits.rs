@@ -7,8 +7,8 @@ use super::super::plot::{Plot, literal};
 use super::super::scope::{elementary, types};
 use super::super::walk::{Context, Site};
 use crate::model::{Expression, ExpressionKind, Program, StandardFunction, Unit};
-use stickler_exact::{Word, implicit, signatures};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_exact::{implicit, signatures};
+use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
 /// A value of a type that does not convert to the target's.
 pub(super) fn assigned(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
@@ -125,7 +125,7 @@ fn misfit(plot: &mut Plot<'_, '_, '_>, context: fn(Context) -> bool, shapes: &[S
 
 /// Whether documents say that a value of the one type never stands for one of the other.
 pub(super) fn never(from: ElementaryType, into: ElementaryType, dialect: DialectName) -> bool {
-    implicit(from, into, dialect) == Word::No
+    implicit(from, into, dialect) == MatrixWord::No
 }
 
 /// Whether the dialect has a conversion function for the pair.

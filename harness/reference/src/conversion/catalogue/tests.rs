@@ -1,11 +1,11 @@
 //! The catalogue, name by name.
 
-use super::super::{BitStringText, Outside, RealText, TextReading};
 use super::*;
+use crate::COMMON_CHOICES;
 use ElementaryType::{
     Byte, Date, Dint, Dt, Dword, Int, Lint, Lreal, Ltime, Real, Sint, Tod, Udint, Uint, Usint, Word,
 };
-use stickler_types::DialectName;
+use stickler_types::{BitStringText, DialectName, OutOfRange, RealText, TextReading};
 
 fn named(name: &str) -> Option<ConversionFunction> {
     function(name, &Dialect::of(DialectName::IronplcEd3))
@@ -184,11 +184,11 @@ fn applied(name: &str, dialect: &Dialect, from: ElementaryType, raw: u64) -> i64
 #[test]
 fn each_choice_of_rounding_reaches_the_functions_that_it_is_for() {
     let convert = |name, rounding, value: f64| {
-        let dialect = chosen(ConversionChoices::COMMON.rounding(rounding));
+        let dialect = chosen(COMMON_CHOICES.with_rounding(rounding));
         applied(name, &dialect, Lreal, value.to_bits())
     };
     for (rounding, expected) in [
-        (Rounding::TowardZero, [1, 2, -2, 0]),
+        (Rounding::Truncate, [1, 2, -2, 0]),
         (Rounding::HalfToEven, [2, 2, -2, 0]),
         (Rounding::HalfAwayFromZero, [2, 3, -3, 0]),
         (Rounding::Up, [2, 3, -2, 1]),
@@ -213,8 +213,8 @@ fn each_choice_of_rounding_reaches_the_functions_that_it_is_for() {
 #[test]
 fn each_choice_for_what_lies_outside_reaches_the_functions_from_reals() {
     let saturating = chosen(ConversionChoices {
-        outside: Outside::Saturate,
-        ..ConversionChoices::COMMON
+        out_of_range: OutOfRange::Saturate,
+        ..COMMON_CHOICES
     });
     for (name, value, wrapped, nearest) in [
         ("LREAL_TO_INT", 40_000.0, -25_536, 32_767),
@@ -227,7 +227,7 @@ fn each_choice_for_what_lies_outside_reaches_the_functions_from_reals() {
         ("TO_ULINT", f64::INFINITY, 0, -1),
         ("TRUNC", f64::NAN, 0, 0),
     ] {
-        let wrapping = chosen(ConversionChoices::COMMON);
+        let wrapping = chosen(COMMON_CHOICES);
         let got = [&wrapping, &saturating].map(|dialect| applied(name, dialect, Lreal, value.to_bits()));
         assert_eq!(got, [wrapped, nearest], "{name}({value})");
     }
@@ -241,7 +241,7 @@ fn each_choice_of_texts_reaches_the_functions_from_and_to_texts() {
     let read = |name, reading| {
         let dialect = chosen(ConversionChoices {
             text_reading: reading,
-            ..ConversionChoices::COMMON
+            ..COMMON_CHOICES
         });
         let function = function(name, &dialect).expect(name);
         let conversion = function.conversion(
@@ -261,7 +261,7 @@ fn each_choice_of_texts_reaches_the_functions_from_and_to_texts() {
         let conversion = function.conversion(from, ElementaryType::String);
         String::from_utf16_lossy(&conversion.apply_to_text(raw))
     };
-    let common = ConversionChoices::COMMON;
+    let common = COMMON_CHOICES;
     let three_digits = ConversionChoices {
         real_text: RealText::SignificantDigits(3),
         ..common

@@ -1,22 +1,23 @@
 //! Properties of the choices from reals to integers, those that no dialect makes among them.
 
 use super::draw::{conversion, each, number, one_of, raw};
+use stickler_reference::COMMON_CHOICES;
 use stickler_reference::Dialect;
-use stickler_reference::conversion::{ConversionChoices, Outside, Rounding};
 use stickler_types::ElementaryType::{self, Lreal, Real};
+use stickler_types::{ConversionChoices, OutOfRange, Rounding};
 
-fn chosen(rounding: Rounding, outside: Outside) -> Dialect {
+fn chosen(rounding: Rounding, out_of_range: OutOfRange) -> Dialect {
     Dialect {
         conversions: ConversionChoices {
-            outside,
-            ..ConversionChoices::COMMON.rounding(rounding)
+            out_of_range,
+            ..COMMON_CHOICES.with_rounding(rounding)
         },
         ..Dialect::matiec()
     }
 }
 
 const ROUNDINGS: [Rounding; 5] = [
-    Rounding::TowardZero,
+    Rounding::Truncate,
     Rounding::HalfToEven,
     Rounding::HalfAwayFromZero,
     Rounding::Up,
@@ -42,14 +43,14 @@ fn each_rounding_keeps_its_promise() {
         if !(exact.abs() < 4e18 && low < exact.floor() as i128 && (exact.ceil() as i128) < high) {
             return Ok(());
         }
-        let result = conversion(from, to, &chosen(rounding, Outside::Wrap))
+        let result = conversion(from, to, &chosen(rounding, OutOfRange::Wrap))
             .expect("a function")
             .apply(value);
         let whole = to.integer_value(result);
         // Exact where the nearest integer or the one toward zero is meant, for then it is a part of the number.
         let rest = exact - whole as f64;
         let kept = match rounding {
-            Rounding::TowardZero => rest.abs() < 1.0 && rest * exact >= 0.0,
+            Rounding::Truncate => rest.abs() < 1.0 && rest * exact >= 0.0,
             Rounding::HalfToEven => rest.abs() < 0.5 || (rest.abs() == 0.5 && whole % 2 == 0),
             Rounding::HalfAwayFromZero => rest.abs() < 0.5 || (rest.abs() == 0.5 && rest * exact < 0.0),
             Rounding::Up => whole == exact.ceil() as i128,
@@ -65,7 +66,7 @@ fn what_saturates_is_monotonic_everywhere() {
     let integers = integers();
     each(22, 60_000, |draw| {
         let (from, to) = (one_of(draw, &[Real, Lreal])?, one_of(draw, &integers)?);
-        let dialect = chosen(one_of(draw, &ROUNDINGS)?, Outside::Saturate);
+        let dialect = chosen(one_of(draw, &ROUNDINGS)?, OutOfRange::Saturate);
         let conversion = conversion(from, to, &dialect).expect("a function");
         let (left, right) = (raw(draw, from)?, raw(draw, from)?);
         let result = |raw| to.integer_value(conversion.apply(raw));
@@ -91,7 +92,7 @@ fn inside_the_target_it_does_not_matter_what_happens_outside() {
                 .expect("a function")
                 .apply(value)
         };
-        let (wrapped, nearest) = (apply(Outside::Wrap), apply(Outside::Saturate));
+        let (wrapped, nearest) = (apply(OutOfRange::Wrap), apply(OutOfRange::Saturate));
         let (low, high) = to.integer_range().expect("an integer");
         let whole = to.integer_value(nearest);
         assert!(

@@ -2,9 +2,10 @@
 
 use super::draw::{conversion, dialects, each, number, one_of, raw, same};
 use arbitrary::Unstructured;
-use stickler_reference::conversion::{ConversionChoices, RealText, TextReading};
+use stickler_reference::COMMON_CHOICES;
 use stickler_reference::{Dialect, conversion};
 use stickler_types::ElementaryType::{self, Lreal, Real, String, Wstring};
+use stickler_types::{ConversionChoices, RealText, TextReading};
 
 /// What a value is after it has been written and read again, in code units and as a raw form.
 fn written_and_read(
@@ -54,7 +55,7 @@ fn seventeen_digits_are_enough_for_every_real() {
     let dialect = Dialect {
         conversions: ConversionChoices {
             real_text: RealText::SignificantDigits(17),
-            ..ConversionChoices::COMMON
+            ..COMMON_CHOICES
         },
         ..Dialect::matiec()
     };
@@ -77,7 +78,7 @@ fn fewer_digits_are_off_by_half_of_the_last_at_most() {
         let dialect = Dialect {
             conversions: ConversionChoices {
                 real_text: RealText::SignificantDigits(digits),
-                ..ConversionChoices::COMMON
+                ..COMMON_CHOICES
             },
             ..Dialect::matiec()
         };
@@ -116,7 +117,7 @@ fn a_leading_number_is_the_longest_beginning_that_is_one() {
     let reading = |text_reading| Dialect {
         conversions: ConversionChoices {
             text_reading,
-            ..ConversionChoices::COMMON
+            ..COMMON_CHOICES
         },
         ..Dialect::ironplc_ed3()
     };

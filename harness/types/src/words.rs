@@ -1,0 +1,32 @@
+//! Enumerations whose variants are words that people write.
+
+/// Declares an enumeration and the word of each variant.
+macro_rules! words {
+    ($(#[$about:meta])* $name:ident { $($(#[$said:meta])* $word:ident = $text:literal,)* }) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        pub enum $name {
+            $($(#[$said])* $word,)*
+        }
+
+        impl $name {
+            /// Every variant, in the order of the declaration.
+            pub const ALL: &'static [$name] = &[$($name::$word),*];
+
+            /// Returns the word.
+            pub const fn as_str(self) -> &'static str {
+                match self {
+                    $($name::$word => $text,)*
+                }
+            }
+
+            /// Returns the variant with this word.
+            #[must_use]
+            pub fn from_word(word: &str) -> Option<$name> {
+                $name::ALL.iter().copied().find(|known| known.as_str() == word)
+            }
+        }
+    };
+}
+
+pub(crate) use words;
