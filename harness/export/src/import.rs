@@ -15,8 +15,8 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use stickler_engines::{Diagnostic, Identity, Outcome};
 use stickler_run::{
-    DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Held, Plan, Summary, Teller,
-    defined,
+    DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Header, Held, Plan, Summary,
+    Teller, defined,
 };
 use stickler_suite::{Acceptance, Case};
 use stickler_types::DialectName;
@@ -276,9 +276,10 @@ impl Export {
             };
             let answers = stickler_run::Answers::of_run(outcome);
             let mut event = teller.event(case, &answers, Duration::ZERO);
-            for key in untold {
-                event.got = instead_of_missing(&event.got, &key);
-            }
+            event
+                .got
+                .iter_mut()
+                .for_each(|fact| correct_missing(fact, &untold));
             imported.summary.totals.count(event.verdict);
             imported.summary.cases += 1;
             sink(Event::Case(event));
@@ -374,15 +375,14 @@ fn answered(answer: Answer, place: &str) -> Outcome {
     }
 }
 
-/// The judge calls a value missing that it was not given; this one is there, and only no number can tell it.
-fn instead_of_missing(got: &str, key: &str) -> String {
-    let missing = format!("{key} is missing");
-    let lines: Vec<String> = got
-        .split('\n')
-        .map(|line| match line == missing {
-            true => format!("{key} is another value"),
-            false => line.to_owned(),
-        })
-        .collect();
-    lines.join("\n")
+/// Corrects the judge, which calls a value missing that it was not given: the values of these names are there, but no number can
+/// tell them.
+fn correct_missing(fact: &mut Fact, untold: &[String]) {
+    if let Fact::MissingValue { name } = fact
+        && untold.contains(name)
+    {
+        *fact = Fact::OtherValue {
+            name: std::mem::take(name),
+        };
+    }
 }

@@ -1,9 +1,7 @@
-//! What counts of the texts of a judgement where they are shown beside each other.
+//! The texts of what was expected and what was got, as they are shown beside each other.
 
-use crate::fact::{self, Diagnostic, Fact};
-use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
-use stickler_run::{CaseEvent, EngineHeader, Grade};
+use stickler_run::{CaseEvent, EngineHeader, Fact, Grade, ToldDiagnostic};
 
 /// How exact the rejections of an engine had to be. One that the header does not name is held to the code.
 pub(crate) fn strictness(engines: &[EngineHeader], name: &str) -> Grade {
@@ -11,135 +9,129 @@ pub(crate) fn strictness(engines: &[EngineHeader], name: &str) -> Grade {
     engine.map_or(Grade::Code, |engine| engine.strict)
 }
 
-/// What was expected of a case and what was got, for a comparison line by line.
+/// Returns what was expected of a case and what was got, for a comparison line by line.
 ///
 /// Where codes do not count, a diagnostic on a line that is expected is what was expected, in whatever words: both texts then
-/// have the line of the expectation, with the compiler's words behind it. All other lines stay as they are.
-pub(crate) fn texts(case: &CaseEvent, strict: Grade) -> (Cow<'_, str>, Cow<'_, str>) {
-    let as_they_are = (Cow::from(&*case.expected), Cow::from(&*case.got));
-    if strict == Grade::Code {
-        return as_they_are;
-    }
-    let met = met(&case.expected, &case.got);
-    if met.is_empty() {
-        return as_they_are;
-    }
-    let expected = rewritten(&case.expected, |text, line| match met.get(&line) {
-        Some(met) => vec![met.written(text)],
-        None => vec![text.to_owned()],
+/// have the line of the expectation, with the compiler's words behind it. All other facts stay as they are.
+pub(crate) fn texts(case: &CaseEvent, strict: Grade) -> (String, String) {
+    let met = match strict {
+        Grade::Code => BTreeMap::new(),
+        Grade::Line | Grade::Rejected => met(&case.expected, &case.got),
+    };
+    let expected = rewritten(&case.expected, |fact, line| match met.get(&line) {
+        Some(met) => vec![met.written(fact)],
+        None => vec![fact.to_string()],
     });
     let mut written = BTreeSet::new();
-    let got = rewritten(&case.got, |text, line| match met.get(&line) {
-        Some(met) if written.insert(line) => met.expected.iter().map(|text| met.written(text)).collect(),
+    let got = rewritten(&case.got, |fact, line| match met.get(&line) {
+        Some(met) if written.insert(line) => met.expected.iter().map(|fact| met.written(fact)).collect(),
         Some(_) => Vec::new(),
-        None => vec![text.to_owned()],
+        None => vec![fact.to_string()],
     });
-    (Cow::from(expected), Cow::from(got))
+    (expected, got)
 }
 
 /// A line on which something is wrong, as is expected.
-struct Met<'t> {
+struct Met<'f> {
     /// What is expected on it.
-    expected: Vec<&'t str>,
-    /// The first that the compiler tells of it: its code, where it has one, and its message.
-    told: String,
+    expected: Vec<&'f Fact>,
+    /// The first that the compiler tells of it.
+    told: &'f ToldDiagnostic,
 }
 
 impl Met<'_> {
-    /// A line of the expectation with the compiler's words behind it.
-    fn written(&self, expected: &str) -> String {
-        match self.told.as_str() {
-            "" => expected.to_owned(),
-            told => format!("{expected}, told as {told}"),
+    /// Returns an expected fact with the compiler's words behind it: its code, where it has one, and its message.
+    fn written(&self, expected: &Fact) -> String {
+        let words = [&self.told.code, &self.told.message].into_iter().flatten();
+        let words: Vec<&str> = words
+            .map(String::as_str)
+            .filter(|word| !word.is_empty())
+            .collect();
+        match words.is_empty() {
+            true => expected.to_string(),
+            false => format!("{expected}, told as {}", words.join(": ")),
         }
     }
 }
 
-/// The lines that are expected and told.
-fn met<'t>(expected: &'t str, got: &'t str) -> BTreeMap<u32, Met<'t>> {
-    let mut awaited: BTreeMap<u32, Vec<&str>> = BTreeMap::new();
-    for text in expected.lines() {
-        if let Some(line) = placed(text) {
-            awaited.entry(line).or_default().push(text);
+/// Returns the lines that are expected and told.
+fn met<'f>(expected: &'f [Fact], got: &'f [Fact]) -> BTreeMap<u32, Met<'f>> {
+    let mut awaited: BTreeMap<u32, Vec<&Fact>> = BTreeMap::new();
+    for fact in expected {
+        if let Some(line) = fact.diagnostic().and_then(|diagnostic| diagnostic.line) {
+            awaited.entry(line).or_default().push(fact);
         }
     }
     let mut met = BTreeMap::new();
-    for diagnostic in got.lines().filter_map(diagnostic) {
-        let expected = diagnostic.line.and_then(|line| awaited.remove_entry(&line));
-        if let Some((line, expected)) = expected {
-            let told = told(&diagnostic);
+    for told in got.iter().filter_map(Fact::diagnostic) {
+        if let Some((line, expected)) = told.line.and_then(|line| awaited.remove_entry(&line)) {
             met.insert(line, Met { expected, told });
         }
     }
     met
 }
 
-fn diagnostic(text: &str) -> Option<Diagnostic<'_>> {
-    match fact::read(text) {
-        Fact::Diagnostic(diagnostic) => Some(diagnostic),
-        _ => None,
-    }
-}
-
-/// The line that a diagnostic names.
-fn placed(text: &str) -> Option<u32> {
-    diagnostic(text)?.line
-}
-
-fn told(diagnostic: &Diagnostic<'_>) -> String {
-    let parts = [diagnostic.code.unwrap_or_default(), diagnostic.message];
-    let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
-    parts.join(": ")
-}
-
-/// A text in which other lines stand for each that names a line of the program.
-fn rewritten(text: &str, mut anew: impl FnMut(&str, u32) -> Vec<String>) -> String {
-    let lines = text.lines().flat_map(|line| match placed(line) {
-        Some(number) => anew(line, number),
-        None => vec![line.to_owned()],
+/// Returns the text of facts, in which other lines stand for each diagnostic that names a line of the program.
+fn rewritten(facts: &[Fact], mut anew: impl FnMut(&Fact, u32) -> Vec<String>) -> String {
+    let lines = facts.iter().flat_map(|fact| match fact.diagnostic() {
+        Some(ToldDiagnostic { line: Some(line), .. }) => anew(fact, *line),
+        _ => vec![fact.to_string()],
     });
     lines.collect::<Vec<_>>().join("\n")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Grade, texts};
+    use super::{Fact, Grade, texts};
     use crate::diff;
-    use crate::sample::case;
-    use stickler_run::Verdict;
+    use crate::sample::{case, error, told};
+    use stickler_run::{CaseEvent, Verdict};
 
-    const EXPECTED: &str =
-        "line 4: error P4023\nline 6: error P4001\nline 6: error P4026\nline 9: error P4007";
+    fn expected() -> Vec<Fact> {
+        vec![
+            error(4, "P4023"),
+            error(6, "P4001"),
+            error(6, "P4026"),
+            error(9, "P4007"),
+        ]
+    }
 
-    fn difference(got: &str, strict: Grade) -> String {
-        let mut case = case("t::a", Verdict::Fail);
-        case.expected = EXPECTED.to_owned();
-        case.got = got.to_owned();
+    fn difference(got: Vec<Fact>, strict: Grade) -> String {
+        let case = CaseEvent {
+            expected: expected(),
+            got,
+            ..case("t::a", Verdict::Fail)
+        };
         let (expected, got) = texts(&case, strict);
         diff::text(&expected, &got)
     }
 
     #[test]
     fn a_line_that_is_met_is_the_same_on_both_sides_where_codes_do_not_count() {
-        let got = "line 6: error without a code: ')' missing\nline 6: error without a code: ';' missing\n\
-                   line 7: error E037: no\nline 9: error E048: no such name\nsomewhere: error E1: odd";
+        let got = || {
+            vec![
+                told(6, "", "')' missing"),
+                told(6, "", "';' missing"),
+                told(7, "E037", "no"),
+                told(9, "E048", "no such name"),
+                told(0, "E1", "odd"),
+            ]
+        };
         let expected = "- line 4: error P4023\n  line 6: error P4001, told as ')' missing\n  \
                         line 6: error P4026, told as ')' missing\n+ line 7: error E037: no\n  \
                         line 9: error P4007, told as E048: no such name\n+ somewhere: error E1: odd\n";
-        assert_eq!(difference(got, Grade::Line), expected);
-        assert_eq!(difference(got, Grade::Rejected), expected);
-        let by_code = difference(got, Grade::Code);
+        assert_eq!(difference(got(), Grade::Line), expected);
+        assert_eq!(difference(got(), Grade::Rejected), expected);
+        let by_code = difference(got(), Grade::Code);
         assert!(by_code.contains("\n- line 9: error P4007\n"), "{by_code}");
     }
 
     #[test]
     fn what_meets_nothing_is_compared_as_it_is() {
-        let all_missing: String = EXPECTED.lines().map(|line| format!("- {line}\n")).collect();
-        let got = "line 1: error without a code: m";
-        assert_eq!(difference(got, Grade::Line), format!("{all_missing}+ {got}\n"));
-        assert_eq!(
-            difference("accepted", Grade::Line),
-            format!("{all_missing}+ accepted\n")
-        );
+        let all_missing: String = expected().iter().map(|fact| format!("- {fact}\n")).collect();
+        for got in [told(1, "", "m"), Fact::Accepted] {
+            let expected = format!("{all_missing}+ {got}\n");
+            assert_eq!(difference(vec![got], Grade::Line), expected);
+        }
     }
 }

@@ -17,7 +17,7 @@ use known::{Known, Look};
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeMap, HashMap};
 use std::io::BufRead;
-use stickler_run::{CaseEvent, Event, Header, Verdict};
+use stickler_run::{CaseEvent, Event, Fact, Header, Verdict};
 
 /// How many changes of each kind are kept with all their texts. The rest is kept by name; the logs have them all.
 pub const DETAILED: usize = 1000;
@@ -334,7 +334,7 @@ fn texts<S: Serializer>(detail: &Option<Box<Detail>>, serializer: S) -> Result<S
     struct Texts<'a> {
         title: &'a str,
         basis: &'a str,
-        expected: &'a str,
+        expected: String,
         old: Option<&'a str>,
         new: String,
         rerun: &'a str,
@@ -342,7 +342,7 @@ fn texts<S: Serializer>(detail: &Option<Box<Detail>>, serializer: S) -> Result<S
     let texts = detail.as_deref().map(|Detail { old, case }| Texts {
         title: &case.title,
         basis: &case.basis,
-        expected: &case.expected,
+        expected: Fact::text(&case.expected),
         old: old.as_deref(),
         new: known::said(case),
         rerun: &case.rerun,

@@ -31,6 +31,16 @@ impl ReportError {
     }
 }
 
+/// Returns what else is to be done about a file of an earlier format.
+fn again(format: u32) -> &'static str {
+    match format {
+        0..FORMAT => {
+            "; an earlier version of Stickler wrote it, so run the cases again with this version first"
+        }
+        _ => "",
+    }
+}
+
 /// An event log that could not be read.
 #[derive(Debug, thiserror::Error)]
 pub enum LogError {
@@ -57,11 +67,29 @@ pub enum LogError {
         /// The line, from 1.
         line: u64,
     },
-    /// The header belongs to another version of the format.
+    /// The header belongs to a later version of the format.
     #[error(
         "the event log has format {format}, which a later version of Stickler wrote; this one reads format {FORMAT}"
     )]
     Later {
+        /// Its format.
+        format: u32,
+    },
+    /// The header belongs to an earlier version of the format.
+    #[error(
+        "the event log has format {format}, which an earlier version of Stickler wrote; this one reads format {FORMAT}: run the \
+         cases again with this version"
+    )]
+    Earlier {
+        /// Its format.
+        format: u32,
+    },
+    /// The file is a `results.json`.
+    #[error(
+        "this is a results.json of format {format} and no event log; name its folder, or the events.jsonl beside it{}",
+        again(*format)
+    )]
+    Results {
         /// Its format.
         format: u32,
     },

@@ -1,6 +1,7 @@
 //! `events.jsonl`: the event stream itself, one JSON object a line, written while the run goes on.
 
 use crate::{LogError, ReportError};
+use serde::Deserialize;
 use std::fmt;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
@@ -172,6 +173,9 @@ impl<R: BufRead> Reader<R> {
         }
         self.number += 1;
         let line = self.number;
+        if line == 1 {
+            check_format(&self.line)?;
+        }
         match serde_json::from_slice::<Event>(&self.line) {
             Ok(_) if self.complete => Err(LogError::Misplaced { line }),
             Ok(Event::Header(_)) if line > 1 => Err(LogError::Misplaced { line }),
@@ -184,11 +188,6 @@ impl<R: BufRead> Reader<R> {
 
     fn count(&mut self, event: &Event) -> Result<(), LogError> {
         match event {
-            Event::Header(header) if header.format > FORMAT => {
-                return Err(LogError::Later {
-                    format: header.format,
-                });
-            }
             Event::Header(header) => self.promised = header.cases,
             Event::Case(_) => self.cases += 1,
             Event::Footer(_) if self.cases != self.promised => {
@@ -214,6 +213,35 @@ impl<R: BufRead> Iterator for Reader<R> {
         self.ended = !matches!(event, Some(Ok(_)));
         event
     }
+}
+
+/// The beginning of the first line of a `results.json`; its format follows.
+const RESULTS: &[u8] = b"{\"format\":";
+
+/// Checks that a first line is not that of another file or format.
+///
+/// # Errors
+/// [`LogError::Results`], [`LogError::Earlier`] and [`LogError::Later`].
+fn check_format(line: &[u8]) -> Result<(), LogError> {
+    if let Some(behind) = line.strip_prefix(RESULTS) {
+        let digits = behind.iter().take_while(|byte| byte.is_ascii_digit());
+        let format = digits.fold(0, |number: u32, digit| {
+            number.saturating_mul(10).saturating_add(u32::from(digit - b'0'))
+        });
+        return Err(LogError::Results { format });
+    }
+    // What is no header at all is told where it is read whole.
+    match serde_json::from_slice::<Format>(line) {
+        Ok(Format { format }) if format < FORMAT => Err(LogError::Earlier { format }),
+        Ok(Format { format }) if format > FORMAT => Err(LogError::Later { format }),
+        _ => Ok(()),
+    }
+}
+
+/// What the headers of all formats have in common.
+#[derive(Deserialize)]
+struct Format {
+    format: u32,
 }
 
 /// Reads a log and hands each event on, in order.
@@ -319,5 +347,27 @@ mod tests {
         }
         let error = read_back(&written(&events)).expect_err("another format");
         assert!(matches!(error, LogError::Later { format } if format == FORMAT + 1));
+    }
+
+    #[test]
+    fn an_earlier_format_and_the_wrong_file_are_named_with_what_to_do() {
+        let read = |text: &str| read_back(text.as_bytes()).expect_err("no such log").to_string();
+        let log = "{\"type\":\"header\",\"format\":1,\"stickler\":\"0.1.0\",\"cases\":1}\n\
+                   {\"type\":\"case\",\"id\":\"a\",\"expected\":\"accepted\"}\n";
+        let told = read(log);
+        assert!(
+            told.contains("format 1") && told.ends_with("run the cases again with this version"),
+            "{told}"
+        );
+        let told = read("{\"format\":1,\n\"stickler\":\"0.1.0\"}\n");
+        assert!(
+            told.contains("results.json of format 1") && told.contains("run the cases again"),
+            "{told}"
+        );
+        let told = read("{\"format\":2,\n\"stickler\":\"0.1.0\"}\n");
+        assert!(
+            told.ends_with("name its folder, or the events.jsonl beside it"),
+            "{told}"
+        );
     }
 }

@@ -130,7 +130,7 @@ mod tests {
         write(folder.path(), &sample::run());
         let text = fs::read_to_string(folder.path().join("results.json")).expect("results");
         let results: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        assert_eq!(results["format"], 1);
+        assert_eq!(results["format"], 2);
         for key in ["stickler", "suite", "started", "duration_ms"] {
             assert!(!results[key].is_null(), "{key}");
         }

@@ -352,7 +352,7 @@ mod tests {
     #[test]
     fn whatever_an_engine_says_the_document_can_be_read() {
         let case = CaseEvent {
-            got: "\u{0}\u{1b}[31m\u{ffff}]]><&\"'\u{7f}".to_owned(),
+            got: vec![sample::rendered(&["\u{0}\u{1b}[31m\u{ffff}]]><&\"'\u{7f}"])],
             title: "a\n\"b\"\t<c>".to_owned(),
             ..sample::case("a", Verdict::Fail)
         };

@@ -28,7 +28,6 @@ pub mod diff;
 mod discrepancies;
 mod error;
 pub mod events;
-mod fact;
 mod folder;
 mod junit;
 pub mod observations;

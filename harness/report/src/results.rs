@@ -8,10 +8,7 @@ use crate::spool::Spool;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, Event, Footer, Grade, Header, Totals};
-
-/// The version of this format.
-const FORMAT: u32 = 1;
+use stickler_run::{CaseEvent, Event, FORMAT, Footer, Grade, Header, Totals};
 
 /// How the JSON of a case event begins: what the document says by its key `cases` already.
 const TAG: &[u8] = br#"{"type":"case","#;

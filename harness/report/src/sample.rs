@@ -4,16 +4,50 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use stickler_run::{
-    BaselineHeader, BaselineNote, CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Grade,
-    Header, Observed, OutdatedEntry, Totals, Verdict,
+    BaselineHeader, BaselineNote, CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Grade,
+    Header, Observed, OutdatedEntry, ToldDiagnostic, Totals, Verdict,
 };
+use stickler_types::Value;
+
+/// The fact that a variable has a value, given as a typed literal.
+pub(crate) fn value(name: &str, literal: &str) -> Fact {
+    Fact::Value {
+        name: name.to_owned(),
+        value: Value::parse(literal).expect("a typed literal"),
+    }
+}
+
+/// An expected diagnostic.
+pub(crate) fn error(line: u32, code: &str) -> Fact {
+    Fact::Diagnostic(ToldDiagnostic {
+        line: Some(line),
+        code: Some(code.to_owned()),
+        message: None,
+    })
+}
+
+/// A diagnostic of an engine; line 0 is none, and so is an empty code.
+pub(crate) fn told(line: u32, code: &str, message: &str) -> Fact {
+    Fact::Diagnostic(ToldDiagnostic {
+        line: (line > 0).then_some(line),
+        code: (!code.is_empty()).then(|| code.to_owned()),
+        message: Some(message.to_owned()),
+    })
+}
+
+/// The lines of a rendered source.
+pub(crate) fn rendered(lines: &[&str]) -> Fact {
+    Fact::Rendered {
+        lines: lines.iter().map(|&line| line.to_owned()).collect(),
+    }
+}
 
 /// A case with this id and verdict.
 pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
     let got = if verdict == Verdict::Pass {
-        "into = INT#-128"
+        "INT#-128"
     } else {
-        "into = INT#128"
+        "INT#128"
     };
     CaseEvent {
         id: format!("widening/{id}"),
@@ -27,8 +61,8 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
         line: 7,
         area: "widening".to_owned(),
         title: "SINT widens to INT".to_owned(),
-        expected: "into = INT#-128".to_owned(),
-        got: got.to_owned(),
+        expected: vec![value("into", "INT#-128")],
+        got: vec![value("into", got)],
         duration_us: 12,
         rerun: format!("stickler run --filter 'widening/{id}@ironplc-ed2'"),
         observations: Vec::new(),
@@ -41,8 +75,8 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
 pub(crate) fn open_case(id: &str) -> CaseEvent {
     CaseEvent {
         open: true,
-        expected: "accepted".to_owned(),
-        got: "accepted".to_owned(),
+        expected: vec![Fact::Accepted],
+        got: vec![Fact::Accepted],
         observations: vec![Observed {
             name: "r".to_owned(),
             value: "INT#3".to_owned(),
@@ -103,8 +137,8 @@ pub(crate) const BY_LINE: [&str; 2] = [
 /// A run of one case whose rejection was judged by lines, and does not name both.
 pub(crate) fn run_by_line() -> Vec<Event> {
     let mut events = run_of(vec![CaseEvent {
-        expected: "line 6: error P4001\nline 9: error P4007".to_owned(),
-        got: "line 6: error without a code: no number".to_owned(),
+        expected: vec![error(6, "P4001"), error(9, "P4007")],
+        got: vec![told(6, "", "no number")],
         ..case("half", Verdict::Fail)
     }]);
     if let Event::Header(header) = &mut events[0] {

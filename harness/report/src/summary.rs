@@ -353,7 +353,7 @@ mod tests {
     #[test]
     fn a_page_about_endless_failures_stays_below_one_mebibyte_and_counts_the_rest() {
         let huge = |number: usize| CaseEvent {
-            got: format!("`|<script>\u{1b}[2J{}\n", "y".repeat(500)).repeat(100),
+            got: vec![sample::told(3, "", &format!("`|<script>\u{1b}[2J{}", "y".repeat(500))); 100],
             title: "x".repeat(10_000),
             ..sample::case(&number.to_string(), Verdict::Fail)
         };
@@ -371,7 +371,7 @@ mod tests {
     #[test]
     fn what_an_engine_says_cannot_leave_its_code_block() {
         let case = CaseEvent {
-            got: "```\n# no heading".to_owned(),
+            got: vec![sample::rendered(&["```", "# no heading"])],
             ..sample::case("x", Verdict::Fail)
         };
         let text = page(&sample::run_of(vec![case]));

@@ -288,8 +288,8 @@ reports/latest/discrepancies
     #[test]
     fn texts_of_several_lines_are_shown_as_a_diff() {
         let case = CaseEvent {
-            expected: "a := 1;\nb := 2;".to_owned(),
-            got: "a := 1;\nb := 3;".to_owned(),
+            expected: vec![sample::rendered(&["a := 1;", "b := 2;"])],
+            got: vec![sample::rendered(&["a := 1;", "b := 3;"])],
             ..sample::case("x", Verdict::Fail)
         };
         let text = shown(&sample::run_of(vec![case]));

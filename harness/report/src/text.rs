@@ -1,7 +1,7 @@
 //! Making texts of unknown origin fit to be shown: foreign engines print what they like.
 
 use std::fmt::Write;
-use stickler_run::{BaselineNote, Grade, OutdatedEntry, Verdict};
+use stickler_run::{BaselineNote, Fact, Grade, OutdatedEntry, Verdict};
 
 /// The text with control characters spelled out (`\u{1b}`), but for line ends and tabs: what an engine says must not
 /// move the cursor of whoever reads it.
@@ -33,6 +33,35 @@ pub(crate) fn clip(text: &str, lines: usize, characters: usize) -> String {
         kept.push(format!("... {rest} lines more"));
     }
     kept.join("\n")
+}
+
+/// Returns at most so many lines of facts, each text of foreign origin in them clipped to so many characters; says how many
+/// lines are left out.
+pub(crate) fn clip_facts(facts: &[Fact], lines: usize, characters: usize) -> Vec<Fact> {
+    let mut room = lines;
+    let mut kept = Vec::with_capacity(facts.len().min(lines));
+    let mut left_out = 0;
+    for fact in facts {
+        let fact_lines = fact.lines();
+        if room == 0 {
+            left_out += fact_lines;
+            continue;
+        }
+        left_out += fact_lines.saturating_sub(room);
+        let mut fact = fact.clone();
+        fact.edit_texts(|texts| {
+            texts.truncate(room);
+            texts
+                .iter_mut()
+                .for_each(|text| *text = clip_line(text, characters));
+        });
+        kept.push(fact);
+        room = room.saturating_sub(fact_lines);
+    }
+    if left_out > 0 {
+        kept.push(Fact::LeftOut { lines: left_out });
+    }
+    kept
 }
 
 /// A line of no more than so many characters, for a column of a table.

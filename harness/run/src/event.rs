@@ -9,12 +9,13 @@ pub use baseline::{BaselineHeader, BaselineNote, OutdatedEntry};
 pub use totals::Totals;
 pub use verdict::Verdict;
 
+use crate::Fact;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use stickler_engines::Grade;
 
 /// The version of the event format.
-pub const FORMAT: u32 = 1;
+pub const FORMAT: u32 = 2;
 
 /// What the file of a program is called in [`EngineHeader::commands`].
 pub const PROGRAM: &str = "program.st";
@@ -131,11 +132,11 @@ pub struct CaseEvent {
     pub area: String,
     /// The case's title.
     pub title: String,
-    /// What had to happen: one expectation a line, in a fixed order.
-    pub expected: String,
-    /// What happened, line by line beside `expected`; the two are equal where all went as expected, so that a
-    /// diff of them shows what did not.
-    pub got: String,
+    /// What had to happen, in a fixed order.
+    pub expected: Vec<Fact>,
+    /// What happened, fact by fact beside `expected`; the two are equal where all went as expected, so that a
+    /// diff of their texts shows what did not.
+    pub got: Vec<Fact>,
     /// How long the engine took, in microseconds.
     pub duration_us: u64,
     /// The exact command that runs this case again.
@@ -213,7 +214,7 @@ mod tests {
 
     #[test]
     fn a_header_of_a_later_version_with_more_keys_is_read() {
-        let line = r#"{"type":"header","format":1,"stickler":"9","suite":"1","started":"","command":"",
+        let line = r#"{"type":"header","format":2,"stickler":"9","suite":"1","started":"","command":"",
             "engines":[],"cases":4,"weather":"fine"}"#;
         let Event::Header(header) = serde_json::from_str(line).unwrap() else {
             panic!("no header")

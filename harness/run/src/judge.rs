@@ -2,29 +2,29 @@
 
 mod bodies;
 mod diagnostics;
+mod findings;
 mod rendered;
-mod sheet;
 mod values;
 
 pub use bodies::rendered_bodies;
 
-use crate::{Answers, Grade, Observed, Verdict};
-use sheet::Sheet;
+use crate::{Answers, Fact, Grade, Observed, Verdict};
+use findings::Findings;
 use stickler_engines::{NamedValue, Outcome};
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedFault};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedFault, ExpectedText};
 use stickler_types::Fault;
 
 /// What is to be said of a case on an engine.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Judgement {
     /// What came of it.
     pub verdict: Verdict,
     /// How exactly an expected rejection or fault was right; `None` where none was expected or none came.
     pub grade: Option<Grade>,
-    /// What had to happen, one expectation a line.
-    pub expected: String,
-    /// What happened, in the same form and order.
-    pub got: String,
+    /// What had to happen, in a fixed order.
+    pub expected: Vec<Fact>,
+    /// What happened, in the same order.
+    pub got: Vec<Fact>,
     /// What was recorded and not judged.
     pub observations: Vec<Observed>,
 }
@@ -40,23 +40,23 @@ pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
             verdict,
             grade: None,
             expected,
-            got,
+            got: vec![got],
             observations: Vec::new(),
         };
     }
-    let mut sheet = Sheet::default();
+    let mut findings = Findings::default();
     let grade = match &answers.run {
-        Outcome::Rejected { diagnostics } => rejected(expectation, diagnostics, strict, &mut sheet),
+        Outcome::Rejected { diagnostics } => rejected(expectation, diagnostics, strict, &mut findings),
         Outcome::Faulted { fault, line, values } => {
-            faulted(expectation, (*fault, *line), values, strict, &mut sheet)
+            faulted(expectation, (*fault, *line), values, strict, &mut findings)
         }
-        Outcome::Executed { values } => executed(expectation, values, &mut sheet),
-        _ => accepted(expectation, &mut sheet),
+        Outcome::Executed { values } => executed(expectation, values, &mut findings),
+        _ => accepted(expectation, &mut findings),
     };
     if let (Some(text), Some(rendering)) = (&expectation.rendered, &answers.rendering) {
-        rendered::compare(text, &answers.run, rendering, &mut sheet);
+        rendered::compare(text, &answers.run, rendering, &mut findings);
     }
-    let (verdict, got) = sheet.finish();
+    let (verdict, got) = findings.finish();
     Judgement {
         verdict,
         grade,
@@ -89,58 +89,63 @@ pub fn is_open(case: &Case) -> bool {
 }
 
 /// The verdict where some question went unanswered: nothing else of the case counts then.
-fn no_answer(answers: &Answers) -> Option<(Verdict, String)> {
+fn no_answer(answers: &Answers) -> Option<(Verdict, Fact)> {
     if let Outcome::Rendered { .. } = answers.run {
-        return Some((
-            Verdict::Error,
-            "error: answered `run` with rendered text".to_owned(),
-        ));
+        let message = "answered `run` with rendered text".to_owned();
+        return Some((Verdict::Error, Fact::Error { message }));
     }
     answers.outcomes().find_map(unanswered)
 }
 
-fn unanswered(outcome: &Outcome) -> Option<(Verdict, String)> {
-    match outcome {
-        Outcome::Unsupported { reason } => Some((Verdict::Unsupported, format!("unsupported: {reason}"))),
-        Outcome::Crashed { reason } => Some((Verdict::Crash, format!("crashed: {reason}"))),
-        Outcome::TimedOut { after_ms } => Some((
-            Verdict::Timeout,
-            format!("no answer within {}", Outcome::limit(*after_ms)),
-        )),
-        Outcome::Error { message } => Some((Verdict::Error, format!("error: {message}"))),
+fn unanswered(outcome: &Outcome) -> Option<(Verdict, Fact)> {
+    let (verdict, fact) = match outcome {
+        Outcome::Unsupported { reason } => {
+            let reason = reason.clone();
+            (Verdict::Unsupported, Fact::Unsupported { reason })
+        }
+        Outcome::Crashed { reason } => {
+            let reason = reason.clone();
+            (Verdict::Crash, Fact::Crashed { reason })
+        }
+        Outcome::TimedOut { after_ms } => {
+            let after_ms = *after_ms;
+            (Verdict::Timeout, Fact::TimedOut { after_ms })
+        }
+        Outcome::Error { message } => {
+            let message = message.clone();
+            (Verdict::Error, Fact::Error { message })
+        }
         Outcome::Accepted
         | Outcome::Executed { .. }
         | Outcome::Rejected { .. }
         | Outcome::Faulted { .. }
-        | Outcome::Rendered { .. } => None,
-    }
+        | Outcome::Rendered { .. } => return None,
+    };
+    Some((verdict, fact))
 }
 
-/// What a case expects, one expectation a line.
-fn expected(expectation: &Expectation) -> String {
-    let mut text = sheet::Lines::default();
-    diagnostics::expected(&expectation.diagnostics, &mut text);
+/// Returns what a case expects. Nothing but the acceptance of a program is said where nothing else is.
+fn expected(expectation: &Expectation) -> Vec<Fact> {
+    let mut facts = diagnostics::expected(&expectation.diagnostics);
     if let Some(ExpectedFault { fault, line }) = expectation.fault {
-        text.line(format_args!("line {line}: fault {fault}"));
+        let line = Some(line);
+        facts.push(Fact::Fault { fault, line });
     }
-    values::expected(&expectation.values, &mut text);
-    if let Some(rendered) = &expectation.rendered {
-        rendered
-            .lines
-            .iter()
-            .for_each(|line| text.line(format_args!("{line}")));
+    facts.extend(expectation.values.iter().map(values::expected));
+    if let Some(ExpectedText { lines, .. }) = &expectation.rendered {
+        facts.extend(rendered::lines(lines.iter().map(AsRef::as_ref)));
     }
-    if text.is_empty() {
-        text.line(format_args!("{}", acceptance(expectation)));
+    if facts.is_empty() {
+        facts.push(acceptance(expectation));
     }
-    text.finish()
+    facts
 }
 
-fn acceptance(expectation: &Expectation) -> &'static str {
+fn acceptance(expectation: &Expectation) -> Fact {
     match expectation.accepted {
-        Acceptance::Required => "accepted",
-        Acceptance::Rejected => "rejected",
-        Acceptance::Observed => "accepted or rejected",
+        Acceptance::Required => Fact::Accepted,
+        Acceptance::Rejected => Fact::Rejected,
+        Acceptance::Observed => Fact::AcceptedOrRejected,
     }
 }
 
@@ -148,23 +153,23 @@ fn rejected(
     expectation: &Expectation,
     diagnostics: &[stickler_engines::Diagnostic],
     strict: Grade,
-    sheet: &mut Sheet,
+    findings: &mut Findings,
 ) -> Option<Grade> {
     let matching = diagnostics::matching(&expectation.diagnostics, diagnostics);
-    matching.write(sheet);
+    matching.write(findings);
     let on_clean_line = diagnostics::any_on(&expectation.clean_lines, diagnostics);
     match expectation.accepted {
         Acceptance::Observed => {
-            sheet.require(!on_clean_line);
+            findings.require(!on_clean_line);
             None
         }
         Acceptance::Required => {
-            sheet.require(false);
+            findings.require(false);
             None
         }
         Acceptance::Rejected => {
             let grade = matching.grade();
-            sheet.require(grade.suffices(strict) && !on_clean_line);
+            findings.require(grade.suffices(strict) && !on_clean_line);
             Some(grade)
         }
     }
@@ -175,20 +180,17 @@ fn faulted(
     (fault, line): (Fault, Option<u32>),
     values: &[NamedValue],
     strict: Grade,
-    sheet: &mut Sheet,
+    findings: &mut Findings,
 ) -> Option<Grade> {
-    match line {
-        Some(line) => sheet.line(format_args!("line {line}: fault {fault}")),
-        None => sheet.line(format_args!("fault {fault}")),
-    }
-    values::compare(&expectation.values, values, sheet);
+    findings.add(Fact::Fault { fault, line });
+    values::compare(&expectation.values, values, findings);
     let Some(expected) = expectation.fault else {
         // Where acceptance itself is open, how the program ends is open as well, unless values are asserted.
-        sheet.require(expectation.accepted == Acceptance::Observed);
+        findings.require(expectation.accepted == Acceptance::Observed);
         return None;
     };
     if expected.fault != fault {
-        sheet.require(false);
+        findings.require(false);
         return None;
     }
     let grade = if line == Some(expected.line) {
@@ -196,29 +198,29 @@ fn faulted(
     } else {
         Grade::Rejected
     };
-    sheet.require(grade.suffices(strict));
+    findings.require(grade.suffices(strict));
     Some(grade)
 }
 
-fn executed(expectation: &Expectation, values: &[NamedValue], sheet: &mut Sheet) -> Option<Grade> {
+fn executed(expectation: &Expectation, values: &[NamedValue], findings: &mut Findings) -> Option<Grade> {
     let may_run = expectation.accepted != Acceptance::Rejected && expectation.fault.is_none();
-    sheet.require(may_run);
+    findings.require(may_run);
     if !may_run || (expectation.values.is_empty() && expectation.rendered.is_none()) {
-        sheet.line(format_args!("accepted"));
+        findings.add(Fact::Accepted);
     }
-    values::compare(&expectation.values, values, sheet);
+    values::compare(&expectation.values, values, findings);
     None
 }
 
 /// The program was accepted by an engine that did not execute it.
-fn accepted(expectation: &Expectation, sheet: &mut Sheet) -> Option<Grade> {
+fn accepted(expectation: &Expectation, findings: &mut Findings) -> Option<Grade> {
     let may_be = expectation.accepted != Acceptance::Rejected;
-    sheet.require(may_be);
+    findings.require(may_be);
     if may_be && (expectation.fault.is_some() || !expectation.values.is_empty()) {
-        sheet.unsupported();
-        sheet.line(format_args!("accepted, and not executed"));
+        findings.unsupported();
+        findings.add(Fact::NotExecuted);
     } else if !may_be || expectation.rendered.is_none() {
-        sheet.line(format_args!("accepted"));
+        findings.add(Fact::Accepted);
     }
     None
 }

@@ -9,6 +9,7 @@
 mod answers;
 mod baseline;
 mod event;
+mod fact;
 mod filter;
 mod judge;
 mod memory;
@@ -26,6 +27,7 @@ pub use baseline::{
 pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, PROGRAM};
 pub use event::{Totals, Verdict};
+pub use fact::{Fact, ToldDiagnostic};
 pub use filter::Filter;
 pub use judge::{Judgement, is_open, judge, rendered_bodies};
 pub use memory::Memory;

@@ -8,7 +8,7 @@ use similar::TextDiff;
 use std::fmt::{self, Write};
 use std::path::Path;
 use stickler_engines::Reference;
-use stickler_run::{Desk, Grade, Judgement, Plan, RunError, Verdict, judge};
+use stickler_run::{Desk, Fact, Grade, Judgement, Plan, RunError, Verdict, judge};
 use stickler_suite::{Case, load_file};
 use stickler_workers::WorkerPool;
 
@@ -83,7 +83,8 @@ fn describe(case: &Case, judgement: &Judgement) -> String {
     // Writing into a String does not fail.
     let _ = writeln!(text, "{verdict}  {}  ({}:{})", case.key(), case.file, case.line);
     let _ = writeln!(text, "  {}: {}", case.basis, case.title);
-    for (name, lines) in [("expected", expected), ("got", got)] {
+    let (expected, got) = (Fact::text(expected), Fact::text(got));
+    for (name, lines) in [("expected", &expected), ("got", &got)] {
         let _ = writeln!(text, "  {name}:");
         lines.lines().for_each(|line| text.extend(["    ", line, "\n"]));
     }

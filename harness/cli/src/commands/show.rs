@@ -8,7 +8,7 @@ use anstyle::Style;
 use anyhow::bail;
 use std::io::{self, Write};
 use stickler_engines::Outcome;
-use stickler_run::{Answers, Filter, Grade, Plan, judge};
+use stickler_run::{Answers, Fact, Filter, Grade, Plan, judge};
 use stickler_suite::{Case, Suite};
 
 const BOLD: Style = Style::new().bold();
@@ -132,7 +132,7 @@ fn write_expectation(case: &Case, out: &mut dyn Write) -> io::Result<()> {
         reason: String::new(),
     });
     let expected = judge(case, &answers, Grade::Code).expected;
-    for line in expected.lines() {
+    for line in Fact::text(&expected).lines() {
         writeln!(out, "  {line}")?;
     }
     let asserted = |name: &str| case.expectation.values.iter().any(|value| &*value.name == name);

@@ -4,7 +4,7 @@ use crate::common::{SUITE, output, text};
 use std::fs;
 use std::path::Path;
 use stickler_report::events::{self, Completeness};
-use stickler_run::Event;
+use stickler_run::{Event, Fact};
 
 /// An engine that accepts every program and notes each call; it dies over those with a SINT.
 const ENGINE: &str = r#"
@@ -65,7 +65,8 @@ fn run(folder: &Path, options: &[&str]) -> Ran {
 
 /// How many of the cases crashed the engine.
 fn crashes(ran: &Ran) -> usize {
-    let crash = |event: &&Event| matches!(event, Event::Case(case) if case.got.contains("signal: 9"));
+    let crash =
+        |event: &&Event| matches!(event, Event::Case(case) if Fact::text(&case.got).contains("signal: 9"));
     ran.events.iter().filter(crash).count()
 }
 

@@ -1,8 +1,12 @@
 //! Two runs held against each other, and the parts of a run put together.
 
 use crate::common::{SUITE, output, text};
-use std::fs;
+use std::fs::{self, File};
+use std::io::BufReader;
 use std::path::Path;
+use stickler_report::events::{self, Completeness, EventLog};
+use stickler_run::{Event, Fact, Verdict};
+use stickler_types::Value;
 
 /// Runs the small suite and writes its reports to a folder.
 fn run(folder: &Path, report: &str, arguments: &[&str]) {
@@ -10,31 +14,58 @@ fn run(folder: &Path, report: &str, arguments: &[&str]) {
     output(folder, &[&common, arguments].concat());
 }
 
-/// Reports that differ from others in one way.
-fn edited(folder: &Path, from: &str, to: &str, edit: impl Fn(&str) -> String) {
-    let log = fs::read_to_string(folder.join(from).join("events.jsonl")).expect("a log");
-    let lines: Vec<String> = log.lines().map(edit).filter(|line| !line.is_empty()).collect();
-    fs::create_dir_all(folder.join(to)).expect("a folder");
-    fs::write(folder.join(to).join("events.jsonl"), lines.join("\n") + "\n").expect("a log");
+/// Writes the log of a run that differs from another in one way.
+fn edited(folder: &Path, from: &str, to: &str, edit: impl Fn(&mut Event)) {
+    let mut events = Vec::new();
+    let log = File::open(folder.join(from).join(events::NAME)).expect("a log");
+    let whole = events::read(BufReader::new(log), &mut |event| events.push(event)).expect("a readable log");
+    assert_eq!(whole, Completeness::Complete);
+    events.iter_mut().for_each(edit);
+    write(&folder.join(to), &events);
 }
 
-/// A later version of the reference: one case is fixed, one breaks, one crashes, one gives something else where nothing is
-/// asserted.
-fn later(line: &str) -> String {
-    let verdict = |line: &str, new: &str| {
-        let old = if new == "pass" { "fail" } else { "pass" };
-        line.replace(&format!(r#""verdict":"{old}""#), &format!(r#""verdict":"{new}""#))
+fn write(folder: &Path, events: &[Event]) {
+    fs::create_dir_all(folder).expect("a folder");
+    let mut log = EventLog::create(folder.join(events::NAME)).expect("a log");
+    for event in events {
+        let json = serde_json::to_vec(event).expect("JSON");
+        log.take(event, &json).expect("written");
+    }
+    log.flush().expect("written");
+}
+
+/// Turns a run into that of a later version of the reference: one case is fixed, one breaks, one crashes, one gives something
+/// else where nothing is asserted.
+fn later(event: &mut Event) {
+    let value = |literal| Value::parse(literal).expect("a typed literal");
+    let into = |literal| Fact::Value {
+        name: "into".to_owned(),
+        value: value(literal),
     };
-    if line.contains("language/wrong-on-purpose") {
-        verdict(line, "pass").replace("sum = INT#4", "sum = INT#5")
-    } else if line.contains("assignment(INT,INT,-128)") && line.contains("ironplc-ed2") {
-        verdict(line, "fail").replace(r#""got":"into = INT#-128""#, r#""got":"into = INT#128""#)
-    } else if line.contains("assignment(SINT,SINT,-128)") && line.contains("matiec") {
-        verdict(line, "crash").replace(r#""got":"into = SINT#-128""#, r#""got":"crashed: signal 11""#)
-    } else if line.contains("language/recorded") {
-        line.replace(r#"INT#"#, "INT#1")
-    } else {
-        line.replace(r#""version":"0.1.0""#, r#""version":"0.2.0""#)
+    let case = match event {
+        Event::Header(header) => return header.engines[0].version = "0.2.0".to_owned(),
+        Event::Case(case) => case,
+        Event::Footer(_) => return,
+    };
+    match (&*case.id, &*case.dialect) {
+        ("language/wrong-on-purpose", _) => {
+            case.verdict = Verdict::Pass;
+            case.got.clone_from(&case.expected);
+        }
+        ("widening/integer::assignment(INT,INT,-128)", "ironplc-ed2") => {
+            case.verdict = Verdict::Fail;
+            case.expected = vec![into("INT#-128")];
+            case.got = vec![into("INT#128")];
+        }
+        ("widening/integer::assignment(SINT,SINT,-128)", "matiec") => {
+            case.verdict = Verdict::Crash;
+            case.expected = vec![into("SINT#-128")];
+            case.got = vec![Fact::Crashed {
+                reason: "signal 11".to_owned(),
+            }];
+        }
+        ("language/recorded", _) => case.observations[0].value.push('0'),
+        _ => {}
     }
 }
 
@@ -105,18 +136,13 @@ fn what_cannot_be_compared_is_said_with_its_place() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     run(folder.path(), "old", &[]);
     run(folder.path(), "part", &["--shard", "1/2"]);
-    let without_footer = |line: &str| match line.contains(r#""type":"footer""#) {
-        true => String::new(),
-        false => line.to_owned(),
-    };
-    edited(folder.path(), "old", "cut", without_footer);
-    let other = |line: &str| {
-        line.replace(
-            r#""engines":[{"name":"reference""#,
-            r#""engines":[{"name":"a"},{"name":"b""#,
-        )
-    };
-    edited(folder.path(), "old", "other", other);
+    edited(folder.path(), "old", "cut", |_| {});
+    let log = fs::read_to_string(folder.path().join("cut/events.jsonl")).expect("a log");
+    let footer = log.trim_end().rfind('\n').expect("lines") + 1;
+    fs::write(folder.path().join("cut/events.jsonl"), &log[..footer]).expect("a log");
+    fs::create_dir(folder.path().join("first")).expect("a folder");
+    let format = log.replace(r#""format":2"#, r#""format":1"#);
+    fs::write(folder.path().join("first/events.jsonl"), format).expect("a log");
     for (old, new, reason) in [
         (
             "old",
@@ -132,6 +158,16 @@ fn what_cannot_be_compared_is_said_with_its_place() {
             "old",
             "part",
             "the older run is whole and the newer one part 1/2; `stickler merge` makes a whole",
+        ),
+        (
+            "first",
+            "old",
+            "first/events.jsonl: the older run cannot be compared: the event log has format 1, which an earlier version",
+        ),
+        (
+            "old",
+            "old/results.json",
+            "old/results.json: the newer run cannot be compared: this is a results.json of format 2 and no event log",
         ),
         ("old", "nowhere", "nowhere: cannot read the event log"),
         (

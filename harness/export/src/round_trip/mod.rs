@@ -12,7 +12,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use stickler_engines::{Ability, Engine, Grade, Identity, Observation, Outcome, Reference, RunRequest};
-use stickler_run::{CaseEvent, Event, Plan, Verdict};
+use stickler_run::{CaseEvent, Event, Fact, Plan, Verdict};
 use stickler_suite::{Case, load_file};
 use stickler_types::{DialectName, Value};
 

@@ -4,7 +4,7 @@ use super::Kind;
 use crate::text::clip;
 use std::fmt::Write;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use stickler_run::{CaseEvent, Verdict};
+use stickler_run::{CaseEvent, Fact, Verdict};
 
 /// How much is kept of what an engine said that did not do what was expected.
 const KEPT_LINES: usize = 20;
@@ -46,7 +46,7 @@ impl Known {
         let tells_more = case.came() != Verdict::Pass || !case.observations.is_empty();
         Known {
             verdict: case.came(),
-            expected: fingerprint(&case.expected),
+            expected: fingerprint(&Fact::text(&case.expected)),
             said: fingerprint(&said),
             text: tells_more.then(|| clip(&said, KEPT_LINES, KEPT_CHARACTERS).into_boxed_str()),
         }
@@ -54,7 +54,7 @@ impl Known {
 
     /// Whether something else is expected now.
     pub(super) fn expects_otherwise(&self, case: &CaseEvent) -> bool {
-        self.expected != fingerprint(&case.expected)
+        self.expected != fingerprint(&Fact::text(&case.expected))
     }
 
     /// How the case looks in the newer run. What an engine says while it dies need not be the same twice.
@@ -77,7 +77,7 @@ impl Known {
         match self.text {
             Some(text) => Some(text.into_string()),
             // It did what was expected, and that has not changed.
-            None => expected_alike.then(|| case.expected.clone()),
+            None => expected_alike.then(|| Fact::text(&case.expected)),
         }
     }
 }
@@ -93,7 +93,7 @@ fn result(verdict: Verdict) -> Result {
 
 /// What an engine did: what it got, and what was recorded and not judged; one fact a line.
 pub(super) fn said(case: &CaseEvent) -> String {
-    let mut text = case.got.clone();
+    let mut text = Fact::text(&case.got);
     for observed in &case.observations {
         // Writing to a String cannot fail.
         let _ = write!(text, "\n{} = {}", observed.name, observed.value);
@@ -170,7 +170,7 @@ mod tests {
     fn another_wrong_value_and_another_observation_are_told() {
         let wrong = sample::case("a", Verdict::Fail);
         let otherwise = CaseEvent {
-            got: "into = INT#0".to_owned(),
+            got: vec![sample::value("into", "INT#0")],
             ..wrong.clone()
         };
         assert_eq!(look(&wrong, &otherwise), Look::Changed(Kind::Otherwise));
@@ -185,8 +185,8 @@ mod tests {
     fn a_case_that_expects_something_else_and_gets_it_is_alike() {
         let old = sample::case("a", Verdict::Pass);
         let new = CaseEvent {
-            expected: "into = INT#1".to_owned(),
-            got: "into = INT#1".to_owned(),
+            expected: vec![sample::value("into", "INT#1")],
+            got: vec![sample::value("into", "INT#1")],
             ..old.clone()
         };
         assert_eq!(look(&old, &new), Look::Alike);

@@ -7,7 +7,7 @@ use crate::terminal::{BAD, BOLD, DIM, GOOD};
 use crate::text::{counted, visible};
 use anstyle::Style;
 use std::io::{self, Write};
-use stickler_run::{Header, Totals, Verdict};
+use stickler_run::{Fact, Header, Totals, Verdict};
 
 /// How many groups of one kind are shown.
 const SHOWN: usize = 20;
@@ -164,12 +164,13 @@ fn write_texts(out: &mut dyn Write, change: &Change, detail: &Detail) -> io::Res
     let Detail { old, case } = detail;
     let new = known::said(case);
     let then = old.as_deref().unwrap_or("what was expected then");
-    if then != case.expected {
+    let expected = Fact::text(&case.expected);
+    if then != expected {
         let changed = match change.expectation_changed {
             true => " (it was something else in the older run)",
             false => "",
         };
-        let expected = visible(&case.expected).replace('\n', "\n                ");
+        let expected = visible(&expected).replace('\n', "\n                ");
         writeln!(out, "     {DIM}expected{DIM:#}   {expected}{DIM}{changed}{DIM:#}")?;
     }
     write_difference(out, ("old", then), ("new", &new))

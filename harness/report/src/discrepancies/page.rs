@@ -4,7 +4,7 @@ use super::{Cluster, Key};
 use crate::summary::{code, fence, inline};
 use crate::text::{counted, noted, visible};
 use std::fmt::Write;
-use stickler_run::{EngineHeader, Grade, PROGRAM};
+use stickler_run::{EngineHeader, Fact, Grade, PROGRAM};
 
 /// How the list of an engine's pages begins.
 pub(super) fn index(name: &str, about: Option<&EngineHeader>, pages: usize, left_out: u64) -> String {
@@ -63,8 +63,8 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster:
         None => text.push_str("and give it to the compiler.\n\n"),
     }
     let basis = format!("Expected, by *{}*:", inline(&case.basis));
-    block(&mut text, &basis, "", &visible(&case.expected));
-    block(&mut text, "Got:", "", &visible(&case.got));
+    block(&mut text, &basis, "", &visible(&Fact::text(&case.expected)));
+    block(&mut text, "Got:", "", &visible(&Fact::text(&case.got)));
     let _ = write!(text, "Lines are those of `{PROGRAM}`. ");
     if key.symptom.is_of_a_rejection() {
         text.push_str(not_compared(about.map_or(Grade::Code, |about| about.strict)));

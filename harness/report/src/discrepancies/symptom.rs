@@ -1,9 +1,9 @@
 //! What an engine does otherwise than expected, in a word, from what was expected and what came.
 
 use super::gist::gist;
-use crate::fact::{Diagnostic, Fact, Fault};
 use std::fmt;
-use stickler_run::{CaseEvent, Grade, Verdict};
+use stickler_run::{CaseEvent, Fact, Grade, ToldDiagnostic, Verdict};
+use stickler_types::Fault;
 
 /// A symptom; cases of one rule with the same symptom most probably have one cause. Its words are those of findings.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -43,25 +43,26 @@ pub(super) enum Symptom {
 impl Symptom {
     /// The symptom of a case that did not come out as expected, on an engine whose rejections had to be so exact.
     pub(super) fn of(case: &CaseEvent, strict: Grade) -> Symptom {
+        let CaseEvent { expected, got, .. } = case;
         match case.came() {
-            Verdict::Crash => {
-                return Symptom::Crash(gist(case.got.strip_prefix("crashed: ").unwrap_or(&case.got)));
-            }
+            Verdict::Crash => return Symptom::Crash(crash(got)),
             Verdict::Timeout => return Symptom::Hang,
             Verdict::Error => return Symptom::Error,
             _ => {}
         }
-        let (expected, got) = (Fact::all(&case.expected), Fact::all(&case.got));
-        match (rejects(&expected), rejects(&got)) {
-            (true, true) => rejection(&diagnostics(&expected), &diagnostics(&got), strict),
-            (true, false) => Symptom::NotRejected(first_reason(&expected)),
+        let is_missing = |fact: &Fact| matches!(fact, Fact::MissingValue { .. });
+        match (rejects(expected), rejects(got)) {
+            (true, true) => rejection(&diagnostics(expected), &diagnostics(got), strict),
+            (true, false) => Symptom::NotRejected(first_reason(expected)),
             // The program may be rejected, and what is said names a line where nothing is wrong.
-            (false, true) if expected.contains(&Fact::Open) => Symptom::Surplus(first_reason(&got)),
-            (false, true) => Symptom::Rejected(first_reason(&got)),
-            (false, false) => fault(&expected, &got)
-                .or_else(|| value(&expected, &got))
-                .or_else(|| fault_line(&expected, &got, strict))
-                .or_else(|| got.contains(&Fact::Missing).then_some(Symptom::Missing))
+            (false, true) if expected.contains(&Fact::AcceptedOrRejected) => {
+                Symptom::Surplus(first_reason(got))
+            }
+            (false, true) => Symptom::Rejected(first_reason(got)),
+            (false, false) => fault(expected, got)
+                .or_else(|| value(expected, got))
+                .or_else(|| fault_line(expected, got, strict))
+                .or_else(|| got.iter().any(is_missing).then_some(Symptom::Missing))
                 .unwrap_or(Symptom::Text),
         }
     }
@@ -144,37 +145,48 @@ fn behind(words: &str) -> String {
     }
 }
 
-fn rejects(facts: &[Fact<'_>]) -> bool {
-    let rejects = |fact: &Fact<'_>| matches!(fact, Fact::Diagnostic(_) | Fact::Rejected);
+fn rejects(facts: &[Fact]) -> bool {
+    let rejects = |fact: &Fact| {
+        matches!(
+            fact,
+            Fact::Diagnostic(_) | Fact::Rejected | Fact::RejectedSilently
+        )
+    };
     facts.iter().any(rejects)
 }
 
-fn diagnostics<'t>(facts: &[Fact<'t>]) -> Vec<Diagnostic<'t>> {
-    let diagnostics = facts.iter().filter_map(|fact| match fact {
-        Fact::Diagnostic(diagnostic) => Some(*diagnostic),
+fn diagnostics(facts: &[Fact]) -> Vec<&ToldDiagnostic> {
+    facts.iter().filter_map(Fact::diagnostic).collect()
+}
+
+/// The words of an engine that died.
+fn crash(got: &[Fact]) -> String {
+    let reason = got.iter().find_map(|fact| match fact {
+        Fact::Crashed { reason } => Some(gist(reason)),
         _ => None,
     });
-    diagnostics.collect()
+    reason.unwrap_or_default()
 }
 
 /// The code of a diagnostic; of a compiler without codes the gist of its message.
-fn reason(diagnostic: &Diagnostic<'_>) -> String {
-    match diagnostic.code {
-        Some(code) => code.to_owned(),
-        None => gist(diagnostic.message),
+fn reason(diagnostic: &ToldDiagnostic) -> String {
+    match (&diagnostic.code, &diagnostic.message) {
+        (Some(code), _) => code.clone(),
+        (None, message) => gist(message.as_deref().unwrap_or_default()),
     }
 }
 
-fn first_reason(facts: &[Fact<'_>]) -> String {
-    diagnostics(facts).first().map(reason).unwrap_or_default()
+fn first_reason(facts: &[Fact]) -> String {
+    let first = facts.iter().find_map(Fact::diagnostic);
+    first.map(reason).unwrap_or_default()
 }
 
 /// What is wrong with a rejection of what must be rejected, by as much of it as was compared.
-fn rejection(expected: &[Diagnostic<'_>], got: &[Diagnostic<'_>], strict: Grade) -> Symptom {
+fn rejection(expected: &[&ToldDiagnostic], got: &[&ToldDiagnostic], strict: Grade) -> Symptom {
     let (missing, extra) = unmet(expected, got, strict);
     // Where the place does not count, only a line on which nothing is wrong is too much.
     let Some(first) = missing.first().filter(|_| strict != Grade::Rejected) else {
-        return Symptom::Surplus(extra.first().map(reason).unwrap_or_default());
+        return Symptom::Surplus(extra.first().map(|first| reason(first)).unwrap_or_default());
     };
     let code = reason(first);
     let nothing_met = missing.len() == expected.len() && !extra.is_empty();
@@ -191,12 +203,12 @@ fn rejection(expected: &[Diagnostic<'_>], got: &[Diagnostic<'_>], strict: Grade)
 /// What is expected and did not come, and what came and is not expected. By the code each counts; by the line all that are on
 /// one count once.
 fn unmet<'t>(
-    expected: &[Diagnostic<'t>],
-    got: &[Diagnostic<'t>],
+    expected: &[&'t ToldDiagnostic],
+    got: &[&'t ToldDiagnostic],
     strict: Grade,
-) -> (Vec<Diagnostic<'t>>, Vec<Diagnostic<'t>>) {
+) -> (Vec<&'t ToldDiagnostic>, Vec<&'t ToldDiagnostic>) {
     let on_line_of_any =
-        |among: &[Diagnostic<'_>], one: &Diagnostic<'_>| among.iter().any(|other| other.line == one.line);
+        |among: &[&ToldDiagnostic], one: &ToldDiagnostic| among.iter().any(|other| other.line == one.line);
     if strict != Grade::Code {
         let missing = expected.iter().filter(|wanted| !on_line_of_any(got, wanted));
         let extra = got.iter().filter(|told| !on_line_of_any(expected, told));
@@ -205,38 +217,38 @@ fn unmet<'t>(
     let mut extra = got.to_vec();
     let mut missing = expected.to_vec();
     missing.retain(|wanted| {
-        let same = |told: &Diagnostic<'_>| (told.line, told.code) == (wanted.line, wanted.code);
+        let same = |told: &&ToldDiagnostic| (told.line, &told.code) == (wanted.line, &wanted.code);
         let met = extra.iter().position(same);
         met.map(|at| extra.remove(at)).is_none()
     });
     (missing, extra)
 }
 
-fn fault_of<'t>(facts: &[Fact<'t>]) -> Option<Fault<'t>> {
+/// The fault among these facts, with the line on which it stops the program.
+fn fault_of(facts: &[Fact]) -> Option<(Fault, Option<u32>)> {
     facts.iter().find_map(|fact| match fact {
-        Fact::Fault(fault) => Some(*fault),
+        Fact::Fault { fault, line } => Some((*fault, *line)),
         _ => None,
     })
 }
 
-fn fault(expected: &[Fact<'_>], got: &[Fact<'_>]) -> Option<Symptom> {
+fn fault(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
     match (fault_of(expected), fault_of(got)) {
         (None, None) => None,
-        (Some(wanted), Some(told)) if wanted.name == told.name => None,
-        (_, Some(told)) => Some(Symptom::Fault(told.name.to_owned())),
-        (Some(wanted), None) => Some(Symptom::NotFaulted(wanted.name.to_owned())),
+        (Some((wanted, _)), Some((told, _))) if wanted == told => None,
+        (_, Some((told, _))) => Some(Symptom::Fault(told.to_string())),
+        (Some((wanted, _)), None) => Some(Symptom::NotFaulted(wanted.to_string())),
     }
 }
 
 /// A fault that is right but for its line, where the line counts.
-fn fault_line(expected: &[Fact<'_>], got: &[Fact<'_>], strict: Grade) -> Option<Symptom> {
-    let (wanted, told) = (fault_of(expected)?, fault_of(got)?);
-    (strict != Grade::Rejected && wanted.line != told.line)
-        .then(|| Symptom::FaultLine(wanted.name.to_owned()))
+fn fault_line(expected: &[Fact], got: &[Fact], strict: Grade) -> Option<Symptom> {
+    let ((fault, wanted), (_, told)) = (fault_of(expected)?, fault_of(got)?);
+    (strict != Grade::Rejected && wanted != told).then(|| Symptom::FaultLine(fault.to_string()))
 }
 
-fn value(expected: &[Fact<'_>], got: &[Fact<'_>]) -> Option<Symptom> {
-    let differ = |wanted: &Fact<'_>, told: &Fact<'_>| match (wanted, told) {
+fn value(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
+    let differ = |wanted: &Fact, told: &Fact| match (wanted, told) {
         (
             Fact::Value { name, value },
             Fact::Value {
@@ -244,149 +256,158 @@ fn value(expected: &[Fact<'_>], got: &[Fact<'_>]) -> Option<Symptom> {
                 value: other,
             },
         ) => name == same && value != other,
+        (Fact::Value { name, .. }, Fact::OtherValue { name: same }) => name == same,
         _ => false,
     };
-    let wrong = |wanted: &Fact<'_>| got.iter().any(|told| differ(wanted, told));
+    let wrong = |wanted: &Fact| got.iter().any(|told| differ(wanted, told));
     expected.iter().any(wrong).then_some(Symptom::Value)
 }
 
 #[cfg(test)]
 mod tests {
     use super::Symptom;
-    use crate::sample;
-    use stickler_run::{CaseEvent, Grade, Verdict};
+    use crate::sample::{self, error, rendered, told, value};
+    use stickler_run::{CaseEvent, Fact, Grade, Verdict};
+    use stickler_types::Fault;
 
-    fn symptom(expected: &str, got: &str, strict: Grade) -> Symptom {
+    fn symptom(expected: &[Fact], got: &[Fact], strict: Grade) -> Symptom {
         let case = CaseEvent {
-            expected: expected.to_owned(),
-            got: got.to_owned(),
+            expected: expected.to_vec(),
+            got: got.to_vec(),
             ..sample::case("a", Verdict::Fail)
         };
         Symptom::of(&case, strict)
     }
 
-    /// Rows of what must come, what came, and the word for it.
-    fn are(rows: &[[&str; 3]]) {
-        for [expected, got, word] in rows {
+    /// Checks the words for what came where this must come.
+    fn are<const N: usize>(expected: &[Fact], rows: [(&[Fact], &str); N]) {
+        for (got, word) in rows {
             assert_eq!(
                 symptom(expected, got, Grade::Code).word(),
-                *word,
-                "{expected} / {got}"
+                word,
+                "{expected:?} / {got:?}"
             );
         }
     }
 
     #[test]
     fn what_must_be_rejected_is_accepted_or_rejected_wrongly() {
-        const ONE: &str = "line 6: error P4025";
-        const TWO: &str = "line 6: error P4033\nline 7: error P4033";
-        are(&[
-            [ONE, "accepted", "not-rejected-P4025"],
-            ["rejected", "accepted", "not-rejected"],
-            [ONE, "line 1: error P4025: out of range", "line-of-P4025"],
-            [ONE, "somewhere: error P4025: out of range", "line-of-P4025"],
-            [ONE, "line 9: error P0002: m", "not-P4025"],
-            [TWO, "line 6: error P0002: m\nline 7: error P4033", "not-P4033"],
-            [TWO, "line 6: error P4033", "incomplete-P4033"],
+        let error_in_6 = || error(6, "P4025");
+        are(
+            &[error_in_6()],
             [
-                TWO,
-                "line 6: error P4033\nline 9: error P0002: m",
-                "incomplete-P4033",
+                (&[Fact::Accepted], "not-rejected-P4025"),
+                (&[told(1, "P4025", "out of range")], "line-of-P4025"),
+                (&[told(0, "P4025", "out of range")], "line-of-P4025"),
+                (&[told(9, "P0002", "m")], "not-P4025"),
+                (&[error_in_6(), told(9, "P0002", "m")], "surplus-P0002"),
+                (&[error_in_6(), told(6, "P4025", "m")], "surplus-P4025"),
             ],
-            [TWO, "rejected, with no diagnostic", "incomplete-P4033"],
+        );
+        are(&[Fact::Rejected], [(&[Fact::Accepted], "not-rejected")]);
+        are(
+            &[Fact::AcceptedOrRejected],
+            [(&[told(6, "P4026", "m")], "surplus-P4026")],
+        );
+        are(
+            &[error(6, "P4033"), error(7, "P4033")],
             [
-                ONE,
-                "line 6: error P4025\nline 9: error P0002: m",
-                "surplus-P0002",
+                (&[told(6, "P0002", "m"), error(7, "P4033")], "not-P4033"),
+                (&[error(6, "P4033")], "incomplete-P4033"),
+                (&[error(6, "P4033"), told(9, "P0002", "m")], "incomplete-P4033"),
+                (&[Fact::RejectedSilently], "incomplete-P4033"),
             ],
-            [
-                ONE,
-                "line 6: error P4025\nline 6: error P4025: m",
-                "surplus-P4025",
-            ],
-            ["accepted or rejected", "line 6: error P4026: m", "surplus-P4026"],
-        ]);
+        );
     }
 
     #[test]
     fn what_must_be_accepted_is_rejected_for_a_reason() {
-        const VALUE: &str = "r = INT#5";
-        are(&[
-            [VALUE, "line 3: error P4018: wrong number", "rejected-P4018"],
-            ["accepted", "line 3: error P4018: wrong number", "rejected-P4018"],
-            [
-                VALUE,
-                "line 3: error without a code: no `r` here (at 7)",
-                "rejected-no here",
-            ],
-            [
-                VALUE,
-                "somewhere: error without a code: don't know 'r'",
-                "rejected-don't know",
-            ],
-            [
-                VALUE,
-                "somewhere: error without a code: unexpected character at 71",
-                "rejected-unexpected character at",
-            ],
-            [VALUE, "somewhere: error P0002: Syntax error", "rejected-P0002"],
-            [VALUE, "rejected, with no diagnostic", "rejected"],
-        ]);
-        let silent = symptom(VALUE, "rejected, with no diagnostic", Grade::Code);
+        for expected in [value("r", "INT#5"), Fact::Accepted] {
+            are(
+                &[expected],
+                [
+                    (&[told(3, "P4018", "wrong number")], "rejected-P4018"),
+                    (&[told(3, "", "no `r` here (at 7)")], "rejected-no here"),
+                    (&[told(0, "", "don't know 'r'")], "rejected-don't know"),
+                    (
+                        &[told(0, "", "unexpected character at 71")],
+                        "rejected-unexpected character at",
+                    ),
+                    (&[told(0, "P0002", "Syntax error")], "rejected-P0002"),
+                    (&[Fact::RejectedSilently], "rejected"),
+                ],
+            );
+        }
+        let silent = symptom(&[Fact::Accepted], &[Fact::RejectedSilently], Grade::Code);
         assert_eq!(silent.to_string(), "it rejects what must be accepted");
     }
 
     #[test]
     fn what_is_computed_is_another_value_or_none() {
-        are(&[
-            ["r = INT#5\nq = INT#1", "r = INT#6\nq = INT#1", "value"],
+        let name = || "r".to_owned();
+        are(
+            &[value("r", "INT#5"), value("q", "INT#1")],
             [
-                "error = INT#5\nfault = INT#1",
-                "error = INT#6\nfault = INT#1",
-                "value",
+                (&[value("r", "INT#6"), value("q", "INT#1")], "value"),
+                (&[Fact::OtherValue { name: name() }, value("q", "INT#1")], "value"),
+                (&[Fact::MissingValue { name: name() }], "missing"),
             ],
-            ["r = INT#5", "r is missing", "missing"],
-            ["a := b;\nc := a = b;", "a:=b;\nc := a = b;", "text"],
-        ]);
+        );
+        are(&[rendered(&["a := b;"])], [(&[rendered(&["a:=b;"])], "text")]);
     }
 
     #[test]
     fn a_program_stops_otherwise_than_it_must() {
-        const STOPS: &str = "line 16: fault subrange\nr = INT#7";
-        are(&[
-            [STOPS, "accepted\nr = INT#0", "not-faulted-subrange"],
-            [STOPS, "line 16: fault step-limit\nr = INT#7", "fault-step-limit"],
+        let stops = |fault, line| Fact::Fault { fault, line };
+        let silent = || stops(Fault::Subrange, None);
+        let missing = || Fact::MissingValue { name: "r".to_owned() };
+        let wanted = [stops(Fault::Subrange, Some(16)), value("r", "INT#7")];
+        are(
+            &wanted,
             [
-                "r = INT#7",
-                "line 5: fault step-limit\nr = INT#0",
-                "fault-step-limit",
+                (&[Fact::Accepted, value("r", "INT#0")], "not-faulted-subrange"),
+                (
+                    &[stops(Fault::StepLimit, Some(16)), value("r", "INT#7")],
+                    "fault-step-limit",
+                ),
+                (&[silent(), missing()], "line-of-subrange"),
+                (&[silent(), value("r", "INT#0")], "value"),
             ],
-            [STOPS, "fault subrange\nr is missing", "line-of-subrange"],
-            [STOPS, "fault subrange\nr = INT#0", "value"],
-        ]);
-        let missing = symptom(STOPS, "fault subrange\nr is missing", Grade::Rejected);
+        );
+        are(
+            &wanted[1..],
+            [(
+                &[stops(Fault::StepLimit, Some(5)), value("r", "INT#0")],
+                "fault-step-limit",
+            )],
+        );
+        let missing = symptom(&wanted, &[silent(), missing()], Grade::Rejected);
         assert_eq!(missing, Symptom::Missing, "the line does not count");
     }
 
     #[test]
     fn what_is_not_compared_is_no_symptom() {
-        const TWO: &str = "line 6: error P4049\nline 7: error P4049";
-        let of = |got: &str, strict| symptom(TWO, got, strict).word();
-        let told = "line 6: error without a code: no number";
-        assert_eq!(of(told, Grade::Line), "incomplete-P4049");
-        let elsewhere = "line 9: error without a code: no sum";
-        assert_eq!(of(elsewhere, Grade::Line), "line-of-P4049");
-        let more = format!("{told}\nline 7: error without a code: m\n{elsewhere}");
+        let of = |got: &[Fact], strict| {
+            let expected = [error(6, "P4049"), error(7, "P4049")];
+            symptom(&expected, got, strict).word()
+        };
+        let found = told(6, "", "no number");
+        assert_eq!(of(std::slice::from_ref(&found), Grade::Line), "incomplete-P4049");
+        let elsewhere = told(9, "", "no sum");
+        assert_eq!(of(std::slice::from_ref(&elsewhere), Grade::Line), "line-of-P4049");
+        let more = [found, told(7, "", "m"), elsewhere];
         assert_eq!(of(&more, Grade::Line), "surplus-no sum");
-        assert_eq!(of(elsewhere, Grade::Rejected), "surplus-no sum");
-        assert_eq!(of("accepted", Grade::Rejected), "not-rejected-P4049");
+        assert_eq!(of(&more[2..], Grade::Rejected), "surplus-no sum");
+        assert_eq!(of(&[Fact::Accepted], Grade::Rejected), "not-rejected-P4049");
     }
 
     #[test]
     fn crashes_are_told_apart_by_their_words_and_not_by_their_numbers() {
-        let crash = |got: &str| {
+        let crash = |reason: &str| {
             let case = CaseEvent {
-                got: format!("crashed: {got}"),
+                got: vec![Fact::Crashed {
+                    reason: reason.to_owned(),
+                }],
                 ..sample::case("a", Verdict::Crash)
             };
             Symptom::of(&case, Grade::Code)

@@ -2,15 +2,15 @@
 
 use super::Discrepancies;
 use crate::overview::Overview;
-use crate::sample::{self, names};
+use crate::sample::{self, error, names, told, value};
 use std::fs;
 use std::path::Path;
-use stickler_run::{CaseEvent, Event, Grade, Verdict};
+use stickler_run::{CaseEvent, Event, Fact, Grade, Verdict};
 
-fn failing(id: &str, program: &str, got: &str) -> CaseEvent {
+fn failing(id: &str, program: &str, got: Fact) -> CaseEvent {
     CaseEvent {
         program: Some(program.to_owned()),
-        got: got.to_owned(),
+        got: vec![got],
         ..sample::case(id, Verdict::Fail)
     }
 }
@@ -29,10 +29,14 @@ fn write(folder: &Path, events: &[Event]) {
 fn cases_of_one_file_and_symptom_share_a_page_with_their_smallest_program() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let cases = vec![
-        failing("t::a(1)", "PROGRAM long (* ``` *) END_PROGRAM\n", "into = INT#1"),
-        failing("t::a(2)", "PROGRAM m END_PROGRAM\n", "into = INT#2"),
-        failing("t::b(1)", "PROGRAM middle END_PROGRAM\n", "into = INT#3"),
-        failing("t::a(3)", "PROGRAM m END_PROGRAM\n", "line 3: error P4035: wrong"),
+        failing(
+            "t::a(1)",
+            "PROGRAM long (* ``` *) END_PROGRAM\n",
+            value("into", "INT#1"),
+        ),
+        failing("t::a(2)", "PROGRAM m END_PROGRAM\n", value("into", "INT#2")),
+        failing("t::b(1)", "PROGRAM middle END_PROGRAM\n", value("into", "INT#3")),
+        failing("t::a(3)", "PROGRAM m END_PROGRAM\n", told(3, "P4035", "wrong")),
         sample::case("t::a(4)", Verdict::Pass),
     ];
     write(folder.path(), &sample::run_of(cases));
@@ -96,7 +100,7 @@ fn the_pages_of_a_folder_tell_of_one_run_and_what_others_put_there_stays() {
     let run = sample::run_of(vec![failing(
         "t::a(1)",
         "PROGRAM m END_PROGRAM\n",
-        "into = INT#1",
+        value("into", "INT#1"),
     )]);
     write(folder.path(), &run);
     let engine = folder.path().join("discrepancies/reference");
@@ -119,7 +123,7 @@ fn an_engine_with_endless_kinds_of_failures_has_so_many_pages_and_no_more() {
         failing(
             &format!("t{number}::a"),
             "PROGRAM m END_PROGRAM\n",
-            "into = INT#1",
+            value("into", "INT#1"),
         )
     };
     let cases = (0..super::MOST + 5).map(case).collect();
@@ -137,12 +141,8 @@ fn an_engine_with_endless_kinds_of_failures_has_so_many_pages_and_no_more() {
 fn a_rejection_is_held_to_as_much_as_was_compared_and_the_page_says_to_what() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let case = CaseEvent {
-        expected: "line 1: error P4035\nline 2: error P4049".to_owned(),
-        ..failing(
-            "t::a",
-            "PROGRAM m\nEND_PROGRAM\n",
-            "line 1: error without a code: no sum",
-        )
+        expected: vec![error(1, "P4035"), error(2, "P4049")],
+        ..failing("t::a", "PROGRAM m\nEND_PROGRAM\n", told(1, "", "no sum"))
     };
     let mut run = sample::run_of(vec![case]);
     if let Event::Header(header) = &mut run[0] {

@@ -4,7 +4,7 @@ use super::suite::{Kind, Problem, Test};
 use crate::text::noted;
 use crate::{compared, diff};
 use std::fmt::Write;
-use stickler_run::{CaseEvent, Grade, Verdict};
+use stickler_run::{CaseEvent, Fact, Grade, Verdict};
 
 /// The test of a case; its engine's rejections had to be so exact.
 pub(super) fn test(case: &CaseEvent, strict: Grade) -> Test<'_> {
@@ -62,8 +62,8 @@ fn description(case: &CaseEvent, strict: Grade) -> String {
         file = case.file,
         line = case.line,
         basis = case.basis,
-        expected = case.expected,
-        got = case.got,
+        expected = Fact::text(&case.expected),
+        got = Fact::text(&case.got),
         diff = diff::text(&expected, &got),
         rerun = case.rerun,
     )

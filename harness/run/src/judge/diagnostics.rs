@@ -1,13 +1,13 @@
 //! Expected diagnostics against actual ones: one merge walk over two lists sorted by line and code.
 
-use super::sheet::{Lines, Sheet};
-use crate::Grade;
+use super::findings::Findings;
+use crate::{Fact, Grade, ToldDiagnostic};
 use std::cmp::Ordering;
 use stickler_engines::Diagnostic;
 use stickler_suite::ExpectedDiagnostic;
 
-/// How many diagnostics that nobody expected are written down; what floods the report helps nobody.
-const MOST: usize = 50;
+/// The most diagnostics that nobody expected and that are written down one by one; a flood in a report helps nobody.
+const MAX_UNEXPECTED: usize = 50;
 
 /// A place of the merge walk.
 enum Step<'a> {
@@ -26,11 +26,17 @@ pub(super) struct Matching<'a> {
     same_lines: bool,
 }
 
-/// Adds what is expected, sorted by line and code.
-pub(super) fn expected(diagnostics: &[ExpectedDiagnostic], lines: &mut Lines) {
-    for ExpectedDiagnostic { line, code } in sorted(diagnostics) {
-        lines.line(format_args!("line {line}: error {}", code.as_str()));
-    }
+/// Returns the expected diagnostics, sorted by line and code.
+pub(super) fn expected(diagnostics: &[ExpectedDiagnostic]) -> Vec<Fact> {
+    sorted(diagnostics).into_iter().map(expected_fact).collect()
+}
+
+fn expected_fact(expected: ExpectedDiagnostic) -> Fact {
+    Fact::Diagnostic(ToldDiagnostic {
+        line: Some(expected.line),
+        code: Some(expected.code.as_str().to_owned()),
+        message: None,
+    })
 }
 
 /// Walks both lists. Each expected diagnostic meets at most one actual one, and the other way round.
@@ -87,38 +93,37 @@ impl Matching<'_> {
         }
     }
 
-    /// Writes what was got; what was expected in the same words, what was not with its message.
-    pub(super) fn write(&self, sheet: &mut Sheet) {
+    /// Adds what the engine told: a diagnostic that is expected as the expectation has it, any other with its message.
+    pub(super) fn write(&self, findings: &mut Findings) {
         let mut unexpected = 0;
         for step in &self.steps {
             match step {
-                Step::Met(ExpectedDiagnostic { line, code }) => {
-                    sheet.line(format_args!("line {line}: error {}", code.as_str()));
-                }
+                Step::Met(met) => findings.add(expected_fact(*met)),
                 Step::Unexpected(diagnostic) => {
                     unexpected += 1;
-                    if unexpected <= MOST {
-                        write_unexpected(diagnostic, sheet);
+                    if unexpected <= MAX_UNEXPECTED {
+                        findings.add(unexpected_fact(diagnostic));
                     }
                 }
                 Step::Missing => {}
             }
         }
-        if unexpected > MOST {
-            sheet.line(format_args!("and {} diagnostics more", unexpected - MOST));
+        if unexpected > MAX_UNEXPECTED {
+            let number = unexpected - MAX_UNEXPECTED;
+            findings.add(Fact::MoreDiagnostics { number });
         }
         if self.steps.iter().all(|step| matches!(step, Step::Missing)) {
-            sheet.line(format_args!("rejected, with no diagnostic"));
+            findings.add(Fact::RejectedSilently);
         }
     }
 }
 
-fn write_unexpected(diagnostic: &Diagnostic, sheet: &mut Sheet) {
-    let code = diagnostic.code.as_deref().unwrap_or("without a code");
-    match diagnostic.line {
-        Some(line) => sheet.line(format_args!("line {line}: error {code}: {}", diagnostic.message)),
-        None => sheet.line(format_args!("somewhere: error {code}: {}", diagnostic.message)),
-    }
+fn unexpected_fact(diagnostic: &Diagnostic) -> Fact {
+    Fact::Diagnostic(ToldDiagnostic {
+        line: diagnostic.line,
+        code: diagnostic.code.clone(),
+        message: Some(diagnostic.message.clone()),
+    })
 }
 
 fn sorted(expected: &[ExpectedDiagnostic]) -> Vec<ExpectedDiagnostic> {
@@ -166,9 +171,9 @@ mod tests {
     fn walk(wanted: &[(u32, &str)], found: &[(u32, &str)]) -> (Grade, String) {
         let found = got_at(found);
         let matching = matching(&expected_at(wanted), &found);
-        let mut sheet = Sheet::default();
-        matching.write(&mut sheet);
-        (matching.grade(), sheet.finish().1)
+        let mut findings = Findings::default();
+        matching.write(&mut findings);
+        (matching.grade(), Fact::text(&findings.finish().1))
     }
 
     #[test]
@@ -229,7 +234,7 @@ mod tests {
     fn a_flood_is_cut_and_counted() {
         let found: Vec<(u32, &str)> = (1..=70).map(|line| (line, "P0002")).collect();
         let (_, got) = walk(&[], &found);
-        assert_eq!(got.lines().count(), MOST + 1);
+        assert_eq!(got.lines().count(), MAX_UNEXPECTED + 1);
         assert!(got.ends_with("and 20 diagnostics more"), "{got}");
     }
 }

@@ -1,17 +1,22 @@
 //! Rendered text against what a case expects of it, and against itself.
 
 use super::bodies::rendered_bodies;
-use super::sheet::Sheet;
-use crate::Rendering;
+use super::findings::Findings;
+use crate::{Fact, Rendering};
 use stickler_engines::Outcome;
 use stickler_suite::ExpectedText;
 
 /// Compares the bodies in the rendered text with the expected lines, and requires that rendering again
 /// changes nothing and that the rendered program does what the program did.
-pub(super) fn compare(expected: &ExpectedText, run: &Outcome, rendering: &Rendering, sheet: &mut Sheet) {
+pub(super) fn compare(
+    expected: &ExpectedText,
+    run: &Outcome,
+    rendering: &Rendering,
+    findings: &mut Findings,
+) {
     let Outcome::Rendered { text } = &rendering.first else {
-        sheet.require(false);
-        return write_refusal("rendering", &rendering.first, sheet);
+        findings.require(false);
+        return findings.add(not_rendered(&rendering.first, false));
     };
     let bodies = rendered_bodies(text);
     let wanted = expected
@@ -19,52 +24,61 @@ pub(super) fn compare(expected: &ExpectedText, run: &Outcome, rendering: &Render
         .iter()
         .map(|line| line.trim())
         .filter(|line| !line.is_empty());
-    sheet.require(wanted.eq(bodies.iter().copied()));
-    bodies.iter().for_each(|line| sheet.line(format_args!("{line}")));
+    findings.require(wanted.eq(bodies.iter().copied()));
+    lines(bodies.into_iter())
+        .into_iter()
+        .for_each(|fact| findings.add(fact));
     if let Some(again) = &rendering.again {
-        compare_again(text, again, sheet);
+        compare_again(text, again, findings);
     }
     if rendering
         .rerun
         .as_ref()
         .is_some_and(|rerun| !means_the_same(run, rerun))
     {
-        sheet.require(false);
-        sheet.line(format_args!("the rendered program does something else"));
+        findings.require(false);
+        findings.add(Fact::RenderedMeansOther);
     }
 }
 
-fn compare_again(text: &str, again: &Outcome, sheet: &mut Sheet) {
+fn compare_again(text: &str, again: &Outcome, findings: &mut Findings) {
     match again {
         Outcome::Rendered { text: second } if second == text => {}
         Outcome::Rendered { text: second } => {
-            sheet.require(false);
+            findings.require(false);
             let differs = text
                 .lines()
                 .zip(second.lines())
                 .position(|(first, second)| first != second);
             let at = differs.unwrap_or_else(|| text.lines().count().min(second.lines().count()));
             let line = second.lines().nth(at).unwrap_or_default().trim();
-            sheet.line(format_args!(
-                "rendered again, line {} of the text is: {line}",
-                at + 1
-            ));
+            findings.add(Fact::RenderedOtherwise {
+                line: at + 1,
+                text: line.to_owned(),
+            });
         }
         refusal => {
-            sheet.require(false);
-            write_refusal("rendering the rendered text", refusal, sheet);
+            findings.require(false);
+            findings.add(not_rendered(refusal, true));
         }
     }
 }
 
-fn write_refusal(what: &str, outcome: &Outcome, sheet: &mut Sheet) {
-    match outcome {
+/// Returns the lines as a fact; `None` where there is no line.
+pub(super) fn lines<'l>(lines: impl Iterator<Item = &'l str>) -> Option<Fact> {
+    let lines: Vec<String> = lines.map(str::to_owned).collect();
+    (!lines.is_empty()).then_some(Fact::Rendered { lines })
+}
+
+fn not_rendered(outcome: &Outcome, again: bool) -> Fact {
+    let rejection = match outcome {
         Outcome::Rejected { diagnostics } => {
-            let first = diagnostics.first().map_or("", |diagnostic| &diagnostic.message);
-            sheet.line(format_args!("{what} was rejected: {first}"));
+            let first = diagnostics.first().map(|diagnostic| diagnostic.message.clone());
+            Some(first.unwrap_or_default())
         }
-        _ => sheet.line(format_args!("{what} gave no text")),
-    }
+        _ => None,
+    };
+    Fact::NotRendered { again, rejection }
 }
 
 /// Whether two runs ended alike. Lines may differ, since comments are dropped.

@@ -1,7 +1,7 @@
 //! Expected values against actual ones, exactly.
 
-use super::sheet::{Lines, Sheet};
-use crate::Observed;
+use super::findings::Findings;
+use crate::{Fact, Observed};
 use std::fmt;
 use stickler_engines::NamedValue;
 use stickler_suite::{Case, ExpectedValue};
@@ -62,28 +62,26 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// Adds what is expected.
-pub(super) fn expected(values: &[ExpectedValue], lines: &mut Lines) {
-    for expected in values {
-        lines.line(format_args!("{} = {}", Key::from(expected), expected.value));
+/// Returns an expected value as a fact.
+pub(super) fn expected(expected: &ExpectedValue) -> Fact {
+    Fact::Value {
+        name: Key::from(expected).to_string(),
+        value: expected.value.clone(),
     }
 }
 
-/// Compares each expected value, and writes down what there is instead.
-pub(super) fn compare(expected: &[ExpectedValue], values: &[NamedValue], sheet: &mut Sheet) {
+/// Compares each expected value with the engine's, and adds the latter.
+pub(super) fn compare(expected: &[ExpectedValue], values: &[NamedValue], findings: &mut Findings) {
     let mut finder = Finder::new(values);
     for expected in expected {
         let key = Key::from(expected);
-        match finder.find(key) {
-            Some(value) => {
-                sheet.require(*value == expected.value);
-                sheet.line(format_args!("{key} = {value}"));
-            }
-            None => {
-                sheet.require(false);
-                sheet.line(format_args!("{key} is missing"));
-            }
-        }
+        let name = key.to_string();
+        let found = finder.find(key);
+        findings.require(found == Some(&expected.value));
+        findings.add(match found.cloned() {
+            Some(value) => Fact::Value { name, value },
+            None => Fact::MissingValue { name },
+        });
     }
 }
 
@@ -130,9 +128,10 @@ mod tests {
             .iter()
             .map(|&(name, literal)| (name.to_owned(), Value::parse(literal).unwrap()))
             .collect();
-        let mut sheet = Sheet::default();
-        compare(expected, &values, &mut sheet);
-        sheet.finish()
+        let mut findings = Findings::default();
+        compare(expected, &values, &mut findings);
+        let (verdict, got) = findings.finish();
+        (verdict, Fact::text(&got))
     }
 
     #[test]

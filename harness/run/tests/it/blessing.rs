@@ -55,7 +55,7 @@ fn ran(but: &[(&str, Verdict)]) -> EngineRun {
 
 fn event(id: &str, dialect: &str, verdict: Verdict) -> CaseEvent {
     let json = serde_json::json!({"id": id, "dialect": dialect, "engine": "iron", "verdict": verdict, "basis": "", "file": "",
-        "line": 1, "area": "", "title": "", "expected": "", "got": "", "duration_us": 0, "rerun": ""});
+        "line": 1, "area": "", "title": "", "expected": [], "got": [], "duration_us": 0, "rerun": ""});
     serde_json::from_value(json).unwrap()
 }
 

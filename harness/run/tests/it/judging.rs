@@ -3,7 +3,7 @@
 use crate::fixtures::{executed, expecting, fault, named, rejected, rejection, values};
 use std::sync::Arc;
 use stickler_engines::Outcome;
-use stickler_run::{Answers, Grade, Judgement, Observed, Verdict, is_open, judge};
+use stickler_run::{Answers, Fact, Grade, Judgement, Observed, Verdict, is_open, judge};
 use stickler_suite::{Acceptance, Case, Expectation, Observe};
 use stickler_types::Fault;
 
@@ -14,7 +14,7 @@ fn judged(expectation: Expectation, run: Outcome) -> Judgement {
 /// The verdict, and what was got.
 fn verdict(expectation: Expectation, run: Outcome) -> (Verdict, String) {
     let judgement = judged(expectation, run);
-    (judgement.verdict, judgement.got)
+    (judgement.verdict, Fact::text(&judgement.got))
 }
 
 fn faulted(fault: Fault, line: Option<u32>, values: &[&str]) -> Outcome {
@@ -123,7 +123,7 @@ fn values_before_a_fault_are_judged_too() {
     };
     let right = judged(expected(), faulted(Fault::Subrange, Some(9), &["x = INT#1"]));
     assert_eq!(
-        (right.verdict, right.expected.as_str()),
+        (right.verdict, Fact::text(&right.expected).as_str()),
         (Verdict::Pass, "line 9: fault subrange\nx = INT#1")
     );
     assert_eq!(
@@ -185,7 +185,7 @@ fn open_acceptance_is_recorded_and_never_failed() {
     let recorded = |run: Outcome| {
         let judgement = judged(open(), run);
         assert_eq!(
-            (judgement.verdict, judgement.expected.as_str()),
+            (judgement.verdict, Fact::text(&judgement.expected).as_str()),
             (Verdict::Pass, "accepted or rejected")
         );
         judgement
@@ -280,7 +280,10 @@ fn crash_timeout_unsupported_and_nonsense_have_verdicts_of_their_own() {
     ] {
         for expectation in [Expectation::default(), rejection(&["6 P4035"]), open()] {
             let judgement = judged(expectation, run.clone());
-            assert_eq!((judgement.verdict, judgement.got.as_str()), (verdict, got));
+            assert_eq!(
+                (judgement.verdict, Fact::text(&judgement.got).as_str()),
+                (verdict, got)
+            );
             assert_eq!((judgement.grade, judgement.observations.len()), (None, 0));
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::fixtures::{executed, expecting, rejected};
 use stickler_engines::Outcome;
-use stickler_run::{Answers, Grade, Judgement, Rendering, Verdict, judge};
+use stickler_run::{Answers, Fact, Grade, Judgement, Rendering, Verdict, judge};
 use stickler_suite::{Expectation, ExpectedText};
 
 const TEXT: &str = "PROGRAM main\n    VAR\n        r : BOOL;\n    END_VAR\n    r := w.3;\nEND_PROGRAM\n";
@@ -37,10 +37,16 @@ fn text(text: &str) -> Outcome {
 #[test]
 fn the_bodies_are_compared_line_by_line_and_trimmed() {
     let good = judged(executed(&[]), text(TEXT), text(TEXT), executed(&[]));
-    assert_eq!((good.verdict, good.got.as_str()), (Verdict::Pass, "r := w.3;"));
+    assert_eq!(
+        (good.verdict, Fact::text(&good.got).as_str()),
+        (Verdict::Pass, "r := w.3;")
+    );
     let other = TEXT.replace("w.3", "w.%X3");
     let bad = judged(executed(&[]), text(&other), text(&other), executed(&[]));
-    assert_eq!((bad.verdict, bad.got.as_str()), (Verdict::Fail, "r := w.%X3;"));
+    assert_eq!(
+        (bad.verdict, Fact::text(&bad.got).as_str()),
+        (Verdict::Fail, "r := w.%X3;")
+    );
     let longer = TEXT.replace("r := w.3;", "r := w.3;\nr := w.3;");
     assert_eq!(
         judged(executed(&[]), text(&longer), text(&longer), executed(&[])).verdict,
@@ -53,7 +59,10 @@ fn rendering_again_must_change_nothing_not_even_outside_the_bodies() {
     let other = TEXT.replace("    VAR", "  VAR");
     let judgement = judged(executed(&[]), text(TEXT), text(&other), executed(&[]));
     let got = "r := w.3;\nrendered again, line 2 of the text is: VAR";
-    assert_eq!((judgement.verdict, judgement.got.as_str()), (Verdict::Fail, got));
+    assert_eq!(
+        (judgement.verdict, Fact::text(&judgement.got).as_str()),
+        (Verdict::Fail, got)
+    );
     let shorter = TEXT.trim_end();
     assert_eq!(
         judged(executed(&[]), text(TEXT), text(shorter), executed(&[])).verdict,
@@ -101,10 +110,13 @@ fn an_engine_that_refuses_to_render_fails_or_is_unsupported() {
     };
     let judgement = refused(rejected(&["1 P0002"]));
     assert_eq!(
-        (judgement.verdict, judgement.got.as_str()),
+        (judgement.verdict, Fact::text(&judgement.got).as_str()),
         (Verdict::Fail, "rendering was rejected: told")
     );
-    assert_eq!(refused(Outcome::Accepted).got, "rendering gave no text");
+    assert_eq!(
+        Fact::text(&refused(Outcome::Accepted).got),
+        "rendering gave no text"
+    );
     assert_eq!(
         refused(Outcome::Unsupported {
             reason: String::new()

@@ -4,7 +4,7 @@ use crate::fixtures::{Puppet, case, executed, suite};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use stickler_engines::{Engine, EngineError, Outcome};
-use stickler_run::{Event, Footer, Plan, RunError, Summary, Verdict, run};
+use stickler_run::{Event, Fact, Footer, Plan, RunError, Summary, Verdict, run};
 use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
 
@@ -153,7 +153,7 @@ fn a_panicking_engine_is_a_crash_and_gets_a_new_session() {
         panic!("no case")
     };
     assert_eq!(
-        (crashed.verdict, crashed.got.as_str()),
+        (crashed.verdict, Fact::text(&crashed.got).as_str()),
         (Verdict::Crash, "crashed: panicked: broken string")
     );
     assert_eq!(opened.load(Ordering::Relaxed), 3);

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use stickler_engines::Reference;
-use stickler_run::{Event, Filter, Plan, Verdict, leave_out, run};
+use stickler_run::{Event, Fact, Filter, Plan, Verdict, leave_out, run};
 use stickler_suite::Suite;
 use stickler_types::definition::Flag;
 use stickler_types::{BuiltIn, Definition, DialectName, Rounding, Stated};
@@ -61,7 +61,13 @@ fn what_changes_and_nobody_states_is_left_out_and_all_else_is_as_expected() {
         &[&Reference::new()],
         &mut |event| {
             if let Event::Case(case) = event {
-                assert_eq!(case.verdict, Verdict::Pass, "{} {}", case.id, case.got);
+                assert_eq!(
+                    case.verdict,
+                    Verdict::Pass,
+                    "{} {}",
+                    case.id,
+                    Fact::text(&case.got)
+                );
                 stated += usize::from(case.basis.starts_with("unstated:"));
             }
         },

@@ -1,0 +1,360 @@
+//! Facts: what a case expects and what an engine did, as typed data until a report prints them.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use std::fmt;
+use stickler_engines::Outcome;
+use stickler_types::{Fault, Value};
+
+/// One thing that a case expects, or that an engine did.
+///
+/// `Display` gives the words in which every report shows a fact: one line, or one line of text for each line of a rendered
+/// source. As JSON a fact is an object tagged by `fact`, such as `{"fact":"value","name":"r","value":"INT#5"}`.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(tag = "fact", rename_all = "kebab-case")]
+pub enum Fact {
+    /// The program is accepted.
+    Accepted,
+    /// The program is accepted by an engine that did not execute it, although something was to be seen of its execution.
+    NotExecuted,
+    /// The program is rejected, with whatever diagnostics.
+    Rejected,
+    /// The program is rejected, and the engine gives no diagnostic.
+    RejectedSilently,
+    /// The program may be accepted or rejected: no document decides.
+    AcceptedOrRejected,
+    /// Something is wrong with the program.
+    Diagnostic(ToldDiagnostic),
+    /// So many more diagnostics than were written down.
+    MoreDiagnostics {
+        /// How many.
+        number: usize,
+    },
+    /// The execution stops with a fault.
+    Fault {
+        /// Why it stops; in JSON its word.
+        #[serde(serialize_with = "spelled", deserialize_with = "fault")]
+        fault: Fault,
+        /// The line (from 1) on which it stops; `None` where the engine does not name it.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        line: Option<u32>,
+    },
+    /// A variable has a value.
+    Value {
+        /// The variable by the name under which it was asked for: `q`, `a[1]`, `q@3` after the third scan.
+        name: String,
+        /// Its value; in JSON a typed literal.
+        #[serde(serialize_with = "spelled", deserialize_with = "value")]
+        value: Value,
+    },
+    /// The engine did not give the value of a variable.
+    MissingValue {
+        /// The variable.
+        name: String,
+    },
+    /// A variable has another value than the expected one, and the engine cannot tell which.
+    OtherValue {
+        /// The variable.
+        name: String,
+    },
+    /// The lines of the bodies of a rendered source.
+    Rendered {
+        /// At least one.
+        lines: Vec<String>,
+    },
+    /// Rendering a program gave no text.
+    NotRendered {
+        /// The program was itself the result of rendering.
+        again: bool,
+        /// The message of the first diagnostic, where the program was rejected.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        rejection: Option<String>,
+    },
+    /// Rendering a rendered program changed it.
+    RenderedOtherwise {
+        /// The first line (from 1) of the text that changed.
+        line: usize,
+        /// What the line became.
+        text: String,
+    },
+    /// The rendered program does something else than the program.
+    RenderedMeansOther,
+    /// The engine says that it cannot do this.
+    Unsupported {
+        /// Why, as a fragment.
+        reason: String,
+    },
+    /// The engine died.
+    Crashed {
+        /// What is known about it, as a fragment.
+        reason: String,
+    },
+    /// The engine did not answer in time.
+    TimedOut {
+        /// How long it was waited for, in milliseconds.
+        after_ms: u64,
+    },
+    /// The engine did not understand, or answered nonsense.
+    Error {
+        /// What went wrong, as a fragment.
+        message: String,
+    },
+    /// A report left out the text of further facts.
+    LeftOut {
+        /// How many lines of text.
+        lines: usize,
+    },
+}
+
+/// A diagnostic that is expected or was given.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct ToldDiagnostic {
+    /// The line, from 1; `None` where the engine does not name it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
+    /// The code; `None` where the engine has none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub code: Option<String>,
+    /// The engine's message; `None` of a diagnostic that is expected, and of one that is what was expected.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub message: Option<String>,
+}
+
+impl Fact {
+    /// Returns the text of several facts: their lines in order, joined by line feeds.
+    #[must_use]
+    pub fn text(facts: &[Fact]) -> String {
+        let lines: Vec<String> = facts.iter().map(ToString::to_string).collect();
+        lines.join("\n")
+    }
+
+    /// Returns the diagnostic, where the fact is one.
+    #[must_use]
+    pub fn diagnostic(&self) -> Option<&ToldDiagnostic> {
+        match self {
+            Fact::Diagnostic(diagnostic) => Some(diagnostic),
+            _ => None,
+        }
+    }
+
+    /// Returns how many lines the text of the fact has.
+    #[must_use]
+    pub fn lines(&self) -> usize {
+        match self {
+            Fact::Rendered { lines } => lines.len(),
+            _ => 1,
+        }
+    }
+
+    /// Edits the texts of foreign origin, which may have any length: the lines of a rendered source, or the one message or
+    /// reason of another fact.
+    pub fn edit_texts(&mut self, edit: impl FnOnce(&mut Vec<String>)) {
+        let text = match self {
+            Fact::Rendered { lines } => return edit(lines),
+            Fact::Diagnostic(ToldDiagnostic {
+                message: Some(text), ..
+            })
+            | Fact::NotRendered {
+                rejection: Some(text),
+                ..
+            }
+            | Fact::RenderedOtherwise { text, .. }
+            | Fact::Unsupported { reason: text }
+            | Fact::Crashed { reason: text }
+            | Fact::Error { message: text } => text,
+            _ => return,
+        };
+        let mut texts = vec![std::mem::take(text)];
+        edit(&mut texts);
+        *text = texts.pop().unwrap_or_default();
+    }
+}
+
+impl fmt::Display for Fact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Fact::Accepted => f.write_str("accepted"),
+            Fact::NotExecuted => f.write_str("accepted, and not executed"),
+            Fact::Rejected => f.write_str("rejected"),
+            Fact::RejectedSilently => f.write_str("rejected, with no diagnostic"),
+            Fact::AcceptedOrRejected => f.write_str("accepted or rejected"),
+            Fact::Diagnostic(diagnostic) => diagnostic.fmt(f),
+            Fact::MoreDiagnostics { number } => write!(f, "and {number} diagnostics more"),
+            Fact::Fault {
+                fault,
+                line: Some(line),
+            } => write!(f, "line {line}: fault {fault}"),
+            Fact::Fault { fault, line: None } => write!(f, "fault {fault}"),
+            Fact::Value { name, value } => write!(f, "{} = {value}", OneLine(name)),
+            Fact::MissingValue { name } => write!(f, "{} is missing", OneLine(name)),
+            Fact::OtherValue { name } => write!(f, "{} is another value", OneLine(name)),
+            Fact::Rendered { lines } => {
+                let lines: Vec<String> = lines.iter().map(|line| OneLine(line).to_string()).collect();
+                f.write_str(&lines.join("\n"))
+            }
+            Fact::NotRendered { again, rejection } => {
+                f.write_str(if *again {
+                    "rendering the rendered text"
+                } else {
+                    "rendering"
+                })?;
+                match rejection {
+                    Some(message) => write!(f, " was rejected: {}", OneLine(message)),
+                    None => f.write_str(" gave no text"),
+                }
+            }
+            Fact::RenderedOtherwise { line, text } => {
+                write!(f, "rendered again, line {line} of the text is: {}", OneLine(text))
+            }
+            Fact::RenderedMeansOther => f.write_str("the rendered program does something else"),
+            Fact::Unsupported { reason } => write!(f, "unsupported: {}", OneLine(reason)),
+            Fact::Crashed { reason } => write!(f, "crashed: {}", OneLine(reason)),
+            Fact::TimedOut { after_ms } => write!(f, "no answer within {}", Outcome::limit(*after_ms)),
+            Fact::Error { message } => write!(f, "error: {}", OneLine(message)),
+            Fact::LeftOut { lines } => write!(f, "... {lines} lines more"),
+        }
+    }
+}
+
+impl fmt::Display for ToldDiagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "line {line}: error ")?,
+            None => f.write_str("somewhere: error ")?,
+        }
+        OneLine(self.code.as_deref().unwrap_or("without a code")).fmt(f)?;
+        match &self.message {
+            Some(message) => write!(f, ": {}", OneLine(message)),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Shows a text of foreign origin on one line: each line end becomes a blank.
+struct OneLine<'t>(&'t str);
+
+impl fmt::Display for OneLine<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0.contains(['\n', '\r']) {
+            false => f.write_str(self.0),
+            true => f.write_str(&self.0.replace(['\n', '\r'], " ")),
+        }
+    }
+}
+
+fn spelled<S: Serializer>(spelled: &impl fmt::Display, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(spelled)
+}
+
+fn value<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Value, D::Error> {
+    let literal = String::deserialize(deserializer)?;
+    let value = Value::parse(&literal);
+    value.map_err(|error| de::Error::custom(format!("`{literal}` is no typed literal: {error}")))
+}
+
+fn fault<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Fault, D::Error> {
+    let word = String::deserialize(deserializer)?;
+    word.parse().map_err(de::Error::custom)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn diagnostic(line: Option<u32>, code: Option<&str>, message: Option<&str>) -> Fact {
+        Fact::Diagnostic(ToldDiagnostic {
+            line,
+            code: code.map(str::to_owned),
+            message: message.map(str::to_owned),
+        })
+    }
+
+    fn every_fact() -> Vec<(Fact, &'static str)> {
+        let name = || "a[1]@3".to_owned();
+        let value = Value::parse("REAL#-0.0").unwrap();
+        let fault = Fault::Subrange;
+        let reason = || "a\nb".to_owned();
+        vec![
+            (Fact::Accepted, "accepted"),
+            (Fact::NotExecuted, "accepted, and not executed"),
+            (Fact::Rejected, "rejected"),
+            (Fact::RejectedSilently, "rejected, with no diagnostic"),
+            (Fact::AcceptedOrRejected, "accepted or rejected"),
+            (diagnostic(Some(6), Some("P4025"), None), "line 6: error P4025"),
+            (
+                diagnostic(Some(6), None, Some("a: b")),
+                "line 6: error without a code: a: b",
+            ),
+            (diagnostic(None, Some("E7"), Some("")), "somewhere: error E7: "),
+            (Fact::MoreDiagnostics { number: 2 }, "and 2 diagnostics more"),
+            (Fact::Fault { fault, line: Some(3) }, "line 3: fault subrange"),
+            (Fact::Fault { fault, line: None }, "fault subrange"),
+            (Fact::Value { name: name(), value }, "a[1]@3 = REAL#-0.0"),
+            (Fact::MissingValue { name: name() }, "a[1]@3 is missing"),
+            (Fact::OtherValue { name: name() }, "a[1]@3 is another value"),
+            (
+                Fact::Rendered {
+                    lines: vec!["a := b;".to_owned(), "b := a;".to_owned()],
+                },
+                "a := b;\nb := a;",
+            ),
+            (
+                Fact::NotRendered {
+                    again: false,
+                    rejection: None,
+                },
+                "rendering gave no text",
+            ),
+            (
+                Fact::NotRendered {
+                    again: true,
+                    rejection: Some("no".to_owned()),
+                },
+                "rendering the rendered text was rejected: no",
+            ),
+            (
+                Fact::RenderedOtherwise {
+                    line: 2,
+                    text: "x".to_owned(),
+                },
+                "rendered again, line 2 of the text is: x",
+            ),
+            (
+                Fact::RenderedMeansOther,
+                "the rendered program does something else",
+            ),
+            (Fact::Unsupported { reason: reason() }, "unsupported: a b"),
+            (Fact::Crashed { reason: reason() }, "crashed: a b"),
+            (Fact::TimedOut { after_ms: 1500 }, "no answer within 1.5 s"),
+            (
+                Fact::Error {
+                    message: "a\r\nb".to_owned(),
+                },
+                "error: a  b",
+            ),
+            (Fact::LeftOut { lines: 7 }, "... 7 lines more"),
+        ]
+    }
+
+    #[test]
+    fn every_fact_has_its_words_and_is_read_back_from_json() {
+        for (fact, words) in every_fact() {
+            assert_eq!(fact.to_string(), words);
+            let json = serde_json::to_string(&fact).unwrap();
+            assert!(json.starts_with(r#"{"fact":""#), "{json}");
+            assert_eq!(serde_json::from_str::<Fact>(&json).unwrap(), fact, "{json}");
+        }
+    }
+
+    #[test]
+    fn a_value_is_a_typed_literal_in_json_and_nothing_else_is_read() {
+        let json = r#"{"fact":"value","name":"r","value":"INT#5"}"#;
+        let value = Value::parse("INT#5").unwrap();
+        let name = "r".to_owned();
+        assert_eq!(
+            serde_json::from_str::<Fact>(json).unwrap(),
+            Fact::Value { name, value }
+        );
+        let error = serde_json::from_str::<Fact>(&json.replace("INT#5", "5")).unwrap_err();
+        assert!(error.to_string().contains("`5` is no typed literal"), "{error}");
+    }
+}
