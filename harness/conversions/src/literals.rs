@@ -19,7 +19,7 @@ pub fn literal(value: &Value) -> Option<String> {
         Value::Plain { ty: Lreal, raw } => {
             finite(f64::from_bits(*raw)).map(|digits| format!("LREAL#{digits}"))
         }
-        Value::Text { .. } => Some(behind_type(value)),
+        Value::Text { .. } => Some(value.without_type()),
         Value::Plain { .. } | Value::Enumerated { .. } => Some(value.to_string()),
     }
 }
@@ -34,15 +34,7 @@ pub fn power_of_two(exponent: i32) -> String {
 
 fn finite(number: f64) -> Option<String> {
     let value = Value::plain(ElementaryType::Lreal, number.to_bits());
-    number.is_finite().then(|| behind_type(&value))
-}
-
-fn behind_type(value: &Value) -> String {
-    let typed = value.to_string();
-    match typed.split_once('#') {
-        Some((_, literal)) => literal.to_owned(),
-        None => typed,
-    }
+    number.is_finite().then(|| value.without_type())
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ mod run;
 mod subject;
 
 pub use agenda::{AgendaError, Sweep, Through, agenda};
-pub use domain::{Detail, Domain, Operands, Sampling, Texts};
+pub use domain::{Domain, Operands, Sampling, Texts};
 pub use findings::{Difference, Findings, Got, KEPT};
 pub use reference::Reference;
 pub use run::{Progress, SweepError, run};

@@ -372,9 +372,7 @@ pub(crate) fn literal(value: &Value) -> Option<String> {
         }
         Value::Plain { .. } => Some(typed),
         // Few compilers know typed literals of texts; the value of an enumeration is known by its name.
-        Value::Text { .. } | Value::Enumerated { .. } => {
-            typed.split_once('#').map(|(_, value)| value.to_owned())
-        }
+        Value::Text { .. } | Value::Enumerated { .. } => Some(value.without_type()),
     }
 }
 

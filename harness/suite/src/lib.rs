@@ -11,7 +11,6 @@ mod arrival;
 mod assemble;
 mod assembly;
 pub mod basis;
-pub mod boundaries;
 mod condition;
 mod defined;
 mod dialects;

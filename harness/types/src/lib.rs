@@ -4,6 +4,7 @@
 //! its expectations as [`Value`]s, and the wire protocol carries them in the one canonical spelling that [`Value`]'s `Display`
 //! gives. It knows neither the syntax of Structured Text beyond single literals, nor cases.
 
+pub mod boundaries;
 pub mod choices;
 pub mod code;
 pub mod definition;
@@ -13,6 +14,7 @@ pub mod fault;
 pub mod literal;
 pub mod value;
 mod words;
+mod written_value;
 
 pub use choices::{
     BitStringText, ConversionChoices, MatrixWord, OutOfRange, RealText, Rounding, TextReading,
@@ -24,3 +26,4 @@ pub use elementary::{ElementaryType, Family};
 pub use fault::{Fault, UnknownFault};
 pub use literal::LiteralError;
 pub use value::Value;
+pub use written_value::WrittenValue;

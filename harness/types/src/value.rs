@@ -62,6 +62,25 @@ impl Value {
         }
     }
 
+    /// Returns the canonical literal without its type: `-5`, `16#00FF`, `'a$'b'`, `RED`. For values of types whose literals must
+    /// have a prefix (durations, dates) it is no literal of the language.
+    pub fn without_type(&self) -> String {
+        let typed = self.to_string();
+        // The canonical spelling always has a type, and no name of a type has a `#`.
+        let start = typed.find('#').map_or(0, |sign| sign + 1);
+        typed[start..].to_owned()
+    }
+
+    /// Returns the literal that a program writes for the value in a place of its type: without the type, or with it for durations,
+    /// dates and enumerations.
+    pub fn literal(&self) -> String {
+        match self {
+            Value::Plain { ty, .. } if ty.is_duration() || ty.is_date_or_time() => self.to_string(),
+            Value::Plain { .. } | Value::Text { .. } => self.without_type(),
+            Value::Enumerated { .. } => self.to_string(),
+        }
+    }
+
     /// Reads a typed literal in any spelling that the standard has: `INT#-5`, `word#16#ff`, `T#1d2h`, `BOOL#TRUE`,
     /// `STRING#'a$'b'`, `COLOR#RED`.
     ///

@@ -13,9 +13,8 @@ use page::Page;
 use std::io::Write;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
-use stickler_conversions::sweep::{
-    Detail, Findings, Progress as Reached, Sampling, Sweep, Through, agenda, run,
-};
+use stickler_conversions::sweep::{Findings, Progress as Reached, Sampling, Sweep, Through, agenda, run};
+use stickler_types::boundaries::Detail;
 
 /// Sweeps a function between each of its types and by each of its rules, and shows what was found after each.
 ///

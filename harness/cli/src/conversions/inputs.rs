@@ -1,8 +1,7 @@
 //! The values at which a conversion shows what it does, few enough to be read at a glance.
 
 use stickler_exact::{Operation, Signature};
-use stickler_suite::boundaries;
-use stickler_types::{ElementaryType, Family, Value};
+use stickler_types::{ElementaryType, Family, Value, boundaries};
 
 /// The types of the operands in one line.
 pub fn types(signature: &Signature) -> String {

@@ -1,6 +1,5 @@
 //! Values as they stand in programs and tables.
 
-use stickler_suite::boundaries;
 use stickler_types::{ElementaryType, Value};
 
 /// From here on a real has so many digits that they say less than an exponent.
@@ -25,7 +24,7 @@ pub fn shortened(text: &str) -> String {
 pub fn literal(value: &Value) -> String {
     match number(value) {
         Some(number) if number.abs() < LARGE && number == number.trunc() => format!("{number:.1}"),
-        _ => boundaries::of_value(value.clone()).literal.into(),
+        _ => value.literal(),
     }
 }
 

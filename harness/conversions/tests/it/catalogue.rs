@@ -2,9 +2,10 @@
 
 use crate::support::{findings, sampled};
 use std::collections::HashSet;
-use stickler_conversions::sweep::{AgendaError, Detail, Sampling, Sweep, Through, agenda};
+use stickler_conversions::sweep::{AgendaError, Sampling, Sweep, Through, agenda};
 use stickler_exact::{Signature, functions};
 use stickler_types::DialectName;
+use stickler_types::boundaries::Detail;
 
 /// Every function of every dialect, each distinct rule once: every input of a source of at most 16 bits, and the
 /// nearest neighbours of the boundaries with a small sample of the others.

@@ -4,9 +4,10 @@ use crate::between::{Between, wrong};
 use std::sync::atomic::{AtomicBool, Ordering};
 use stickler_conversions::RefusalKind;
 use stickler_conversions::sweep::foreign::{ForeignFindings, run};
-use stickler_conversions::sweep::{Detail, Sampling, Sweep, Through, agenda};
+use stickler_conversions::sweep::{Sampling, Sweep, Through, agenda};
 use stickler_engines::{Engine, Outcome, Reference, RunRequest, Session};
 use stickler_types::DialectName;
+use stickler_types::boundaries::Detail;
 
 fn sweeps(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Sweep> {
     let sampling = Sampling {

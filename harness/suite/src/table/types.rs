@@ -3,9 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, Value, WrittenValue, boundaries};
 
-use crate::boundaries::{self, BoundaryValue};
 use crate::error::Mistake;
 use crate::frame::FileContext;
 use crate::mark::Word;
@@ -39,7 +38,7 @@ pub(crate) struct Input {
 }
 
 impl Input {
-    fn of(value: BoundaryValue) -> Input {
+    fn of(value: WrittenValue) -> Input {
         let typed = value.value.to_string().into();
         Input {
             literal: value.literal,
@@ -88,7 +87,7 @@ impl TypeInfo {
     /// A value of the type that `literal` stands for.
     pub(crate) fn input(&self, literal: &str) -> Option<Input> {
         match self.base {
-            Some(ty) => boundaries::of_literal(ty, literal).map(Input::of),
+            Some(ty) => WrittenValue::parse(ty, literal).ok().map(Input::of),
             None => Some(self.enumerated(literal, Arc::default())),
         }
     }

@@ -10,8 +10,9 @@ use std::io::Write;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, run};
-use stickler_conversions::sweep::{Detail, Progress as Reached, Sampling, Sweep, Through, agenda};
+use stickler_conversions::sweep::{Progress as Reached, Sampling, Sweep, Through, agenda};
 use stickler_engines::Engine;
+use stickler_types::boundaries::Detail;
 
 /// Sweeps a function of an engine in each dialect that both have, and shows what was found after each.
 ///

@@ -1,9 +1,10 @@
 //! A domain: inputs that can be had by their place, so that workers need not wait for each other.
 
 use super::operands::{Operands, Texts};
-use super::{Detail, neighbours, sample, texts};
+use super::{sample, texts};
 use crate::random::Scattered;
 use std::ops::Range;
+use stickler_types::boundaries::{Detail, neighbourhoods};
 use stickler_types::{ElementaryType, Value};
 
 /// How large a sample is and where it comes from.
@@ -62,10 +63,10 @@ impl Domain {
         match *operands {
             [ty] if ty.is_text() => Domain::Texts(Texts::new(ty, texts::by_hand(ty), sampled, random)),
             [ty] if ty.bits() <= 16 || (ty.bits() <= 32 && sampling.inputs.is_none()) => Domain::Every(ty),
-            [ty] => Domain::Some(Operands::new(ty, neighbours::of(ty, detail), sampled, random)),
+            [ty] => Domain::Some(Operands::new(ty, neighbourhoods(ty, detail), sampled, random)),
             [first, second] => Domain::Pairs {
-                first: Operands::new(first, neighbours::of(first, detail), sampled, random.row(1)),
-                second: Operands::new(second, neighbours::of(second, detail), sampled, random.row(2)),
+                first: Operands::new(first, neighbourhoods(first, detail), sampled, random.row(1)),
+                second: Operands::new(second, neighbourhoods(second, detail), sampled, random.row(2)),
             },
             _ => Domain::Some(Operands::new(ElementaryType::Bool, Vec::new(), 0, random)),
         }

@@ -4,10 +4,11 @@ use super::plan::Plan;
 use super::program;
 use crate::session::Asker;
 use crate::sweep::agenda::{Through, agenda};
-use crate::sweep::domain::{Detail, Sampling};
+use crate::sweep::domain::Sampling;
 use std::ops::Range;
 use stickler_engines::Reference;
 use stickler_exact::{functions, signatures};
+use stickler_types::boundaries::Detail;
 use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The first and the last inputs of a stretch.

@@ -1,14 +1,14 @@
-//! The values at which conversions go wrong, each with its neighbours on both sides.
+//! Boundary values with their neighbours on both sides.
 
+use crate::{ElementaryType, Family};
 use std::collections::BTreeSet;
-use stickler_types::{ElementaryType, Family};
 
-/// How many neighbours a boundary has.
+/// How many neighbours a boundary value has.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Detail {
-    /// Many: some ten thousand values of a type, which is no time in this process.
+    /// Many: some ten thousand values of a type, which take no time within one process.
     Fine,
-    /// The nearest: some thousand values, for an engine that has to be asked for each.
+    /// The nearest: some thousand values of a type, for an engine that has to be asked for each.
     Coarse,
 }
 
@@ -49,9 +49,9 @@ impl Detail {
 const SECOND: i128 = 1_000_000_000;
 const DAY: i128 = 86_400 * SECOND;
 
-/// The raw forms of a type's boundary neighbourhoods, each once, in the order of their bits; none for a text.
+/// Returns the raw forms of a type's boundaries and of their neighbours, each once, in the order of their bits; none for a text.
 #[must_use]
-pub fn of(ty: ElementaryType, detail: Detail) -> Vec<u64> {
+pub fn neighbourhoods(ty: ElementaryType, detail: Detail) -> Vec<u64> {
     let raws: BTreeSet<u64> = match ty.family() {
         Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString | Family::Character => {
             integers(ty, detail)

@@ -1,72 +1,44 @@
-//! The values at which conversions go wrong: the boundaries of every elementary type, in one place.
+//! The list of boundary values of each elementary type, as the tables of the suite go through it.
 //!
-//! Basis: stickler-design §3.2.
+//! Basis: stickler-design: §3.2.
 
-use stickler_types::{ElementaryType, Family, Value};
+use crate::{ElementaryType, Family, Value, WrittenValue};
 
-/// A value together with the literal that a program writes for it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BoundaryValue {
-    /// The untyped literal, or the type's own where there is none.
-    pub literal: Box<str>,
-    /// The value.
-    pub value: Value,
-}
-
-/// The boundary values of a type, each once; integers and bit strings in ascending order.
-pub fn boundaries(ty: ElementaryType) -> Vec<BoundaryValue> {
+/// Returns the boundary values of a type, each once; integers and bit strings in ascending order.
+///
+/// The ids of cases are made of these literals, so that a value may be added but none be changed or taken away:
+///
+/// * integers and bit strings: the limits and one inside them, 0, 1, -1, each power of two and one beside it; of signed types also
+///   what lies beside the limits of the narrower ones, and two numbers that reals cannot hold;
+/// * reals: both zeros, halves, the limits of the integer types, 2^24+1 and 2^53+1 and their neighbours, the smallest, the largest
+///   subnormal, the smallest normal and the largest finite numbers of both signs, the neighbours of 1;
+/// * BOOL: both; every other type: a short list.
+pub fn boundaries(ty: ElementaryType) -> Vec<WrittenValue> {
     match ty.family() {
         Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString => integers(ty)
             .into_iter()
-            .map(|number| of_value(Value::plain(ty, ty.wrap(number))))
+            .map(|number| WrittenValue::of(Value::plain(ty, ty.wrap(number))))
             .collect(),
         Family::Real => reals(ty),
         _ => short_list(ty)
             .iter()
-            .filter_map(|literal| of_literal(ty, literal))
+            .filter_map(|literal| WrittenValue::parse(ty, literal).ok())
             .collect(),
     }
 }
 
-/// One ordinary value of a type: neither its zero nor one that another type could not hold.
-pub fn ordinary(ty: ElementaryType) -> Option<BoundaryValue> {
-    of_literal(ty, ordinary_literal(ty))
+/// Returns one ordinary value of a type: neither its zero nor one that another type could not hold.
+pub fn ordinary(ty: ElementaryType) -> Option<WrittenValue> {
+    WrittenValue::parse(ty, ordinary_literal(ty)).ok()
 }
 
-/// An ordinary value of a type that is not `value`.
-pub fn other_than(ty: ElementaryType, value: Option<&Value>) -> Option<BoundaryValue> {
+/// Returns an ordinary value of a type that is not `value`.
+pub fn other_than(ty: ElementaryType, value: Option<&Value>) -> Option<WrittenValue> {
     let candidates = [ordinary_literal(ty), second_literal(ty)];
     candidates
         .into_iter()
-        .filter_map(|literal| of_literal(ty, literal))
+        .filter_map(|literal| WrittenValue::parse(ty, literal).ok())
         .find(|other| Some(&other.value) != value)
-}
-
-/// The value that `literal` stands for in a variable of type `ty`.
-pub fn of_literal(ty: ElementaryType, literal: &str) -> Option<BoundaryValue> {
-    let value = match literal.split_once('#') {
-        Some((prefix, _)) if ElementaryType::from_literal_prefix(prefix) == Some(ty) => Value::parse(literal),
-        _ => Value::parse(&format!("{}#{literal}", ty.name())),
-    };
-    value.ok().map(|value| BoundaryValue {
-        literal: literal.into(),
-        value,
-    })
-}
-
-/// A value with its literal as programs write it.
-pub fn of_value(value: Value) -> BoundaryValue {
-    let typed = value.to_string();
-    let has_untyped = match &value {
-        Value::Plain { ty, .. } => !(ty.is_duration() || ty.is_date_or_time()),
-        Value::Text { .. } => true,
-        Value::Enumerated { .. } => false,
-    };
-    let literal = match typed.split_once('#') {
-        Some((_, untyped)) if has_untyped => untyped.into(),
-        _ => typed.into(),
-    };
-    BoundaryValue { literal, value }
 }
 
 /// The limits and one inside them, 0, 1, -1, each power of two and one beside it; of signed types also what lies beside the
@@ -131,19 +103,19 @@ const REALS: &[&str] = &[
 
 /// The literals above, and the numbers at the ends of the type: the smallest, the largest subnormal, the smallest normal, the
 /// largest but one and the largest finite, of both signs, and the neighbours of 1.
-fn reals(ty: ElementaryType) -> Vec<BoundaryValue> {
+fn reals(ty: ElementaryType) -> Vec<WrittenValue> {
     let mut values: Vec<_> = REALS
         .iter()
-        .filter_map(|literal| of_literal(ty, literal))
+        .filter_map(|literal| WrittenValue::parse(ty, literal).ok())
         .collect();
     let (sign, fraction, one, largest) = match ty {
         ElementaryType::Real => (1_u64 << 31, 1_u64 << 23, 0x3F80_0000, 0x7F7F_FFFF),
         _ => (1 << 63, 1 << 52, 0x3FF0_0000_0000_0000, 0x7FEF_FFFF_FFFF_FFFF),
     };
     for raw in [1, fraction - 1, fraction, largest - 1, largest] {
-        values.extend([raw, raw | sign].map(|raw| of_value(Value::plain(ty, raw))));
+        values.extend([raw, raw | sign].map(|raw| WrittenValue::of(Value::plain(ty, raw))));
     }
-    values.extend([one - 1, one + 1].map(|raw| of_value(Value::plain(ty, raw))));
+    values.extend([one - 1, one + 1].map(|raw| WrittenValue::of(Value::plain(ty, raw))));
     values
 }
 
@@ -326,8 +298,8 @@ mod tests {
             for (at, value) in values.iter().enumerate() {
                 assert_eq!(value.value.type_name(), ty.name());
                 assert_eq!(
-                    of_literal(ty, &value.literal).as_ref(),
-                    Some(value),
+                    WrittenValue::parse(ty, &value.literal).as_ref(),
+                    Ok(value),
                     "{}",
                     value.literal
                 );
@@ -345,7 +317,8 @@ mod tests {
         for ty in ElementaryType::ALL {
             let list = short_list(ty);
             assert!(
-                list.iter().all(|literal| of_literal(ty, literal).is_some()),
+                list.iter()
+                    .all(|literal| WrittenValue::parse(ty, literal).is_ok()),
                 "{}",
                 ty.name()
             );
