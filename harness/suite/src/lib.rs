@@ -41,3 +41,4 @@ pub use model::{
     ExpectedValue, MatrixCell, Observe, VariableSetting, WithdrawnCase,
 };
 pub use suite::{Suite, load_file, read_case_file};
+pub use table::Generate;

@@ -27,8 +27,29 @@ pub(crate) struct TableFile {
     pub(crate) columns: Option<Vec<Spanned<String>>>,
     pub(crate) rows: Option<Vec<Spanned<Row>>>,
     pub(crate) expect: Option<Spanned<String>>,
+    pub(crate) generate: Option<Spanned<Generate>>,
     #[serde(default)]
     pub(crate) probe: Vec<Spanned<ProbeKey>>,
+}
+
+/// The `[generate]` table of a row table: the calls of conversion functions that its rows are made of.
+///
+/// The suite reads the rows and only checks the keys; `stickler-tabulate` writes the rows.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Generate {
+    /// The names of the functions, in which `{from}` and `{to}` stand for the types; none stands for `{from}_TO_{to}`.
+    #[serde(default)]
+    pub functions: Vec<String>,
+    /// The source types.
+    pub from: Vec<String>,
+    /// The target types.
+    pub to: Vec<String>,
+    /// The operands: literals, numbers beside a limit of a type, and names of lists.
+    pub inputs: Vec<String>,
+    /// The tables whose calls are left out.
+    #[serde(default)]
+    pub besides: Vec<String>,
 }
 
 /// One row of a table.

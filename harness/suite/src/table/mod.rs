@@ -13,4 +13,5 @@ mod section;
 mod types;
 
 pub(crate) use budget::Budget;
+pub use keys::Generate;
 pub(crate) use read::read;

@@ -61,6 +61,11 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
         return;
     }
     let mistakes = &mut harvest.mistakes;
+    if let (Some(generate), Some(_)) = (&file.generate, &file.matrix) {
+        let line = context.lines.line(generate.span().start);
+        let message = "a matrix has no rows to be generated";
+        mistakes.push(Mistake::new(line, message).key("generate"));
+    }
     let dialects = file.dialects.as_ref();
     let dialects = dialects.map(|names| context.resolve(names, "dialects", mistakes));
     let basis_line = context.lines.line(file.basis.span().start);

@@ -286,6 +286,38 @@ fn a_table_is_either_a_matrix_or_rows() {
 }
 
 #[test]
+fn a_generate_table_changes_no_case_and_has_known_keys() {
+    let row = "[\"DINT\", \"INT\", \"1\", \"INT#1\"]";
+    let plain = file(COLUMNS, row, CALL);
+    let generate = |keys: &str| plain.replace("[[probe]]", &format!("[generate]\n{keys}\n[[probe]]"));
+    let known = generate("from = ['DINT']\nto = ['INT']\ninputs = ['1', 'limits']\nbesides = ['other']");
+    assert_eq!(cases("area/file.toml", &known), cases("area/file.toml", &plain));
+    for (keys, line, said) in [
+        ("to = ['INT']\ninputs = []", 9, "missing field `from`"),
+        (
+            "from = []\nto = []\ninputs = []\ninput = []",
+            13,
+            "unknown field `input`",
+        ),
+        (
+            "from = []\nto = []\ninputs = [1]",
+            12,
+            "invalid type: integer `1`, expected a string",
+        ),
+    ] {
+        one_mistake("area/file.toml", &generate(keys), line, said);
+    }
+    let matrix = "title = \"t\"\nbasis = \"b: c\"\ndialects = [\"matiec\"]\nmatrix = \"\"\"\nBOOL\nBOOL no\n\"\"\"\n\
+                  [generate]\nfrom = []\nto = []\ninputs = []\n";
+    let mistakes = crate::common::mistakes("area/file.toml", matrix);
+    let said = "8: `generate`: a matrix has no rows to be generated";
+    assert!(
+        mistakes.iter().any(|mistake| mistake.starts_with(said)),
+        "{mistakes:?}"
+    );
+}
+
+#[test]
 fn two_rows_with_the_same_program_are_said() {
     let rows = "[\"DINT\", \"INT\", 1, \"INT#1\"],\n[\"DINT\", \"INT\", 1, \"INT#2\"]";
     let suite = load(&[("area/file.toml", &file(COLUMNS, rows, CALL))]);
