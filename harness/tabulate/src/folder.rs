@@ -1,77 +1,117 @@
-//! The folder that holds the tables' files: bringing it up to date, and saying where it is not.
+//! The folder that holds the tables, and the rows that it must have.
 
-use crate::families;
-use crate::text::text;
-use std::io;
+use crate::call::Call;
+use crate::table::Table;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
+use stickler_suite::Dialects;
 
-/// The folder of the tables, seen from the root of the repository.
-pub const FOLDER: &str = "conformance-cases/conversion";
+/// The folder of the case files, seen from the root of the repository.
+const SUITE: &str = "conformance-cases";
 
-/// A generated file: its name, and what it must hold.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct File {
-    /// The name within the folder.
-    pub name: String,
-    /// The whole text.
-    pub text: String,
-}
+/// The tables of a folder, seen from the folder of the case files.
+const TABLES: &str = "conversion";
 
-/// Every generated file.
-///
-/// # Errors
-/// What [`families::all`] says.
-pub fn files() -> Result<Vec<File>, String> {
-    let tables = families::all()?;
-    let files = tables.iter().map(|table| File {
-        name: format!("{}.toml", table.name),
-        text: text(table),
-    });
-    Ok(files.collect())
-}
-
-/// A file that the folder has otherwise, or does not have.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Difference {
-    /// Its path.
+/// A table of calls together with its calls.
+#[derive(Clone, Debug)]
+pub struct CallTable {
+    /// The path of the file.
     pub path: PathBuf,
-    /// What it holds; empty where it is missing.
-    pub found: String,
-    /// What it must hold.
-    pub wanted: String,
+    /// The file as it is.
+    pub table: Table,
+    /// The calls that it must have, one a row.
+    pub calls: Vec<Call>,
+    /// The rows that it must have.
+    pub rows: Vec<Vec<String>>,
 }
 
-/// The files that the folder does not have as they must be.
+impl CallTable {
+    /// Returns the text that the file must have.
+    #[must_use]
+    pub fn wanted(&self) -> String {
+        self.table.with_rows(&self.rows)
+    }
+
+    /// Whether the file has other rows than it must have.
+    #[must_use]
+    pub fn differs(&self) -> bool {
+        self.wanted() != self.table.text
+    }
+}
+
+/// Reads every table file of `conformance-cases/conversion`, ordered by name; `root` is the repository.
 ///
 /// # Errors
-/// Where a file that is there cannot be read.
-pub fn differences(folder: &Path, files: &[File]) -> io::Result<Vec<Difference>> {
-    let mut differences = Vec::new();
-    for file in files {
-        let path = folder.join(&file.name);
-        let found = match std::fs::read_to_string(&path) {
-            Ok(found) => found,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
-            Err(error) => return Err(error),
-        };
-        if found != file.text {
-            differences.push(Difference {
-                path,
-                found,
-                wanted: file.text.clone(),
-            });
+/// A message, where a file cannot be read or is no table.
+pub fn tables(root: &Path) -> Result<Vec<(PathBuf, Table)>, String> {
+    let suite = root.join(SUITE);
+    let dialects = read(&suite.join("dialects.toml"))?;
+    let (dialects, mistakes) = Dialects::of_file("dialects.toml", &dialects);
+    if let Some(mistake) = mistakes.first() {
+        return Err(mistake.to_string());
+    }
+    let folder = suite.join(TABLES);
+    let entries = std::fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    paths.sort();
+    let tables = paths.into_iter().map(|path| {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let table = Table::read(&name, &read(&path)?, &dialects);
+        let table = table.map_err(|what| format!("{}: {what}", path.display()))?;
+        Ok((path, table))
+    });
+    tables.collect()
+}
+
+/// Reads every table of calls, and computes its calls and rows.
+///
+/// # Errors
+/// A message, where a file cannot be read, or its head or a row claims what no document says.
+pub fn call_tables(root: &Path) -> Result<Vec<CallTable>, String> {
+    let mut tables = tables(root)?;
+    tables.retain(|(_, table)| table.is_of_calls());
+    let mut calls = HashMap::new();
+    for (path, table) in &tables {
+        let own = table
+            .calls()
+            .map_err(|what| format!("{}: {what}", path.display()))?;
+        calls.insert(table.name.clone(), own);
+    }
+    let rows = tables.into_iter().map(|(path, table)| {
+        let fail = |what: String| format!("{}: {what}", path.display());
+        let calls = without_besides(&table, &calls).map_err(fail)?;
+        if calls.is_empty() {
+            return Err(fail("the table has no rows".to_owned()));
         }
-    }
-    Ok(differences)
+        let rows = table.rows_of(&calls).map_err(fail)?;
+        Ok(CallTable {
+            path,
+            table,
+            calls,
+            rows,
+        })
+    });
+    rows.collect()
 }
 
-/// Writes the files that differ; the others keep their time of change.
-///
-/// # Errors
-/// Where a file cannot be written.
-pub fn write(differences: &[Difference]) -> io::Result<()> {
-    for difference in differences {
-        std::fs::write(&difference.path, &difference.wanted)?;
+/// Returns the calls of a table without those of the tables that it stands beside.
+fn without_besides(table: &Table, calls: &HashMap<String, Vec<Call>>) -> Result<Vec<Call>, String> {
+    let besides = table.generate.iter().flat_map(|generate| &generate.besides);
+    let mut others = HashSet::new();
+    for name in besides {
+        let calls = calls
+            .get(name)
+            .ok_or_else(|| format!("`besides` names `{name}`, which is no table of calls"))?;
+        others.extend(calls.iter().map(Call::to_string));
     }
-    Ok(())
+    let own = calls.get(&table.name).into_iter().flatten();
+    Ok(own
+        .filter(|call| !others.contains(&call.to_string()))
+        .cloned()
+        .collect())
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))
 }

@@ -1,30 +1,29 @@
-//! The row tables of the conformance suite whose values are computed, not written down by a person.
+//! Fills in the tables of conversion functions of the conformance suite: which calls they have, and what each call gives.
 //!
-//! | step | room |
+//! A person writes a table's head in its case file: title, basis, summary, dialects, columns, and the probes with their programs.
+//! The rows below it are either listed by hand or follow from the file's [`[generate]`](stickler_suite::Generate) table. In both
+//! cases the cells that can be computed are computed here.
+//!
+//! | question | module |
 //! |---|---|
-//! | which operands? | [`inputs`] |
-//! | which calls, in which table, with which claim? | [`families`] |
-//! | what does each call give, and who says so? | `stickler_exact`, through [`call`], [`class`] and [`sheet`] |
-//! | what stands in which cell? | [`column`], [`program`] |
-//! | what does the design suggest where nothing is asserted? | [`suggestion`] |
-//! | what does the file look like? | [`text`] |
-//! | does the folder have these files? | [`folder`] |
+//! | What does a case file say? | [`table`] |
+//! | Which operands does an entry of `inputs` stand for? | [`inputs`], [`lists`] |
+//! | Which calls does a table have? | [`generate`], [`call`], [`operand`] |
+//! | May a probe claim that? | [`claim`] |
+//! | What stands in which cell? | [`cell`] |
+//! | Does the folder have the rows that it must have? | [`folder`] |
+//! | What does the design suggest where a table only records? | [`suggestion`] |
 //!
-//! The expected values come from exact arithmetic alone. This crate must not know the reference implementation: what it
-//! writes is what the reference is held to.
-//!
-//! *Architecture Invariant:* a table is a function of this program and of `stickler_exact`; nothing is read from the folder
-//! that it writes to, so that a wrong file cannot survive.
+//! *Architecture Invariant:* every expected value and every basis comes from `stickler_exact`. This crate must not know the
+//! reference implementation, which is held to what it writes, and it never reads a computed cell: a wrong one cannot survive.
 
 pub mod call;
-pub mod class;
-pub mod column;
-pub mod families;
+pub mod cell;
+pub mod claim;
 pub mod folder;
+pub mod generate;
 pub mod inputs;
+pub mod lists;
 pub mod operand;
-pub mod program;
-pub mod sheet;
 pub mod suggestion;
 pub mod table;
-pub mod text;

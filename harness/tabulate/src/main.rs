@@ -1,13 +1,13 @@
-//! The program that writes the row tables of the conformance suite whose values are computed.
+//! The program that fills in the tables of `conformance-cases/conversion`.
 //!
-//! `cargo run -p stickler-tabulate` rewrites them, `cargo run -p stickler-tabulate -- --check` only says which differ.
+//! `cargo run -p stickler-tabulate` rewrites their rows; with `-- --check` it only says which tables differ.
 //!
-//! Exit codes: 0 as expected; 1 `--check` found a difference; 2 usage, or a table that claims what no document says; 3 a file
-//! cannot be read or written.
+//! Exit codes: 0 as expected; 1 `--check` found a difference; 2 wrong usage, or a table that cannot be read or claims what no document
+//! says; 3 a file cannot be written.
 
 use std::path::Path;
 use std::process::ExitCode;
-use stickler_tabulate::folder::{self, Difference};
+use stickler_tabulate::folder::{self, CallTable};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -19,42 +19,28 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    let files = match folder::files() {
-        Ok(files) => files,
+    let tables = match folder::call_tables(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")) {
+        Ok(tables) => tables,
         Err(message) => {
             eprintln!("error: {message}");
             return ExitCode::from(2);
         }
     };
-    let place = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../..")
-        .join(folder::FOLDER);
-    let outcome = folder::differences(&place, &files).and_then(|differences| {
-        if !only_check {
-            folder::write(&differences)?;
-        }
-        Ok(differences)
-    });
-    match outcome {
-        Ok(differences) => report(&differences, files.len(), only_check),
-        Err(error) => {
-            eprintln!("error: {}: {error}", place.display());
-            ExitCode::from(3)
+    let differing: Vec<&CallTable> = tables.iter().filter(|table| table.differs()).collect();
+    for table in &differing {
+        let name = &table.table.name;
+        if only_check {
+            println!("differs  {name}.toml");
+        } else if let Err(error) = std::fs::write(&table.path, table.wanted()) {
+            eprintln!("error: {}: {error}", table.path.display());
+            return ExitCode::from(3);
+        } else {
+            println!("written  {name}.toml");
         }
     }
-}
-
-fn report(differences: &[Difference], files: usize, only_check: bool) -> ExitCode {
-    for difference in differences {
-        let name = difference.path.file_name().unwrap_or_default().to_string_lossy();
-        println!("{}  {name}", if only_check { "differs" } else { "written" });
-    }
-    println!(
-        "{files} tables, {} {}",
-        differences.len(),
-        if only_check { "differ" } else { "written" }
-    );
-    if only_check && !differences.is_empty() {
+    let done = if only_check { "differ" } else { "written" };
+    println!("{} tables, {} {done}", tables.len(), differing.len());
+    if only_check && !differing.is_empty() {
         println!("to rewrite them: cargo run -p stickler-tabulate");
         return ExitCode::FAILURE;
     }

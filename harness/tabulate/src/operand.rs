@@ -1,4 +1,4 @@
-//! A value as a program writes it: the operands of the calls that the tables make.
+//! Values as a program writes them: the operands of the calls in a table.
 
 use stickler_types::{ElementaryType, Value};
 
@@ -7,14 +7,14 @@ use stickler_types::{ElementaryType, Value};
 pub struct Operand {
     /// The value.
     pub value: Value,
-    /// What stands behind `:=` in a declaration: the untyped literal, or the type's own where there is none.
+    /// The literal behind `:=` in a declaration: the untyped one, or the type's own where there is none.
     pub literal: String,
     /// The typed literal.
     pub typed: String,
 }
 
 impl Operand {
-    /// A value in its canonical spelling.
+    /// Returns the operand that writes a value in its canonical spelling.
     #[must_use]
     pub fn of(value: Value) -> Operand {
         let typed = value.to_string();
@@ -29,48 +29,20 @@ impl Operand {
         }
     }
 
-    /// A number of an integer or bit string type, or of BOOL; taken modulo 2^n where the type does not hold it.
+    /// Returns the operand that writes its value as `literal` spells it, or nothing where the type has no such literal.
     #[must_use]
-    pub fn number(ty: ElementaryType, number: i128) -> Operand {
-        Operand::of(Value::plain(ty, ty.wrap(number)))
-    }
-
-    /// The value that a literal stands for in a variable of this type, in the canonical spelling.
-    ///
-    /// # Panics
-    /// Where the type has no such literal: the lists of inputs belong to this program, and such an entry is its mistake.
-    #[must_use]
-    pub fn read(ty: ElementaryType, literal: &str) -> Operand {
-        Operand::of(value(ty, literal))
-    }
-
-    /// The same, but programs write it just as it stands here.
-    ///
-    /// # Panics
-    /// As [`Operand::read`].
-    #[must_use]
-    pub fn written(ty: ElementaryType, literal: &str) -> Operand {
-        let value = value(ty, literal);
+    pub fn written(ty: ElementaryType, literal: &str) -> Option<Operand> {
         let typed = match literal.split_once('#') {
             Some((prefix, _)) if ElementaryType::from_literal_prefix(prefix) == Some(ty) => {
                 literal.to_owned()
             }
             _ => format!("{ty}#{literal}"),
         };
-        Operand {
-            value,
+        Some(Operand {
+            value: Value::parse(&typed).ok()?,
             literal: literal.to_owned(),
             typed,
-        }
-    }
-
-    /// The raw form; 0 of a text.
-    #[must_use]
-    pub fn raw(&self) -> u64 {
-        match self.value {
-            Value::Plain { raw, .. } => raw,
-            Value::Text { .. } | Value::Enumerated { .. } => 0,
-        }
+        })
     }
 }
 
@@ -82,36 +54,25 @@ fn has_untyped_literal(value: &Value) -> bool {
     }
 }
 
-fn value(ty: ElementaryType, literal: &str) -> Value {
-    let parsed = match literal.split_once('#') {
-        Some((prefix, _)) if ElementaryType::from_literal_prefix(prefix) == Some(ty) => Value::parse(literal),
-        _ => Value::parse(&format!("{ty}#{literal}")),
-    };
-    parsed.unwrap_or_else(|error| panic!("the inputs of {ty} have the entry `{literal}`: {error}"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn operands_have_an_untyped_literal_where_the_language_has_one() {
-        let operand = Operand::read(ElementaryType::Word, "16#ff");
-        assert_eq!((&*operand.literal, &*operand.typed), ("16#00FF", "WORD#16#00FF"));
-        let operand = Operand::read(ElementaryType::Time, "1s500ms");
-        assert_eq!(
-            (&*operand.literal, &*operand.typed),
-            ("TIME#1500ms", "TIME#1500ms")
-        );
+        for (typed, literal) in [("WORD#16#00FF", "16#00FF"), ("TIME#1500ms", "TIME#1500ms")] {
+            let operand = Operand::of(Value::parse(typed).unwrap());
+            assert_eq!((&*operand.literal, &*operand.typed), (literal, typed));
+        }
     }
 
     #[test]
-    fn a_literal_can_be_kept_as_it_is_written() {
-        let operand = Operand::written(ElementaryType::String, "'$N'");
+    fn a_literal_is_kept_as_it_is_written() {
+        let operand = Operand::written(ElementaryType::String, "'$N'").unwrap();
         assert_eq!((&*operand.literal, &*operand.typed), ("'$N'", "STRING#'$N'"));
-        assert_eq!(
-            operand.value,
-            Operand::read(ElementaryType::String, "'$0A'").value
-        );
+        assert_eq!(operand.value, Value::parse("STRING#'$0A'").unwrap());
+        let operand = Operand::written(ElementaryType::Time, "TIME#999us").unwrap();
+        assert_eq!((&*operand.literal, &*operand.typed), ("TIME#999us", "TIME#999us"));
+        assert_eq!(Operand::written(ElementaryType::Sint, "128"), None);
     }
 }

@@ -1,59 +1,55 @@
-//! What the design suggests where a table only records: the reference is held to it by a test of its own.
+//! The results that the design suggests where a table only records them.
 
-use crate::sheet::{Claim, Sheet, resolve};
+use crate::folder::CallTable;
+use crate::table::Claim;
 use stickler_types::{DialectName, ElementaryType, Value};
 
-/// What the design suggests for a call of which a probe asserts nothing.
+/// The result that the design suggests for a call of which a probe asserts nothing.
 ///
-/// The suite records such a value and holds nobody to it. The reference says of itself that it does what the design suggests, so
-/// its own test may hold it to this.
+/// The suite records such a result and holds no engine to it. The reference says of itself that it does what the design suggests, so
+/// its own test holds it to this.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Suggestion {
     /// The table and the call, for a message.
     pub place: String,
     /// The dialect in which the probe asks.
     pub dialect: DialectName,
-    /// The program; the value arrives in its variable `into`.
+    /// The program; its variable `into` receives the result.
     pub program: String,
     /// The type of `into`.
     pub ty: ElementaryType,
-    /// The value.
+    /// The result.
     pub value: Value,
 }
 
-impl Sheet {
-    /// What the design suggests for each call that a probe only records.
-    ///
-    /// # Errors
-    /// As [`Sheet::table`].
-    pub fn suggestions(&self) -> Result<Vec<Suggestion>, String> {
-        let table = self.table()?;
+impl CallTable {
+    /// Returns the result that the design suggests for each call that a probe only records.
+    #[must_use]
+    pub fn suggestions(&self) -> Vec<Suggestion> {
         let mut suggestions = Vec::new();
-        for (probe, written) in self.probes.iter().zip(&table.probes) {
-            if probe.claim == Claim::Value {
-                continue;
-            }
-            for dialect in resolve(probe.dialects_in(self))? {
-                let rows = self.calls.iter().zip(&table.rows);
+        let probes = self.table.probes.iter();
+        for probe in probes.filter(|probe| probe.claim != Some(Claim::Value)) {
+            for &dialect in &probe.dialects {
+                let rows = self.calls.iter().zip(&self.rows);
                 suggestions.extend(rows.filter_map(|(call, row)| {
                     Some(Suggestion {
-                        place: format!("{}: {call}", self.name),
+                        place: format!("{}: {call}", self.table.name),
                         dialect,
-                        program: filled(&written.source, &table.columns, row),
+                        program: self.filled(&probe.source, row),
                         ty: call.to(),
                         value: call.expected(dialect)?.value,
                     })
                 }));
             }
         }
-        Ok(suggestions)
+        suggestions
     }
-}
 
-/// A template with the cells of a row for the names of their columns.
-fn filled(template: &str, columns: &[String], row: &[String]) -> String {
-    let cells = columns.iter().zip(row);
-    cells.fold(template.to_owned(), |text, (column, cell)| {
-        text.replace(&format!("{{{column}}}"), cell)
-    })
+    /// Replaces the placeholders of a template by the cells of a row.
+    fn filled(&self, template: &str, row: &[String]) -> String {
+        let cells = self.table.columns.iter().zip(row);
+        cells.fold(template.to_owned(), |text, (column, cell)| {
+            text.replace(&format!("{{{column}}}"), cell)
+        })
+    }
 }

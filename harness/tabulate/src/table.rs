@@ -1,45 +1,323 @@
-//! A row table as the suite reads it, before it is text.
+//! A row table of the suite: its head as a person writes it, its calls, and the text of its rows.
 
-/// A row table: one file of a folder of the suite.
-///
-/// Its keys are those of the case format; `conformance-cases/README.md` explains them.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Table {
-    /// The file's name without its extension. Ids begin with it, so it never changes.
-    pub name: String,
-    /// The claim, in one line.
-    pub title: String,
-    /// Where the claim comes from, `source: section`.
-    pub basis: String,
-    /// The dialects and groups that the probes choose from.
-    pub dialects: Vec<String>,
-    /// A paragraph for a person; empty where there is none.
-    pub summary: String,
-    /// The names of the columns.
-    pub columns: Vec<String>,
-    /// The rows, each with a cell a column.
-    pub rows: Vec<Vec<String>>,
-    /// The templates of the programs.
-    pub probes: Vec<Probe>,
+use crate::call::Call;
+use crate::cell::{self, Cell};
+use crate::generate;
+use crate::operand::Operand;
+use serde::Deserialize;
+use std::fmt::Write;
+use std::ops::Range;
+use stickler_suite::{Dialects, Generate};
+use stickler_types::{DialectName, ElementaryType};
+use toml::Spanned;
+
+/// The keys of a case file that matter here; the suite checks all of them.
+#[derive(Deserialize)]
+struct Keys {
+    basis: String,
+    #[serde(default)]
+    dialects: Vec<String>,
+    #[serde(default)]
+    columns: Vec<String>,
+    rows: Option<Spanned<Vec<Vec<String>>>>,
+    generate: Option<Generate>,
+    #[serde(default)]
+    probe: Vec<ProbeKeys>,
 }
 
-/// A probe of a row table.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Probe {
-    /// The probe's name, which stands in the ids.
+#[derive(Deserialize)]
+struct ProbeKeys {
+    name: String,
+    basis: Option<String>,
+    dialects: Option<Vec<String>>,
+    expect: Option<String>,
+    source: String,
+}
+
+/// A table file.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// The file's name without its extension.
     pub name: String,
-    /// Its own title; empty where it has that of the file.
-    pub title: String,
-    /// Its own basis; empty where it has that of the file.
+    /// The text of the file.
+    pub text: String,
+    /// The dialects of the file.
+    pub dialects: Vec<DialectName>,
+    /// The names of the columns.
+    pub columns: Vec<String>,
+    /// The rows of the file.
+    pub rows: Vec<Vec<String>>,
+    /// The file's `[generate]` table.
+    pub generate: Option<Generate>,
+    /// The probes.
+    pub probes: Vec<Probe>,
+    /// Where the value of `rows` stands in the text.
+    span: Range<usize>,
+}
+
+/// A probe of a table.
+#[derive(Clone, Debug)]
+pub struct Probe {
+    /// The name, which stands in ids.
+    pub name: String,
+    /// What it claims, or nothing where its marks alone say that.
+    pub claim: Option<Claim>,
+    /// The dialects in which it claims that.
+    pub dialects: Vec<DialectName>,
+    /// The document that says so.
     pub basis: String,
-    /// The observed variable, perhaps with its type; empty where marks alone say what must happen.
-    pub observe: String,
-    /// What the observed variable must hold; empty where marks alone say what must happen.
-    pub expect: String,
-    /// The dialects and groups that it narrows the file's to; empty where it has all of them.
-    pub dialects: Vec<String>,
-    /// A condition that rows must meet; empty where all do.
-    pub only: String,
-    /// The template of the program, without an empty line at its start.
+    /// The template of the program.
     pub source: String,
+}
+
+/// What a probe claims of the result of a call.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Claim {
+    /// The result is that of the column `expected`: `expect = "{expected}"`.
+    Value,
+    /// No document says what the result is; it is recorded: `expect = "open"`.
+    Open,
+    /// The program is accepted and runs to its end, and the result is open: an `ok` mark, or `expect = "accepted"`.
+    NeverFaults,
+}
+
+impl Table {
+    /// Reads a table file.
+    ///
+    /// # Errors
+    /// A sentence, where the text is no table file or names an unknown dialect.
+    pub fn read(name: &str, text: &str, dialects: &Dialects) -> Result<Table, String> {
+        let keys: Keys = toml::from_str(text).map_err(|error| error.to_string())?;
+        let all = resolve(&keys.dialects, dialects)?;
+        let probes = keys.probe.into_iter().map(|probe| {
+            Ok(Probe {
+                claim: Claim::of(&probe),
+                dialects: match &probe.dialects {
+                    Some(names) => resolve(names, dialects)?,
+                    None => all.clone(),
+                },
+                name: probe.name,
+                basis: probe.basis.unwrap_or_else(|| keys.basis.clone()),
+                source: probe.source,
+            })
+        });
+        let probes = probes.collect::<Result<_, String>>()?;
+        let (span, rows) = match keys.rows {
+            Some(rows) => (rows.span(), rows.into_inner()),
+            None => (0..0, Vec::new()),
+        };
+        Ok(Table {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            dialects: all,
+            columns: keys.columns,
+            rows,
+            generate: keys.generate,
+            probes,
+            span,
+        })
+    }
+
+    /// Returns how the cells of each column are written, or nothing where the rows are no calls of one function.
+    fn cells(&self) -> Option<Vec<Cell>> {
+        let names_types = ["from", "to"].iter().all(|name| self.column(name).is_some());
+        let names_operand = self.generate.is_some() || self.column("input").is_some();
+        if !names_types || !names_operand {
+            return None;
+        }
+        self.columns.iter().map(|name| cell::of_column(name)).collect()
+    }
+
+    /// Whether the rows are calls of one function, so that this crate computes their cells.
+    #[must_use]
+    pub fn is_of_calls(&self) -> bool {
+        self.cells().is_some()
+    }
+
+    fn column(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column == name)
+    }
+
+    /// Returns the calls that the head generates, as far as the documents say of them what the probes claim; where it generates
+    /// none, those of the rows.
+    ///
+    /// # Errors
+    /// A sentence, where an entry of `[generate]` means nothing, or a row is no call of a conversion function.
+    pub fn calls(&self) -> Result<Vec<Call>, String> {
+        let Some(generate) = &self.generate else {
+            return self.rows.iter().map(|row| self.call(row)).collect();
+        };
+        let mut calls = generate::calls(generate)?;
+        calls.retain(|call| self.expected(call).is_ok());
+        Ok(calls)
+    }
+
+    /// Returns the call of a row.
+    fn call(&self, row: &[String]) -> Result<Call, String> {
+        let cell = |name| {
+            let at = self.column(name)?;
+            row.get(at).map(String::as_str)
+        };
+        let call = || {
+            let (from, to) = (cell("from")?, cell("to")?);
+            let mut operands = vec![operand(from, cell("input")?)?];
+            if let (Some(ty), Some(literal)) = (cell("with"), cell("second")) {
+                operands.push(operand(ty, literal)?);
+            }
+            let function = cell("function").map_or_else(|| format!("{from}_TO_{to}"), str::to_owned);
+            Call::new(&function, operands, ElementaryType::from_name(to)?)
+        };
+        call().ok_or_else(|| format!("{row:?} is no call of a conversion function"))
+    }
+
+    /// Returns the rows of these calls.
+    ///
+    /// # Errors
+    /// A sentence that names the call, where a probe [claims](Table::expected) what no document says.
+    pub fn rows_of(&self, calls: &[Call]) -> Result<Vec<Vec<String>>, String> {
+        let cells = self.cells().unwrap_or_default();
+        let rows = calls.iter().map(|call| {
+            let expected = self.expected(call).map_err(|what| format!("{call}: {what}"))?;
+            Ok(cells.iter().map(|cell| cell(call, &expected)).collect())
+        });
+        rows.collect()
+    }
+
+    /// Returns the text of the file with other rows in place of its own; nothing else changes.
+    #[must_use]
+    pub fn with_rows(&self, rows: &[Vec<String>]) -> String {
+        let (before, after) = (&self.text[..self.span.start], &self.text[self.span.end..]);
+        format!("{before}{}{after}", aligned(rows))
+    }
+}
+
+impl Claim {
+    fn of(probe: &ProbeKeys) -> Option<Claim> {
+        match probe.expect.as_deref() {
+            Some("{expected}") => Some(Claim::Value),
+            Some("open") => Some(Claim::Open),
+            Some("accepted") => Some(Claim::NeverFaults),
+            None if probe.source.contains("(*! ok *)") => Some(Claim::NeverFaults),
+            _ => None,
+        }
+    }
+}
+
+fn operand(ty: &str, literal: &str) -> Option<Operand> {
+    Operand::written(ElementaryType::from_name(ty)?, literal)
+}
+
+fn resolve(names: &[String], dialects: &Dialects) -> Result<Vec<DialectName>, String> {
+    let mut all = Vec::new();
+    for name in names {
+        all.extend(dialects.resolve(name)?);
+    }
+    Ok(all)
+}
+
+/// Writes rows as a TOML array in which each cell is as wide as the widest of its column.
+fn aligned(rows: &[Vec<String>]) -> String {
+    let rows: Vec<Vec<String>> = rows
+        .iter()
+        .map(|row| row.iter().map(|cell| quoted(cell)).collect())
+        .collect();
+    let columns = rows.first().map_or(0, Vec::len);
+    let widths: Vec<usize> = (0..columns)
+        .map(|column| {
+            let cells = rows.iter().filter_map(|row| row.get(column));
+            cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+        })
+        .collect();
+    let mut out = String::from("[\n");
+    for row in &rows {
+        let mut text = String::new();
+        for (cell, width) in row.iter().zip(&widths) {
+            // Writing into a String does not fail.
+            let _ = write!(text, "{:<width$} ", format!("{cell},"), width = width + 1);
+        }
+        let _ = writeln!(out, "    [{}],", text.trim_end().trim_end_matches(','));
+    }
+    out.push(']');
+    out
+}
+
+/// Writes a TOML string on one line: between double quotes, or between single ones where that spares the reader escapes.
+fn quoted(text: &str) -> String {
+    let needs_escapes = text.contains(['"', '\\']);
+    if needs_escapes && !text.contains('\'') {
+        return format!("'{text}'");
+    }
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(text: &str) -> Table {
+        Table::read("example", text, &Dialects::default()).unwrap()
+    }
+
+    const HEAD: &str = "\
+# A comment.
+title    = 'A title'
+basis    = 'forgeiec-conversion-functions: The naming pattern'
+dialects = ['matiec', 'ironplc-ed3', 'plcnext']
+columns = ['from', 'to', 'input', 'expected']
+";
+    const PROBE: &str = "\
+[[probe]]
+name = 'variable' # Another comment.
+dialects = ['matiec']
+expect = '{expected}'
+source = ''
+";
+
+    #[test]
+    fn computed_cells_are_filled_in_and_all_else_stays() {
+        let table = table(&format!(
+            "{HEAD}rows = [['DINT', 'STRING', '100000', ''], ['SINT', 'STRING', '1', 'INT#2']]\n{PROBE}"
+        ));
+        let rows = table.rows_of(&table.calls().unwrap()).unwrap();
+        let expected = "\
+rows = [
+    [\"DINT\", \"STRING\", \"100000\", \"STRING#'100000'\"],
+    [\"SINT\", \"STRING\", \"1\",      \"STRING#'1'\"],
+]
+";
+        assert_eq!(table.with_rows(&rows), format!("{HEAD}{expected}{PROBE}"));
+    }
+
+    #[test]
+    fn a_head_generates_the_calls_that_its_probes_speak_of() {
+        let generate =
+            "generate = { from = ['LINT'], to = ['SINT', 'STRING'], inputs = ['from.greatest'] }\n";
+        let table = table(&format!("{HEAD}{generate}rows = []\n{PROBE}"));
+        let calls = table.calls().unwrap();
+        let calls: Vec<String> = calls.iter().map(Call::to_string).collect();
+        assert_eq!(calls, ["LINT_TO_STRING(LINT#9223372036854775807)"]);
+    }
+
+    #[test]
+    fn a_row_that_is_no_call_is_an_error() {
+        for row in ["'DINT', 'DNIT', '1', ''", "'SINT', 'INT', '128', ''", "'INT'"] {
+            let table = table(&format!("{HEAD}rows = [[{row}]]\n{PROBE}"));
+            let error = table.calls().unwrap_err();
+            assert!(error.ends_with("is no call of a conversion function"), "{error}");
+        }
+    }
+
+    #[test]
+    fn other_tables_are_left_alone() {
+        assert!(!table("title = ''\nbasis = ''\nmatrix = ''").is_of_calls());
+        let chain = HEAD.replace("'input'", "'input', 'outer'");
+        assert!(!table(&chain).is_of_calls());
+    }
+
+    #[test]
+    fn quotes_in_a_cell_are_kept() {
+        assert_eq!(quoted("WSTRING#\"a\""), "'WSTRING#\"a\"'");
+        assert_eq!(quoted("\"it's\""), "\"\\\"it's\\\"\"");
+        assert_eq!(quoted("'a'"), "\"'a'\"");
+    }
 }

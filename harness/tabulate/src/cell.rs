@@ -1,0 +1,63 @@
+//! The columns of a table of calls.
+
+use crate::call::Call;
+use stickler_types::ElementaryType;
+
+/// Writes the cell of a call; the text is the result, where the table's probes assert one.
+pub type Cell = fn(&Call, &str) -> String;
+
+/// Returns how the cells of a column are written, or nothing where the column is none of a table of calls.
+///
+/// | column | cell |
+/// |---|---|
+/// | `function` | the function's name |
+/// | `from`, `to` | the types of the first operand and of the result |
+/// | `input`, `typed` | the first operand as a declaration initializes a variable with it, and as a typed literal |
+/// | `with`, `second` | the second operand's type, and the operand itself |
+/// | `id` | the function and the operand, where the other cells are too long for an id |
+/// | `huge`, `made` | a number whose square is infinite, and an expression with `huge` for an operand without a literal |
+/// | `expected` | the result as a typed literal |
+#[must_use]
+pub fn of_column(name: &str) -> Option<Cell> {
+    Some(match name {
+        "function" => |call, _| call.signature.function.clone(),
+        "from" => |call, _| call.from().to_string(),
+        "to" => |call, _| call.to().to_string(),
+        "input" => |call, _| call.operands[0].literal.clone(),
+        "typed" => |call, _| call.operands[0].typed.clone(),
+        "with" => |call, _| operand_type(call, 1),
+        "second" => |call, _| literal(call, 1).to_owned(),
+        "id" => |call, _| format!("{}/{}", call.signature.function, call.operands[0].typed),
+        "huge" => |call, _| huge(call.from()).to_owned(),
+        "made" => |call, _| made(literal(call, 0)).to_owned(),
+        "expected" => |_, expected| expected.to_owned(),
+        _ => return None,
+    })
+}
+
+fn literal(call: &Call, at: usize) -> &str {
+    call.operands.get(at).map_or("", |operand| &operand.literal)
+}
+
+fn operand_type(call: &Call, at: usize) -> String {
+    let ty = call.signature.operands.get(at);
+    ty.map_or_else(String::new, |ty| ty.to_string())
+}
+
+fn huge(ty: ElementaryType) -> &'static str {
+    if ty == ElementaryType::Real {
+        "3.0E38"
+    } else {
+        "1.0E308"
+    }
+}
+
+/// Returns an expression that makes what no literal can write. There are compilers that read the literal of -0.0 as 0.0.
+fn made(literal: &str) -> &'static str {
+    match literal {
+        "Infinity" => "huge * huge",
+        "-Infinity" => "-huge * huge",
+        "-0.0" => "-1.0 / (huge * huge)",
+        _ => "huge * huge - huge * huge",
+    }
+}

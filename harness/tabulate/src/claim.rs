@@ -1,0 +1,206 @@
+//! Whether the documents say of a call what the probes of its table claim.
+
+use crate::call::Call;
+use crate::table::{Claim, Probe, Table};
+use stickler_exact::{Expected, Operation};
+use stickler_types::{DialectName, ElementaryType};
+
+/// The tables whose probes may record a result that a document speaks of, because their ids are older than that knowledge, or
+/// because the program asks something else beside it; other tables assert these results.
+const RECORD_MORE: [&str; 5] = [
+    "constant-initial-value",
+    "string-borderline",
+    "time-to-number-inexact",
+    "to-string-text",
+    "trunc-outside",
+];
+
+/// The dialects that differ in their documents; the three of IronPLC have one page on conversion functions.
+const DOCUMENTED: [DialectName; 3] = [DialectName::Matiec, DialectName::IronplcEd3, DialectName::Plcnext];
+
+impl Table {
+    /// Returns the typed literal on which the asserting probes agree, or an empty text where none asserts.
+    ///
+    /// # Errors
+    /// A sentence that names the dialect, where a probe asserts what is open there, leaves open what a document says, or names
+    /// the wrong document; where two dialects give different results; and where the file leaves out a dialect that has the
+    /// function.
+    pub fn expected(&self, call: &Call) -> Result<String, String> {
+        self.check_dialects(call)?;
+        let mut agreed: Option<String> = None;
+        for probe in &self.probes {
+            let mut is_named = false;
+            for &dialect in &probe.dialects {
+                let expected = call.expected(dialect);
+                let expected = expected.ok_or_else(|| format!("{dialect} has no such function"))?;
+                self.check(probe, call, dialect, &expected)?;
+                if probe.claim == Some(Claim::Value) {
+                    is_named |= expected.basis == Some(&probe.basis);
+                    let value = expected.value.to_string();
+                    if agreed.get_or_insert_with(|| value.clone()) != &value {
+                        return Err(format!("another value in {dialect}"));
+                    }
+                }
+            }
+            if probe.claim == Some(Claim::Value) && !is_named {
+                return Err(format!(
+                    "`{}` does not name the document that says so",
+                    probe.name
+                ));
+            }
+        }
+        Ok(agreed.unwrap_or_default())
+    }
+
+    /// Checks what a probe claims in one dialect.
+    fn check(
+        &self,
+        probe: &Probe,
+        call: &Call,
+        dialect: DialectName,
+        expected: &Expected,
+    ) -> Result<(), String> {
+        let name = &probe.name;
+        let may_record = RECORD_MORE.contains(&self.name.as_str());
+        match (probe.claim, expected.basis) {
+            (None, _) => Err(format!("`{name}` neither asserts a result nor records one")),
+            (Some(Claim::Value), None) => Err(format!("`{name}` asserts what is open in {dialect}")),
+            (Some(Claim::Open | Claim::NeverFaults), Some(basis)) if !may_record => {
+                Err(format!("`{name}` leaves open in {dialect} what {basis} says"))
+            }
+            (Some(Claim::Open), None) if is_named(call, dialect) && !may_record => {
+                Err(format!("`{name}` does not say that {dialect} never faults here"))
+            }
+            (Some(Claim::NeverFaults), None) if !is_named(call, dialect) => {
+                Err(format!("no document of {dialect} names the function"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Checks the dialects in which no probe asks: those of the file must leave the result open, others not have the function.
+    fn check_dialects(&self, call: &Call) -> Result<(), String> {
+        let asked = |dialect| self.probes.iter().any(|probe| probe.dialects.contains(&dialect));
+        for dialect in DOCUMENTED.into_iter().filter(|&dialect| !asked(dialect)) {
+            match call.expected(dialect) {
+                Some(_) if !self.dialects.contains(&dialect) => {
+                    return Err(format!("{dialect} has the function too"));
+                }
+                Some(Expected {
+                    basis: Some(basis), ..
+                }) => {
+                    return Err(format!(
+                        "nothing is asked in {dialect}, where {basis} says something"
+                    ));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether the ForgeIEC page's table of names has the function: what it names, matiec has, and nothing that it names stops a
+/// program.
+///
+/// Basis: forgeiec-conversion-functions: The naming pattern; matiec conformance ("implements every conversion in the table");
+/// Range and precision ("silently truncate or wrap").
+fn is_named(call: &Call, dialect: DialectName) -> bool {
+    let (from, to) = (call.from(), call.to());
+    let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real();
+    if dialect != DialectName::Matiec {
+        return false;
+    }
+    match &*call.signature.function {
+        "TRUNC" | "TRUNC_INT" | "TRUNC_DINT" | "TRUNC_LINT" | "BCD_TO_INT" | "INT_TO_BCD" => true,
+        name if name.starts_with("TO_") || call.signature.operation != Operation::Convert => false,
+        _ => match (from, to) {
+            (ElementaryType::Bool | ElementaryType::Time, _)
+            | (_, ElementaryType::Bool | ElementaryType::Time) => true,
+            (ElementaryType::String, _) => is_number(to),
+            (_, ElementaryType::String) => is_number(from),
+            (ElementaryType::Dt, ElementaryType::Date) => true,
+            _ => false,
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::table::Table;
+    use stickler_suite::Dialects;
+
+    /// Returns what is wrong with a table of one call in matiec and plcnext that has these probes.
+    fn wrong(function: (&str, &str, &str), probes: &[(&str, &str, &str)]) -> Result<String, String> {
+        let (from, to, input) = function;
+        let mut text = format!(
+            "basis = 'forgeiec-conversion-functions: Range and precision'\ndialects = ['matiec', 'ironplc-ed3', 'plcnext']\n\
+             columns = ['from', 'to', 'input']\nrows = [['{from}', '{to}', \"{input}\"]]\n"
+        );
+        for (dialect, basis, expect) in probes {
+            text += &format!(
+                "[[probe]]\nname = 'p'\ndialects = ['{dialect}']\nexpect = '{expect}'\nsource = ''\n"
+            );
+            if !basis.is_empty() {
+                text += &format!("basis = '{basis}'\n");
+            }
+        }
+        let table = Table::read("example", &text, &Dialects::default()).unwrap();
+        table.expected(&table.calls().unwrap()[0])
+    }
+
+    const NARROWED: (&str, &str, &str) = ("DINT", "INT", "100000");
+    const SAID: [(&str, &str, &str); 2] = [
+        ("matiec", "", "{expected}"),
+        (
+            "ironplc-ed3",
+            "ironplc-type-conversions: Narrowing Conversions",
+            "{expected}",
+        ),
+    ];
+
+    #[test]
+    fn what_the_documents_say_is_what_exact_arithmetic_gives() {
+        assert_eq!(wrong(NARROWED, &SAID).unwrap(), "INT#-31072");
+        let recorded = [("plcnext", "", "open")];
+        assert_eq!(
+            wrong(NARROWED, &[&SAID[..], &recorded].concat()).unwrap(),
+            "INT#-31072"
+        );
+    }
+
+    #[test]
+    fn a_probe_neither_asserts_what_is_open_nor_leaves_open_what_is_said() {
+        for (probe, said) in [
+            (
+                ("plcnext", "", "{expected}"),
+                "`p` asserts what is open in plcnext",
+            ),
+            (("matiec", "", "open"), "`p` leaves open in matiec what forgeiec"),
+            (
+                ("matiec", "", "accepted"),
+                "`p` leaves open in matiec what forgeiec",
+            ),
+            (
+                ("ironplc-ed2", "", "{expected}"),
+                "`p` does not name the document",
+            ),
+            (("matiec", "", "no"), "`p` neither asserts"),
+        ] {
+            let error = wrong(NARROWED, &[&SAID[..], &[probe]].concat()).unwrap_err();
+            assert!(error.starts_with(said), "{error}");
+        }
+        let error = wrong(NARROWED, &SAID[..1]).unwrap_err();
+        assert!(error.starts_with("nothing is asked in ironplc-ed3"), "{error}");
+    }
+
+    #[test]
+    fn that_a_function_never_faults_is_said_where_a_document_names_it_and_nowhere_else() {
+        let text = ("STRING", "INT", "'+7'");
+        assert_eq!(wrong(text, &[("matiec", "", "accepted")]).unwrap(), "");
+        let error = wrong(text, &[("matiec", "", "open")]).unwrap_err();
+        assert_eq!(error, "`p` does not say that matiec never faults here");
+        let error = wrong(text, &[("plcnext", "", "accepted")]).unwrap_err();
+        assert_eq!(error, "no document of plcnext names the function");
+    }
+}

@@ -1,0 +1,86 @@
+//! The tables of calls have the rows that they must have, and the folder is sound.
+
+use crate::root;
+use similar::TextDiff;
+use std::collections::{HashMap, HashSet};
+use stickler_suite::{Case, Suite};
+use stickler_tabulate::folder;
+use stickler_types::DialectName;
+
+#[test]
+fn the_folder_holds_the_rows_that_the_program_writes() {
+    let mut shown = String::new();
+    for table in folder::call_tables(&root()).unwrap() {
+        let wanted = table.wanted();
+        let diff = TextDiff::from_lines(&table.table.text, &wanted);
+        let diff = diff.unified_diff().header("found", &table.table.name).to_string();
+        // The first lines tell what it is about; whole files of new rows would not.
+        shown.extend(diff.lines().take(40).flat_map(|line| [line, "\n"]));
+    }
+    assert!(
+        shown.is_empty(),
+        "{shown}\nto rewrite the tables: cargo run -p stickler-tabulate"
+    );
+}
+
+#[test]
+fn a_table_is_small_enough_to_be_read() {
+    for (path, table) in folder::tables(&root()).unwrap() {
+        let length = table.text.len();
+        assert!(length < 300_000, "{}: {length} bytes", path.display());
+    }
+}
+
+#[test]
+fn every_function_is_called_in_every_dialect_that_differs() {
+    let mut called = HashSet::new();
+    for table in folder::call_tables(&root()).unwrap() {
+        for dialect in table.table.probes.iter().flat_map(|probe| &probe.dialects) {
+            called.extend(table.calls.iter().map(|call| (*dialect, call.signature.clone())));
+        }
+    }
+    for dialect in [DialectName::IronplcEd3, DialectName::Matiec, DialectName::Plcnext] {
+        for name in stickler_exact::functions(dialect) {
+            for signature in stickler_exact::signatures(&name, dialect) {
+                let shown = format!("{signature:?}");
+                assert!(
+                    called.contains(&(dialect, signature)),
+                    "{dialect} has no case of {shown}"
+                );
+            }
+        }
+    }
+}
+
+/// Returns the cases of the folder.
+fn cases() -> Vec<Case> {
+    let mut suite = Suite::load(&root().join("conformance-cases"));
+    suite.cases.retain(|case| case.area.as_ref() == "conversion");
+    suite.cases
+}
+
+#[test]
+fn nothing_is_asked_twice() {
+    let mut seen: HashMap<(DialectName, String, Vec<String>), String> = HashMap::new();
+    for case in cases() {
+        let observed = case.observe.iter().map(|observed| format!("{observed:?}"));
+        let program = (case.dialect, without_marks(&case.source), observed.collect());
+        if let Some(first) = seen.insert(program, case.key()) {
+            panic!("{} asks what {first} asks", case.key());
+        }
+    }
+    assert!(seen.len() > 20_000, "{} cases", seen.len());
+}
+
+/// Returns the program without its marks, which an engine does not see, and without the blanks before them.
+fn without_marks(source: &str) -> String {
+    let mut rest = source;
+    let mut program = String::new();
+    while let Some(start) = rest.find("(*!") {
+        program.push_str(rest[..start].trim_end());
+        rest = rest[start..]
+            .find("*)")
+            .map_or("", |end| &rest[start + end + 2..]);
+    }
+    program + rest
+}
