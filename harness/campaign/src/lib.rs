@@ -39,6 +39,6 @@ pub use plan::{Plan, Until};
 pub use promote::{FOUND, PromoteError, Promoted, Words, promote};
 pub use record::{Record, Request};
 pub use replay::{Replayed, replay};
-pub use run::{Ended, Event, Progress, Summary, run};
+pub use run::{CampaignError, Ended, Event, Progress, Summary, run};
 pub use store::{Saved, Store, StoreError, load};
 pub use without::{UnknownWord, Without};

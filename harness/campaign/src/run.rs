@@ -4,19 +4,20 @@
 //! on who was quicker. So the number of workers changes nothing, and with a count a seed finds the same every time.
 
 mod ledger;
+mod tasks;
 #[cfg(test)]
 mod tests;
-mod workers;
 
-use crate::bench::{Bench, Verdict};
+use crate::bench::{Bench, Suspicion, Verdict};
 use crate::finding::Finding;
 use crate::plan::{Plan, Until};
 use ledger::Ledger;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use stickler_engines::EngineError;
-use workers::{Done, Pool, Task};
+use stickler_workers::{Reorder, SpawnError, Supervisor, WorkerPool};
+use tasks::{Done, Task};
 
 /// What a campaign tells while it goes on.
 #[derive(Debug)]
@@ -76,31 +77,43 @@ pub enum Ended {
 /// suspicion that is being made small becomes a finding as it is.
 ///
 /// # Errors
-/// [`EngineError`] where an engine cannot be started; no input was judged then.
+/// [`CampaignError`] where an engine or a thread cannot be started; no input was judged then.
 pub fn run(
     plan: &Plan,
     bench: &dyn Bench,
     tell: &mut dyn FnMut(Event<'_>),
     cancel: &AtomicBool,
-) -> Result<Summary, EngineError> {
+) -> Result<Summary, CampaignError> {
     let clock = Clock::new(plan.until, cancel);
-    let jobs = match plan.jobs {
-        0 => std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-        jobs => jobs,
+    let pool = WorkerPool::new(plan.jobs);
+    let mut campaign = Campaign {
+        clock: &clock,
+        batches: plan.batches().enumerate(),
+        batches_ahead: pool.threads() * BATCHES_AHEAD,
+        begun: 0,
+        verdicts: Reorder::default(),
+        reductions: VecDeque::new(),
+        ledger: Ledger::default(),
+        tell,
     };
-    std::thread::scope(|scope| {
-        let pool = Pool::start(scope, bench, &clock, jobs)?;
-        let mut campaign = Campaign {
-            pool: &pool,
-            ledger: Ledger::default(),
-            clock: &clock,
-            tell,
-        };
-        campaign.go_on(plan, jobs);
-        Ok(campaign
-            .ledger
-            .summary(clock.begun.elapsed(), cancel.load(Ordering::Relaxed)))
-    })
+    pool.run(
+        || bench.worker().map_err(CampaignError::Engine),
+        |worker, task| task.attempt(&mut **worker, &clock),
+        &mut campaign,
+    )?;
+    let interrupted = cancel.load(Ordering::Relaxed);
+    Ok(campaign.ledger.summary(clock.begun.elapsed(), interrupted))
+}
+
+/// What keeps a campaign from being one.
+#[derive(Debug, thiserror::Error)]
+pub enum CampaignError {
+    /// An engine could not be started.
+    #[error(transparent)]
+    Engine(#[from] EngineError),
+    /// The worker threads could not be started.
+    #[error(transparent)]
+    Workers(#[from] SpawnError),
 }
 
 /// When work ends.
@@ -149,73 +162,71 @@ impl<'c> Clock<'c> {
     }
 }
 
-/// A campaign under way.
-struct Campaign<'p, 't, 'c> {
-    pool: &'p Pool,
+/// How many batches a worker may be ahead of the oldest one that is not judged, so that verdicts do not pile up behind a
+/// slow one.
+const BATCHES_AHEAD: usize = 4;
+
+/// A campaign under way: gives out batches of places and mismatches to be reduced, and takes what comes of them.
+struct Campaign<'c, 't, B> {
+    clock: &'c Clock<'c>,
+    batches: B,
+    batches_ahead: usize,
+    /// How many batches were given out.
+    begun: usize,
+    verdicts: Reorder<Vec<Verdict>>,
+    /// Done before further batches: a campaign that is cut short has then reduced most of what it found.
+    reductions: VecDeque<Suspicion>,
     ledger: Ledger,
-    clock: &'p Clock<'c>,
     tell: &'t mut dyn FnMut(Event<'_>),
 }
 
-impl Campaign<'_, '_, '_> {
-    fn go_on(&mut self, plan: &Plan, jobs: usize) {
-        let mut batches = plan.batches().enumerate();
-        let mut waiting: BTreeMap<usize, Vec<Verdict>> = BTreeMap::new();
-        let mut next = 0;
-        let mut judging = 0;
-        let mut under_way = 0;
-        loop {
-            // A few batches ahead of the workers, so that none waits; not many, so that verdicts do not pile up behind a slow one.
-            while judging + waiting.len() < jobs * 4
-                && self.clock.judges()
-                && let Some((index, places)) = batches.next()
-            {
-                self.pool.give(Task::Judge { index, places });
-                judging += 1;
-                under_way += 1;
-            }
-            if under_way == 0 {
-                break;
-            }
-            under_way -= 1;
-            match self.pool.take() {
-                Some(Done::Judged { index, verdicts }) => {
-                    judging -= 1;
-                    waiting.insert(index, verdicts);
-                    while let Some(verdicts) = waiting.remove(&next) {
-                        under_way += self.enter(verdicts);
-                        next += 1;
-                    }
-                }
-                Some(Done::Reduced(finding)) => self.found(*finding),
-                Some(Done::GivenUp) => {}
-                Some(Done::Lost(reason)) => {
-                    // It is no answer to a task.
-                    under_way += 1;
-                    self.clock.over.store(true, Ordering::Relaxed);
-                    self.ledger.lost(reason);
-                }
-                None => break,
-            }
-            (self.tell)(Event::Progress(self.ledger.progress()));
+impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<Task, Done> for Campaign<'_, '_, B> {
+    fn next_task(&mut self) -> Option<Task> {
+        if let Some(suspicion) = self.reductions.pop_front() {
+            return Some(Task::Reduce(suspicion));
         }
+        if self.begun - self.verdicts.taken() >= self.batches_ahead || !self.clock.judges() {
+            return None;
+        }
+        let (number, places) = self.batches.next()?;
+        self.begun += 1;
+        Some(Task::Judge { number, places })
     }
 
-    /// Takes verdicts, and gives out what is to be made small: how many tasks.
-    fn enter(&mut self, verdicts: Vec<Verdict>) -> usize {
-        let mut tasks = 0;
-        for verdict in verdicts {
-            for suspicion in self.ledger.enter(verdict) {
-                self.pool.give(Task::Reduce(suspicion));
-                tasks += 1;
+    fn take(&mut self, done: Done) {
+        match done {
+            Done::Judged {
+                number,
+                verdicts,
+                lost,
+            } => {
+                self.lost(lost);
+                self.verdicts.put(number, verdicts);
+                while let Some(verdicts) = self.verdicts.pop() {
+                    let entered = verdicts
+                        .into_iter()
+                        .flat_map(|verdict| self.ledger.enter(verdict));
+                    self.reductions.extend(entered);
+                }
             }
+            Done::Reduced { finding, lost } => {
+                self.lost(lost);
+                if let Some(finding) = self.ledger.found(*finding) {
+                    (self.tell)(Event::Found(finding));
+                }
+            }
+            Done::Panicked(reason) => self.lost(Some(reason)),
         }
-        tasks
+        (self.tell)(Event::Progress(self.ledger.progress()));
     }
+}
 
-    fn found(&mut self, finding: Finding) {
-        if let Some(finding) = self.ledger.found(finding) {
-            (self.tell)(Event::Found(finding));
+impl<B> Campaign<'_, '_, B> {
+    /// Ends the campaign where an engine can no longer be used.
+    fn lost(&mut self, reason: Option<String>) {
+        if let Some(reason) = reason {
+            self.clock.over.store(true, Ordering::Relaxed);
+            self.ledger.lost(reason);
         }
     }
 }

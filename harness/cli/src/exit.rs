@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::process::ExitCode;
+use stickler_campaign::CampaignError;
 use stickler_engines::EngineError;
 use stickler_run::{RunError, Totals, Verdict};
 
@@ -106,9 +107,8 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
     match error.downcast_ref::<RunError>() {
         Some(RunError::NoCaseSelected) => Exit::NothingTested,
         Some(RunError::Engine(_) | RunError::Workers(_)) => Exit::EngineNotRun,
-        None if error.is::<NoSuchEngine>() || error.is::<SpeaksNone>() || error.is::<EngineError>() => {
-            Exit::EngineNotRun
-        }
+        None if error.is::<NoSuchEngine>() || error.is::<SpeaksNone>() => Exit::EngineNotRun,
+        None if error.is::<EngineError>() || error.is::<CampaignError>() => Exit::EngineNotRun,
         None => Exit::Usage,
     }
 }

@@ -1,0 +1,78 @@
+//! What the workers of a campaign do: judge a batch of inputs, or reduce a mismatch.
+
+use super::Clock;
+use crate::bench::{Suspicion, Verdict, Worker};
+use crate::finding::Finding;
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Something to do.
+pub(super) enum Task {
+    /// Judge the inputs at these places.
+    Judge {
+        /// The number of the batch.
+        number: usize,
+        /// The places of the inputs.
+        places: Vec<u64>,
+    },
+    /// Make the input of this mismatch small.
+    Reduce(Suspicion),
+}
+
+/// Something that was done.
+pub(super) enum Done {
+    /// A batch was judged.
+    Judged {
+        /// The number of the batch.
+        number: usize,
+        /// The verdicts in the order of the places; fewer than places where the campaign ends.
+        verdicts: Vec<Verdict>,
+        /// Why an engine can no longer be used.
+        lost: Option<String>,
+    },
+    /// A mismatch was reduced.
+    Reduced {
+        /// The finding that came of it.
+        finding: Box<Finding>,
+        /// Why an engine can no longer be used.
+        lost: Option<String>,
+    },
+    /// Stickler itself panicked over a task, which came to nothing; holds what is said of that.
+    Panicked(String),
+}
+
+impl Task {
+    /// Does the task. A panic is told like the loss of an engine: the campaign ends, and keeps what it has.
+    pub(super) fn attempt(self, worker: &mut dyn Worker, clock: &Clock<'_>) -> Done {
+        let what = self.to_string();
+        // A worker that has panicked judges nothing more, for the campaign ends.
+        let done = catch_unwind(AssertUnwindSafe(|| match self {
+            Task::Judge { number, places } => Done::Judged {
+                number,
+                verdicts: worker.judge(&places, &|| clock.judges()),
+                lost: worker.lost(),
+            },
+            Task::Reduce(suspicion) => Done::Reduced {
+                finding: Box::new(worker.reduce(&suspicion, &|| clock.reduces())),
+                lost: worker.lost(),
+            },
+        }));
+        done.unwrap_or_else(|_| {
+            Done::Panicked(format!(
+                "Stickler itself panicked {what}; that is a defect of Stickler"
+            ))
+        })
+    }
+}
+
+impl fmt::Display for Task {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Task::Judge { places, .. } => {
+                let (first, last) = (places.first().unwrap_or(&0), places.last().unwrap_or(&0));
+                write!(f, "over one of the inputs {first} to {last}")
+            }
+            Task::Reduce(suspicion) => write!(f, "while it made input {} small", suspicion.place),
+        }
+    }
+}
