@@ -17,5 +17,5 @@ pub use agenda::{AgendaError, Sweep, Through, agenda};
 pub use domain::{Domain, Operands, Sampling, Texts};
 pub use findings::{Difference, Findings, Got, KEPT};
 pub use reference::Reference;
-pub use run::{Progress, SweepError, run};
+pub use run::{Progress, run};
 pub use subject::Subject;

@@ -158,7 +158,7 @@ impl WorkerPool {
     /// begun.
     ///
     /// # Errors
-    /// As [`WorkerPool::run`], or the first error of `work`.
+    /// As [`WorkerPool::run`], or of the errors of `work` the one that belongs to the earliest item.
     pub fn map<W, T, R, E>(
         self,
         items: impl ExactSizeIterator<Item = T>,
@@ -179,7 +179,10 @@ impl WorkerPool {
         };
         let numbered = |worker: &mut W, (number, item)| (number, work(worker, item));
         WorkerPool { threads }.run(open, numbered, &mut mapping)?;
-        mapping.error.map_or(Ok(mapping.results), Err)
+        match mapping.error {
+            Some((_, error)) => Err(error),
+            None => Ok(mapping.results),
+        }
     }
 }
 
@@ -232,7 +235,8 @@ struct Mapping<I, R, E> {
     items: I,
     reorder: Reorder<R>,
     results: Vec<R>,
-    error: Option<E>,
+    /// The earliest error, with the number of its item.
+    error: Option<(usize, E)>,
 }
 
 impl<T, R, E, I> Supervisor<(usize, T), (usize, Result<R, E>)> for Mapping<I, R, E>
@@ -246,7 +250,11 @@ where
     fn take(&mut self, (number, result): (usize, Result<R, E>)) {
         match result {
             Ok(result) => self.reorder.put(number, result),
-            Err(error) => self.error = self.error.take().or(Some(error)),
+            // Tasks are begun in order, so none before the earliest error is left out.
+            Err(error) => match &self.error {
+                Some((earliest, _)) if *earliest < number => {}
+                _ => self.error = Some((number, error)),
+            },
         }
         self.results.extend(std::iter::from_fn(|| self.reorder.pop()));
     }
@@ -328,6 +336,16 @@ mod tests {
         let error = WorkerPool::new(1).map(vec![1, 2, 3, 1, 1, 1, 1, 1].into_iter(), || Ok(()), work);
         assert!(matches!(error, Err(TestError::Refused(3))), "{error:?}");
         assert!(begun.into_inner() <= 3 + MAX_TASKS_PER_THREAD);
+    }
+
+    #[test]
+    fn of_several_errors_the_one_of_the_earliest_item_is_returned() {
+        let late_at_first = |(): &mut (), number: u32| {
+            thread::sleep(Duration::from_millis(20 / u64::from(number)));
+            Err::<(), _>(TestError::Refused(number))
+        };
+        let error = WorkerPool::new(4).map([1, 2, 3, 4].into_iter(), || Ok(()), late_at_first);
+        assert!(matches!(error, Err(TestError::Refused(1))), "{error:?}");
     }
 
     #[test]

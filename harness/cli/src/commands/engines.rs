@@ -6,9 +6,9 @@ use crate::{engines, interrupt, output};
 use anstyle::Style;
 use serde::Serialize;
 use std::io::{self, Write};
-use std::thread;
 use stickler_configuration::{Configuration, Kind};
 use stickler_engines::{Compiler, EngineError, Located, Sought};
+use stickler_workers::WorkerPool;
 
 const BOLD: Style = Style::new().bold();
 
@@ -40,21 +40,15 @@ pub fn execute(arguments: &EnginesArguments, out: &mut dyn Write) -> anyhow::Res
 
 /// Looks for all at once: each asks a compiler for its version, and some of them take a second to answer.
 fn seek_all<'n>(names: &[&'n str], configuration: &'n Configuration) -> anyhow::Result<Vec<Listed<'n>>> {
-    thread::scope(|scope| {
-        let seekers: Vec<_> = names
-            .iter()
-            .map(|&name| scope.spawn(move || engines::seek(name, name, configuration)))
-            .collect();
-        let mut listed = Vec::with_capacity(names.len());
-        for (&name, seeker) in names.iter().zip(seekers) {
-            let sought = seeker
-                .join()
-                .map_err(|_| anyhow::anyhow!("the search for {name} broke off"))?
-                .ok_or_else(|| engines::no_such(name, configuration))?;
-            listed.push(Listed::new(name, sought, configuration));
-        }
-        Ok(listed)
-    })
+    WorkerPool::new(names.len()).map(
+        names.iter(),
+        || Ok(()),
+        |(), &name| {
+            let sought = engines::seek(name, name, configuration);
+            let sought = sought.ok_or_else(|| engines::no_such(name, configuration))?;
+            Ok(Listed::new(name, sought, configuration))
+        },
+    )
 }
 
 /// What is told of one engine; in JSON by these names.

@@ -1,11 +1,9 @@
 //! Asking an engine which types it takes for which.
 
-use anyhow::{Context, Result};
-use std::num::NonZero;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
+use anyhow::Result;
 use stickler_engines::{Engine, Outcome, Session, guard};
 use stickler_types::{DialectName, ElementaryType};
+use stickler_workers::WorkerPool;
 
 /// A value's type, and the type of the variable that it is assigned to.
 pub type Pair = (ElementaryType, ElementaryType);
@@ -35,39 +33,18 @@ pub fn answers(
     pairs: &[Pair],
     told: &(dyn Fn() + Sync),
 ) -> Result<Vec<Answer>> {
-    let next = AtomicUsize::new(0);
-    let workers = thread::available_parallelism().map_or(1, NonZero::get);
-    let mut answers = vec![Answer::Unsupported; pairs.len()];
-    let work = || -> Result<Vec<(usize, Answer)>> {
-        let mut session = engine.session()?;
-        let mut found = Vec::new();
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(pair) = pairs.get(index) else {
-                return Ok(found);
-            };
+    WorkerPool::new(0).map(
+        pairs.iter(),
+        || Ok(engine.session()?),
+        |session, pair| {
             let outcome = ask(session.as_mut(), dialect, *pair);
             if let Outcome::Crashed { .. } = outcome {
-                session = engine.session()?;
+                *session = engine.session()?;
             }
-            found.push((index, answer(&outcome)));
             told();
-        }
-    };
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..workers.min(pairs.len())).map(|_| scope.spawn(work)).collect();
-        for worker in workers {
-            // The closure panics nowhere, and what an engine does is guarded.
-            let found = worker
-                .join()
-                .ok()
-                .context("a thread that asked the engine ended early")??;
-            for (index, answer) in found {
-                answers[index] = answer;
-            }
-        }
-        Ok(answers)
-    })
+            Ok(answer(&outcome))
+        },
+    )
 }
 
 fn ask(session: &mut dyn Session, dialect: DialectName, (from, into): Pair) -> Outcome {

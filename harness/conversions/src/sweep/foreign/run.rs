@@ -8,15 +8,11 @@ use super::worker::Inquiry;
 use crate::session::{Asker, Refusal};
 use crate::sweep::agenda::Sweep;
 use crate::sweep::run::Progress;
-use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
-use std::thread;
 use stickler_engines::{Engine, EngineError};
 use stickler_types::DialectName;
-
-/// Stack enough for an engine in this process to recurse as deep as its own limits allow.
-const STACK: usize = 16 << 20;
+use stickler_workers::{SpawnError, WorkerPool};
 
 /// Why an engine could not be swept at all.
 #[derive(Debug, thiserror::Error)]
@@ -39,8 +35,8 @@ pub enum ForeignError {
         counts: bool,
     },
     /// The system gives no threads.
-    #[error("cannot start the threads of a sweep: {0}")]
-    Workers(#[from] std::io::Error),
+    #[error(transparent)]
+    Workers(#[from] SpawnError),
 }
 
 /// What may help where counting does not.
@@ -86,35 +82,20 @@ pub fn run(
         progress,
         cancel,
     };
-    thread::scope(|scope| {
-        let workers = (0..workers(jobs)).map(|index| {
-            thread::Builder::new()
-                .name(format!("sweep-{index}"))
-                .stack_size(STACK)
-                .spawn_scoped(scope, || {
-                    Asker::new(engine, dialect).map(|mut asker| inquiry.work(&mut asker))
-                })
-        });
-        let workers: Vec<_> = workers.collect::<Result<_, _>>()?;
-        for worker in workers {
-            // A panic of a worker is one of this crate, since the engine's own are caught; it goes on in this thread.
-            worker
-                .join()
-                .unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
-        }
-        Ok::<(), ForeignError>(())
-    })?;
+    let tasks = std::iter::from_fn(|| {
+        let is_cancelled = cancel.load(Ordering::Relaxed);
+        if is_cancelled { None } else { inquiry.queue.claim() }
+    });
+    WorkerPool::new(jobs).for_each(
+        tasks,
+        || Asker::new(engine, dialect).map_err(ForeignError::Engine),
+        |asker, places| inquiry.look(asker, places),
+        |()| (),
+    )?;
     Ok(inquiry
         .findings
         .into_inner()
         .unwrap_or_else(PoisonError::into_inner))
-}
-
-fn workers(jobs: usize) -> usize {
-    match jobs {
-        0 => thread::available_parallelism().map_or(1, NonZero::get),
-        _ => jobs,
-    }
 }
 
 /// Whether the engine answers anything: a few small programs are tried until one comes back with values.
