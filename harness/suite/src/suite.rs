@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
 use stickler_types::{DefinedDialect, DialectName};
+use stickler_workers::{SpawnError, WorkerPool};
 
 use crate::assembly::TypeNames;
 use crate::defined::restate;
@@ -61,19 +61,18 @@ impl Suite {
         suite.errors.extend(listing.errors);
         suite.remarks.extend(listing.remarks);
         let dialects = &suite.dialects;
-        let harvests: Vec<Harvest> = listing
-            .files
-            .par_iter()
-            .map(|file| read_file(file, dialects, &type_names))
-            .map(|mut harvest| {
-                let others = harvest
-                    .cases
-                    .iter_mut()
-                    .filter(|case| case.dialect.definition().is_some());
-                others.for_each(|case| restate(case, &type_names));
-                harvest
-            })
-            .collect();
+        let read = |file: &files::CaseFile| {
+            let mut harvest = read_file(file, dialects, &type_names);
+            let cases = harvest.cases.iter_mut();
+            cases
+                .filter(|case| case.dialect.definition().is_some())
+                .for_each(|case| restate(case, &type_names));
+            harvest
+        };
+        let files = listing.files.iter();
+        let harvests = WorkerPool::new(0).map(files.clone(), || Ok(()), |(), file| Ok(read(file)));
+        // Without threads it takes longer.
+        let harvests: Vec<Harvest> = harvests.unwrap_or_else(|_: SpawnError| files.map(read).collect());
         suite
             .cases
             .reserve(harvests.iter().map(|harvest| harvest.cases.len()).sum());
