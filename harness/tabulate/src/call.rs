@@ -1,22 +1,21 @@
 //! Calls of conversion functions, and what exact arithmetic says of them.
 
-use crate::operand::Operand;
 use stickler_exact::{Expected, Signature, expected, signatures};
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, Value, WrittenValue};
 
 /// A call of a conversion function with the operands that a program writes.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Call {
     /// The function with its types.
     pub signature: Signature,
     /// The operands, one for each parameter.
-    pub operands: Vec<Operand>,
+    pub operands: Vec<WrittenValue>,
 }
 
 impl Call {
     /// Returns the call of `function` with these operands that gives a `to`, or nothing where no dialect has such a function.
     #[must_use]
-    pub fn new(function: &str, operands: Vec<Operand>, to: ElementaryType) -> Option<Call> {
+    pub fn new(function: &str, operands: Vec<WrittenValue>, to: ElementaryType) -> Option<Call> {
         let types: Vec<&str> = operands.iter().map(|operand| operand.value.type_name()).collect();
         let signature = DialectName::ALL
             .into_iter()
@@ -81,7 +80,7 @@ mod tests {
 
     #[test]
     fn a_call_knows_what_it_gives_and_who_says_so() {
-        let operand = Operand::written(Dint, "100000").unwrap();
+        let operand = WrittenValue::parse(Dint, "100000").unwrap();
         let call = Call::new("DINT_TO_INT", vec![operand], Int).unwrap();
         let matiec = call.expected(DialectName::Matiec).unwrap();
         assert_eq!(matiec.value.to_string(), "INT#-31072");
@@ -94,7 +93,7 @@ mod tests {
 
     #[test]
     fn a_function_that_a_dialect_lacks_gives_nothing_there() {
-        let operand = || vec![Operand::written(Real, "0.5").unwrap()];
+        let operand = || vec![WrittenValue::parse(Real, "0.5").unwrap()];
         let call = Call::new("ROUND", operand(), Dint).unwrap();
         assert!(call.expected(DialectName::IronplcEd3).is_some());
         assert_eq!(call.expected(DialectName::Matiec), None);

@@ -1,7 +1,7 @@
 //! The columns of a table of calls.
 
 use crate::call::Call;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, WrittenValue};
 
 /// Writes the cell of a call; the text is the result, where the table's probes assert one.
 pub type Cell = fn(&Call, &str) -> String;
@@ -23,11 +23,11 @@ pub fn of_column(name: &str) -> Option<Cell> {
         "function" => |call, _| call.signature.function.clone(),
         "from" => |call, _| call.from().to_string(),
         "to" => |call, _| call.to().to_string(),
-        "input" => |call, _| call.operands[0].literal.clone(),
-        "typed" => |call, _| call.operands[0].typed.clone(),
+        "input" => |call, _| literal(call, 0).to_owned(),
+        "typed" => |call, _| typed(&call.operands[0]),
         "with" => |call, _| operand_type(call, 1),
         "second" => |call, _| literal(call, 1).to_owned(),
-        "id" => |call, _| format!("{}/{}", call.signature.function, call.operands[0].typed),
+        "id" => |call, _| format!("{}/{}", call.signature.function, typed(&call.operands[0])),
         "huge" => |call, _| huge(call.from()).to_owned(),
         "made" => |call, _| made(literal(call, 0)).to_owned(),
         "expected" => |_, expected| expected.to_owned(),
@@ -37,6 +37,19 @@ pub fn of_column(name: &str) -> Option<Cell> {
 
 fn literal(call: &Call, at: usize) -> &str {
     call.operands.get(at).map_or("", |operand| &operand.literal)
+}
+
+/// Returns the literal with its type, which it may have already: `TIME#999us`.
+fn typed(operand: &WrittenValue) -> String {
+    let has_type = operand
+        .literal
+        .split_once('#')
+        .is_some_and(|(prefix, _)| ElementaryType::from_literal_prefix(prefix).is_some());
+    if has_type {
+        operand.literal.to_string()
+    } else {
+        format!("{}#{}", operand.value.type_name(), operand.literal)
+    }
 }
 
 fn operand_type(call: &Call, at: usize) -> String {
@@ -59,5 +72,21 @@ fn made(literal: &str) -> &'static str {
         "-Infinity" => "-huge * huge",
         "-0.0" => "-1.0 / (huge * huge)",
         _ => "huge * huge - huge * huge",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_literal_gets_its_type_unless_it_has_one() {
+        for (ty, literal, expected) in [
+            (ElementaryType::Word, "16#00FF", "WORD#16#00FF"),
+            (ElementaryType::Time, "TIME#999us", "TIME#999us"),
+            (ElementaryType::String, "'INT#5'", "STRING#'INT#5'"),
+        ] {
+            assert_eq!(typed(&WrittenValue::parse(ty, literal).unwrap()), expected);
+        }
     }
 }

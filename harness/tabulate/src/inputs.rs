@@ -7,8 +7,7 @@
 //! | `"powers-of-two"` | the list of that [name](lists::named) |
 
 use crate::lists;
-use crate::operand::Operand;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, Value, WrittenValue};
 
 /// Returns the operands of a pair of types, numbers in ascending order, each once.
 ///
@@ -20,7 +19,7 @@ pub fn operands(
     entries: &[String],
     from: ElementaryType,
     to: ElementaryType,
-) -> Result<Vec<Operand>, String> {
+) -> Result<Vec<WrittenValue>, String> {
     let mut values: Vec<Value> = Vec::new();
     for entry in entries {
         values.extend(of_entry(entry, from, to)?);
@@ -32,7 +31,7 @@ pub fn operands(
             each_once.push(value);
         }
     }
-    Ok(each_once.into_iter().map(Operand::of).collect())
+    Ok(each_once.into_iter().map(WrittenValue::of).collect())
 }
 
 fn of_entry(entry: &str, from: ElementaryType, to: ElementaryType) -> Result<Vec<Value>, String> {
@@ -161,7 +160,10 @@ mod tests {
     fn literals(entries: &[&str], from: ElementaryType, to: ElementaryType) -> Vec<String> {
         let entries: Vec<String> = entries.iter().map(|&entry| entry.to_owned()).collect();
         let operands = operands(&entries, from, to).unwrap();
-        operands.into_iter().map(|operand| operand.literal).collect()
+        operands
+            .into_iter()
+            .map(|operand| operand.literal.into())
+            .collect()
     }
 
     #[test]

@@ -8,7 +8,7 @@
 //! |---|---|
 //! | What does a case file say? | [`table`] |
 //! | Which operands does an entry of `inputs` stand for? | [`inputs`], [`lists`] |
-//! | Which calls does a table have? | [`generate`], [`call`], [`operand`] |
+//! | Which calls does a table have? | [`generate`], [`call`] |
 //! | May a probe claim that? | [`claim`] |
 //! | What stands in which cell? | [`cell`] |
 //! | Does the folder have the rows that it must have? | [`folder`] |
@@ -24,6 +24,5 @@ pub mod folder;
 pub mod generate;
 pub mod inputs;
 pub mod lists;
-pub mod operand;
 pub mod suggestion;
 pub mod table;

@@ -217,7 +217,10 @@ mod tests {
 
     fn literals(name: &str, from: ElementaryType, to: ElementaryType) -> Vec<String> {
         let operands = crate::inputs::operands(&[name.to_owned()], from, to).unwrap();
-        operands.into_iter().map(|operand| operand.literal).collect()
+        operands
+            .into_iter()
+            .map(|operand| operand.literal.into())
+            .collect()
     }
 
     #[test]

@@ -3,12 +3,11 @@
 use crate::call::Call;
 use crate::cell::{self, Cell};
 use crate::generate;
-use crate::operand::Operand;
 use serde::Deserialize;
 use std::fmt::Write;
 use std::ops::Range;
 use stickler_suite::{Dialects, Generate};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{DialectName, ElementaryType, WrittenValue};
 use toml::Spanned;
 
 /// The keys of a case file that matter here; the suite checks all of them.
@@ -203,8 +202,8 @@ impl Claim {
     }
 }
 
-fn operand(ty: &str, literal: &str) -> Option<Operand> {
-    Operand::written(ElementaryType::from_name(ty)?, literal)
+fn operand(ty: &str, literal: &str) -> Option<WrittenValue> {
+    WrittenValue::parse(ElementaryType::from_name(ty)?, literal).ok()
 }
 
 fn resolve(names: &[String], dialects: &Dialects) -> Result<Vec<DialectName>, String> {
