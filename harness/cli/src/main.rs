@@ -9,7 +9,6 @@ mod baselines;
 mod caches;
 mod case_folder;
 mod commands;
-mod conversions;
 mod engines;
 mod exit;
 mod interrupt;

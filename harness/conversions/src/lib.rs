@@ -1,15 +1,23 @@
 //! Conversion functions: asking an engine for what they give, and comparing that with exact arithmetic.
 //!
-//! [`sweep`] takes all inputs of a function, or a large sample of them, through the reference or through programs that
-//! another engine executes.
+//! [`overview`] shows what a function gives for a few values, engines and dialects side by side. [`sweep`] takes all inputs
+//! of a function, or a large sample of them, through the reference or through programs that another engine executes.
+//! [`find_function`] and [`all_functions`] tell which functions there are.
 //!
-//! Architecture Invariant: this crate knows no terminal and no command line.
+//! Architecture Invariant: this crate knows no command line, and opens no engine.
 #![forbid(unsafe_code)]
 
+mod functions;
 mod literals;
+pub mod overview;
+mod program;
 mod random;
 mod session;
 pub mod sweep;
 
+pub use functions::{
+    FunctionDialects, NoSuchFunction, all_functions, dialect_list, find_function, short_names,
+};
+pub use program::Program;
 pub use random::Scattered;
-pub use session::{Refusal, RefusalKind};
+pub use session::{FunctionSession, Refusal, RefusalKind};

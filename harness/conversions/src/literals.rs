@@ -2,25 +2,47 @@
 
 use stickler_types::{ElementaryType, Value};
 
-/// The literal of a value as a program writes it; `None` for a NaN and the infinities, which have none.
+/// Returns the literal of a value as a program writes it. A NaN or an infinity, which has none, gives its canonical spelling.
 ///
 /// TRUE, FALSE and texts stand without their type, since older systems know no prefix for them. A REAL has the digits of
 /// the LREAL of the same value, so that a compiler which reads it by way of an LREAL gets it too.
 #[must_use]
-pub fn literal(value: &Value) -> Option<String> {
-    use ElementaryType::{Bool, Lreal, Real};
+pub fn literal(value: &Value) -> String {
+    if let Some(number) = real(value) {
+        let digits = Value::plain(ElementaryType::Lreal, number.to_bits());
+        return format!("{}#{}", value.type_name(), digits.without_type());
+    }
     match value {
-        Value::Plain { ty: Bool, raw } => Some(if *raw == 0 { "FALSE" } else { "TRUE" }.to_owned()),
-        Value::Plain { ty: Real, raw } => {
-            // A REAL's raw form has 32 bits.
-            let number = f64::from(f32::from_bits(*raw as u32));
-            finite(number).map(|digits| format!("REAL#{digits}"))
+        Value::Plain {
+            ty: ElementaryType::Bool,
+            ..
         }
-        Value::Plain { ty: Lreal, raw } => {
-            finite(f64::from_bits(*raw)).map(|digits| format!("LREAL#{digits}"))
-        }
-        Value::Text { .. } => Some(value.without_type()),
-        Value::Plain { .. } | Value::Enumerated { .. } => Some(value.to_string()),
+        | Value::Text { .. } => value.without_type(),
+        Value::Plain { .. } | Value::Enumerated { .. } => value.to_string(),
+    }
+}
+
+/// Returns whether a literal says the value: none says NaN or an infinity.
+#[must_use]
+pub fn has_literal(value: &Value) -> bool {
+    real(value).is_none_or(f64::is_finite)
+}
+
+/// Returns the number that a real stands for; exactly, since every REAL is an LREAL.
+#[must_use]
+pub fn real(value: &Value) -> Option<f64> {
+    match value {
+        Value::Plain {
+            ty: ElementaryType::Real,
+            raw,
+        } => u32::try_from(*raw)
+            .ok()
+            .map(|bits| f64::from(f32::from_bits(bits))),
+        Value::Plain {
+            ty: ElementaryType::Lreal,
+            raw,
+        } => Some(f64::from_bits(*raw)),
+        _ => None,
     }
 }
 
@@ -32,31 +54,32 @@ pub fn power_of_two(exponent: i32) -> String {
     Value::plain(ElementaryType::Lreal, biased << 52).to_string()
 }
 
-fn finite(number: f64) -> Option<String> {
-    let value = Value::plain(ElementaryType::Lreal, number.to_bits());
-    number.is_finite().then(|| value.without_type())
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{literal, power_of_two};
+    use super::{has_literal, literal, power_of_two};
     use stickler_types::Value;
 
     #[test]
     fn literals_are_those_that_old_compilers_read_too() {
         for (value, written) in [
-            ("BOOL#TRUE", Some("TRUE")),
-            ("SINT#-128", Some("SINT#-128")),
-            ("WORD#16#00FF", Some("WORD#16#00FF")),
-            ("STRING#'a$'b#c'", Some("'a$'b#c'")),
-            ("REAL#0.1", Some("REAL#0.10000000149011612")),
-            ("REAL#-0.0", Some("REAL#-0.0")),
-            ("LREAL#0.1", Some("LREAL#0.1")),
-            ("REAL#NaN", None),
-            ("LREAL#-Infinity", None),
+            ("BOOL#TRUE", "TRUE"),
+            ("SINT#-128", "SINT#-128"),
+            ("WORD#16#00FF", "WORD#16#00FF"),
+            ("STRING#'a$'b#c'", "'a$'b#c'"),
+            ("REAL#0.1", "REAL#0.10000000149011612"),
+            ("REAL#-0.0", "REAL#-0.0"),
+            ("LREAL#0.1", "LREAL#0.1"),
         ] {
             let value = Value::parse(value).expect("a value");
-            assert_eq!(literal(&value).as_deref(), written);
+            assert!(has_literal(&value));
+            assert_eq!(literal(&value), written);
+        }
+    }
+
+    #[test]
+    fn no_literal_says_nan_or_infinity() {
+        for value in ["REAL#NaN", "LREAL#-Infinity"] {
+            assert!(!has_literal(&Value::parse(value).expect("a value")));
         }
     }
 

@@ -1,8 +1,9 @@
-//! An engine is given a program, and answers with values or with a reason why there are none.
+//! A session of an engine that is given programs, and answers with values or with a reason why there are none.
 
-use crate::sweep::foreign::Program;
+use crate::program::{self, Program};
 use std::fmt;
 use stickler_engines::{Diagnostic, Engine, EngineError, Observation, Outcome, RunRequest, Session, guard};
+use stickler_exact::Signature;
 use stickler_types::{DialectName, Fault, Value};
 
 /// Why an engine gave no values.
@@ -12,6 +13,8 @@ pub struct Refusal {
     pub kind: RefusalKind,
     /// What is known about it, as a fragment: its first diagnostic, its last words.
     pub detail: String,
+    /// The line of the program that its first diagnostic is about.
+    pub line: Option<String>,
 }
 
 /// What an engine did instead of giving values.
@@ -36,13 +39,17 @@ pub enum RefusalKind {
 impl fmt::Display for Refusal {
     /// `rejected the program (P4017: …)`, for the end of a sentence that names the engine.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Refusal { kind, detail } = self;
-        write!(f, "{} ({detail})", kind.as_str())
+        let Refusal { kind, detail, line } = self;
+        write!(f, "{} ({detail}", kind.as_str())?;
+        if let Some(line) = line {
+            write!(f, ", at `{line}`")?;
+        }
+        f.write_str(")")
     }
 }
 
 impl RefusalKind {
-    /// What it did, behind the engine's name: `rejected the program`, `crashed` …
+    /// Returns what the engine did, as the end of a sentence that names it: `rejected the program`, `crashed` …
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -56,52 +63,53 @@ impl RefusalKind {
         }
     }
 
-    /// Whether an engine that accepts a program must not do this, whatever the program asks.
+    /// Returns what the engine did, in a word that fits the cell of a table: `rejected`, `crashed` …
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            RefusalKind::Unsupported => "unsupported",
+            RefusalKind::Rejected => "rejected",
+            RefusalKind::Faulted | RefusalKind::TooManySteps => "faulted",
+            RefusalKind::TimedOut => "timed out",
+            RefusalKind::Crashed => "crashed",
+            RefusalKind::Nonsense => "error",
+        }
+    }
+
+    /// Returns whether an engine that accepts a program must not do this, whatever the program asks.
     #[must_use]
     pub const fn is_failure(self) -> bool {
         !matches!(self, RefusalKind::Unsupported | RefusalKind::Rejected)
     }
 }
 
-impl Refusal {
-    fn new(kind: RefusalKind, detail: impl Into<String>) -> Refusal {
-        Refusal {
-            kind,
-            detail: detail.into(),
-        }
-    }
-}
-
-/// An engine and the session kept to it.
-pub struct Asker<'e> {
+/// A session of an engine that executes programs, opened again after each crash.
+pub struct FunctionSession<'e> {
     engine: &'e dyn Engine,
     session: Box<dyn Session + 'e>,
-    dialect: DialectName,
 }
 
-impl<'e> Asker<'e> {
+impl<'e> FunctionSession<'e> {
+    /// Opens a session.
+    ///
     /// # Errors
-    /// Where no session can be opened.
-    pub fn new(engine: &'e dyn Engine, dialect: DialectName) -> Result<Asker<'e>, EngineError> {
+    /// Those of [`Engine::session`].
+    pub fn open(engine: &'e dyn Engine) -> Result<FunctionSession<'e>, EngineError> {
         let session = engine.session()?;
-        Ok(Asker {
-            engine,
-            session,
-            dialect,
-        })
+        Ok(FunctionSession { engine, session })
     }
 
-    /// The values of the variables to observe, in their order.
+    /// Returns the values of the variables that the program observes, in their order.
     ///
     /// # Errors
     /// What the engine did instead.
-    pub fn ask(&mut self, program: &Program) -> Result<Vec<Value>, Refusal> {
+    pub fn run(&mut self, dialect: DialectName, program: &Program) -> Result<Vec<Value>, Refusal> {
         let observe: Vec<Observation<'_>> = program
             .observed
             .iter()
             .map(|name| Observation::last(name, program.ty.name()))
             .collect();
-        let request = RunRequest::once(self.dialect, &program.source, &observe);
+        let request = RunRequest::once(dialect, &program.source, &observe);
         let outcome = guard(|| self.session.run(&request));
         if let Outcome::Crashed { .. } = outcome {
             // Where there is no new session the old one goes on refusing.
@@ -111,16 +119,41 @@ impl<'e> Asker<'e> {
         }
         values(outcome, program)
     }
+
+    /// Returns what each call of a function gives. All calls are tried in one program, since compilers take their time to
+    /// start; where the engine gives no values for that, each call is tried in a program of its own.
+    pub fn results(
+        &mut self,
+        dialect: DialectName,
+        signature: &Signature,
+        calls: &[Vec<Value>],
+    ) -> Vec<Result<Value, Refusal>> {
+        if let Ok(values) = self.run(dialect, &program::listed(signature, calls)) {
+            return values.into_iter().map(Ok).collect();
+        }
+        calls
+            .iter()
+            .map(|call| {
+                let program = program::listed(signature, std::slice::from_ref(call));
+                self.run(dialect, &program)
+                    .map(|mut values| values.swap_remove(0))
+            })
+            .collect()
+    }
 }
 
 /// The values that an outcome has for a program.
 fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
     use RefusalKind::{Crashed, Faulted, Nonsense, Rejected, TimedOut, TooManySteps, Unsupported};
+    let line = match &outcome {
+        Outcome::Rejected { diagnostics } => line_of(diagnostics, &program.source),
+        _ => None,
+    };
     let (kind, detail) = match outcome {
         Outcome::Executed { values } => return in_order(values, program),
         Outcome::Accepted => (Unsupported, "it accepts programs and executes none".to_owned()),
         Outcome::Unsupported { reason } => (Unsupported, reason),
-        Outcome::Rejected { diagnostics } => (Rejected, told(&diagnostics, &program.source)),
+        Outcome::Rejected { diagnostics } => (Rejected, first_message(&diagnostics)),
         Outcome::Faulted { fault, .. } if fault == Fault::StepLimit => {
             (TooManySteps, fault.as_str().to_owned())
         }
@@ -132,7 +165,7 @@ fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
         Outcome::Error { message } => (Nonsense, message),
         Outcome::Rendered { .. } => (Nonsense, "it rendered what it was to run".to_owned()),
     };
-    Err(Refusal::new(kind, detail))
+    Err(Refusal { kind, detail, line })
 }
 
 /// Engines should answer in the order of the question, but need not.
@@ -146,23 +179,67 @@ fn in_order(mut values: Vec<(String, Value)>, program: &Program) -> Result<Vec<V
     }
     if values.len() != asked.len() {
         let detail = format!("values of {} of {} variables", values.len(), asked.len());
-        return Err(Refusal::new(RefusalKind::Nonsense, detail));
+        return Err(Refusal {
+            kind: RefusalKind::Nonsense,
+            detail,
+            line: None,
+        });
     }
     Ok(values.into_iter().map(|(_, value)| value).collect())
 }
 
-/// The first diagnostic, with the line of the program that it is about.
-fn told(diagnostics: &[Diagnostic], source: &str) -> String {
-    let Some(first) = diagnostics.first() else {
-        return "without a diagnostic".to_owned();
-    };
-    let code = first
-        .code
-        .as_ref()
-        .map_or(String::new(), |code| format!("{code}: "));
-    let line = first
-        .line
-        .and_then(|line| source.lines().nth(line.saturating_sub(1) as usize));
-    let place = line.map_or(String::new(), |line| format!(", at `{}`", line.trim()));
-    format!("{code}{}{place}", first.message)
+/// Returns the first diagnostic.
+fn first_message(diagnostics: &[Diagnostic]) -> String {
+    match diagnostics.first() {
+        Some(Diagnostic {
+            code: Some(code),
+            message,
+            ..
+        }) => format!("{code}: {message}"),
+        Some(first) => first.message.clone(),
+        None => "without a diagnostic".to_owned(),
+    }
+}
+
+/// Returns the line of a program that the first diagnostic is about.
+fn line_of(diagnostics: &[Diagnostic], source: &str) -> Option<String> {
+    let line = diagnostics.first()?.line?;
+    let text = source.lines().nth(line.saturating_sub(1) as usize)?;
+    Some(text.trim().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FunctionSession, RefusalKind};
+    use stickler_engines::Reference;
+    use stickler_types::{DialectName, Value};
+
+    fn value(literal: &str) -> Value {
+        Value::parse(literal).unwrap()
+    }
+
+    #[test]
+    fn what_no_literal_says_is_computed_in_the_program() {
+        let signature = &stickler_exact::signatures("REAL_TO_LREAL", DialectName::Matiec)[0];
+        let calls = ["REAL#NaN", "REAL#Infinity", "REAL#-Infinity", "REAL#-0.0"];
+        let calls: Vec<_> = calls.iter().map(|literal| vec![value(literal)]).collect();
+        let reference = Reference::default();
+        let mut session = FunctionSession::open(&reference).unwrap();
+        let results = session.results(DialectName::Matiec, signature, &calls);
+        let expected = ["LREAL#NaN", "LREAL#Infinity", "LREAL#-Infinity", "LREAL#-0.0"];
+        assert_eq!(results, expected.map(|literal| Ok(value(literal))));
+    }
+
+    #[test]
+    fn a_call_that_is_rejected_does_not_take_the_others_with_it() {
+        // An enumeration is no operand of any conversion function.
+        let signature = &stickler_exact::signatures("INT_TO_DINT", DialectName::Matiec)[0];
+        let reference = Reference::default();
+        let mut session = FunctionSession::open(&reference).unwrap();
+        let calls = [vec![value("INT#5")], vec![value("COLOR#RED")]];
+        let results = session.results(DialectName::Matiec, signature, &calls);
+        assert_eq!(results[0], Ok(value("DINT#5")));
+        let refusal = results[1].clone().unwrap_err();
+        assert_eq!(refusal.kind, RefusalKind::Rejected);
+    }
 }

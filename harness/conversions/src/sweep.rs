@@ -15,7 +15,7 @@ mod subject;
 
 pub use agenda::{AgendaError, Sweep, Through, agenda};
 pub use domain::{Domain, Operands, Sampling, Texts};
-pub use findings::{Difference, Findings, Got, KEPT};
+pub use findings::{Difference, Findings, KEPT};
 pub use reference::Reference;
 pub use run::{Progress, run};
 pub use subject::Subject;

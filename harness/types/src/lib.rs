@@ -14,6 +14,7 @@ pub mod fault;
 pub mod literal;
 pub mod value;
 mod words;
+mod wrap;
 mod written_value;
 
 pub use choices::{
@@ -26,4 +27,5 @@ pub use elementary::{ElementaryType, Family};
 pub use fault::{Fault, UnknownFault};
 pub use literal::LiteralError;
 pub use value::Value;
+pub use wrap::wrap;
 pub use written_value::WrittenValue;

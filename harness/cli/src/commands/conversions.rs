@@ -1,10 +1,12 @@
 //! `stickler conversions`: what one conversion function does, dialects side by side.
 
 use crate::arguments::ConversionsArguments;
-use crate::conversions::{self, Block, Present};
+use crate::engines::{self, Named, REFERENCE};
 use crate::exit::Exit;
-use crate::{engines, interrupt};
+use crate::interrupt;
 use std::io::Write;
+use stickler_conversions::overview::{self, Page, SignatureResults};
+use stickler_conversions::{FunctionDialects, all_functions, find_function};
 use stickler_exact::Signature;
 use stickler_types::DialectName;
 
@@ -15,26 +17,34 @@ use stickler_types::DialectName;
 /// A name that is no conversion function, a value that does not fit, an engine that cannot be run.
 pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let Some(function) = &arguments.function else {
-        conversions::all()
+        all_functions()
             .iter()
             .try_for_each(|name| writeln!(out, "{name}"))?;
         return Ok(Exit::AsExpected);
     };
     let function = function.to_ascii_uppercase();
-    let Present { having, lacking } = conversions::present(&function, &arguments.dialect)?;
-    let rows = conversions::rows(&arguments.values, signatures(&function, &having))?;
+    let FunctionDialects { having, lacking } = find_function(&function, &arguments.dialect)?;
+    let calls = overview::calls(&arguments.values, signatures(&function, &having))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
-    let blocks = conversions::gather(rows, &having, &engines)?;
-    if arguments.json {
-        conversions::write_json(&function, &blocks, &engines, out)?;
-    } else {
-        conversions::write_page(&blocks, &lacking, &engines, out)?;
+    let mut asked = Vec::with_capacity(engines.len());
+    for named in &engines {
+        asked.push((named.engine.as_ref(), engines::spoken(named.identity(), &having)?));
     }
-    let contradicted = blocks
-        .iter()
-        .any(|block: &Block| block.contradictions().next().is_some());
-    Ok(match contradicted {
+    let results = overview::gather(calls, &asked)?;
+    let identities: Vec<_> = engines.iter().map(Named::identity).collect();
+    if arguments.json {
+        overview::write_json(&function, &results, &identities, out)?;
+    } else {
+        let page = Page {
+            results: &results,
+            lacking: &lacking,
+            engines: &identities,
+            only_reference: engines.iter().all(|named| named.asked_for == REFERENCE),
+        };
+        page.write(out)?;
+    }
+    Ok(match results.iter().any(SignatureResults::contradict) {
         true => Exit::Failures,
         false => Exit::AsExpected,
     })

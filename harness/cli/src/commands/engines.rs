@@ -2,12 +2,13 @@
 
 use crate::arguments::EnginesArguments;
 use crate::exit::Exit;
-use crate::{engines, interrupt, output};
+use crate::{engines, interrupt};
 use anstyle::Style;
 use serde::Serialize;
 use std::io::{self, Write};
 use stickler_configuration::{Configuration, Kind};
 use stickler_engines::{Compiler, EngineError, Located, Sought};
+use stickler_types::wrap;
 use stickler_workers::WorkerPool;
 
 const BOLD: Style = Style::new().bold();
@@ -171,7 +172,7 @@ fn write_entry(engine: &Listed<'_>, gap: bool, out: &mut dyn Write) -> io::Resul
         row("judged by", engine.grade.unwrap_or_default())?;
     }
     if let Some(problem) = &engine.problem {
-        let text = output::wrap(problem);
+        let text = wrap(problem);
         for (number, line) in text.lines().enumerate() {
             row(if number == 0 { "problem" } else { "" }, line)?;
         }

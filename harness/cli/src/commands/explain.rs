@@ -2,11 +2,10 @@
 
 use crate::arguments::ExplainArguments;
 use crate::exit::Exit;
-use crate::output;
 use anstyle::Style;
 use anyhow::bail;
 use std::io::{self, Write};
-use stickler_types::Code;
+use stickler_types::{Code, wrap};
 
 const BOLD: Style = Style::new().bold();
 
@@ -44,7 +43,7 @@ fn find(text: &str) -> Option<Code> {
 
 fn explain(code: Code, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{BOLD}{code} {}{BOLD:#}: {}", code.name(), code.summary())?;
-    writeln!(out, "\n{}", output::wrap(code.explanation()))?;
+    writeln!(out, "\n{}", wrap(code.explanation()))?;
     match code.example_dialect() {
         Some(dialect) => writeln!(out, "\n{BOLD}Example{BOLD:#} (in {dialect})\n")?,
         None => writeln!(
@@ -53,7 +52,7 @@ fn explain(code: Code, out: &mut dyn Write) -> io::Result<()> {
         )?,
     }
     program(code.example(), out)?;
-    writeln!(out, "\n{BOLD}Fix{BOLD:#}\n\n{}", output::wrap(code.fix()))?;
+    writeln!(out, "\n{BOLD}Fix{BOLD:#}\n\n{}", wrap(code.fix()))?;
     if let Some(repaired) = code.repaired() {
         writeln!(out)?;
         program(repaired, out)?;

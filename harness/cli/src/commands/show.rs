@@ -3,13 +3,13 @@
 use crate::arguments::{SelectionArguments, ShowArguments};
 use crate::case_folder::{self, CaseFolder};
 use crate::exit::Exit;
-use crate::output;
 use anstyle::Style;
 use anyhow::bail;
 use std::io::{self, Write};
 use stickler_engines::Outcome;
 use stickler_run::{Answers, Fact, Filter, Grade, Plan, judge};
 use stickler_suite::{Case, Suite};
+use stickler_types::wrap;
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
@@ -87,7 +87,7 @@ fn write_group(group: &[&Case], out: &mut dyn Write) -> io::Result<()> {
     let dialects: Vec<&str> = group.iter().map(|case| case.dialect.as_str()).collect();
     writeln!(out, "{BOLD}{}{BOLD:#}\n{}\n", case.id, case.title)?;
     if let Some(summary) = &case.summary {
-        writeln!(out, "{}\n", output::wrap(summary))?;
+        writeln!(out, "{}\n", wrap(summary))?;
     }
     writeln!(out, "{DIM}basis{DIM:#}     {}", case.basis)?;
     writeln!(out, "{DIM}dialects{DIM:#}  {}", dialects.join(", "))?;

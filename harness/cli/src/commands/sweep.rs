@@ -5,7 +5,6 @@ mod page;
 mod programs;
 
 use crate::arguments::SweepArguments;
-use crate::conversions::{self, Present};
 use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::{engines, interrupt};
@@ -14,6 +13,7 @@ use std::io::Write;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use stickler_conversions::sweep::{Findings, Progress as Reached, Sampling, Sweep, Through, agenda, run};
+use stickler_conversions::{FunctionDialects, find_function};
 use stickler_types::boundaries::Detail;
 
 /// Sweeps a function between each of its types and by each of its rules, and shows what was found after each.
@@ -22,13 +22,13 @@ use stickler_types::boundaries::Detail;
 /// A name that is no conversion function of the dialects, an engine that cannot be run, no threads.
 pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let function = arguments.function.to_ascii_uppercase();
-    let present = conversions::present(&function, &arguments.dialect)
-        .inspect_err(|_| names::tell_unless_known(&function))?;
+    let present =
+        find_function(&function, &arguments.dialect).inspect_err(|_| names::tell_unless_known(&function))?;
     let engine = engines::by_name(&arguments.engine)?;
     if arguments.engine != engines::REFERENCE {
         return programs::execute(&function, &present, engine.as_ref(), arguments, out);
     }
-    let Present { having, lacking } = present;
+    let FunctionDialects { having, lacking } = present;
     let sampling = Sampling {
         inputs: arguments.sample,
         seed: arguments.seed,

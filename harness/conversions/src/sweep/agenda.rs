@@ -1,5 +1,6 @@
 //! From the name of a function to the sweeps that it takes: one for each pair of types and each distinct rule.
 
+use crate::functions::{NoSuchFunction, find_function};
 use crate::sweep::domain::{Domain, Sampling};
 use crate::sweep::foreign::has_digest;
 use crate::sweep::reference::Reference;
@@ -25,15 +26,8 @@ pub struct Sweep {
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum AgendaError {
     /// None of the dialects has such a function.
-    #[error("there is no conversion function `{function}`{}", in_which(.asked))]
-    NoSuchFunction {
-        /// The name as it was given.
-        function: String,
-        /// The dialects that were asked for.
-        asked: Vec<DialectName>,
-        /// The dialects that have it.
-        elsewhere: Vec<DialectName>,
-    },
+    #[error(transparent)]
+    NoSuchFunction(#[from] NoSuchFunction),
     /// The reference does not know a function that exact arithmetic does; one of them is wrong.
     #[error("{dialect} of the reference has no `{function}`, but should: this is a defect of Stickler")]
     NotInReference {
@@ -42,15 +36,6 @@ pub enum AgendaError {
         /// The dialect.
         dialect: DialectName,
     },
-}
-
-/// Where a function was looked for, as the end of a sentence; nothing where that was everywhere.
-fn in_which(asked: &[DialectName]) -> String {
-    if asked.len() == DialectName::ALL.len() {
-        return String::new();
-    }
-    let names: Vec<&str> = asked.iter().map(|dialect| dialect.as_str()).collect();
-    format!(" in {}", names.join(", "))
 }
 
 /// By which way the inputs go in.
@@ -97,7 +82,7 @@ pub fn agenda(
     through: Through,
 ) -> Result<Vec<Sweep>, AgendaError> {
     let mut sweeps: Vec<Sweep> = Vec::new();
-    for &dialect in dialects {
+    for dialect in find_function(function, dialects)?.having {
         let choices = choices_of(dialect);
         for signature in signatures(function, dialect) {
             let Some(reference) = Reference::find(&signature, dialect) else {
@@ -123,14 +108,6 @@ pub fn agenda(
                 }),
             }
         }
-    }
-    if sweeps.is_empty() {
-        let has = |dialect: &DialectName| !signatures(function, *dialect).is_empty();
-        return Err(AgendaError::NoSuchFunction {
-            function: function.to_owned(),
-            asked: dialects.to_vec(),
-            elsewhere: DialectName::ALL.into_iter().filter(has).collect(),
-        });
     }
     let order = in_order(function, dialects);
     sweeps.sort_by_key(|sweep| order.iter().position(|signature| *signature == sweep.signature));

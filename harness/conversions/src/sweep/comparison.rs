@@ -1,7 +1,7 @@
 //! One stretch of inputs through the subject and through exact arithmetic, and the two results side by side.
 
 use crate::sweep::agenda::Sweep;
-use crate::sweep::findings::{Difference, Findings, Got, KEPT};
+use crate::sweep::findings::{Difference, Findings, KEPT};
 use crate::sweep::subject::Subject;
 use std::ops::Range;
 use stickler_exact::{Bulk, expected, value};
@@ -63,7 +63,7 @@ impl<'s> Comparison<'s> {
             place,
             operands,
             expected,
-            got: Got::Value(got),
+            got,
             basis,
         }
     }

@@ -7,24 +7,6 @@ use stickler_types::Value;
 /// How many differences are kept to be shown; all are counted.
 pub const KEPT: usize = 10;
 
-/// What came of one input.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Got {
-    /// A value.
-    Value(Value),
-    /// No value, and why, as a fragment: a fault, a crash, a rejected program.
-    Nothing(String),
-}
-
-impl fmt::Display for Got {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Got::Value(value) => value.fmt(f),
-            Got::Nothing(reason) => write!(f, "no value ({reason})"),
-        }
-    }
-}
-
 /// One input that does not give the exact result.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Difference {
@@ -35,7 +17,7 @@ pub struct Difference {
     /// What exact arithmetic gives.
     pub expected: Value,
     /// What came instead.
-    pub got: Got,
+    pub got: Value,
     /// The document that says so; `None` where no document speaks of this input.
     pub basis: Option<&'static str>,
 }

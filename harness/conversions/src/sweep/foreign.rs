@@ -39,5 +39,4 @@ mod worker;
 pub use checksum::Checksum;
 pub use findings::{ForeignFindings, Unanswered};
 pub use plan::has_digest;
-pub use program::Program;
 pub use run::{ForeignError, run};

@@ -2,6 +2,7 @@
 
 use crate::support::{findings, sampled};
 use std::collections::HashSet;
+use stickler_conversions::NoSuchFunction;
 use stickler_conversions::sweep::{AgendaError, Sampling, Sweep, Through, agenda};
 use stickler_exact::{Signature, functions};
 use stickler_types::DialectName;
@@ -99,14 +100,14 @@ fn a_function_that_a_dialect_lacks_is_named_with_those_that_have_it() {
         Sampling::default(),
         Through::Conversion,
     );
-    let Err(AgendaError::NoSuchFunction { elsewhere, .. }) = &error else {
+    let Err(AgendaError::NoSuchFunction(NoSuchFunction::InDialects { elsewhere, .. })) = &error else {
         panic!("{error:?}")
     };
     assert_eq!(elsewhere.len(), 4);
     let unknown = agenda("FOO", &DialectName::ALL, Sampling::default(), Through::Conversion);
     assert_eq!(
         unknown.map_err(|error| error.to_string()),
-        Err("there is no conversion function `FOO`".to_owned())
+        Err("there is no conversion function `FOO`; `stickler conversions` lists all".to_owned())
     );
 }
 

@@ -1,13 +1,14 @@
 //! What can be swept, for whoever named something that cannot.
 
-use crate::conversions;
 use crate::output;
 use std::io::Write;
+use stickler_conversions::all_functions;
+use stickler_types::wrap;
 
 /// Lists all conversion functions on stderr, where the name is one of no dialect. It is so long a list that what was wrong
 /// with the name belongs behind it.
 pub fn tell_unless_known(function: &str) {
-    let names = conversions::all();
+    let names = all_functions();
     if names.iter().any(|name| name == function) {
         return;
     }
@@ -31,7 +32,7 @@ fn list(names: &[String]) -> String {
     }
     let paragraphs = families
         .iter()
-        .map(|(family, rests)| output::wrap(&format!("{family} {}", rests.join(" ")).replace(" \n", "\n")));
+        .map(|(family, rests)| wrap(&format!("{family} {}", rests.join(" ")).replace(" \n", "\n")));
     paragraphs.collect::<Vec<_>>().join("\n").trim_end().to_owned()
 }
 
@@ -54,7 +55,7 @@ fn split(name: &str) -> (String, &str) {
 #[cfg(test)]
 mod tests {
     use super::{list, split};
-    use crate::conversions;
+    use stickler_conversions::all_functions;
 
     #[test]
     fn a_name_is_split_before_its_last_type() {
@@ -74,7 +75,7 @@ mod tests {
 
     #[test]
     fn every_name_can_be_put_together_from_the_list() {
-        let names = conversions::all();
+        let names = all_functions();
         let list = list(&names);
         let words = list.split_whitespace().count();
         let families: std::collections::HashSet<String> = names.iter().map(|name| split(name).0).collect();

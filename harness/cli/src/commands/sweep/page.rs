@@ -2,12 +2,12 @@
 
 mod programs;
 
-use crate::conversions;
 use crate::exit::Exit;
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use std::time::Duration;
-use stickler_conversions::sweep::{Difference, Findings, Got, KEPT, Sampling, Sweep};
+use stickler_conversions::dialect_list;
+use stickler_conversions::sweep::{Difference, Findings, KEPT, Sampling, Sweep};
 use stickler_engines::Identity;
 use stickler_types::{DialectName, Value};
 
@@ -43,7 +43,7 @@ impl<'p> Page<'p> {
     pub fn lacking(&mut self, function: &str, dialects: &[DialectName]) -> io::Result<()> {
         match dialects {
             [] => Ok(()),
-            _ => writeln!(self.out, "{} has no {function}\n", conversions::listed(dialects)),
+            _ => writeln!(self.out, "{} has no {function}\n", dialect_list(dialects)),
         }
     }
 
@@ -58,7 +58,7 @@ impl<'p> Page<'p> {
             operands.join(", "),
             signature.result,
             self.engine,
-            conversions::listed(&sweep.dialects),
+            dialect_list(&sweep.dialects),
         )?;
         let inputs = grouped(sweep.domain.len());
         match sweep.domain.parts() {
@@ -120,10 +120,7 @@ impl<'p> Page<'p> {
             self.out,
             "    {} gives {BAD}{}{BAD:#}, not {}  {DIM}({basis}){DIM:#}",
             operands.join(", "),
-            match &difference.got {
-                Got::Value(value) => shown(value),
-                nothing @ Got::Nothing(_) => nothing.to_string(),
-            },
+            shown(&difference.got),
             shown(&difference.expected),
         )
     }

@@ -2,13 +2,13 @@
 
 use super::page::Page;
 use crate::arguments::SweepArguments;
-use crate::conversions::Present;
 use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::{engines, interrupt};
 use std::io::Write;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
+use stickler_conversions::FunctionDialects;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, run};
 use stickler_conversions::sweep::{Progress as Reached, Sampling, Sweep, Through, agenda};
 use stickler_engines::Engine;
@@ -21,7 +21,7 @@ use stickler_types::boundaries::Detail;
 /// page, and ends with [`Exit::EngineNotRun`] if that is all of it.
 pub fn execute(
     function: &str,
-    present: &Present,
+    present: &FunctionDialects,
     engine: &dyn Engine,
     arguments: &SweepArguments,
     out: &mut dyn Write,

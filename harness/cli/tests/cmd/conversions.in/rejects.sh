@@ -5,7 +5,7 @@ while IFS= read -r line; do
     *'"type":"hello"'*)
         echo '{"type":"hello","protocol":1,"name":"rejects","version":"1","dialects":["matiec"],"abilities":["execute"]}'
         ;;
-    *' := -'*)
+    *' := REAL#-'*)
         echo 'segmentation fault' >&2
         exit 139
         ;;

@@ -5,7 +5,7 @@ while IFS= read -r line; do
     *'"type":"hello"'*)
         echo '{"type":"hello","protocol":1,"name":"rounds","version":"7","dialects":["matiec","plcnext"],"abilities":["execute"]}'
         ;;
-    *'"type":"run"'*) echo "{\"type\":\"executed\",\"id\":${rest%%,*},\"values\":{\"into1\":\"INT#3\"}}" ;;
+    *'"type":"run"'*) echo "{\"type\":\"executed\",\"id\":${rest%%,*},\"values\":{\"given1\":\"INT#3\"}}" ;;
     *) exit 0 ;;
     esac
 done

@@ -113,8 +113,7 @@ fn binades(sign: u64) -> impl Iterator<Item = Range<u64>> {
 
 fn literal(ty: ElementaryType, place: u64) -> String {
     let value = Value::plain(ty, ty.wrap(place.into()));
-    // Nothing that is counted is a NaN or an infinity.
-    literals::literal(&value).unwrap_or_default()
+    literals::literal(&value)
 }
 
 /// The distance from the REAL at a place to the next one away from zero, as a literal with its sign.

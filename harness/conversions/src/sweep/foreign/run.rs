@@ -2,10 +2,12 @@
 
 use super::findings::ForeignFindings;
 use super::plan::Plan;
-use super::program::{self, Program};
+use super::program;
 use super::queue::Queue;
 use super::worker::Inquiry;
-use crate::session::{Asker, Refusal};
+use crate::literals::has_literal;
+use crate::program::{Program, listed};
+use crate::session::{FunctionSession, Refusal};
 use crate::sweep::agenda::Sweep;
 use crate::sweep::run::Progress;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -30,7 +32,7 @@ pub enum ForeignError {
         /// The dialect.
         dialect: DialectName,
         /// What it did instead.
-        refusal: Refusal,
+        refusal: Box<Refusal>,
         /// Whether the programs were to count through the operands.
         counts: bool,
     },
@@ -88,8 +90,8 @@ pub fn run(
     });
     WorkerPool::new(jobs).for_each(
         tasks,
-        || Asker::new(engine, dialect).map_err(ForeignError::Engine),
-        |asker, places| inquiry.look(asker, places),
+        || FunctionSession::open(engine).map_err(ForeignError::Engine),
+        |session, places| inquiry.look(session, places),
         |()| (),
     )?;
     Ok(inquiry
@@ -100,10 +102,10 @@ pub fn run(
 
 /// Whether the engine answers anything: a few small programs are tried until one comes back with values.
 fn probe(sweep: &Sweep, plan: &Plan, engine: &dyn Engine, dialect: DialectName) -> Result<(), ForeignError> {
-    let mut asker = Asker::new(engine, dialect)?;
+    let mut session = FunctionSession::open(engine)?;
     let mut refusal = None;
     for program in probes(sweep, plan) {
-        match asker.ask(&program) {
+        match session.run(dialect, &program) {
             Ok(_) => return Ok(()),
             Err(reason) => refusal = refusal.or(Some(reason)),
         }
@@ -115,7 +117,7 @@ fn probe(sweep: &Sweep, plan: &Plan, engine: &dyn Engine, dialect: DialectName) 
             engine: engine.identity().name.clone(),
             function: sweep.signature.function.clone(),
             dialect,
-            refusal,
+            refusal: Box::new(refusal),
             counts: plan.counting.is_some(),
         }),
     }
@@ -139,6 +141,8 @@ fn probes(sweep: &Sweep, plan: &Plan) -> Vec<Program> {
     (0..8)
         .map(|eighth| length / 8 * eighth + length % 8 / 2)
         .filter(|place| *place < length)
-        .filter_map(|place| program::listed(signature, &[sweep.domain.operands(place)]))
+        .map(|place| sweep.domain.operands(place))
+        .filter(|call| call.iter().all(has_literal))
+        .map(|call| listed(signature, &[call]))
         .collect()
 }

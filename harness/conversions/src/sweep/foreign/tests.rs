@@ -2,7 +2,7 @@
 
 use super::plan::Plan;
 use super::program;
-use crate::session::Asker;
+use crate::session::FunctionSession;
 use crate::sweep::agenda::{Through, agenda};
 use crate::sweep::domain::Sampling;
 use std::ops::Range;
@@ -27,7 +27,7 @@ fn the_sum_in_st_is_the_sum_in_rust() {
     let mut programs = 0;
     for dialect in DialectName::ALL {
         let reference = Reference::new();
-        let mut asker = Asker::new(&reference, dialect).expect("a session");
+        let mut session = FunctionSession::open(&reference).expect("a session");
         let all = functions(dialect);
         for function in all.iter().filter(|function| !function.starts_with("TO_")) {
             if !signatures(function, dialect)
@@ -45,10 +45,11 @@ fn the_sum_in_st_is_the_sum_in_rust() {
                 let Some(counting) = &plan.counting else { continue };
                 let few = if plan.stretches.len() > 10 { 37 } else { 1 };
                 for places in plan.stretches.iter().step_by(few).flat_map(ends) {
-                    let summed = asker.ask(&program::summed(&sweep.signature, counting, &places));
+                    let summed = session.run(dialect, &program::summed(&sweep.signature, counting, &places));
                     let exact = super::worker::total(&sweep, counting, places.clone());
                     assert_eq!(summed, Ok(vec![exact]), "{function} {places:?}");
-                    let unrolled = asker.ask(&program::unrolled(&sweep.signature, counting, &places));
+                    let unrolled =
+                        session.run(dialect, &program::unrolled(&sweep.signature, counting, &places));
                     let exact: Vec<Value> = places
                         .map(|place| {
                             stickler_exact::value(
@@ -72,7 +73,7 @@ fn the_sum_in_st_is_the_sum_in_rust() {
 fn a_wrong_bit_changes_the_sum_in_st_too() {
     let dialect = DialectName::IronplcEd3;
     let reference = Reference::new();
-    let mut asker = Asker::new(&reference, dialect).expect("a session");
+    let mut session = FunctionSession::open(&reference).expect("a session");
     for (function, wrong) in [
         ("INT_TO_DINT", "INT_TO_DINT(operand) + DINT#1"),
         ("INT_TO_LINT", "INT_TO_LINT(operand) + LINT#4294967296"),
@@ -101,7 +102,7 @@ fn a_wrong_bit_changes_the_sum_in_st_too() {
         assert!(program.source.contains(&call));
         program.source = program.source.replace(&call, wrong);
         let exact = super::worker::total(&sweep[0], &counting, places);
-        let Ok(summed) = asker.ask(&program) else {
+        let Ok(summed) = session.run(dialect, &program) else {
             panic!("{function}: {}", program.source)
         };
         assert_ne!(summed, [exact], "{wrong}");

@@ -2,11 +2,13 @@
 
 use super::findings::ForeignFindings;
 use super::plan::{Counting, Plan};
-use super::program::{self, Program};
+use super::program;
 use super::queue::{FIRST, Queue};
-use crate::session::{Asker, Refusal, RefusalKind};
+use crate::literals::has_literal;
+use crate::program::{Program, listed};
+use crate::session::{FunctionSession, Refusal, RefusalKind};
 use crate::sweep::agenda::Sweep;
-use crate::sweep::findings::{Difference, Got, KEPT};
+use crate::sweep::findings::{Difference, KEPT};
 use crate::sweep::run::Progress;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -41,10 +43,10 @@ pub struct Inquiry<'s> {
 
 impl Inquiry<'_> {
     /// Compares what the engine gives for these places with exact arithmetic.
-    pub fn look(&self, asker: &mut Asker<'_>, places: Range<u64>) {
+    pub fn look(&self, session: &mut FunctionSession<'_>, places: Range<u64>) {
         match &self.plan.counting {
-            Some(counting) => self.count(asker, counting, places),
-            None => self.list(asker, places.collect()),
+            Some(counting) => self.count(session, counting, places),
+            None => self.list(session, places.collect()),
         }
     }
 
@@ -62,34 +64,34 @@ impl Inquiry<'_> {
         what(&self.findings.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    fn ask(&self, asker: &mut Asker<'_>, program: &Program) -> Result<Vec<Value>, Refusal> {
+    fn ask(&self, session: &mut FunctionSession<'_>, program: &Program) -> Result<Vec<Value>, Refusal> {
         self.note(0, |findings| findings.programs += 1);
-        asker.ask(program)
+        session.run(self.dialect, program)
     }
 
     /// Looks at these places of a stretch by one program, and by more where its sum is wrong.
-    fn count(&self, asker: &mut Asker<'_>, counting: &Counting, places: Range<u64>) {
+    fn count(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let inputs = places.end - places.start;
         if self.cancel.load(Ordering::Relaxed) {
             return;
         }
         if inputs <= 1 {
-            return self.unroll(asker, counting, places);
+            return self.unroll(session, counting, places);
         }
         let begun = Instant::now();
         let program = program::summed(&self.sweep.signature, counting, &places);
-        match self.ask(asker, &program) {
+        match self.ask(session, &program) {
             Ok(totals) if totals == [total(self.sweep, counting, places.clone())] => {
                 self.queue.answered(inputs, begun.elapsed());
                 self.note(inputs, |_| {});
             }
-            Ok(_) => self.open(asker, counting, places),
-            Err(refusal) => self.divide(asker, counting, places, refusal),
+            Ok(_) => self.open(session, counting, places),
+            Err(refusal) => self.divide(session, counting, places, refusal),
         }
     }
 
     /// Looks into places of which some differ, as far as that is still of interest.
-    fn open(&self, asker: &mut Asker<'_>, counting: &Counting, places: Range<u64>) {
+    fn open(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let inputs = places.end - places.start;
         let (is_claimed, is_open) = (self.has(&places, true), self.has(&places, false));
         let wanted = self.known(|findings| {
@@ -103,11 +105,11 @@ impl Inquiry<'_> {
             });
         }
         if inputs <= FEW {
-            return self.unroll(asker, counting, places);
+            return self.unroll(session, counting, places);
         }
         let middle = u64::midpoint(places.start, places.end);
-        self.count(asker, counting, places.start..middle);
-        self.count(asker, counting, middle..places.end);
+        self.count(session, counting, places.start..middle);
+        self.count(session, counting, middle..places.end);
     }
 
     /// Whether a document speaks of one of these inputs, or of one of them not.
@@ -128,9 +130,9 @@ impl Inquiry<'_> {
     }
 
     /// Looks at each of a few places.
-    fn unroll(&self, asker: &mut Asker<'_>, counting: &Counting, places: Range<u64>) {
+    fn unroll(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let program = program::unrolled(&self.sweep.signature, counting, &places);
-        match self.ask(asker, &program) {
+        match self.ask(session, &program) {
             Ok(given) => {
                 let inputs = places.end - places.start;
                 let differing = self.compare(places.collect(), given);
@@ -138,12 +140,18 @@ impl Inquiry<'_> {
                     self.note(0, |findings| findings.unexplained += inputs);
                 }
             }
-            Err(refusal) => self.divide(asker, counting, places, refusal),
+            Err(refusal) => self.divide(session, counting, places, refusal),
         }
     }
 
     /// Goes on in halves, where an engine does not answer a program about these places.
-    fn divide(&self, asker: &mut Asker<'_>, counting: &Counting, places: Range<u64>, refusal: Refusal) {
+    fn divide(
+        &self,
+        session: &mut FunctionSession<'_>,
+        counting: &Counting,
+        places: Range<u64>,
+        refusal: Refusal,
+    ) {
         let inputs = places.end - places.start;
         let goes_on = match refusal.kind {
             RefusalKind::TooManySteps => inputs > 1,
@@ -158,23 +166,20 @@ impl Inquiry<'_> {
             return self.refuse(&[places.start], inputs, refusal);
         }
         let middle = u64::midpoint(places.start, places.end);
-        self.count(asker, counting, places.start..middle);
-        self.count(asker, counting, middle..places.end);
+        self.count(session, counting, places.start..middle);
+        self.count(session, counting, middle..places.end);
     }
 
     /// Looks at these places by a list of their operands.
-    fn list(&self, asker: &mut Asker<'_>, places: Vec<u64>) {
-        let operands = |place: &u64| self.sweep.domain.operands(*place);
-        let signature = &self.sweep.signature;
-        let (places, unwritable): (Vec<u64>, Vec<u64>) = places
-            .into_iter()
-            .partition(|place| program::listed(signature, &[operands(place)]).is_some());
+    fn list(&self, session: &mut FunctionSession<'_>, places: Vec<u64>) {
+        let is_writable = |place: &u64| self.sweep.domain.operands(*place).iter().all(has_literal);
+        let (places, unwritable): (Vec<u64>, Vec<u64>) = places.into_iter().partition(is_writable);
         let left_out = unwritable.len() as u64;
         self.note(left_out, |findings| findings.left_out += left_out);
-        self.listed(asker, places);
+        self.listed(session, places);
     }
 
-    fn listed(&self, asker: &mut Asker<'_>, mut places: Vec<u64>) {
+    fn listed(&self, session: &mut FunctionSession<'_>, mut places: Vec<u64>) {
         if places.is_empty() || self.cancel.load(Ordering::Relaxed) {
             return;
         }
@@ -182,10 +187,7 @@ impl Inquiry<'_> {
             .iter()
             .map(|place| self.sweep.domain.operands(*place))
             .collect();
-        let Some(program) = program::listed(&self.sweep.signature, &calls) else {
-            return;
-        };
-        match self.ask(asker, &program) {
+        match self.ask(session, &listed(&self.sweep.signature, &calls)) {
             Ok(given) => {
                 self.compare(places, given);
             }
@@ -196,8 +198,8 @@ impl Inquiry<'_> {
                     return self.refuse(&places, places.len() as u64, refusal);
                 }
                 let rest = places.split_off(places.len() / 2);
-                self.listed(asker, places);
-                self.listed(asker, rest);
+                self.listed(session, places);
+                self.listed(session, rest);
             }
         }
     }
@@ -215,7 +217,7 @@ impl Inquiry<'_> {
                     basis: self.expected(&operands).basis,
                     operands,
                     expected: exact,
-                    got: Got::Value(got),
+                    got,
                 });
             }
         }

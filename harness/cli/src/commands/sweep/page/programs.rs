@@ -1,11 +1,10 @@
 //! What was found by programs: mismatches, what no document speaks of, and what was not answered, each apart.
 
 use super::{BAD, Page, counted, grouped, shown};
-use crate::output;
 use std::io;
 use std::time::Duration;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, Unanswered};
-use stickler_types::Value;
+use stickler_types::{Value, wrap};
 
 impl Page<'_> {
     /// What was found.
@@ -79,7 +78,7 @@ impl Page<'_> {
 
     /// Words that may need several lines.
     fn paragraph(&mut self, words: &str) -> io::Result<()> {
-        let wrapped = output::wrap(words);
+        let wrapped = wrap(words);
         wrapped
             .lines()
             .try_for_each(|line| writeln!(self.out, "  {line}"))

@@ -1,10 +1,10 @@
 //! The answers as one JSON object, for other programs.
 
-use super::ask::Got;
-use super::block::{Block, Cell, Column};
-use crate::engines::Named;
+use super::results::{ComparedResult, DialectResults, SignatureResults};
 use serde::Serialize;
 use std::io::{self, Write};
+use stickler_engines::Identity;
+use stickler_types::Value;
 
 /// Everything that was asked about one function.
 #[derive(Serialize)]
@@ -25,19 +25,19 @@ struct Engine<'a> {
 struct Types<'a> {
     operands: Vec<&'static str>,
     result: &'static str,
-    calls: Vec<Call<'a>>,
+    calls: Vec<CallResults<'a>>,
 }
 
 /// One call. Values are typed literals.
 #[derive(Serialize)]
-struct Call<'a> {
+struct CallResults<'a> {
     operands: Vec<String>,
-    results: Vec<Result<'a>>,
+    results: Vec<CallResult<'a>>,
 }
 
 /// What one engine gave in one dialect.
 #[derive(Serialize)]
-struct Result<'a> {
+struct CallResult<'a> {
     engine: &'a str,
     dialect: &'static str,
     /// The value; `null` where there is none.
@@ -60,54 +60,64 @@ struct Result<'a> {
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(function: &str, blocks: &[Block], engines: &[Named], out: &mut dyn Write) -> io::Result<()> {
+pub fn write(
+    function: &str,
+    results: &[SignatureResults],
+    engines: &[&Identity],
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let answers = Answers {
         function,
-        engines: engines.iter().map(engine).collect(),
-        signatures: blocks.iter().map(|block| types(block, engines)).collect(),
+        engines: engines.iter().map(|identity| engine(identity)).collect(),
+        signatures: results.iter().map(|results| types(results, engines)).collect(),
     };
     serde_json::to_writer_pretty(&mut *out, &answers)?;
     writeln!(out)
 }
 
-fn engine(named: &Named) -> Engine<'_> {
+fn engine(identity: &Identity) -> Engine<'_> {
     Engine {
-        name: &named.identity().name,
-        version: &named.identity().version,
+        name: &identity.name,
+        version: &identity.version,
     }
 }
 
-fn types<'a>(block: &'a Block, engines: &'a [Named]) -> Types<'a> {
-    let call = |(index, operands): (usize, &Vec<stickler_types::Value>)| Call {
+fn types<'a>(all: &'a SignatureResults, engines: &[&'a Identity]) -> Types<'a> {
+    let call = |(index, operands): (usize, &Vec<Value>)| CallResults {
         operands: operands.iter().map(ToString::to_string).collect(),
-        results: block
+        results: all
             .columns
             .iter()
-            .filter_map(|column| Some(result(column, column.cells.get(index)?, engines)))
+            .filter_map(|column| Some(result(column, column.results.get(index)?, engines)))
             .collect(),
     };
     Types {
-        operands: block.signature.operands.iter().map(|ty| ty.name()).collect(),
-        result: block.signature.result.name(),
-        calls: block.calls.iter().enumerate().map(call).collect(),
+        operands: all.signature.operands.iter().map(|ty| ty.name()).collect(),
+        result: all.signature.result.name(),
+        calls: all.calls.iter().enumerate().map(call).collect(),
     }
 }
 
-fn result<'a>(column: &Column, cell: &'a Cell, engines: &'a [Named]) -> Result<'a> {
-    let (got, without, detail) = match &cell.got {
-        Got::Value(value) => (Some(value.to_string()), None, None),
-        Got::None { word, detail } => (None, Some(*word), Some(detail.as_str())),
+fn result<'a>(
+    column: &DialectResults,
+    compared: &'a ComparedResult,
+    engines: &[&'a Identity],
+) -> CallResult<'a> {
+    let (got, without, detail) = match &compared.got {
+        Ok(value) => (Some(value.to_string()), None, None),
+        Err(refusal) => (None, Some(refusal.kind.word()), Some(refusal.detail.as_str())),
     };
-    Result {
-        engine: engines
-            .get(column.engine)
-            .map_or("", |named| &named.identity().name),
+    CallResult {
+        engine: engines.get(column.engine).map_or("", |identity| &identity.name),
         dialect: column.dialect.as_str(),
         got,
         without,
         detail,
-        basis: cell.expected.basis,
-        expected: cell.expected.basis.map(|_| cell.expected.value.to_string()),
-        contradicts: cell.contradicts(),
+        basis: compared.expected.basis,
+        expected: compared
+            .expected
+            .basis
+            .map(|_| compared.expected.value.to_string()),
+        contradicts: compared.contradicts(),
     }
 }

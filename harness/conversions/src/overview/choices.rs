@@ -1,5 +1,6 @@
 //! What the dialects choose where systems differ, one line a choice.
 
+use crate::functions::dialect_list;
 use anstyle::Style;
 use std::io::{self, Write};
 use stickler_exact::{Operation, Signature, choices_of};
@@ -29,7 +30,7 @@ pub fn write(signature: &Signature, dialects: &[DialectName], out: &mut dyn Writ
             write!(out, "{DIM}{label:labels$}{DIM:#}  {choice}")?;
             match choices.len() {
                 1 => writeln!(out)?,
-                _ => writeln!(out, ": {}", super::names::listed(choosers))?,
+                _ => writeln!(out, ": {}", dialect_list(choosers))?,
             }
         }
     }

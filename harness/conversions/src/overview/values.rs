@@ -1,20 +1,40 @@
 //! The values that somebody wrote on the command line.
 
 use super::inputs;
-use super::spelling::shortened;
-use anyhow::bail;
+use super::page::shortened;
 use stickler_exact::Signature;
 use stickler_types::{ElementaryType, Family, LiteralError, Value};
 
 /// The operands of one call.
-pub type Operands = Vec<Value>;
+pub type Call = Vec<Value>;
+
+/// Values that are no operands of a function.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+pub enum ValueError {
+    /// The last call has too few of them.
+    #[error("{function} takes {count} values a call ({types}), so they come in pairs")]
+    Count {
+        /// The function.
+        function: String,
+        /// How many it takes.
+        count: usize,
+        /// Their types, in a list.
+        types: String,
+    },
+    /// No signature takes one of them; holds which, and why.
+    #[error("{0}")]
+    Misfit(String),
+}
 
 /// For each signature the calls to show: of the values that were given, those that it takes; its boundaries where none
 /// was given. Signatures that take none of the values are left out.
 ///
 /// # Errors
 /// A value that no signature takes, or too few of them for the last call.
-pub fn rows(texts: &[String], signatures: Vec<Signature>) -> anyhow::Result<Vec<(Signature, Vec<Operands>)>> {
+pub fn calls(
+    texts: &[String],
+    signatures: Vec<Signature>,
+) -> Result<Vec<(Signature, Vec<Call>)>, ValueError> {
     if texts.is_empty() {
         let with_inputs = |signature: Signature| {
             let inputs = inputs::boundaries(&signature);
@@ -24,11 +44,17 @@ pub fn rows(texts: &[String], signatures: Vec<Signature>) -> anyhow::Result<Vec<
     }
     let count = signatures.first().map_or(1, |signature| signature.operands.len());
     if !texts.len().is_multiple_of(count) {
-        let function = signatures.first().map_or("", |signature| &signature.function);
+        let function = signatures
+            .first()
+            .map_or("", |signature| signature.function.as_str());
         let types = signatures.first().map_or(String::new(), inputs::types);
-        bail!("{function} takes {count} values a call ({types}), so they come in pairs");
+        return Err(ValueError::Count {
+            function: function.to_owned(),
+            count,
+            types,
+        });
     }
-    let mut rows: Vec<(Signature, Vec<Operands>)> = signatures
+    let mut rows: Vec<(Signature, Vec<Call>)> = signatures
         .into_iter()
         .map(|signature| (signature, Vec::new()))
         .collect();
@@ -48,21 +74,21 @@ pub fn rows(texts: &[String], signatures: Vec<Signature>) -> anyhow::Result<Vec<
             }
         }
         if !taken {
-            bail!("{}", misfit(call, &rows, bare_text));
+            return Err(ValueError::Misfit(misfit(call, &rows, bare_text)));
         }
     }
     rows.retain(|(_, operands)| !operands.is_empty());
     Ok(rows)
 }
 
-fn read_all(call: &[String], signature: &Signature, bare_text: bool) -> Result<Operands, String> {
+fn read_all(call: &[String], signature: &Signature, bare_text: bool) -> Result<Call, String> {
     call.iter()
         .zip(&signature.operands)
         .map(|(text, ty)| read(text, *ty, bare_text))
         .collect()
 }
 
-fn misfit(call: &[String], rows: &[(Signature, Vec<Operands>)], bare_text: bool) -> String {
+fn misfit(call: &[String], rows: &[(Signature, Vec<Call>)], bare_text: bool) -> String {
     let texts = call.join(" ");
     match rows {
         [(signature, _)] => {
@@ -169,7 +195,7 @@ fn with_point(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{read, rows};
+    use super::{calls, read};
     use stickler_types::{DialectName, ElementaryType, Value};
 
     fn reads(text: &str, ty: ElementaryType, literal: &str) {
@@ -219,7 +245,7 @@ mod tests {
     fn a_value_that_is_given_twice_is_asked_for_once() {
         let signatures = stickler_exact::signatures("INT_TO_DINT", DialectName::Matiec);
         let texts = ["5", "7", "INT#5"].map(str::to_owned);
-        let rows = rows(&texts, signatures).unwrap();
+        let rows = calls(&texts, signatures).unwrap();
         let value = |literal| vec![Value::parse(literal).unwrap()];
         assert_eq!(rows[0].1, [value("INT#5"), value("INT#7")]);
     }
@@ -227,10 +253,10 @@ mod tests {
     #[test]
     fn a_typed_value_chooses_among_the_signatures_of_an_overloaded_name() {
         let signatures = stickler_exact::signatures("TO_INT", DialectName::IronplcEd3);
-        let chosen = rows(&["REAL#2.5".to_owned()], signatures.clone()).unwrap();
+        let chosen = calls(&["REAL#2.5".to_owned()], signatures.clone()).unwrap();
         assert_eq!(chosen.len(), 1);
         assert_eq!(chosen[0].0.operands, [ElementaryType::Real]);
-        let error = rows(&["2.5.5".to_owned()], signatures).unwrap_err().to_string();
+        let error = calls(&["2.5.5".to_owned()], signatures).unwrap_err().to_string();
         assert!(error.contains("`2.5.5`") && error.contains("REAL"), "{error}");
     }
 
@@ -238,8 +264,8 @@ mod tests {
     fn values_of_a_call_with_two_come_in_pairs() {
         let signatures = || stickler_exact::signatures("CONCAT_DATE_TOD", DialectName::Matiec);
         let texts = ["2024-02-29".to_owned(), "12:00:00".to_owned()];
-        assert_eq!(rows(&texts, signatures()).unwrap()[0].1.len(), 1);
-        let error = rows(&texts[..1], signatures()).unwrap_err().to_string();
+        assert_eq!(calls(&texts, signatures()).unwrap()[0].1.len(), 1);
+        let error = calls(&texts[..1], signatures()).unwrap_err().to_string();
         assert!(error.contains("2 values a call (DATE, TOD)"), "{error}");
     }
 }

@@ -1,0 +1,16 @@
+//! What a conversion function gives for a few values: engines and dialects side by side, beside the documents.
+//!
+//! [`calls`] chooses the values, [`gather`] asks the engines, and [`Page`] and [`write_json`] show the [`SignatureResults`].
+
+mod choices;
+mod inputs;
+mod json;
+mod page;
+mod results;
+mod table;
+mod values;
+
+pub use json::write as write_json;
+pub use page::Page;
+pub use results::{ComparedResult, DialectResults, SignatureResults, gather};
+pub use values::{Call, ValueError, calls};

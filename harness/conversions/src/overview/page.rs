@@ -1,0 +1,320 @@
+//! The answers as a page for a person: tables, what contradicts a document, what differs, and a legend.
+
+use super::results::{ComparedResult, DialectResults, SignatureResults};
+use super::table::{self, Align, Shown};
+use super::values::Call;
+use super::{choices, inputs};
+use crate::functions::{dialect_list, short_names};
+use crate::literals;
+use anstyle::{AnsiColor, Style};
+use std::io::{self, Write};
+use stickler_engines::Identity;
+use stickler_types::{DialectName, ElementaryType, Family, Value, wrap};
+
+const BOLD: Style = Style::new().bold();
+const DIM: Style = Style::new().dimmed();
+const BAD: Style = AnsiColor::Red.on_default().bold();
+
+/// The note of a cell about which no document says anything.
+const OPEN: &str = "?";
+
+/// How many contradictions of a table are told in words.
+const MAX_TROUBLES: usize = 8;
+
+/// What is said above the rules where somebody else than the reference was asked, who need not follow them.
+const RULES: &str = "Stickler's rule for each dialect, which an engine may or may not follow:";
+
+/// From how many tables on it is said how to see one of them.
+const MANY: usize = 3;
+
+/// From this magnitude on a real has so many digits that they say less than an exponent.
+const LARGE: f64 = 1e16;
+
+/// How many characters of a value are shown.
+const MAX_VALUE_LEN: usize = 40;
+
+/// Shows what a function gives.
+pub struct Page<'p> {
+    /// What was asked, one table a signature.
+    pub results: &'p [SignatureResults],
+    /// The dialects that were asked for and lack the function.
+    pub lacking: &'p [DialectName],
+    /// The engines that were asked.
+    pub engines: &'p [&'p Identity],
+    /// Whether only the reference was asked, which follows the rules that stand below a table.
+    pub only_reference: bool,
+}
+
+impl Page<'_> {
+    /// Writes the page.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        let mut notes = Notes::default();
+        for results in self.results {
+            self.write_signature(results, &mut notes, out)?;
+            writeln!(out)?;
+        }
+        notes.write(out)?;
+        let Some(first) = self.results.first() else {
+            return Ok(());
+        };
+        let function = &first.signature.function;
+        if !self.lacking.is_empty() {
+            writeln!(out, "There is no {function} in {}.", dialect_list(self.lacking))?;
+        }
+        if self.results.len() > MANY {
+            let example = first.calls.first().and_then(|call| call.first());
+            writeln!(
+                out,
+                "{function} takes several types; a typed value, such as {}, shows one of them alone.",
+                example.map_or(String::new(), ToString::to_string)
+            )?;
+        }
+        Ok(())
+    }
+
+    fn write_signature(
+        &self,
+        results: &SignatureResults,
+        notes: &mut Notes,
+        out: &mut dyn Write,
+    ) -> io::Result<()> {
+        let signature = &results.signature;
+        let engines: Vec<String> = self.engines.iter().map(|identity| title(identity)).collect();
+        writeln!(
+            out,
+            "{BOLD}{}({}) : {}{BOLD:#}  on {}\n",
+            signature.function,
+            inputs::types(signature),
+            signature.result,
+            engines.join(", ")
+        )?;
+        let left = operands(&results.calls, &signature.operands);
+        let columns: Vec<table::Column> = groups(&results.columns)
+            .iter()
+            .map(|group| self.column(group, signature.result, notes))
+            .collect();
+        table::write(&left, &columns, out)?;
+        self.write_troubles(results, out)?;
+        if choices::any(signature) {
+            let mut dialects: Vec<DialectName> =
+                results.columns.iter().map(|column| column.dialect).collect();
+            dialects.sort_unstable();
+            dialects.dedup();
+            writeln!(out)?;
+            if !self.only_reference {
+                writeln!(out, "{RULES}")?;
+            }
+            choices::write(signature, &dialects, out)?;
+        }
+        Ok(())
+    }
+
+    /// Returns the column of dialects that agree.
+    fn column(&self, group: &[&DialectResults], result: ElementaryType, notes: &mut Notes) -> table::Column {
+        let first = group.first();
+        let engine = first.and_then(|column| match self.engines {
+            [_] => None,
+            engines => engines.get(column.engine).map(|identity| identity.name.clone()),
+        });
+        let dialects: Vec<DialectName> = group.iter().map(|column| column.dialect).collect();
+        let shown = |compared: &ComparedResult| Shown {
+            value: match &compared.got {
+                Ok(value) => untyped(value, result),
+                Err(refusal) => refusal.kind.word().to_owned(),
+            },
+            note: notes.of(compared),
+            style: match (compared.contradicts(), compared.expected.basis) {
+                (true, _) => BAD,
+                (false, None) => DIM,
+                (false, Some(_)) => Style::new(),
+            },
+        };
+        table::Column {
+            head: engine.into_iter().chain(short_names(&dialects)).collect(),
+            cells: first.map_or(Vec::new(), |column| column.results.iter().map(shown).collect()),
+            align: align(result),
+        }
+    }
+
+    /// Writes what contradicts a document, in words, and why an engine gave no value.
+    fn write_troubles(&self, results: &SignatureResults, out: &mut dyn Write) -> io::Result<()> {
+        let name = |column: &DialectResults| match self.engines {
+            [_] => column.dialect.to_string(),
+            engines => engines.get(column.engine).map_or(String::new(), |identity| {
+                format!("{} in {}", identity.name, column.dialect)
+            }),
+        };
+        let function = &results.signature.function;
+        let mut troubles = Vec::new();
+        for column in &results.columns {
+            for (call, compared) in results.calls.iter().zip(&column.results) {
+                if let Some(trouble) = trouble(compared) {
+                    let operands: Vec<String> = call.iter().map(in_words).collect();
+                    let operands = operands.join(", ");
+                    troubles.push(format!("{}: {function}({operands}) {trouble}", name(column)));
+                }
+            }
+        }
+        if troubles.is_empty() {
+            return Ok(());
+        }
+        writeln!(out)?;
+        for trouble in troubles.iter().take(MAX_TROUBLES) {
+            writeln!(out, "{}", wrap(trouble))?;
+        }
+        match troubles.len().saturating_sub(MAX_TROUBLES) {
+            0 => Ok(()),
+            more => writeln!(out, "... and {more} more"),
+        }
+    }
+}
+
+/// Which letter stands for which basis, on the whole page.
+#[derive(Default)]
+struct Notes {
+    bases: Vec<&'static str>,
+    open: bool,
+    contradicted: bool,
+}
+
+impl Notes {
+    fn of(&mut self, compared: &ComparedResult) -> String {
+        let mark = if compared.contradicts() { "!" } else { "" };
+        self.contradicted |= compared.contradicts();
+        match compared.expected.basis {
+            Some(basis) => format!("{}{mark}", self.letter(basis)),
+            None => {
+                self.open = true;
+                OPEN.to_owned()
+            }
+        }
+    }
+
+    fn letter(&mut self, basis: &'static str) -> char {
+        let index = self
+            .bases
+            .iter()
+            .position(|known| *known == basis)
+            .unwrap_or_else(|| {
+                self.bases.push(basis);
+                self.bases.len() - 1
+            });
+        // There are fewer documents with fewer sections than letters.
+        (b'a'..=b'z').nth(index).map_or('z', char::from)
+    }
+
+    fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        for (letter, basis) in (b'a'..=b'z').zip(&self.bases) {
+            writeln!(out, "{}  {basis}", char::from(letter))?;
+        }
+        if self.open {
+            writeln!(out, "{OPEN}  observed: no document says what must come")?;
+        }
+        if self.contradicted {
+            writeln!(out, "!  not what the document says")?;
+        }
+        Ok(())
+    }
+}
+
+fn title(identity: &Identity) -> String {
+    format!("{} {}", identity.name, identity.version)
+        .trim_end()
+        .to_owned()
+}
+
+/// Groups the columns of one engine that agree in every result.
+fn groups(columns: &[DialectResults]) -> Vec<Vec<&DialectResults>> {
+    let mut groups: Vec<Vec<&DialectResults>> = Vec::new();
+    for column in columns {
+        let same = |group: &&mut Vec<&DialectResults>| {
+            group
+                .first()
+                .is_some_and(|first| first.engine == column.engine && first.results == column.results)
+        };
+        match groups.iter_mut().find(same) {
+            Some(group) => group.push(column),
+            None => groups.push(vec![column]),
+        }
+    }
+    groups
+}
+
+/// Returns the columns of the operands.
+fn operands(calls: &[Call], types: &[ElementaryType]) -> Vec<table::Column> {
+    let column = |(index, ty): (usize, &ElementaryType)| table::Column {
+        head: vec![ty.name().to_owned()],
+        cells: calls
+            .iter()
+            .map(|call| plain(operand(&call[index], *ty)))
+            .collect(),
+        align: align(*ty),
+    };
+    types.iter().enumerate().map(column).collect()
+}
+
+/// Shows an operand. A whole real has all of its digits: `2147483648.0`, where the canonical spelling of a REAL has the
+/// fewest that read back to the same bits, `2147483600.0`.
+fn operand(value: &Value, ty: ElementaryType) -> String {
+    match literals::real(value) {
+        Some(number) if number.abs() < LARGE && number == number.trunc() => format!("{number:.1}"),
+        _ => untyped(value, ty),
+    }
+}
+
+fn plain(value: String) -> Shown {
+    Shown {
+        value,
+        note: String::new(),
+        style: Style::new(),
+    }
+}
+
+/// Aligns texts at their beginning and numbers at their end.
+fn align(ty: ElementaryType) -> Align {
+    match ty.family() {
+        Family::Text | Family::Character => Align::Left,
+        _ => Align::Right,
+    }
+}
+
+/// Shows the literal without its type, where that is the one which the heading names; a long one in part.
+fn untyped(value: &Value, ty: ElementaryType) -> String {
+    let literal = value.to_string();
+    shortened(match literal.split_once('#') {
+        Some((prefix, rest)) if prefix == ty.name() => rest,
+        _ => &literal,
+    })
+}
+
+/// Shows a value with its type, a long one in part.
+fn in_words(value: &Value) -> String {
+    shortened(&value.to_string())
+}
+
+/// Returns how a result contradicts a document, or why there is none.
+fn trouble(compared: &ComparedResult) -> Option<String> {
+    let must = match compared.expected.basis {
+        Some(_) if compared.contradicts() => {
+            format!(", and must give {}", in_words(&compared.expected.value))
+        }
+        _ => String::new(),
+    };
+    match &compared.got {
+        Ok(value) if compared.contradicts() => Some(format!("gives {}{must}", in_words(value))),
+        Ok(_) => None,
+        Err(refusal) => Some(format!("{} ({}){must}", refusal.kind.word(), refusal.detail)),
+    }
+}
+
+/// Shows the beginning of a long text.
+pub fn shortened(text: &str) -> String {
+    if text.chars().count() <= MAX_VALUE_LEN {
+        return text.to_owned();
+    }
+    let beginning: String = text.chars().take(MAX_VALUE_LEN - 1).collect();
+    format!("{beginning}…")
+}

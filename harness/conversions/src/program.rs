@@ -1,0 +1,105 @@
+//! A program that calls a conversion function with a list of operands.
+
+use crate::literals::{self, literal};
+use std::fmt::Write;
+use stickler_exact::Signature;
+use stickler_types::{ElementaryType, Value};
+
+/// The longest text that a STRING of default length holds in every system.
+const DEFAULT_LENGTH: usize = 80;
+
+/// A source text, and the variables in which its results are.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Program {
+    /// The text.
+    pub source: String,
+    /// The names of the variables.
+    pub observed: Vec<String>,
+    /// Their type.
+    pub ty: ElementaryType,
+}
+
+/// Writes a program that calls the function with each of these operands.
+///
+/// NaN and the infinities, which no literal says, are computed before the calls: an engine that computes them otherwise
+/// than IEC 60559 gives the function other operands.
+#[must_use]
+pub fn listed(signature: &Signature, calls: &[Vec<Value>]) -> Program {
+    let Signature { function, result, .. } = signature;
+    let (mut declarations, mut statements) = infinity(calls);
+    let mut observed = Vec::with_capacity(calls.len());
+    for (number, call) in (1..).zip(calls) {
+        let mut arguments = Vec::with_capacity(call.len());
+        for (value, letter) in call.iter().zip(["a", "b"]) {
+            let name = format!("operand{number}{letter}");
+            let ty = declared(value.type_name(), longest(call));
+            // Writing to a String cannot fail, here and below.
+            let _ = match not_finite(value) {
+                Some(term) => {
+                    let _ = writeln!(statements, "    {name} := {term};");
+                    writeln!(declarations, "    {name} : {ty};")
+                }
+                None => writeln!(declarations, "    {name} : {ty} := {};", literal(value)),
+            };
+            arguments.push(name);
+        }
+        let name = format!("given{number}");
+        let ty = match result.is_text() {
+            true => declared(result.name(), longest(call)),
+            false => result.name().to_owned(),
+        };
+        let _ = writeln!(declarations, "    {name} : {ty};");
+        let _ = writeln!(statements, "    {name} := {function}({});", arguments.join(", "));
+        observed.push(name);
+    }
+    Program {
+        source: format!("PROGRAM main\nVAR\n{declarations}END_VAR\n{statements}END_PROGRAM\n"),
+        observed,
+        ty: *result,
+    }
+}
+
+/// Returns the term that makes NaN or an infinity of the variable `infinite`.
+fn not_finite(value: &Value) -> Option<&'static str> {
+    match literals::real(value)? {
+        number if number.is_nan() => Some("infinite - infinite"),
+        f64::INFINITY => Some("infinite"),
+        f64::NEG_INFINITY => Some("-infinite"),
+        _ => None,
+    }
+}
+
+/// Returns the declarations and the statement that give `infinite` its value, where a call needs it.
+fn infinity(calls: &[Vec<Value>]) -> (String, String) {
+    let mut operands = calls.iter().flatten();
+    let Some(operand) = operands.find(|value| not_finite(value).is_some()) else {
+        return (String::new(), String::new());
+    };
+    let ty = operand.type_name();
+    let large = if ty == ElementaryType::Real.name() {
+        "3.0E38"
+    } else {
+        "1.0E308"
+    };
+    (
+        format!("    large : {ty} := {ty}#{large};\n    infinite : {ty};\n"),
+        "    infinite := large * large;\n".to_owned(),
+    )
+}
+
+/// How many characters the longest text has.
+fn longest(call: &[Value]) -> usize {
+    let lengths = call.iter().map(|value| match value {
+        Value::Text { units, .. } => units.len(),
+        _ => 0,
+    });
+    lengths.max().unwrap_or(0)
+}
+
+/// A type as a declaration has it: with a length only where it is a text too long for every system.
+fn declared(ty: &str, length: usize) -> String {
+    match length {
+        ..=DEFAULT_LENGTH => ty.to_owned(),
+        _ => format!("{ty}[{length}]"),
+    }
+}
