@@ -1,3 +1,3 @@
-//! Fuzz target `case_file`: see `stickler_generate::oracles::Target::CaseFile`.
+//! Fuzz target `case_file`: see `stickler_generate::oracles::FuzzTarget::CaseFile`.
 #![cfg_attr(fuzzing, no_main)]
 stickler_fuzz::target!(CaseFile);

@@ -1,3 +1,3 @@
-//! Fuzz target `check`: see `stickler_generate::oracles::Target::Check`.
+//! Fuzz target `check`: see `stickler_generate::oracles::FuzzTarget::Check`.
 #![cfg_attr(fuzzing, no_main)]
 stickler_fuzz::target!(Check);

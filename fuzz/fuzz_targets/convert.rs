@@ -1,3 +1,3 @@
-//! Fuzz target `convert`: see `stickler_generate::oracles::Target::Convert`.
+//! Fuzz target `convert`: see `stickler_generate::oracles::FuzzTarget::Convert`.
 #![cfg_attr(fuzzing, no_main)]
 stickler_fuzz::target!(Convert);

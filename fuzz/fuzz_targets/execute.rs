@@ -1,3 +1,3 @@
-//! Fuzz target `execute`: see `stickler_generate::oracles::Target::Execute`.
+//! Fuzz target `execute`: see `stickler_generate::oracles::FuzzTarget::Execute`.
 #![cfg_attr(fuzzing, no_main)]
 stickler_fuzz::target!(Execute);

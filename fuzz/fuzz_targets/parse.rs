@@ -1,3 +1,3 @@
-//! Fuzz target `parse`: see `stickler_generate::oracles::Target::Parse`.
+//! Fuzz target `parse`: see `stickler_generate::oracles::FuzzTarget::Parse`.
 #![cfg_attr(fuzzing, no_main)]
 stickler_fuzz::target!(Parse);

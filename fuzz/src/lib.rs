@@ -6,14 +6,14 @@
 mod replay;
 
 pub use replay::{Summary, replay, replay_all};
-pub use stickler_generate::oracles::Target;
+pub use stickler_generate::oracles::FuzzTarget;
 
 /// Judges an input for libFuzzer, which takes a panic for a finding and keeps the input.
 ///
 /// # Panics
 /// Where the input breaks what the target holds it to.
 #[inline(always)]
-pub fn hold(target: Target, data: &[u8]) {
+pub fn hold(target: FuzzTarget, data: &[u8]) {
     if let Err(failure) = target.judge(data) {
         panic!("{failure}");
     }
@@ -25,18 +25,18 @@ pub fn hold(target: Target, data: &[u8]) {
 macro_rules! target {
     ($target:ident) => {
         #[cfg(fuzzing)]
-        ::libfuzzer_sys::fuzz_target!(|data: &[u8]| $crate::hold($crate::Target::$target, data));
+        ::libfuzzer_sys::fuzz_target!(|data: &[u8]| $crate::hold($crate::FuzzTarget::$target, data));
 
         #[cfg(not(fuzzing))]
         fn main() -> std::process::ExitCode {
-            $crate::replay($crate::Target::$target)
+            $crate::replay($crate::FuzzTarget::$target)
         }
     };
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Target;
+    use super::FuzzTarget;
     use std::collections::BTreeSet;
     use std::fs;
     use std::path::Path;
@@ -52,7 +52,7 @@ mod tests {
 
     #[test]
     fn every_target_has_its_glue_and_its_corpus_and_nothing_else_has() {
-        let named = |ending| Target::ALL.map(|target| format!("{}{ending}", target.name()));
+        let named = |ending| FuzzTarget::ALL.map(|target| format!("{}{ending}", target.name()));
         assert_eq!(names_in("fuzz_targets"), named(".rs").into());
         let mut folders = names_in("../corpus");
         assert!(folders.remove("README.md"), "the corpora are described");
@@ -62,7 +62,7 @@ mod tests {
     #[test]
     fn every_target_is_built_and_its_corpus_replayed() {
         let (manifest, replays) = (include_str!("../Cargo.toml"), include_str!("../tests/corpus.rs"));
-        for name in Target::ALL.map(Target::name) {
+        for name in FuzzTarget::ALL.map(FuzzTarget::name) {
             let glue = format!("path = \"fuzz_targets/{name}.rs\"");
             assert!(manifest.contains(&glue), "Cargo.toml builds no `{name}`");
             let replay = format!("in \"../corpus/{name}\",");

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use stickler_generate::oracles::{Target, Tried};
+use stickler_generate::oracles::{FuzzTarget, InputOutcome};
 
 /// The longest input that is read, in bytes; far more than libFuzzer makes, and than any text the reference reads.
 const LONGEST: u64 = 128 << 20;
@@ -25,7 +25,7 @@ pub struct Summary {
 ///
 /// The exit code is 0 where every input held, 1 where one failed, and 2 where one could not be read or none was named.
 #[must_use]
-pub fn replay(target: Target) -> ExitCode {
+pub fn replay(target: FuzzTarget) -> ExitCode {
     let named: Vec<OsString> = std::env::args_os().skip(1).collect();
     if named.is_empty() || named.iter().any(|name| name == "--help" || name == "-h") {
         eprintln!(
@@ -50,7 +50,7 @@ pub fn replay(target: Target) -> ExitCode {
 /// # Errors
 /// Those of writing to either.
 pub fn replay_all(
-    target: Target,
+    target: FuzzTarget,
     named: &[impl AsRef<Path>],
     output: &mut dyn Write,
     complaints: &mut dyn Write,
@@ -104,7 +104,7 @@ fn inputs(path: &Path) -> io::Result<Vec<PathBuf>> {
 }
 
 fn replay_file(
-    target: Target,
+    target: FuzzTarget,
     file: &Path,
     summary: &mut Summary,
     output: &mut dyn Write,
@@ -119,11 +119,11 @@ fn replay_file(
         }
     };
     match target.judge(&data) {
-        Ok(Tried::Done) => {
+        Ok(InputOutcome::Checked) => {
             summary.held += 1;
             writeln!(output, "{shown}: held")
         }
-        Ok(Tried::PassedOver(why)) => {
+        Ok(InputOutcome::Skipped(why)) => {
             summary.held += 1;
             writeln!(output, "{shown}: passed over, {why}")
         }
@@ -153,8 +153,8 @@ mod tests {
     /// What a replay of these paths says on its output and of what it could not read.
     fn said(paths: &[PathBuf]) -> (Summary, String, String) {
         let (mut output, mut complaints) = (Vec::new(), Vec::new());
-        let summary =
-            replay_all(Target::Parse, paths, &mut output, &mut complaints).expect("vectors take everything");
+        let summary = replay_all(FuzzTarget::Parse, paths, &mut output, &mut complaints)
+            .expect("vectors take everything");
         let [output, complaints] =
             [output, complaints].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
         (summary, output, complaints)

@@ -4,9 +4,9 @@
 
 use std::fs;
 use std::path::Path;
-use stickler_fuzz::Target;
+use stickler_fuzz::FuzzTarget;
 
-fn replay(target: Target, path: &Path) -> datatest_stable::Result<()> {
+fn replay(target: FuzzTarget, path: &Path) -> datatest_stable::Result<()> {
     let data = fs::read(path)?;
     match target.judge(&data) {
         Ok(_) => Ok(()),
@@ -17,7 +17,7 @@ fn replay(target: Target, path: &Path) -> datatest_stable::Result<()> {
 macro_rules! corpora {
     ($($name:ident = $target:ident in $root:literal,)*) => {
         $(fn $name(path: &Path) -> datatest_stable::Result<()> {
-            replay(Target::$target, path)
+            replay(FuzzTarget::$target, path)
         })*
         datatest_stable::harness! { $({ test = $name, root = $root, pattern = r"^[^.][^/]*$" },)* }
     };

@@ -4,10 +4,10 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use std::path::Path;
 use std::{fs, io};
-use stickler_generate::oracles::Target;
+use stickler_generate::oracles::FuzzTarget;
 
 fn corpora(criterion: &mut Criterion) {
-    for target in Target::ALL {
+    for target in FuzzTarget::ALL {
         let folder = Path::new("../../corpus").join(target.name());
         let inputs = inputs(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
         assert!(

@@ -2,7 +2,7 @@
 
 use crate::fingerprint::Fingerprint;
 use serde::{Deserialize, Serialize};
-use stickler_generate::oracles::Target;
+use stickler_generate::oracles::FuzzTarget;
 use stickler_types::DialectName;
 
 /// The version of the form in which findings are saved.
@@ -200,8 +200,8 @@ impl Finding {
 
     /// The target, if this version of Stickler has it.
     #[must_use]
-    pub fn target(&self) -> Option<Target> {
-        Target::from_name(&self.target)
+    pub fn target(&self) -> Option<FuzzTarget> {
+        FuzzTarget::from_name(&self.target)
     }
 
     /// The dialect, if the input is a program and this version of Stickler knows it.

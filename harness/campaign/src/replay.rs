@@ -3,7 +3,7 @@
 use crate::differential::{Agreement, Disagreement, Entrant, Question, ask, compare, told};
 use crate::finding::{Answer, Expected, Finding};
 use stickler_engines::{EngineError, Outcome};
-use stickler_generate::oracles::{Failure, Target, Tried};
+use stickler_generate::oracles::{FuzzTarget, InputOutcome, OracleFailure};
 use stickler_types::{DialectName, Value};
 
 /// What came of a finding that was judged again.
@@ -12,7 +12,7 @@ pub struct Replayed {
     /// What each engine did with the saved program, and how it differs from what must happen, where it does.
     pub answers: Vec<(Answer, Option<String>)>,
     /// What the target said of the saved input; `None` where the finding has none.
-    pub judged: Option<Result<Tried, Failure>>,
+    pub judged: Option<Result<InputOutcome, OracleFailure>>,
 }
 
 impl Replayed {
@@ -37,7 +37,7 @@ pub fn replay(finding: &Finding, entrants: &[Entrant<'_>]) -> Result<Replayed, E
         }
     }
     replayed.judged = match finding.target() {
-        Some(Target::Differential) | None => None,
+        Some(FuzzTarget::Differential) | None => None,
         Some(target) => (!finding.input.is_empty()).then(|| target.judge(&finding.input)),
     };
     Ok(replayed)

@@ -4,9 +4,11 @@
 //! more zeros make for less.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
-use stickler_generate::reduce::{Answer, Budget, Method, Minimised, Pass, Sites, minimise};
+use stickler_generate::reduce::{
+    Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, Sites, minimise,
+};
 
-const METHOD: Method<Vec<u8>> = Method {
+const METHOD: ReductionMethod<Vec<u8>> = ReductionMethod {
     passes: &[
         Pass {
             name: "drop bytes",
@@ -42,12 +44,12 @@ const METHOD: Method<Vec<u8>> = Method {
 pub(crate) fn bytes(
     start: Vec<u8>,
     mut interesting: impl FnMut(&[u8]) -> bool,
-    budget: &Budget<'_>,
-) -> Minimised<Vec<u8>> {
+    budget: &ReductionBudget<'_>,
+) -> Reduction<Vec<u8>> {
     minimise(
         start,
         &METHOD,
-        &mut |bytes| Answer::from(interesting(bytes)),
+        &mut |bytes| Interestingness::from(interesting(bytes)),
         budget,
     )
 }
@@ -90,7 +92,7 @@ mod tests {
         let found = bytes(
             start,
             |bytes| bytes.contains(&200) && bytes.iter().any(|&byte| byte > 7),
-            &Budget::default(),
+            &ReductionBudget::default(),
         );
         assert_eq!(found.value, [200]);
     }

@@ -4,19 +4,21 @@
 
 use crate::inputs::Inputs;
 use stickler_conversions::Scattered;
-use stickler_generate::oracles::Target;
+use stickler_generate::oracles::FuzzTarget;
 use stickler_generate::writer::{Style, write};
 use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The input of a target at a place: bytes of the row, or a text of the kind that the target reads.
-pub(crate) fn input(inputs: Inputs, place: u64, target: Target) -> Vec<u8> {
+pub(crate) fn input(inputs: Inputs, place: u64, target: FuzzTarget) -> Vec<u8> {
     let mut draws = Draws::new(inputs.draws(place));
     match target {
-        Target::Parse => mutated(program(inputs, place), &mut draws),
-        Target::CaseFile => mutated(case_file(inputs, place), &mut draws),
-        Target::Literal => mutated(literal(&mut draws), &mut draws),
-        Target::Protocol => mutated(conversation(inputs, place), &mut draws),
-        Target::Convert | Target::Check | Target::Execute | Target::Differential => inputs.bytes(place),
+        FuzzTarget::Parse => mutated(program(inputs, place), &mut draws),
+        FuzzTarget::CaseFile => mutated(case_file(inputs, place), &mut draws),
+        FuzzTarget::Literal => mutated(literal(&mut draws), &mut draws),
+        FuzzTarget::Protocol => mutated(conversation(inputs, place), &mut draws),
+        FuzzTarget::Convert | FuzzTarget::Check | FuzzTarget::Execute | FuzzTarget::Differential => {
+            inputs.bytes(place)
+        }
     }
 }
 
@@ -230,7 +232,12 @@ fn change(bytes: &mut Vec<u8>, draws: &mut Draws) {
 mod tests {
     use super::*;
 
-    const TEXTS: [Target; 4] = [Target::Parse, Target::CaseFile, Target::Literal, Target::Protocol];
+    const TEXTS: [FuzzTarget; 4] = [
+        FuzzTarget::Parse,
+        FuzzTarget::CaseFile,
+        FuzzTarget::Literal,
+        FuzzTarget::Protocol,
+    ];
 
     #[test]
     fn an_input_depends_on_seed_place_and_target_alone() {
@@ -243,7 +250,7 @@ mod tests {
     fn some_inputs_are_whole_and_most_are_not() {
         let inputs = Inputs::new(1);
         let whole = (0..200)
-            .filter(|&place| input(inputs, place, Target::Parse) == program(inputs, place).into_bytes());
+            .filter(|&place| input(inputs, place, FuzzTarget::Parse) == program(inputs, place).into_bytes());
         assert!((5..100).contains(&whole.count()));
     }
 

@@ -4,7 +4,7 @@
 //! can be left out by the word that the finding has for it.
 
 use stickler_exact::signatures;
-use stickler_generate::features::{Detail, NAMES, features};
+use stickler_generate::features::{FeatureDetail, NAMES, features};
 use stickler_generate::model::Program;
 use stickler_types::{DialectName, ElementaryType};
 
@@ -44,7 +44,7 @@ impl Without {
         if self.is_empty() {
             return true;
         }
-        let has = features(program, Detail::Complete);
+        let has = features(program, FeatureDetail::Complete);
         let unwanted = |name: &String| self.0.iter().any(|other| other.eq_ignore_ascii_case(name));
         !has.keys().any(unwanted)
     }
@@ -85,7 +85,7 @@ mod tests {
     fn every_feature_of_a_program_can_be_left_out() {
         for place in 0..300 {
             let program = Inputs::new(9).program(place, &DialectName::ALL, true);
-            let names: Vec<String> = features(&program, Detail::Complete).into_keys().collect();
+            let names: Vec<String> = features(&program, FeatureDetail::Complete).into_keys().collect();
             assert_eq!(Without::new(&names).map(|_| ()), Ok(()), "at {place}");
         }
     }

@@ -7,10 +7,10 @@
 use arbitrary::Unstructured;
 use std::collections::BTreeMap;
 use stickler_generate::evaluate::evaluate;
-use stickler_generate::features::{Detail, features};
+use stickler_generate::features::{FeatureDetail, features};
 use stickler_generate::generator::{GeneratorSettings, program};
-use stickler_generate::model::{Program, Statement, StatementKind, Target};
-use stickler_generate::oracles::Tried;
+use stickler_generate::model::{AssignmentTarget, Program, Statement, StatementKind};
+use stickler_generate::oracles::InputOutcome;
 use stickler_generate::oracles::execute::judge_program;
 use stickler_generate::writer::{Style, write};
 use stickler_types::{DialectName, Value};
@@ -58,15 +58,15 @@ impl Measured {
             measured.programs += 1;
             measured.lines.push(text.lines().count());
             match judge_program(&program, &bytes) {
-                Ok(Tried::Done) => {}
-                Ok(Tried::PassedOver(word)) => *measured.passed_over.entry(word).or_default() += 1,
+                Ok(InputOutcome::Checked) => {}
+                Ok(InputOutcome::Skipped(word)) => *measured.passed_over.entry(word).or_default() += 1,
                 Err(failure) => {
                     measured.wrong += 1;
                     println!("{dialect}, seed {seed}: {}: {}", failure.symptom, failure.message);
                 }
             }
             measured.evaluate(&program);
-            for (construct, times) in features(&program, Detail::Measured) {
+            for (construct, times) in features(&program, FeatureDetail::Measured) {
                 let counted = measured.constructs.entry(construct).or_default();
                 counted.0 += times;
                 counted.1 += 1;
@@ -95,7 +95,7 @@ impl Measured {
     /// Leaves out one statement of main, and looks whether any value changes.
     fn leave_out(&mut self, program: &Program, values: &[(String, Value)]) {
         let own = |statement: &Statement| {
-            !matches!(&statement.kind, StatementKind::Assign(Target::Place(place), _)
+            !matches!(&statement.kind, StatementKind::Assign(AssignmentTarget::Place(place), _)
             if program.main.variables[place.variable.0].name.starts_with("checksum"))
         };
         let count = program

@@ -18,9 +18,9 @@ mod arithmetic;
 mod calls;
 mod cell;
 mod conversions;
+mod evaluator;
 mod expressions;
 mod layout;
-mod machine;
 mod memory;
 mod ordering;
 mod standard;
@@ -29,5 +29,5 @@ mod statements;
 #[cfg(test)]
 pub(crate) mod tests;
 
-pub use answer::{Evaluation, Opened, Question, Refusal};
-pub use machine::{MOST_STEPS, evaluate};
+pub use answer::{Evaluation, EvaluationError, OpenPoint, OpenQuestion};
+pub use evaluator::{MAX_STEPS, evaluate};

@@ -6,8 +6,9 @@ use crate::model::visit::{
     walk_variable,
 };
 use crate::model::{
-    CaseLabel, Declared, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Selector,
-    Statement, StatementKind, Target, Type, TypeDeclaration, UnaryOperator, Unit, Variable, VariableId,
+    AssignmentTarget, CaseLabel, DeclaredKind, Expression, ExpressionKind, Initializer, LiteralForm, Place,
+    PlaceSelector, Program, Statement, StatementKind, Type, TypeDeclaration, UnaryOperator, Unit, Variable,
+    VariableId, VariableSection,
 };
 use crate::writer::{function_name, operator_text};
 use std::collections::BTreeMap;
@@ -16,7 +17,7 @@ use stickler_types::{ElementaryType, Family};
 
 /// How finely the features of a program are told apart; each level includes those before it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Detail {
+pub enum FeatureDetail {
     /// Features that not every program has: functions, operators, kinds of statements, less common types.
     Distinctive,
     /// Every feature that a compiler may lack: also the common elementary types, and the types in front of literals (`INT#`,
@@ -26,7 +27,7 @@ pub enum Detail {
     Measured,
 }
 
-/// The names of the [`Detail::Complete`] features that stand for one thing each; besides them there are elementary types, their
+/// The names of the [`FeatureDetail::Complete`] features that stand for one thing each; besides them there are elementary types, their
 /// literals, conversion functions and implicit conversions.
 pub const NAMES: &[&str] = &[
     "#-",
@@ -94,8 +95,8 @@ pub const NAMES: &[&str] = &[
 
 /// Counts how often each feature occurs in a program, by its name.
 #[must_use]
-pub fn features(program: &Program, detail: Detail) -> BTreeMap<String, u64> {
-    let mut counter = Counter {
+pub fn features(program: &Program, detail: FeatureDetail) -> BTreeMap<String, u64> {
+    let mut counter = FeatureCounter {
         program,
         unit: Unit::Main,
         detail,
@@ -111,29 +112,31 @@ pub fn features(program: &Program, detail: Detail) -> BTreeMap<String, u64> {
 /// is left out: assignments, reads, literals, and variables of numbers, bit strings and truth values.
 #[must_use]
 pub fn distinctive(program: &Program) -> Vec<String> {
-    features(program, Detail::Distinctive).into_keys().collect()
+    features(program, FeatureDetail::Distinctive)
+        .into_keys()
+        .collect()
 }
 
-struct Counter<'p> {
+struct FeatureCounter<'p> {
     program: &'p Program,
     unit: Unit,
-    detail: Detail,
+    detail: FeatureDetail,
     counted: BTreeMap<String, u64>,
 }
 
-impl Counter<'_> {
-    fn count(&mut self, detail: Detail, name: impl Display) {
+impl FeatureCounter<'_> {
+    fn count(&mut self, detail: FeatureDetail, name: impl Display) {
         if detail <= self.detail {
             *self.counted.entry(name.to_string()).or_default() += 1;
         }
     }
 
     fn distinctive(&mut self, name: impl Display) {
-        self.count(Detail::Distinctive, name);
+        self.count(FeatureDetail::Distinctive, name);
     }
 
     fn measured(&mut self, name: impl Display) {
-        self.count(Detail::Measured, name);
+        self.count(FeatureDetail::Measured, name);
     }
 
     /// Returns how many inputs the function block of an instance has, including VAR_IN_OUT.
@@ -143,7 +146,8 @@ impl Counter<'_> {
             return 0;
         };
         let variables = Unit::Block(*block).variables(self.program).iter();
-        let inputs = variables.filter(|variable| matches!(variable.section, Section::Input | Section::InOut));
+        let inputs = variables
+            .filter(|variable| matches!(variable.section, VariableSection::Input | VariableSection::InOut));
         inputs.count()
     }
 
@@ -178,19 +182,19 @@ impl Counter<'_> {
         let name = value.type_name();
         let is_typed = form == LiteralForm::Typed;
         if is_typed {
-            self.count(Detail::Complete, format_args!("{name}#"));
+            self.count(FeatureDetail::Complete, format_args!("{name}#"));
         } else {
             self.measured(format_args!("{name} literal without its type"));
         }
         // A duration has its prefix in either form.
         let is_duration = matches!(expression.ty, Type::Elementary(ty) if ty.family() == Family::Duration);
         if (is_typed || is_duration) && text.starts_with(&format!("{name}#-")) {
-            self.count(Detail::Complete, "#-");
+            self.count(FeatureDetail::Complete, "#-");
         }
     }
 }
 
-impl Visitor for Counter<'_> {
+impl Visitor for FeatureCounter<'_> {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
         match unit {
@@ -202,7 +206,7 @@ impl Visitor for Counter<'_> {
 
     fn declaration(&mut self, declaration: &TypeDeclaration) {
         match &declaration.kind {
-            Declared::Structure(fields) => {
+            DeclaredKind::Structure(fields) => {
                 self.distinctive("STRUCT");
                 for (_, ty, initial) in fields {
                     self.measured(format_args!("field {}", self.shape(ty)));
@@ -211,8 +215,8 @@ impl Visitor for Counter<'_> {
                     }
                 }
             }
-            Declared::Enumeration(_) => self.distinctive("enumeration"),
-            Declared::Alias(_) => self.distinctive("alias"),
+            DeclaredKind::Enumeration(_) => self.distinctive("enumeration"),
+            DeclaredKind::Alias(_) => self.distinctive("alias"),
         }
         walk_declaration(self, declaration);
     }
@@ -220,16 +224,16 @@ impl Visitor for Counter<'_> {
     fn variable(&mut self, variable: &Variable) {
         self.measured(format_args!("variable {}", self.shape(&variable.ty)));
         match variable.section {
-            Section::Constant => self.distinctive("CONSTANT"),
-            Section::InOut => self.distinctive("VAR_IN_OUT"),
-            Section::Output => self.distinctive("VAR_OUTPUT"),
-            Section::Input => self.measured("VAR_INPUT"),
-            Section::Local => self.measured("VAR"),
+            VariableSection::Constant => self.distinctive("CONSTANT"),
+            VariableSection::InOut => self.distinctive("VAR_IN_OUT"),
+            VariableSection::Output => self.distinctive("VAR_OUTPUT"),
+            VariableSection::Input => self.measured("VAR_INPUT"),
+            VariableSection::Local => self.measured("VAR"),
         }
         match variable.initial {
-            Some(Initial::Array(_)) => self.distinctive("initial array"),
-            Some(Initial::Structure(_)) => self.distinctive("initial structure"),
-            Some(Initial::Expression(_)) => self.measured("initial value"),
+            Some(Initializer::Array(_)) => self.distinctive("initial array"),
+            Some(Initializer::Structure(_)) => self.distinctive("initial structure"),
+            Some(Initializer::Expression(_)) => self.measured("initial value"),
             None => {}
         }
         walk_variable(self, variable);
@@ -245,7 +249,7 @@ impl Visitor for Counter<'_> {
                 self.measured(format_args!("element {}", self.shape(&array.element)));
             }
             Type::Elementary(elementary) if is_less_common(*elementary) => self.distinctive(elementary),
-            Type::Elementary(elementary) => self.count(Detail::Complete, elementary),
+            Type::Elementary(elementary) => self.count(FeatureDetail::Complete, elementary),
             Type::Declared(_) | Type::Block(_) => {}
         }
         walk_type(self, ty);
@@ -253,9 +257,9 @@ impl Visitor for Counter<'_> {
 
     fn statement(&mut self, statement: &Statement) {
         match &statement.kind {
-            StatementKind::Assign(Target::Place(_), _) => self.measured("assignment"),
-            StatementKind::Assign(Target::Bit(..), _) => self.distinctive("bit written"),
-            StatementKind::Assign(Target::Result, _) => self.distinctive("result"),
+            StatementKind::Assign(AssignmentTarget::Place(_), _) => self.measured("assignment"),
+            StatementKind::Assign(AssignmentTarget::Bit(..), _) => self.distinctive("bit written"),
+            StatementKind::Assign(AssignmentTarget::Result, _) => self.distinctive("result"),
             StatementKind::If(branches, otherwise) => {
                 self.distinctive("IF");
                 if branches.len() > 1 {
@@ -311,9 +315,9 @@ impl Visitor for Counter<'_> {
     fn place(&mut self, place: &Place) {
         for selector in &place.path {
             self.distinctive(match selector {
-                Selector::Index(_) => "[]",
-                Selector::Field(_) => ".field",
-                Selector::Output(_) => ".output",
+                PlaceSelector::Index(_) => "[]",
+                PlaceSelector::Field(_) => ".field",
+                PlaceSelector::Output(_) => ".output",
             });
         }
         walk_place(self, place);
@@ -394,7 +398,7 @@ mod tests {
     #[test]
     fn an_input_is_left_out_once_a_call_gives_one_less() {
         const NAME: &str = "input left out";
-        let has_name = |program: &Program| features(program, Detail::Distinctive).contains_key(NAME);
+        let has_name = |program: &Program| features(program, FeatureDetail::Distinctive).contains_key(NAME);
         let made = |seed| {
             program(
                 &mut Unstructured::new(&bytes(seed, 2000)),
@@ -429,8 +433,12 @@ mod tests {
                 &mut Unstructured::new(&bytes(seed, 2000)),
                 &GeneratorSettings::default(),
             );
-            let [least, middle, most] = [Detail::Distinctive, Detail::Complete, Detail::Measured]
-                .map(|detail| features(&program, detail));
+            let [least, middle, most] = [
+                FeatureDetail::Distinctive,
+                FeatureDetail::Complete,
+                FeatureDetail::Measured,
+            ]
+            .map(|detail| features(&program, detail));
             assert!(least.iter().all(|(name, count)| middle.get(name) == Some(count)));
             assert!(middle.iter().all(|(name, count)| most.get(name) == Some(count)));
             assert!(least.len() < middle.len() && middle.len() < most.len());

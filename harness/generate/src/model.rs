@@ -13,12 +13,14 @@ mod unit;
 mod visitor;
 
 pub use expression::{
-    Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Selector, StandardFunction,
-    UnaryOperator,
+    Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector,
+    StandardFunction, UnaryOperator,
 };
 pub use look::subscripts;
-pub use program::{Block, Function, Initial, Main, Program, Section, Variable, VariableId};
-pub use statement::{CaseBranch, CaseLabel, Statement, StatementKind, Target};
-pub use types::{ArrayType, Declared, Type, TypeDeclaration};
+pub use program::{
+    Function, FunctionBlock, Initializer, MainProgram, Program, Variable, VariableId, VariableSection,
+};
+pub use statement::{AssignmentTarget, CaseBranch, CaseLabel, Statement, StatementKind};
+pub use types::{ArrayType, DeclaredKind, Type, TypeDeclaration};
 pub use unit::Unit;
 pub use visitor::{visit, visit_mut};

@@ -1,4 +1,4 @@
-//! What a fuzz target holds against the bytes that it is given: one file an oracle, and [`Target`], which names them all.
+//! What a fuzz target holds against the bytes that it is given: one file an oracle, and [`FuzzTarget`], which names them all.
 
 mod case_file;
 mod check;
@@ -16,5 +16,5 @@ mod target;
 mod words;
 
 pub use check::{SoundProgram, check, judge as judge_planted, judge_planted_text, judge_sound_text};
-pub use failure::{Failure, Tried};
-pub use target::Target;
+pub use failure::{InputOutcome, OracleFailure};
+pub use target::FuzzTarget;

@@ -4,17 +4,17 @@
 //! prints, and each function names them: the design's registry and its rule *which code where*, the cases, the standard.
 //! Architecture Invariant: nothing here knows the reference.
 
+mod fault_site;
 mod idle;
 mod kinds;
-mod plot;
 mod scope;
 mod walk;
 
 use crate::model::Program;
-use crate::writer::Written;
+use crate::writer::WrittenProgram;
 use arbitrary::Unstructured;
+use fault_site::FaultSite;
 use kinds::KINDS;
-use plot::Plot;
 use stickler_types::Code;
 
 pub use idle::without_idle;
@@ -39,7 +39,7 @@ impl Planted {
     /// It is the line of what stands there as raw text; else the one that holds the planted declaration; else the first that
     /// differs. Lines count from 1.
     #[must_use]
-    pub fn line(&self, sound: &Written, broken: &Written) -> u32 {
+    pub fn line(&self, sound: &WrittenProgram, broken: &WrittenProgram) -> u32 {
         if let Some(mark) = &self.mark {
             return number_of_first(broken.text.lines().map(|line| line.contains(mark.as_str())));
         }
@@ -88,14 +88,14 @@ pub fn plant_kind(program: &Program, kind: &str, input: &mut Unstructured<'_>) -
 
 fn plant_number(program: &Program, number: usize, input: &mut Unstructured<'_>) -> Option<Planted> {
     let kind = KINDS.get(number)?;
-    let mut plot = Plot::new(program, input);
-    (kind.plant)(&mut plot)?;
+    let mut fault = FaultSite::new(program, input);
+    (kind.plant)(&mut fault)?;
     Some(Planted {
-        program: plot.program,
+        program: fault.program,
         code: kind.code,
         kind: kind.name,
-        suggested: plot.suggested,
-        mark: plot.mark,
+        suggested: fault.suggested,
+        mark: fault.mark,
     })
 }
 

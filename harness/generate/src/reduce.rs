@@ -13,6 +13,8 @@ mod symptom;
 mod text;
 
 pub use program::program;
-pub use search::{Answer, Budget, Ended, Method, Minimised, Pass, Sites, minimise};
+pub use search::{
+    Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, Sites, StopReason, minimise,
+};
 pub use symptom::{Symptom, UnknownSymptom};
 pub use text::text;

@@ -17,6 +17,6 @@ mod sheet;
 mod statements;
 mod style;
 
-pub use declarations::{Written, write};
+pub use declarations::{WrittenProgram, write};
 pub(crate) use expressions::{function_name, operator_text};
-pub use style::{Arguments, Bits, Keywords, LineEnds, Notation, Style, Widening};
+pub use style::{ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm};

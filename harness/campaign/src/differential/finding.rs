@@ -9,8 +9,8 @@ use crate::basis::basis;
 use crate::bench::Suspicion;
 use crate::finding::{Answer as Said, Expected, FORMAT, Finding, Observed, Origin, Standing};
 use stickler_generate::model::Program;
-use stickler_generate::oracles::Target;
-use stickler_generate::reduce::{self, Answer, Budget, Ended};
+use stickler_generate::oracles::FuzzTarget;
+use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
 
 /// How many smaller programs are tried where an engine answers from within this process.
 const MANY_TRIES: u64 = 5000;
@@ -34,7 +34,7 @@ impl Asking<'_> {
             .position(|entrant| entrant.identity().name == suspicion.subject)
             .unwrap_or(0);
         let stop = || !going();
-        let budget = Budget {
+        let budget = ReductionBudget {
             tries: self.tries(index, suspicion),
             stop: &stop,
         };
@@ -46,8 +46,8 @@ impl Asking<'_> {
         );
         let again = self.shows(index, suspicion, &reduced.value, opened);
         let standing = match (reduced.ended, again) {
-            (Ended::NotInteresting, _) => Standing::Flaky,
-            (_, Answer::Interesting) => Standing::Confirmed,
+            (StopReason::NotInteresting, _) => Standing::Flaky,
+            (_, Interestingness::Interesting) => Standing::Confirmed,
             _ => Standing::Flaky,
         };
         // What was seen once and not again is kept as it was found: a part of it may be nothing at all.
@@ -60,7 +60,7 @@ impl Asking<'_> {
             seed: bench.inputs.seed(),
             place: suspicion.place,
             open: bench.open,
-            smallest: reduced.ended == Ended::Smallest && self.gone(index).is_none(),
+            smallest: reduced.ended == StopReason::Smallest && self.gone(index).is_none(),
             tries: reduced.tries,
             size_found: 0,
             size: 0,
@@ -80,26 +80,32 @@ impl Asking<'_> {
     ///
     /// An engine that is gone seems to die over every program. So one that has died is asked whether it lives, before the
     /// program is blamed.
-    fn shows(&mut self, index: usize, suspicion: &Suspicion, candidate: &Program, opened: bool) -> Answer {
+    fn shows(
+        &mut self,
+        index: usize,
+        suspicion: &Suspicion,
+        candidate: &Program,
+        opened: bool,
+    ) -> Interestingness {
         if self.gone(index).is_some() {
-            return Answer::Refused;
+            return Interestingness::Invalid;
         }
         // Some compilers reject a program without variables or statements for itself, whatever else was wrong with it.
         if candidate.main.variables.is_empty() || candidate.main.body.is_empty() {
-            return Answer::Refused;
+            return Interestingness::Invalid;
         }
         let Ok(subject) = Subject::new(candidate.clone()) else {
-            return Answer::Refused;
+            return Interestingness::Invalid;
         };
         // A program that the documents settle must not become one of which they say nothing.
         if !opened && !subject.opened.is_empty() {
-            return Answer::Refused;
+            return Interestingness::Invalid;
         }
         let (outcome, agreement) = self.hold(index, &subject);
         if has_died(&outcome) && !self.lives(index, candidate.dialect) {
-            return Answer::Refused;
+            return Interestingness::Invalid;
         }
-        Answer::from(agreement.symptom() == Some(&suspicion.symptom))
+        Interestingness::from(agreement.symptom() == Some(&suspicion.symptom))
     }
 
     fn written_down(
@@ -136,7 +142,7 @@ impl Asking<'_> {
             format: FORMAT,
             id: String::new(),
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
-            target: Target::Differential.name().to_owned(),
+            target: FuzzTarget::Differential.name().to_owned(),
             engine: Some(self.bench.entrants[index].asked()),
             symptom: suspicion.symptom.clone(),
             rule,

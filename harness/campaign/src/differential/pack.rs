@@ -13,7 +13,7 @@ use super::subject::Subject;
 use renumber::Shift;
 use stickler_generate::model::visit::bodies;
 use stickler_generate::model::visit_mut::walk_program;
-use stickler_generate::model::{Declared, Main, Program, Statement, StatementKind};
+use stickler_generate::model::{DeclaredKind, MainProgram, Program, Statement, StatementKind};
 use stickler_generate::writer::{Style, write};
 use stickler_types::{DialectName, Value};
 
@@ -33,7 +33,7 @@ impl Pack {
             types: Vec::new(),
             functions: Vec::new(),
             blocks: Vec::new(),
-            main: Main {
+            main: MainProgram {
                 variables: Vec::new(),
                 body: Vec::new(),
             },
@@ -80,7 +80,7 @@ fn append(all: &mut Program, mut program: Program, prefix: &str) {
     let rename = |name: &mut String| name.insert_str(0, prefix);
     for declaration in &mut program.types {
         rename(&mut declaration.name);
-        if let Declared::Enumeration(names) = &mut declaration.kind {
+        if let DeclaredKind::Enumeration(names) = &mut declaration.kind {
             names.iter_mut().for_each(rename);
         }
     }

@@ -1,7 +1,7 @@
 //! A program with all that is needed to ask an engine about it.
 
 use super::comparison::Question;
-use stickler_generate::evaluate::{Evaluation, Opened, Refusal, evaluate};
+use stickler_generate::evaluate::{Evaluation, EvaluationError, OpenPoint, evaluate};
 use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
 use stickler_types::Value;
@@ -15,7 +15,7 @@ pub(crate) struct Subject {
     /// The values at the end of one scan.
     pub(crate) values: Vec<(String, Value)>,
     /// What happened that no document settles. Where there is any, an engine may give other values.
-    pub(crate) opened: Vec<Opened>,
+    pub(crate) opened: Vec<OpenPoint>,
     /// Whether even what no document settles is settled for the reference.
     pub(crate) binds_the_reference: bool,
 }
@@ -50,10 +50,10 @@ impl Subject {
     }
 }
 
-const fn word(refusal: Refusal) -> &'static str {
+const fn word(refusal: EvaluationError) -> &'static str {
     match refusal {
-        Refusal::Fault(_) => "stops with a fault",
-        Refusal::StepLimit => "takes too long",
-        Refusal::Raw | Refusal::IllFormed(_) => "the generator made no program",
+        EvaluationError::Fault(_) => "stops with a fault",
+        EvaluationError::StepLimit => "takes too long",
+        EvaluationError::Raw | EvaluationError::IllFormed(_) => "the generator made no program",
     }
 }

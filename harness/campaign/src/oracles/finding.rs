@@ -4,7 +4,7 @@ use super::small::Small;
 use super::worker::Judging;
 use crate::bench::Suspicion;
 use crate::finding::{Expected, FORMAT, Finding, Origin, Standing};
-use stickler_generate::oracles::{Failure, Target};
+use stickler_generate::oracles::{FuzzTarget, OracleFailure};
 
 impl Judging<'_> {
     /// Makes the input of a suspicion as small as it can be.
@@ -65,10 +65,10 @@ impl Judging<'_> {
 }
 
 /// The program that an input stands for, or the text that it is.
-fn text(target: Target, failure: Option<&Failure>, input: &[u8]) -> Option<String> {
+fn text(target: FuzzTarget, failure: Option<&OracleFailure>, input: &[u8]) -> Option<String> {
     let reads_text = matches!(
         target,
-        Target::Parse | Target::Literal | Target::CaseFile | Target::Protocol
+        FuzzTarget::Parse | FuzzTarget::Literal | FuzzTarget::CaseFile | FuzzTarget::Protocol
     );
     let program = failure.and_then(|failure| failure.program.clone());
     program.or_else(|| reads_text.then(|| String::from_utf8_lossy(input).into_owned()))
@@ -79,21 +79,21 @@ fn size(program: Option<&str>, input: &[u8]) -> u64 {
 }
 
 /// What holds for every input of a target.
-const fn claim(target: Target) -> &'static str {
+const fn claim(target: FuzzTarget) -> &'static str {
     match target {
-        Target::Parse => {
+        FuzzTarget::Parse => {
             "any text is read without harm, and what can be read keeps its tree when it is rendered"
         }
-        Target::Literal => {
+        FuzzTarget::Literal => {
             "a literal's canonical spelling reads to the same value, which an independent reader finds too"
         }
-        Target::Convert => "the reference converts as exact arithmetic does",
-        Target::Check => "a planted error is reported with its code on its line, and nothing else is",
-        Target::Execute => {
+        FuzzTarget::Convert => "the reference converts as exact arithmetic does",
+        FuzzTarget::Check => "a planted error is reported with its code on its line, and nothing else is",
+        FuzzTarget::Execute => {
             "a well-typed program is accepted and ends, and it and its variants give the evaluator's values"
         }
-        Target::CaseFile => "any case file gives cases or located errors",
-        Target::Protocol => "every line is answered",
-        Target::Differential => "an engine gives the evaluator's values",
+        FuzzTarget::CaseFile => "any case file gives cases or located errors",
+        FuzzTarget::Protocol => "every line is answered",
+        FuzzTarget::Differential => "an engine gives the evaluator's values",
     }
 }

@@ -3,10 +3,10 @@
 use crate::finding::Expected;
 use arbitrary::Unstructured;
 use stickler_generate::model::Program;
-use stickler_generate::oracles::{Failure, SoundProgram, judge_planted_text, judge_sound_text};
+use stickler_generate::oracles::{OracleFailure, SoundProgram, judge_planted_text, judge_sound_text};
 use stickler_generate::plant::{Planted, plant, plant_kind, without_idle};
 use stickler_generate::random;
-use stickler_generate::reduce::{self, Answer, Budget, Ended, Minimised};
+use stickler_generate::reduce::{self, Interestingness, Reduction, ReductionBudget, StopReason};
 use stickler_generate::writer::{Style, write};
 
 /// What codes stand for which error.
@@ -21,17 +21,17 @@ const BYTES_OF_A_PLACE: usize = 16;
 /// A sound program, small, in which an error of this kind is not reported as it must be.
 pub(super) struct SmallPlant {
     /// How the search went, and the sound program.
-    pub(super) reduced: Minimised<Program>,
+    pub(super) reduced: Reduction<Program>,
     /// The kind of error.
     pub(super) kind: &'static str,
     /// How it fails now.
-    pub(super) failure: Failure,
+    pub(super) failure: OracleFailure,
     /// The diagnostic that must come; `None` where it is the sound program that is rejected.
     pub(super) expected: Option<Expected>,
 }
 
 /// Makes what an input stands for small, if an error of the same kind can be planted so that it fails alike.
-pub(super) fn small(input: &[u8], symptom: &str, budget: &Budget<'_>) -> Option<SmallPlant> {
+pub(super) fn small(input: &[u8], symptom: &str, budget: &ReductionBudget<'_>) -> Option<SmallPlant> {
     let SoundProgram { sound, error, .. } = SoundProgram::of(input)?;
     let kind = plant(&sound, &mut Unstructured::new(error))?.kind;
     let judge: &Judge<'_> = &|sound, planted, text, line| {
@@ -58,7 +58,7 @@ pub(super) fn small(input: &[u8], symptom: &str, budget: &Budget<'_>) -> Option<
 }
 
 /// Holds the reference to the text of a sound program, and to that of one with an error on this line.
-type Judge<'j> = dyn Fn(&str, &Planted, &str, u32) -> Result<(), Failure> + 'j;
+type Judge<'j> = dyn Fn(&str, &Planted, &str, u32) -> Result<(), OracleFailure> + 'j;
 
 /// What is kept while all else becomes less: the kind of error, and what the reference does wrong with it.
 #[derive(Clone, Copy)]
@@ -75,7 +75,7 @@ struct Found {
     planted: Planted,
     /// The line of the error in the text of the failure.
     line: u32,
-    failure: Failure,
+    failure: OracleFailure,
 }
 
 impl Search<'_> {
@@ -88,30 +88,30 @@ impl Search<'_> {
         self,
         sound: &Program,
         place: &[u8],
-        budget: &Budget<'_>,
-    ) -> Option<(Minimised<Program>, Found)> {
-        let shows = |candidate: &Program| Answer::from(self.failing(candidate, place).is_some());
+        budget: &ReductionBudget<'_>,
+    ) -> Option<(Reduction<Program>, Found)> {
+        let shows = |candidate: &Program| Interestingness::from(self.failing(candidate, place).is_some());
         let first = reduce::program(sound, shows, budget);
         let mut places = places(place);
         let mut last = self.failing(&first.value, place)?;
-        let left = Budget {
+        let left = ReductionBudget {
             tries: budget.tries.saturating_sub(first.tries),
             ..*budget
         };
         let shows = |candidate: &Program| match self.failing_anywhere(candidate, &mut places) {
             Some(found) => {
                 last = found;
-                Answer::Interesting
+                Interestingness::Interesting
             }
-            None => Answer::Dull,
+            None => Interestingness::Uninteresting,
         };
         let second = reduce::program(&first.value, shows, &left);
-        let reduced = Minimised {
+        let reduced = Reduction {
             tries: first.tries.saturating_add(second.tries),
             refused: first.refused.saturating_add(second.refused),
             ..second
         };
-        (reduced.ended != Ended::NotInteresting).then_some((reduced, last))
+        (reduced.ended != StopReason::NotInteresting).then_some((reduced, last))
     }
 
     /// The first place where the reference fails over the error; it comes to the front of all.
@@ -192,7 +192,7 @@ mod tests {
             judge_sound_text(planted.program.dialect, sound)?;
             judge_planted_text(planted, text, line).expect("the reference itself overlooks nothing");
             if overlooked(text) {
-                return Err(Failure::new("overlooked", "nothing is said").of_program(text));
+                return Err(OracleFailure::new("overlooked", "nothing is said").of_program(text));
             }
             Ok(())
         };
@@ -206,7 +206,7 @@ mod tests {
             .find(|(sound, place)| search.failing(sound, place).is_some())
             .expect("one of the programs has a place for the error");
         let (_, found) = search
-            .reduce(&sound, &place, &Budget::default())
+            .reduce(&sound, &place, &ReductionBudget::default())
             .expect("it fails");
         search.without_idle(found).failure.program.expect("it has a text")
     }

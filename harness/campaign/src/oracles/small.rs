@@ -9,8 +9,8 @@ use crate::shrink;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use stickler_generate::model::Program;
 use stickler_generate::oracles::execute::{judge_program, program_of};
-use stickler_generate::oracles::{Failure, Target};
-use stickler_generate::reduce::{self, Answer, Budget, Ended};
+use stickler_generate::oracles::{FuzzTarget, OracleFailure};
+use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
 use stickler_types::DialectName;
 
 /// How many smaller inputs are tried, and as many smaller programs: an oracle takes some microseconds.
@@ -21,7 +21,7 @@ pub(super) struct Small {
     /// The bytes.
     pub(super) input: Vec<u8>,
     /// How it fails; `None` where it does not any more.
-    pub(super) failure: Option<Failure>,
+    pub(super) failure: Option<OracleFailure>,
     /// Whether nothing smaller was left to try.
     pub(super) smallest: bool,
     /// How many were tried.
@@ -36,9 +36,9 @@ pub(super) struct Small {
 
 impl Small {
     /// Makes an input small that fails so.
-    pub(super) fn of(target: Target, input: &[u8], symptom: &str, going: &dyn Fn() -> bool) -> Small {
+    pub(super) fn of(target: FuzzTarget, input: &[u8], symptom: &str, going: &dyn Fn() -> bool) -> Small {
         let stop = || !going();
-        let budget = Budget {
+        let budget = ReductionBudget {
             tries: TRIES,
             stop: &stop,
         };
@@ -58,8 +58,8 @@ impl Small {
         match (target, &found.failure) {
             // What does not fail any more cannot be made small.
             (_, None) => return found,
-            (Target::Execute, _) => return found.with_program(symptom, &budget),
-            (Target::Check, _) => {
+            (FuzzTarget::Execute, _) => return found.with_program(symptom, &budget),
+            (FuzzTarget::Check, _) => {
                 if let Some(planted) = planted::small(input, symptom, &budget) {
                     return found.with_error(planted);
                 }
@@ -70,7 +70,7 @@ impl Small {
         Small {
             failure: failing(&reduced.value),
             input: reduced.value,
-            smallest: reduced.ended == Ended::Smallest,
+            smallest: reduced.ended == StopReason::Smallest,
             tries: reduced.tries,
             ..found
         }
@@ -79,7 +79,7 @@ impl Small {
     fn with_error(self, planted: SmallPlant) -> Small {
         Small {
             failure: Some(planted.failure),
-            smallest: planted.reduced.ended == Ended::Smallest,
+            smallest: planted.reduced.ended == StopReason::Smallest,
             tries: self.tries.saturating_add(planted.reduced.tries),
             // What stands around the error is there because a program needs it.
             rule: vec![planted.kind.to_owned()],
@@ -89,11 +89,15 @@ impl Small {
         }
     }
 
-    fn with_program(self, symptom: &str, budget: &Budget<'_>) -> Small {
+    fn with_program(self, symptom: &str, budget: &ReductionBudget<'_>) -> Small {
         let input = &self.input;
         let failing = |program: &Program| judged(program, input).filter(|failure| failure.symptom == symptom);
         let start = program_of(input);
-        let reduced = reduce::program(&start, |program| Answer::from(failing(program).is_some()), budget);
+        let reduced = reduce::program(
+            &start,
+            |program| Interestingness::from(failing(program).is_some()),
+            budget,
+        );
         let failure = failing(&reduced.value);
         // A variant fails where the program itself does not.
         let variant = symptom.starts_with("variant");
@@ -103,7 +107,7 @@ impl Small {
             .filter(|_| !variant)
             .map(|subject| expected(&subject, basis(&reduced.value)));
         Small {
-            smallest: reduced.ended == Ended::Smallest,
+            smallest: reduced.ended == StopReason::Smallest,
             tries: self.tries.saturating_add(reduced.tries),
             rule: stickler_generate::features::distinctive(&reduced.value),
             dialect: Some(reduced.value.dialect),
@@ -114,10 +118,10 @@ impl Small {
     }
 }
 
-/// How a program fails; a panic is a failure, as it is for [`Target::judge`].
-fn judged(program: &Program, rest: &[u8]) -> Option<Failure> {
+/// How a program fails; a panic is a failure, as it is for [`FuzzTarget::judge`].
+fn judged(program: &Program, rest: &[u8]) -> Option<OracleFailure> {
     let judged = catch_unwind(AssertUnwindSafe(|| judge_program(program, rest)));
     judged
-        .unwrap_or_else(|_| Err(Failure::new("panic", "a panic")))
+        .unwrap_or_else(|_| Err(OracleFailure::new("panic", "a panic")))
         .err()
 }

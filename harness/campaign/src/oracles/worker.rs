@@ -3,7 +3,7 @@
 use super::Oracles;
 use crate::bench::{Suspicion, Verdict, Worker};
 use crate::finding::Finding;
-use stickler_generate::oracles::Tried;
+use stickler_generate::oracles::InputOutcome;
 
 /// A worker.
 pub(super) struct Judging<'b> {
@@ -26,8 +26,8 @@ impl Judging<'_> {
         let target = self.bench.target(place);
         let mut verdict = Verdict::agreed(place);
         match target.judge(&self.bench.input(place)) {
-            Ok(Tried::Done) => {}
-            Ok(Tried::PassedOver(word)) => verdict.passed_over = Some(word),
+            Ok(InputOutcome::Checked) => {}
+            Ok(InputOutcome::Skipped(word)) => verdict.passed_over = Some(word),
             Err(failure) => verdict.suspicions.push(Suspicion {
                 place,
                 subject: target.name().to_owned(),

@@ -6,7 +6,7 @@ use clap::Args;
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 use std::time::Duration;
-use stickler_generate::oracles::Target;
+use stickler_generate::oracles::FuzzTarget;
 use stickler_types::DialectName;
 use stickler_workers::Shard;
 
@@ -16,7 +16,7 @@ pub struct FuzzArguments {
     /// Hold inputs against this oracle of the reference; may be repeated, then in rotation [default: execute, check,
     /// convert, literal, parse]
     #[arg(long, value_name = "TARGET", value_parser = targets(), conflicts_with = "engine")]
-    pub target: Vec<Target>,
+    pub target: Vec<FuzzTarget>,
     /// Hold this engine, and the reference, against what the documents say of random programs: `reference`, a compiler
     /// with an adapter, or `cmd:COMMAND LINE`; may be repeated
     #[arg(long, value_name = "ENGINE")]
@@ -90,12 +90,12 @@ pub struct MergeArguments {
     pub output: PathBuf,
 }
 
-fn targets() -> impl TypedValueParser<Value = Target> {
-    let names = Target::ALL
+fn targets() -> impl TypedValueParser<Value = FuzzTarget> {
+    let names = FuzzTarget::ALL
         .into_iter()
-        .filter(|target| *target != Target::Differential);
-    PossibleValuesParser::new(names.map(Target::name))
-        .try_map(|name| Target::from_name(&name).ok_or_else(|| format!("there is no target `{name}`")))
+        .filter(|target| *target != FuzzTarget::Differential);
+    PossibleValuesParser::new(names.map(FuzzTarget::name))
+        .try_map(|name| FuzzTarget::from_name(&name).ok_or_else(|| format!("there is no target `{name}`")))
 }
 
 /// Reads `90s`, `10m`, `2h`, `500ms`; a number alone is seconds.

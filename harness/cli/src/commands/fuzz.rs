@@ -21,7 +21,7 @@ use stickler_campaign::{
     Bench, Commands, Differential, Ended, Entrant, Event, Inputs, Oracles, Packs, Plan, Request, Store,
     Summary, Until, Without,
 };
-use stickler_generate::oracles::Target;
+use stickler_generate::oracles::FuzzTarget;
 use stickler_types::DialectName;
 use stickler_workers::Shard;
 
@@ -64,7 +64,7 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
         .iter()
         .map(|named| named.identity().name.clone())
         .collect();
-    let request = request(arguments, &[Target::Differential], names, &dialects);
+    let request = request(arguments, &[FuzzTarget::Differential], names, &dialects);
     let bench = Differential {
         entrants: engines.iter().map(entrant).collect(),
         inputs,
@@ -215,7 +215,7 @@ fn commands(arguments: &FuzzArguments, store: &Store) -> Commands {
 
 fn request(
     arguments: &FuzzArguments,
-    targets: &[Target],
+    targets: &[FuzzTarget],
     engines: Vec<String>,
     dialects: &[DialectName],
 ) -> Request {

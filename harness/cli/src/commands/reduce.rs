@@ -13,7 +13,7 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, ProcessEngine, ProcessLimits};
-use stickler_generate::reduce::{self, Answer, Budget, Ended, Minimised, Symptom};
+use stickler_generate::reduce::{self, Interestingness, Reduction, ReductionBudget, StopReason, Symptom};
 use stickler_reference::source;
 use stickler_types::DialectName;
 use subject::Subject;
@@ -40,7 +40,7 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
     let started = Instant::now();
     let bar = Bar::new(&symptom);
     let stopped = || stop.load(Ordering::Relaxed);
-    let budget = Budget {
+    let budget = ReductionBudget {
         tries: arguments.tries,
         stop: &stopped,
     };
@@ -52,7 +52,7 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
             let answer = subject.answer(dialect, candidate, &symptom);
             let answer = answer.unwrap_or_else(|error| {
                 trouble.get_or_insert(error);
-                Answer::Dull
+                Interestingness::Uninteresting
             });
             bar.tried(candidate, answer);
             answer
@@ -60,10 +60,10 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
         &budget,
     );
     bar.finish();
-    let again = found.ended != Ended::NotInteresting
+    let again = found.ended != StopReason::NotInteresting
         && subject
             .answer(dialect, &found.value, &symptom)
-            .is_ok_and(|answer| answer == Answer::Interesting);
+            .is_ok_and(|answer| answer == Interestingness::Interesting);
     write(arguments.output.as_deref(), &found.value, out)?;
     // What is said of the program comes behind it.
     out.flush()?;
@@ -82,7 +82,7 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
 }
 
 /// How large the program was and is, and what it took.
-fn summary(before: &str, found: &Minimised<String>) -> String {
+fn summary(before: &str, found: &Reduction<String>) -> String {
     let lines = |text: &str| text.lines().count();
     let tries = if found.tries == 1 { "try" } else { "tries" };
     format!(
@@ -93,14 +93,14 @@ fn summary(before: &str, found: &Minimised<String>) -> String {
     )
 }
 
-fn exit(found: &Minimised<String>, again: bool) -> Exit {
+fn exit(found: &Reduction<String>, again: bool) -> Exit {
     match found.ended {
-        Ended::Stopped => {
+        StopReason::Stopped => {
             output::note("stopped: this is the smallest program so far");
             return Exit::Interrupted;
         }
-        Ended::OutOfTries => output::note("no more tries are allowed; --tries N allows more"),
-        Ended::Smallest | Ended::NotInteresting => {}
+        StopReason::OutOfTries => output::note("no more tries are allowed; --tries N allows more"),
+        StopReason::Smallest | StopReason::NotInteresting => {}
     }
     if again {
         return Exit::AsExpected;
@@ -194,11 +194,11 @@ impl Bar {
         Bar(bar)
     }
 
-    fn tried(&self, candidate: &str, answer: Answer) {
-        if answer != Answer::Refused {
+    fn tried(&self, candidate: &str, answer: Interestingness) {
+        if answer != Interestingness::Invalid {
             self.0.inc(1);
         }
-        if answer == Answer::Interesting {
+        if answer == Interestingness::Interesting {
             self.0
                 .set_message(format!(", {} lines", candidate.lines().count()));
         }

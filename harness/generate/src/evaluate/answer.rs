@@ -10,7 +10,7 @@ pub struct Evaluation {
     pub values: Vec<(String, Value)>,
     /// What happened on the way that no document settles; each question once, by its first place. Where there is any, a
     /// compiler may give other values and contradict no document.
-    pub opened: Vec<Opened>,
+    pub opened: Vec<OpenPoint>,
     /// The statements and expressions evaluated.
     pub steps: u64,
 }
@@ -27,14 +27,14 @@ impl Evaluation {
 
 /// Something that happened in an evaluation and that no document settles.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Opened {
+pub struct OpenPoint {
     /// What no document says.
-    pub question: Question,
+    pub question: OpenQuestion,
     /// In which program organization unit, and of which values.
     pub at: String,
 }
 
-impl fmt::Display for Opened {
+impl fmt::Display for OpenPoint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
@@ -48,7 +48,7 @@ impl fmt::Display for Opened {
 
 /// A question that the documents leave open.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Question {
+pub enum OpenQuestion {
     /// What a conversion function gives for this value.
     Conversion,
     /// Whether a type converts implicitly to another, or what arrives.
@@ -85,17 +85,17 @@ pub enum Question {
     InitialDate,
 }
 
-impl Question {
+impl OpenQuestion {
     /// Whether stickler-design says what the reference does all the same: what IEC 60559 and two's complement suggest (§8).
     #[must_use]
     pub const fn is_answered_by_the_design(self) -> bool {
         matches!(
             self,
-            Question::Conversion
-                | Question::ImplicitConversion
-                | Question::RealDivisionByZero
-                | Question::NotANumber
-                | Question::LeastByMinusOne
+            OpenQuestion::Conversion
+                | OpenQuestion::ImplicitConversion
+                | OpenQuestion::RealDivisionByZero
+                | OpenQuestion::NotANumber
+                | OpenQuestion::LeastByMinusOne
         )
     }
 
@@ -103,19 +103,21 @@ impl Question {
     #[must_use]
     pub const fn sought(self) -> &'static str {
         match self {
-            Question::Conversion => "the dialect's page on conversion functions",
-            Question::ImplicitConversion => "the dialect's tables of implicit conversions",
-            Question::RealDivisionByZero | Question::NotANumber => "stickler-design: §8 and real-arithmetic",
-            Question::LeastByMinusOne => "stickler-design: §8",
-            Question::ShiftCount | Question::NegativeShiftCount => "iec-61131-3: Table 30",
-            Question::ZerosOfTwoSigns | Question::MuxSelector | Question::LimitsCrossed => {
+            OpenQuestion::Conversion => "the dialect's page on conversion functions",
+            OpenQuestion::ImplicitConversion => "the dialect's tables of implicit conversions",
+            OpenQuestion::RealDivisionByZero | OpenQuestion::NotANumber => {
+                "stickler-design: §8 and real-arithmetic"
+            }
+            OpenQuestion::LeastByMinusOne => "stickler-design: §8",
+            OpenQuestion::ShiftCount | OpenQuestion::NegativeShiftCount => "iec-61131-3: Table 30",
+            OpenQuestion::ZerosOfTwoSigns | OpenQuestion::MuxSelector | OpenQuestion::LimitsCrossed => {
                 "iec-61131-3: Table 32"
             }
-            Question::MomentRange => "iec-61131-3: Tables 10 and 35",
-            Question::LoopVariable | Question::LoopChanged => "iec-61131-3: 7.3.3.4.2",
-            Question::TextLength => "iec-61131-3: Table 10",
-            Question::AliasedInOut | Question::OutputPlace => "iec-61131-3: 6.6.1",
-            Question::InitialDate => "iec-61131-3: Table 10",
+            OpenQuestion::MomentRange => "iec-61131-3: Tables 10 and 35",
+            OpenQuestion::LoopVariable | OpenQuestion::LoopChanged => "iec-61131-3: 7.3.3.4.2",
+            OpenQuestion::TextLength => "iec-61131-3: Table 10",
+            OpenQuestion::AliasedInOut | OpenQuestion::OutputPlace => "iec-61131-3: 6.6.1",
+            OpenQuestion::InitialDate => "iec-61131-3: Table 10",
         }
     }
 
@@ -123,28 +125,28 @@ impl Question {
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
-            Question::Conversion => "what a conversion gives",
-            Question::ImplicitConversion => "whether and how a type converts implicitly",
-            Question::RealDivisionByZero => "a real divided by zero",
-            Question::NotANumber => "an operation on or to no number",
-            Question::LeastByMinusOne => "the least integer divided by -1",
-            Question::ShiftCount => "a shift by the width or more",
-            Question::NegativeShiftCount => "a shift by less than nothing",
-            Question::ZerosOfTwoSigns => "the lesser of two zeros or of no number",
-            Question::MuxSelector => "a selector of MUX that selects nothing",
-            Question::LimitsCrossed => "LIMIT with crossed limits",
-            Question::MomentRange => "a moment or duration outside its range",
-            Question::LoopVariable => "the variable of a FOR loop behind it",
-            Question::LoopChanged => "a FOR loop that changes its own variable or limit",
-            Question::TextLength => "a text longer than some default length",
-            Question::AliasedInOut => "one variable behind two VAR_IN_OUT",
-            Question::OutputPlace => "an output to a place that the call moves",
-            Question::InitialDate => "the initial value of a date",
+            OpenQuestion::Conversion => "what a conversion gives",
+            OpenQuestion::ImplicitConversion => "whether and how a type converts implicitly",
+            OpenQuestion::RealDivisionByZero => "a real divided by zero",
+            OpenQuestion::NotANumber => "an operation on or to no number",
+            OpenQuestion::LeastByMinusOne => "the least integer divided by -1",
+            OpenQuestion::ShiftCount => "a shift by the width or more",
+            OpenQuestion::NegativeShiftCount => "a shift by less than nothing",
+            OpenQuestion::ZerosOfTwoSigns => "the lesser of two zeros or of no number",
+            OpenQuestion::MuxSelector => "a selector of MUX that selects nothing",
+            OpenQuestion::LimitsCrossed => "LIMIT with crossed limits",
+            OpenQuestion::MomentRange => "a moment or duration outside its range",
+            OpenQuestion::LoopVariable => "the variable of a FOR loop behind it",
+            OpenQuestion::LoopChanged => "a FOR loop that changes its own variable or limit",
+            OpenQuestion::TextLength => "a text longer than some default length",
+            OpenQuestion::AliasedInOut => "one variable behind two VAR_IN_OUT",
+            OpenQuestion::OutputPlace => "an output to a place that the call moves",
+            OpenQuestion::InitialDate => "the initial value of a date",
         }
     }
 }
 
-impl fmt::Display for Question {
+impl fmt::Display for OpenQuestion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.as_str())
     }
@@ -152,10 +154,10 @@ impl fmt::Display for Question {
 
 /// Why a program has no values.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Refusal {
+pub enum EvaluationError {
     /// It stops with this fault.
     Fault(Fault),
-    /// It takes more than [`super::MOST_STEPS`] steps, or more memory than so small a program needs.
+    /// It takes more than [`super::MAX_STEPS`] steps, or more memory than so small a program needs.
     StepLimit,
     /// It holds raw text, which means nothing here.
     Raw,
@@ -163,15 +165,15 @@ pub enum Refusal {
     IllFormed(&'static str),
 }
 
-impl fmt::Display for Refusal {
+impl fmt::Display for EvaluationError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Refusal::Fault(fault) => write!(f, "the program stops: {fault}"),
-            Refusal::StepLimit => f.write_str("the program takes too many steps or too much memory"),
-            Refusal::Raw => f.write_str("the program holds raw text"),
-            Refusal::IllFormed(why) => write!(f, "the model contradicts itself: {why}"),
+            EvaluationError::Fault(fault) => write!(f, "the program stops: {fault}"),
+            EvaluationError::StepLimit => f.write_str("the program takes too many steps or too much memory"),
+            EvaluationError::Raw => f.write_str("the program holds raw text"),
+            EvaluationError::IllFormed(why) => write!(f, "the model contradicts itself: {why}"),
         }
     }
 }
 
-impl std::error::Error for Refusal {}
+impl std::error::Error for EvaluationError {}

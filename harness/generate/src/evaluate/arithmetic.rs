@@ -2,7 +2,7 @@
 //!
 //! Basis: stickler-design: §8 (two's complement of the declared width; IEC 60559 in 32 and 64 bits, each operation rounded once).
 
-use super::Question;
+use super::OpenQuestion;
 use crate::model::{BinaryOperator, UnaryOperator};
 use stickler_types::{ElementaryType, Family};
 
@@ -12,7 +12,7 @@ pub(super) struct Computed {
     /// Its raw form.
     pub raw: u64,
     /// The open question, if there is one.
-    pub question: Option<Question>,
+    pub question: Option<OpenQuestion>,
 }
 
 /// What an operator with two operands gives.
@@ -86,7 +86,7 @@ fn integers(operator: BinaryOperator, ty: ElementaryType, a: i128, b: i128) -> B
     };
     let is_quotient = matches!(operator, BinaryOperator::Divide | BinaryOperator::Modulo);
     let least = ty.integer_range().map(|(least, _)| least);
-    let question = (is_quotient && b == -1 && Some(a) == least).then_some(Question::LeastByMinusOne);
+    let question = (is_quotient && b == -1 && Some(a) == least).then_some(OpenQuestion::LeastByMinusOne);
     Binary::Computed(Computed {
         raw: ty.wrap(exact),
         question,
@@ -112,9 +112,9 @@ where
 
 fn real(raw: u64, is_nan: bool, operator: BinaryOperator, by_zero: bool) -> Binary {
     let question = if operator == BinaryOperator::Divide && by_zero {
-        Some(Question::RealDivisionByZero)
+        Some(OpenQuestion::RealDivisionByZero)
     } else {
-        is_nan.then_some(Question::NotANumber)
+        is_nan.then_some(OpenQuestion::NotANumber)
     };
     Binary::Computed(Computed { raw, question })
 }
@@ -142,7 +142,7 @@ fn moment(nanoseconds: i128) -> Computed {
     let outside = i64::try_from(nanoseconds).is_err();
     Computed {
         raw: nanoseconds as u64,
-        question: outside.then_some(Question::MomentRange),
+        question: outside.then_some(OpenQuestion::MomentRange),
     }
 }
 
@@ -186,8 +186,8 @@ mod tests {
             Binary::Computed(computed) => (Sint.integer_value(computed.raw), computed.question),
             other => panic!("{other:?}"),
         };
-        assert_eq!(question(Divide), (-128, Some(Question::LeastByMinusOne)));
-        assert_eq!(question(Modulo), (0, Some(Question::LeastByMinusOne)));
+        assert_eq!(question(Divide), (-128, Some(OpenQuestion::LeastByMinusOne)));
+        assert_eq!(question(Modulo), (0, Some(OpenQuestion::LeastByMinusOne)));
     }
 
     #[test]
@@ -198,12 +198,12 @@ mod tests {
         assert!(matches!(
             none,
             Binary::Computed(Computed {
-                question: Some(Question::NotANumber),
+                question: Some(OpenQuestion::NotANumber),
                 ..
             })
         ));
         let endless = binary(Divide, Lreal, 1_f64.to_bits(), 0_f64.to_bits());
-        let question = Some(Question::RealDivisionByZero);
+        let question = Some(OpenQuestion::RealDivisionByZero);
         assert_eq!(
             endless,
             Binary::Computed(Computed {
@@ -219,7 +219,7 @@ mod tests {
         assert!(matches!(
             sum,
             Binary::Computed(Computed {
-                question: Some(Question::MomentRange),
+                question: Some(OpenQuestion::MomentRange),
                 ..
             })
         ));

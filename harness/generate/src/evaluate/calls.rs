@@ -1,28 +1,28 @@
 //! Calls of functions, and invocations of the instances of function blocks.
 
-use super::cell::Cell;
-use super::machine::{Machine, Unit};
-use super::{Question, Refusal};
-use crate::model::{Argument, ExpressionKind, Place, Section, Type, VariableId};
+use super::cell::MemoryCell;
+use super::evaluator::{Activation, Evaluator};
+use super::{EvaluationError, OpenQuestion};
+use crate::model::{Argument, ExpressionKind, Place, Type, VariableId, VariableSection};
 use std::rc::Rc;
 
-impl<'p> Machine<'p> {
+impl<'p> Evaluator<'p> {
     /// Calls a function: gives the cells of its result.
     ///
     /// Basis: iec-61131-3: 6.6.1 (variables of a function start afresh with each call; an input that is not given has its
     /// initial value).
     pub fn call(
         &mut self,
-        caller: Unit<'p>,
+        caller: Activation<'p>,
         function: usize,
         arguments: &'p [Argument],
-    ) -> Result<Vec<Cell>, Refusal> {
-        let missing = Refusal::IllFormed("a call of a function that there is not");
+    ) -> Result<Vec<MemoryCell>, EvaluationError> {
+        let missing = EvaluationError::IllFormed("a call of a function that there is not");
         let called = self.program.functions.get(function).ok_or(missing)?;
         let offsets = self.layout.functions.get(function).ok_or(missing)?;
         let base = self.memory.len();
         let size = self.layout.size(&called.result)?;
-        let unit = Unit {
+        let unit = Activation {
             name: &called.name,
             variables: &called.variables,
             offsets,
@@ -40,14 +40,14 @@ impl<'p> Machine<'p> {
         let result = self
             .memory
             .get(end..end + size)
-            .map(<[Cell]>::to_vec)
+            .map(<[MemoryCell]>::to_vec)
             .ok_or(missing)?;
         self.memory.truncate(base);
         Ok(result)
     }
 
     /// Appends the cells of a function in their initial state, the result's behind them.
-    fn enter(&mut self, unit: Unit<'p>, function: usize) -> Result<(), Refusal> {
+    fn enter(&mut self, unit: Activation<'p>, function: usize) -> Result<(), EvaluationError> {
         if let Some(image) = self.images.get(function).and_then(Option::clone) {
             self.memory.extend_from_slice(&image);
             return Ok(());
@@ -55,10 +55,10 @@ impl<'p> Machine<'p> {
         self.start(unit)?;
         if let Some((at, ty)) = unit.result {
             let size = self.layout.size(ty)?;
-            self.memory.resize(at + size, Cell::Plain(0));
+            self.memory.resize(at + size, MemoryCell::Plain(0));
             self.default(unit, ty, at)?;
         }
-        let image: Rc<[Cell]> = self.memory.get(unit.base..).unwrap_or_default().into();
+        let image: Rc<[MemoryCell]> = self.memory.get(unit.base..).unwrap_or_default().into();
         if let Some(slot) = self.images.get_mut(function) {
             *slot = Some(image);
         }
@@ -68,11 +68,11 @@ impl<'p> Machine<'p> {
     /// The values of arguments, each with the offset of its parameter.
     fn arguments(
         &mut self,
-        caller: Unit<'p>,
-        callee: Unit<'p>,
+        caller: Activation<'p>,
+        callee: Activation<'p>,
         arguments: &'p [Argument],
-    ) -> Result<Vec<(usize, Vec<Cell>)>, Refusal> {
-        let unknown = Refusal::IllFormed("an argument for a parameter that there is not");
+    ) -> Result<Vec<(usize, Vec<MemoryCell>)>, EvaluationError> {
+        let unknown = EvaluationError::IllFormed("an argument for a parameter that there is not");
         let mut given = Vec::with_capacity(arguments.len());
         for argument in arguments {
             let offset = *callee
@@ -81,7 +81,7 @@ impl<'p> Machine<'p> {
                 .get(argument.parameter.0)
                 .ok_or(unknown)?;
             let parameter = callee.variables.get(argument.parameter.0).ok_or(unknown)?;
-            let cells = if parameter.section == Section::InOut {
+            let cells = if parameter.section == VariableSection::InOut {
                 vec![self.behind(caller, argument)?]
             } else {
                 self.cells(caller, &argument.value)?
@@ -92,15 +92,19 @@ impl<'p> Machine<'p> {
     }
 
     /// The address of the variable that stands behind an in-out.
-    fn behind(&mut self, caller: Unit<'p>, argument: &'p Argument) -> Result<Cell, Refusal> {
+    fn behind(
+        &mut self,
+        caller: Activation<'p>,
+        argument: &'p Argument,
+    ) -> Result<MemoryCell, EvaluationError> {
         let ExpressionKind::Read(place) = &argument.value.kind else {
-            return Err(Refusal::IllFormed("an in-out that is no variable"));
+            return Err(EvaluationError::IllFormed("an in-out that is no variable"));
         };
         let address = self.locate(caller, place)?;
-        Ok(Cell::Plain(address as u64))
+        Ok(MemoryCell::Plain(address as u64))
     }
 
-    fn write(&mut self, address: usize, cells: Vec<Cell>) -> Result<(), Refusal> {
+    fn write(&mut self, address: usize, cells: Vec<MemoryCell>) -> Result<(), EvaluationError> {
         for (index, cell) in cells.into_iter().enumerate() {
             self.store(address + index, cell)?;
         }
@@ -112,18 +116,18 @@ impl<'p> Machine<'p> {
     /// Basis: iec-61131-3: 6.6.3.
     pub fn invoke(
         &mut self,
-        caller: Unit<'p>,
+        caller: Activation<'p>,
         instance: VariableId,
         inputs: &'p [Argument],
         outputs: &'p [(VariableId, Place)],
-    ) -> Result<(), Refusal> {
-        let missing = Refusal::IllFormed("an invocation of something that is no instance");
+    ) -> Result<(), EvaluationError> {
+        let missing = EvaluationError::IllFormed("an invocation of something that is no instance");
         let (base, ty) = self.variable(caller, instance)?;
         let Type::Block(index) = self.resolved(ty) else {
             return Err(missing);
         };
         let block = self.program.blocks.get(*index).ok_or(missing)?;
-        let unit = Unit {
+        let unit = Activation {
             name: &block.name,
             variables: &block.variables,
             offsets: self.layout.blocks.get(*index).ok_or(missing)?,
@@ -143,16 +147,16 @@ impl<'p> Machine<'p> {
     /// Notes where two in-outs of one invocation share a cell: copies in and out would give something else than references.
     fn check_in_outs(
         &mut self,
-        caller: Unit<'p>,
-        callee: Unit<'p>,
+        caller: Activation<'p>,
+        callee: Activation<'p>,
         inputs: &'p [Argument],
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), EvaluationError> {
         let mut taken: Vec<std::ops::Range<usize>> = Vec::new();
         for argument in inputs {
             let is_in_out = callee
                 .variables
                 .get(argument.parameter.0)
-                .is_some_and(|parameter| parameter.section == Section::InOut);
+                .is_some_and(|parameter| parameter.section == VariableSection::InOut);
             if !is_in_out {
                 continue;
             }
@@ -162,7 +166,7 @@ impl<'p> Machine<'p> {
                 .iter()
                 .any(|other| other.start < cells.end && cells.start < other.end)
             {
-                self.open(Question::AliasedInOut, caller, || callee.name.to_owned());
+                self.open(OpenQuestion::AliasedInOut, caller, || callee.name.to_owned());
             }
             taken.push(cells);
         }
@@ -171,9 +175,9 @@ impl<'p> Machine<'p> {
 
     fn places(
         &mut self,
-        caller: Unit<'p>,
+        caller: Activation<'p>,
         outputs: &'p [(VariableId, Place)],
-    ) -> Result<Vec<usize>, Refusal> {
+    ) -> Result<Vec<usize>, EvaluationError> {
         outputs
             .iter()
             .map(|(_, place)| self.locate(caller, place))
@@ -183,14 +187,14 @@ impl<'p> Machine<'p> {
     /// Writes the outputs to their places, and notes where the invocation has moved one.
     fn capture(
         &mut self,
-        caller: Unit<'p>,
-        callee: Unit<'p>,
+        caller: Activation<'p>,
+        callee: Activation<'p>,
         outputs: &'p [(VariableId, Place)],
         before: &[usize],
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), EvaluationError> {
         let after = self.places(caller, outputs)?;
         if after != before {
-            self.open(Question::OutputPlace, caller, || callee.name.to_owned());
+            self.open(OpenQuestion::OutputPlace, caller, || callee.name.to_owned());
         }
         for ((output, _), at) in outputs.iter().zip(after) {
             let (from, ty) = self.variable(callee, *output)?;

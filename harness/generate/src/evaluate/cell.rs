@@ -1,35 +1,39 @@
 //! Memory cells, one for each elementary variable.
 
-use super::{Question, Refusal};
+use super::{EvaluationError, OpenQuestion};
 use stickler_types::{ElementaryType, Value};
 
 /// What one elementary variable holds.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum Cell {
+pub(super) enum MemoryCell {
     /// The raw form of a value (see [`ElementaryType`]), the place of an enumerated value, or the address behind an in-out.
     Plain(u64),
     /// The code units of a text.
     Text(Box<[u16]>),
     /// Something that no document settles, until it is assigned; the number is a guess, the question why it is one.
-    Unsettled(u64, Question),
+    Unsettled(u64, OpenQuestion),
 }
 
-impl Cell {
+impl MemoryCell {
     /// The value of an elementary type.
-    pub fn into_value(self, ty: ElementaryType) -> Result<Value, Refusal> {
+    pub fn into_value(self, ty: ElementaryType) -> Result<Value, EvaluationError> {
         match self {
-            Cell::Plain(raw) | Cell::Unsettled(raw, _) if !ty.is_text() => Ok(Value::plain(ty, raw)),
-            Cell::Text(units) if ty.is_text() => Ok(Value::text(ty, units.into_vec())),
-            _ => Err(Refusal::IllFormed("a text where there is none")),
+            MemoryCell::Plain(raw) | MemoryCell::Unsettled(raw, _) if !ty.is_text() => {
+                Ok(Value::plain(ty, raw))
+            }
+            MemoryCell::Text(units) if ty.is_text() => Ok(Value::text(ty, units.into_vec())),
+            _ => Err(EvaluationError::IllFormed("a text where there is none")),
         }
     }
 
     /// The cell of an elementary value.
-    pub fn of_value(value: Value) -> Result<Cell, Refusal> {
+    pub fn of_value(value: Value) -> Result<MemoryCell, EvaluationError> {
         match value {
-            Value::Plain { raw, .. } => Ok(Cell::Plain(raw)),
-            Value::Text { units, .. } => Ok(Cell::Text(units.into_boxed_slice())),
-            Value::Enumerated { .. } => Err(Refusal::IllFormed("an enumerated value where a literal stands")),
+            Value::Plain { raw, .. } => Ok(MemoryCell::Plain(raw)),
+            Value::Text { units, .. } => Ok(MemoryCell::Text(units.into_boxed_slice())),
+            Value::Enumerated { .. } => Err(EvaluationError::IllFormed(
+                "an enumerated value where a literal stands",
+            )),
         }
     }
 }

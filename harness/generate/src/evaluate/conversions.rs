@@ -1,8 +1,8 @@
 //! Conversions, explicit and implicit, by exact arithmetic.
 
-use super::cell::Cell;
-use super::machine::{Machine, Unit};
-use super::{Question, Refusal};
+use super::cell::MemoryCell;
+use super::evaluator::{Activation, Evaluator};
+use super::{EvaluationError, OpenQuestion};
 use std::sync::LazyLock;
 use stickler_exact::{Operation, Signature, choices_of, expected, implicit, value};
 use stickler_types::{ElementaryType, Family, MatrixWord, Value};
@@ -24,29 +24,29 @@ static PLAIN: LazyLock<Vec<Signature>> = LazyLock::new(|| {
         .collect()
 });
 
-impl<'p> Machine<'p> {
+impl<'p> Evaluator<'p> {
     /// What a conversion function gives; where no document says so, that is noted, and the value is the design's.
     pub fn converted(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         signature: &Signature,
-        cell: Cell,
+        cell: MemoryCell,
         from: ElementaryType,
-    ) -> Result<Cell, Refusal> {
+    ) -> Result<MemoryCell, EvaluationError> {
         let operands = [cell.into_value(from)?];
         if !signature.takes(&operands) {
-            return Err(Refusal::IllFormed(
+            return Err(EvaluationError::IllFormed(
                 "an argument of another type than the signature has",
             ));
         }
         let given = expected(signature, &operands, self.program.dialect);
         if given.basis.is_none() {
             let [operand] = &operands;
-            self.open(Question::Conversion, unit, || {
+            self.open(OpenQuestion::Conversion, unit, || {
                 format!("{}({operand})", signature.function)
             });
         }
-        Cell::of_value(given.value)
+        MemoryCell::of_value(given.value)
     }
 
     /// What an implicit conversion gives: the value unchanged, or the nearest real, once.
@@ -54,17 +54,17 @@ impl<'p> Machine<'p> {
     /// Basis: ironplc-type-conversions: Implicit Type Widening; implicit-conversion-table; stickler-design: §3.2 and §8.
     pub fn widened(
         &mut self,
-        unit: Unit<'p>,
-        cell: Cell,
+        unit: Activation<'p>,
+        cell: MemoryCell,
         from: ElementaryType,
         to: ElementaryType,
-    ) -> Result<Cell, Refusal> {
+    ) -> Result<MemoryCell, EvaluationError> {
         if from == to {
             return Ok(cell);
         }
         let operand = cell.into_value(from)?;
         let Some(plain) = PLAIN.get(from as usize * TYPES + to as usize) else {
-            return Err(Refusal::IllFormed("an implicit conversion of no types"));
+            return Err(EvaluationError::IllFormed("an implicit conversion of no types"));
         };
         let arrives = value(
             plain,
@@ -73,11 +73,11 @@ impl<'p> Machine<'p> {
         );
         let granted = implicit(from, to, self.program.dialect) != MatrixWord::Open;
         if !granted || !arrives_as_documented(&operand, from, &arrives, to) {
-            self.open(Question::ImplicitConversion, unit, || {
+            self.open(OpenQuestion::ImplicitConversion, unit, || {
                 format!("{operand} as {to}")
             });
         }
-        Cell::of_value(arrives)
+        MemoryCell::of_value(arrives)
     }
 }
 

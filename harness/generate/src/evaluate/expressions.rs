@@ -1,23 +1,31 @@
 //! Expressions.
 
-use super::cell::Cell;
-use super::machine::{Machine, Unit};
+use super::cell::MemoryCell;
+use super::evaluator::{Activation, Evaluator};
 use super::statements::DIVISION_BY_ZERO;
-use super::{Question, Refusal, arithmetic, ordering};
+use super::{EvaluationError, OpenQuestion, arithmetic, ordering};
 use crate::model::{BinaryOperator, Expression, ExpressionKind, Place, Type, UnaryOperator};
 use stickler_types::ElementaryType;
 
-impl<'p> Machine<'p> {
+impl<'p> Evaluator<'p> {
     /// The value of an expression that takes one cell.
-    pub fn expression(&mut self, unit: Unit<'p>, expression: &'p Expression) -> Result<Cell, Refusal> {
+    pub fn expression(
+        &mut self,
+        unit: Activation<'p>,
+        expression: &'p Expression,
+    ) -> Result<MemoryCell, EvaluationError> {
         self.step()?;
-        self.deeper(|machine| machine.of_expression_kind(unit, expression))
+        self.deeper(|evaluator| evaluator.of_expression_kind(unit, expression))
     }
 
-    fn of_expression_kind(&mut self, unit: Unit<'p>, expression: &'p Expression) -> Result<Cell, Refusal> {
+    fn of_expression_kind(
+        &mut self,
+        unit: Activation<'p>,
+        expression: &'p Expression,
+    ) -> Result<MemoryCell, EvaluationError> {
         match &expression.kind {
-            ExpressionKind::Literal(value, _) => Cell::of_value(value.clone()),
-            ExpressionKind::Enumerated(place) => Ok(Cell::Plain(*place as u64)),
+            ExpressionKind::Literal(value, _) => MemoryCell::of_value(value.clone()),
+            ExpressionKind::Enumerated(place) => Ok(MemoryCell::Plain(*place as u64)),
             ExpressionKind::Read(place) => {
                 let address = self.locate(unit, place)?;
                 self.load(unit, address)
@@ -40,58 +48,69 @@ impl<'p> Machine<'p> {
                 let mut cells = self.call(unit, *function, arguments)?;
                 match (cells.pop(), cells.is_empty()) {
                     (Some(cell), true) => self.settled(unit, cell),
-                    _ => Err(Refusal::IllFormed("a function whose result is no single value")),
+                    _ => Err(EvaluationError::IllFormed(
+                        "a function whose result is no single value",
+                    )),
                 }
             }
             ExpressionKind::Standard(function, arguments) => self.standard(unit, *function, arguments),
-            ExpressionKind::Raw(_) => Err(Refusal::Raw),
+            ExpressionKind::Raw(_) => Err(EvaluationError::Raw),
         }
     }
 
     /// All cells of an expression of any type.
-    pub fn cells(&mut self, unit: Unit<'p>, expression: &'p Expression) -> Result<Vec<Cell>, Refusal> {
+    pub fn cells(
+        &mut self,
+        unit: Activation<'p>,
+        expression: &'p Expression,
+    ) -> Result<Vec<MemoryCell>, EvaluationError> {
         let size = self.layout.size(&expression.ty)?;
         match &expression.kind {
             _ if size == 1 => Ok(vec![self.expression(unit, expression)?]),
             ExpressionKind::Read(place) => {
                 let address = self.locate(unit, place)?;
-                let outside = Refusal::IllFormed("a place outside the memory");
+                let outside = EvaluationError::IllFormed("a place outside the memory");
                 // A structure is copied as it is: what is unsettled in it stays so until somebody reads it.
                 Ok(self.memory.get(address..address + size).ok_or(outside)?.to_vec())
             }
             ExpressionKind::Call(function, arguments) => self.call(unit, *function, arguments),
-            ExpressionKind::Raw(_) => Err(Refusal::Raw),
-            _ => Err(Refusal::IllFormed("an operation on a structure or array")),
+            ExpressionKind::Raw(_) => Err(EvaluationError::Raw),
+            _ => Err(EvaluationError::IllFormed("an operation on a structure or array")),
         }
     }
 
     /// A cell that came from a call, noted where it is unsettled.
-    fn settled(&mut self, unit: Unit<'p>, cell: Cell) -> Result<Cell, Refusal> {
-        if let Cell::Unsettled(raw, question) = cell {
+    fn settled(&mut self, unit: Activation<'p>, cell: MemoryCell) -> Result<MemoryCell, EvaluationError> {
+        if let MemoryCell::Unsettled(raw, question) = cell {
             self.open(question, unit, || "as the result of a call".to_owned());
-            return Ok(Cell::Plain(raw));
+            return Ok(MemoryCell::Plain(raw));
         }
         Ok(cell)
     }
 
-    fn bit(&mut self, unit: Unit<'p>, place: &'p Place, bit: u32) -> Result<Cell, Refusal> {
+    fn bit(
+        &mut self,
+        unit: Activation<'p>,
+        place: &'p Place,
+        bit: u32,
+    ) -> Result<MemoryCell, EvaluationError> {
         let ty = self.elementary(&place.ty)?;
         let address = self.locate(unit, place)?;
         match self.load(unit, address)? {
-            Cell::Plain(raw) if bit < ty.bits() => Ok(Cell::Plain(raw >> bit & 1)),
-            _ => Err(Refusal::IllFormed("a bit that the type does not have")),
+            MemoryCell::Plain(raw) if bit < ty.bits() => Ok(MemoryCell::Plain(raw >> bit & 1)),
+            _ => Err(EvaluationError::IllFormed("a bit that the type does not have")),
         }
     }
 
     fn unary(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         operator: UnaryOperator,
         operand: &'p Expression,
-    ) -> Result<Cell, Refusal> {
+    ) -> Result<MemoryCell, EvaluationError> {
         let ty = self.elementary(&operand.ty)?;
         let raw = self.plain(unit, operand)?;
-        let computed = arithmetic::unary(operator, ty, raw).ok_or(Refusal::IllFormed(
+        let computed = arithmetic::unary(operator, ty, raw).ok_or(EvaluationError::IllFormed(
             "a prefix operator on a type that does not have it",
         ))?;
         self.computed(unit, computed, || format!("{operator:?} of {ty}"))
@@ -99,11 +118,11 @@ impl<'p> Machine<'p> {
 
     fn binary(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         operator: BinaryOperator,
         left: &'p Expression,
         right: &'p Expression,
-    ) -> Result<Cell, Refusal> {
+    ) -> Result<MemoryCell, EvaluationError> {
         let (a, b) = (self.expression(unit, left)?, self.expression(unit, right)?);
         let ty = match self.resolved(&left.ty) {
             Type::Elementary(ty) => *ty,
@@ -111,38 +130,38 @@ impl<'p> Machine<'p> {
             Type::Declared(_) if matches!(operator, BinaryOperator::Equal | BinaryOperator::NotEqual) => {
                 ElementaryType::Ulint
             }
-            _ => return Err(Refusal::IllFormed("an operator on a structure or array")),
+            _ => return Err(EvaluationError::IllFormed("an operator on a structure or array")),
         };
         if is_comparison(operator) {
             return self.comparison(unit, operator, ty, &a, &b);
         }
-        let (Cell::Plain(a), Cell::Plain(b)) = (a, b) else {
-            return Err(Refusal::IllFormed("arithmetic with a text"));
+        let (MemoryCell::Plain(a), MemoryCell::Plain(b)) = (a, b) else {
+            return Err(EvaluationError::IllFormed("arithmetic with a text"));
         };
         match arithmetic::binary(operator, ty, a, b) {
             arithmetic::Binary::Computed(computed) => {
                 self.computed(unit, computed, || format!("{operator:?} of {ty}"))
             }
             arithmetic::Binary::DivisionByZero => Err(DIVISION_BY_ZERO),
-            arithmetic::Binary::Undefined => {
-                Err(Refusal::IllFormed("an operator on a type that does not have it"))
-            }
+            arithmetic::Binary::Undefined => Err(EvaluationError::IllFormed(
+                "an operator on a type that does not have it",
+            )),
         }
     }
 
     fn comparison(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         operator: BinaryOperator,
         ty: ElementaryType,
-        a: &Cell,
-        b: &Cell,
-    ) -> Result<Cell, Refusal> {
+        a: &MemoryCell,
+        b: &MemoryCell,
+    ) -> Result<MemoryCell, EvaluationError> {
         use BinaryOperator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
         let Some(order) = ordering::compare(ty, a, b) else {
             // What is no number is neither less, nor equal, nor greater (IEC 60559).
-            self.open(Question::NotANumber, unit, || format!("{operator:?} of {ty}"));
-            return Ok(Cell::Plain(u64::from(operator == NotEqual)));
+            self.open(OpenQuestion::NotANumber, unit, || format!("{operator:?} of {ty}"));
+            return Ok(MemoryCell::Plain(u64::from(operator == NotEqual)));
         };
         let holds = match operator {
             Equal => order.is_eq(),
@@ -153,20 +172,20 @@ impl<'p> Machine<'p> {
             GreaterOrEqual => order.is_ge(),
             _ => false,
         };
-        Ok(Cell::Plain(u64::from(holds)))
+        Ok(MemoryCell::Plain(u64::from(holds)))
     }
 
     /// The cell of a computed value, its question noted.
     pub fn computed(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         computed: arithmetic::Computed,
         what: impl FnOnce() -> String,
-    ) -> Result<Cell, Refusal> {
+    ) -> Result<MemoryCell, EvaluationError> {
         if let Some(question) = computed.question {
             self.open(question, unit, what);
         }
-        Ok(Cell::Plain(computed.raw))
+        Ok(MemoryCell::Plain(computed.raw))
     }
 }
 

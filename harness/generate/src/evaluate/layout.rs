@@ -1,10 +1,10 @@
 //! How many cells a type takes, and where its parts are: every elementary value has one cell, in the order of declaration.
 
-use super::Refusal;
-use crate::model::{ArrayType, Declared, Program, Section, Type, Variable};
+use super::EvaluationError;
+use crate::model::{ArrayType, DeclaredKind, Program, Type, Variable, VariableSection};
 
 /// More cells than this no variable has; a program is small.
-const MOST_CELLS: usize = 1 << 20;
+const MAX_CELLS: usize = 1 << 20;
 
 /// The sizes and offsets of everything that a program declares.
 pub(super) struct Layout {
@@ -34,7 +34,7 @@ pub(super) struct Offsets {
 }
 
 impl Layout {
-    pub fn new(program: &Program) -> Result<Layout, Refusal> {
+    pub fn new(program: &Program) -> Result<Layout, EvaluationError> {
         let mut layout = Layout {
             types: Vec::with_capacity(program.types.len()),
             functions: Vec::new(),
@@ -57,17 +57,17 @@ impl Layout {
         Ok(layout)
     }
 
-    fn declared(&self, kind: &Declared) -> Result<TypeLayout, Refusal> {
+    fn declared(&self, kind: &DeclaredKind) -> Result<TypeLayout, EvaluationError> {
         match kind {
-            Declared::Enumeration(_) => Ok(TypeLayout {
+            DeclaredKind::Enumeration(_) => Ok(TypeLayout {
                 size: 1,
                 fields: Vec::new(),
             }),
-            Declared::Alias(ty) => Ok(TypeLayout {
+            DeclaredKind::Alias(ty) => Ok(TypeLayout {
                 size: self.size(ty)?,
                 fields: Vec::new(),
             }),
-            Declared::Structure(fields) => {
+            DeclaredKind::Structure(fields) => {
                 let mut size = 0;
                 let mut offsets = Vec::with_capacity(fields.len());
                 for (_, ty, _) in fields {
@@ -82,13 +82,13 @@ impl Layout {
         }
     }
 
-    fn variables(&self, variables: &[Variable]) -> Result<Offsets, Refusal> {
+    fn variables(&self, variables: &[Variable]) -> Result<Offsets, EvaluationError> {
         let mut offsets = Offsets::default();
         for variable in variables {
             offsets.variables.push(offsets.size);
             // An in-out has no value of its own, but a cell that says where its variable is.
             let size = match variable.section {
-                Section::InOut => 1,
+                VariableSection::InOut => 1,
                 _ => self.size(&variable.ty)?,
             };
             offsets.size = limited(offsets.size + size)?;
@@ -97,20 +97,23 @@ impl Layout {
     }
 
     /// The cells of a type.
-    pub fn size(&self, ty: &Type) -> Result<usize, Refusal> {
+    pub fn size(&self, ty: &Type) -> Result<usize, EvaluationError> {
         match ty {
             Type::Elementary(_) => Ok(1),
             Type::Array(array) => limited(elements(array)?.saturating_mul(self.size(&array.element)?)),
-            Type::Declared(index) => self
-                .types
-                .get(*index)
-                .map(|laid| laid.size)
-                .ok_or(Refusal::IllFormed("a type that is not declared before its use")),
+            Type::Declared(index) => {
+                self.types
+                    .get(*index)
+                    .map(|laid| laid.size)
+                    .ok_or(EvaluationError::IllFormed(
+                        "a type that is not declared before its use",
+                    ))
+            }
             Type::Block(index) => {
                 self.blocks
                     .get(*index)
                     .map(|offsets| offsets.size)
-                    .ok_or(Refusal::IllFormed(
+                    .ok_or(EvaluationError::IllFormed(
                         "a function block that is not declared before its use",
                     ))
             }
@@ -124,24 +127,24 @@ impl Layout {
 }
 
 /// How many elements an array has.
-pub(super) fn elements(array: &ArrayType) -> Result<usize, Refusal> {
+pub(super) fn elements(array: &ArrayType) -> Result<usize, EvaluationError> {
     array.dimensions.iter().try_fold(1_usize, |product, dimension| {
         limited(product.saturating_mul(extent(*dimension)?))
     })
 }
 
 /// How many subscripts a dimension has.
-pub(super) fn extent((low, high): (i64, i64)) -> Result<usize, Refusal> {
+pub(super) fn extent((low, high): (i64, i64)) -> Result<usize, EvaluationError> {
     let extent = i128::from(high) - i128::from(low) + 1;
     if extent < 1 {
-        return Err(Refusal::IllFormed("an array without elements"));
+        return Err(EvaluationError::IllFormed("an array without elements"));
     }
     limited(usize::try_from(extent).unwrap_or(usize::MAX))
 }
 
-fn limited(size: usize) -> Result<usize, Refusal> {
-    if size > MOST_CELLS {
-        Err(Refusal::StepLimit)
+fn limited(size: usize) -> Result<usize, EvaluationError> {
+    if size > MAX_CELLS {
+        Err(EvaluationError::StepLimit)
     } else {
         Ok(size)
     }

@@ -1,29 +1,35 @@
 //! The places of a program in memory, and the values at the end.
 
-use super::Refusal;
-use super::cell::Cell;
+use super::EvaluationError;
+use super::cell::MemoryCell;
+use super::evaluator::{Activation, Evaluator};
 use super::layout::extent;
-use super::machine::{Machine, Unit};
-use crate::model::{Declared, Place, Section, Selector, Type, VariableId};
+use crate::model::{DeclaredKind, Place, PlaceSelector, Type, VariableId, VariableSection};
 use stickler_types::{Fault, Value};
 
-impl<'p> Machine<'p> {
+impl<'p> Evaluator<'p> {
     /// The first cell of a variable; that of the caller's variable behind an in-out.
-    pub fn variable(&self, unit: Unit<'p>, id: VariableId) -> Result<(usize, &'p Type), Refusal> {
-        let unknown = Refusal::IllFormed("a variable that its unit does not have");
+    pub fn variable(
+        &self,
+        unit: Activation<'p>,
+        id: VariableId,
+    ) -> Result<(usize, &'p Type), EvaluationError> {
+        let unknown = EvaluationError::IllFormed("a variable that its unit does not have");
         let variable = unit.variables.get(id.0).ok_or(unknown)?;
         let own = unit.base + unit.offsets.variables.get(id.0).ok_or(unknown)?;
-        if variable.section != Section::InOut {
+        if variable.section != VariableSection::InOut {
             return Ok((own, &variable.ty));
         }
         match self.memory.get(own) {
-            Some(Cell::Plain(address)) => Ok((usize::try_from(*address).map_err(|_| unknown)?, &variable.ty)),
-            _ => Err(Refusal::IllFormed("an in-out with nothing behind it")),
+            Some(MemoryCell::Plain(address)) => {
+                Ok((usize::try_from(*address).map_err(|_| unknown)?, &variable.ty))
+            }
+            _ => Err(EvaluationError::IllFormed("an in-out with nothing behind it")),
         }
     }
 
     /// The first cell of a place, after its subscripts have been evaluated.
-    pub fn locate(&mut self, unit: Unit<'p>, place: &'p Place) -> Result<usize, Refusal> {
+    pub fn locate(&mut self, unit: Activation<'p>, place: &'p Place) -> Result<usize, EvaluationError> {
         let (mut address, ty) = self.variable(unit, place.variable)?;
         let mut ty = self.resolved(ty);
         for selector in &place.path {
@@ -37,34 +43,36 @@ impl<'p> Machine<'p> {
     /// One step into something of a type: how far, and the type of what is there.
     fn select(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         ty: &'p Type,
-        selector: &'p Selector,
-    ) -> Result<(usize, &'p Type), Refusal> {
-        let nothing = Refusal::IllFormed("a selection of something that its type does not have");
+        selector: &'p PlaceSelector,
+    ) -> Result<(usize, &'p Type), EvaluationError> {
+        let nothing = EvaluationError::IllFormed("a selection of something that its type does not have");
         match (selector, ty) {
-            (Selector::Index(subscripts), Type::Array(array))
+            (PlaceSelector::Index(subscripts), Type::Array(array))
                 if subscripts.len() == array.dimensions.len() =>
             {
                 let mut element = 0;
                 for (subscript, &(low, high)) in subscripts.iter().zip(&array.dimensions) {
                     let at = self.integer(unit, subscript)?;
                     if !(i128::from(low)..=i128::from(high)).contains(&at) {
-                        return Err(Refusal::Fault(Fault::SubscriptRange));
+                        return Err(EvaluationError::Fault(Fault::SubscriptRange));
                     }
                     let inside = usize::try_from(at - i128::from(low)).map_err(|_| nothing)?;
                     element = element * extent((low, high))? + inside;
                 }
                 Ok((element * self.layout.size(&array.element)?, &array.element))
             }
-            (Selector::Field(field), Type::Declared(structure)) => {
+            (PlaceSelector::Field(field), Type::Declared(structure)) => {
                 let offset = self.layout.field(*structure, *field).ok_or(nothing)?;
                 match self.program.types.get(*structure).map(|declared| &declared.kind) {
-                    Some(Declared::Structure(fields)) => Ok((offset, &fields.get(*field).ok_or(nothing)?.1)),
+                    Some(DeclaredKind::Structure(fields)) => {
+                        Ok((offset, &fields.get(*field).ok_or(nothing)?.1))
+                    }
                     _ => Err(nothing),
                 }
             }
-            (Selector::Output(output), Type::Block(block)) => {
+            (PlaceSelector::Output(output), Type::Block(block)) => {
                 let offsets = self.layout.blocks.get(*block).ok_or(nothing)?;
                 let block = self.program.blocks.get(*block).ok_or(nothing)?;
                 let offset = offsets.variables.get(output.0).ok_or(nothing)?;
@@ -75,30 +83,30 @@ impl<'p> Machine<'p> {
     }
 
     /// What a cell holds; what is unsettled is noted.
-    pub fn load(&mut self, unit: Unit<'p>, address: usize) -> Result<Cell, Refusal> {
+    pub fn load(&mut self, unit: Activation<'p>, address: usize) -> Result<MemoryCell, EvaluationError> {
         let cell = self
             .memory
             .get(address)
-            .ok_or(Refusal::IllFormed("a place outside the memory"))?;
-        if let Cell::Unsettled(raw, question) = *cell {
+            .ok_or(EvaluationError::IllFormed("a place outside the memory"))?;
+        if let MemoryCell::Unsettled(raw, question) = *cell {
             self.open(question, unit, || "it is read".to_owned());
-            return Ok(Cell::Plain(raw));
+            return Ok(MemoryCell::Plain(raw));
         }
         Ok(cell.clone())
     }
 
     /// Gives a cell a value.
-    pub fn store(&mut self, address: usize, cell: Cell) -> Result<(), Refusal> {
+    pub fn store(&mut self, address: usize, cell: MemoryCell) -> Result<(), EvaluationError> {
         let into = self
             .memory
             .get_mut(address)
-            .ok_or(Refusal::IllFormed("a place outside the memory"))?;
+            .ok_or(EvaluationError::IllFormed("a place outside the memory"))?;
         *into = cell;
         Ok(())
     }
 
     /// The elementary values of the main program's variables and of the outputs of its instances, with their paths.
-    pub fn values(&mut self, main: Unit<'p>) -> Result<Vec<(String, Value)>, Refusal> {
+    pub fn values(&mut self, main: Activation<'p>) -> Result<Vec<(String, Value)>, EvaluationError> {
         let mut values = Vec::with_capacity(main.offsets.size);
         for (variable, &offset) in main.variables.iter().zip(&main.offsets.variables) {
             let mut path = variable.name.clone();
@@ -109,12 +117,12 @@ impl<'p> Machine<'p> {
 
     fn leaves(
         &mut self,
-        main: Unit<'p>,
+        main: Activation<'p>,
         path: &mut String,
         ty: &'p Type,
         address: usize,
         values: &mut Vec<(String, Value)>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), EvaluationError> {
         match self.resolved(ty) {
             Type::Elementary(ty) => {
                 let value = self.load(main, address)?.into_value(*ty)?;
@@ -133,7 +141,7 @@ impl<'p> Machine<'p> {
                 }
             }
             Type::Declared(index) => {
-                if let Some(Declared::Structure(fields)) =
+                if let Some(DeclaredKind::Structure(fields)) =
                     self.program.types.get(*index).map(|declared| &declared.kind)
                 {
                     for (field, (name, ty, _)) in fields.iter().enumerate() {
@@ -149,7 +157,7 @@ impl<'p> Machine<'p> {
                     return Ok(());
                 };
                 for (variable, &offset) in block.variables.iter().zip(&offsets.variables) {
-                    if variable.section == Section::Output {
+                    if variable.section == VariableSection::Output {
                         self.inside(main, path, &variable.name, &variable.ty, address + offset, values)?;
                     }
                 }
@@ -160,13 +168,13 @@ impl<'p> Machine<'p> {
 
     fn inside(
         &mut self,
-        main: Unit<'p>,
+        main: Activation<'p>,
         path: &mut String,
         name: &str,
         ty: &'p Type,
         address: usize,
         values: &mut Vec<(String, Value)>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), EvaluationError> {
         let length = path.len();
         path.push('.');
         path.push_str(name);

@@ -2,17 +2,17 @@
 //!
 //! Basis: iec-61131-3: Table 33 (comparison); the table comparison of the cases says it type by type.
 
-use super::cell::Cell;
+use super::cell::MemoryCell;
 use std::cmp::Ordering;
 use stickler_types::ElementaryType;
 
 /// The order of two values of a type; `None` where one of them is no number, or they are not of that type.
 ///
 /// Unsigned integers and bit strings compare as unsigned numbers, texts by their characters, -0.0 equals 0.0.
-pub(super) fn compare(ty: ElementaryType, a: &Cell, b: &Cell) -> Option<Ordering> {
+pub(super) fn compare(ty: ElementaryType, a: &MemoryCell, b: &MemoryCell) -> Option<Ordering> {
     match (a, b) {
-        (Cell::Text(a), Cell::Text(b)) => Some(a.cmp(b)),
-        (Cell::Plain(a), Cell::Plain(b)) => match ty {
+        (MemoryCell::Text(a), MemoryCell::Text(b)) => Some(a.cmp(b)),
+        (MemoryCell::Plain(a), MemoryCell::Plain(b)) => match ty {
             ElementaryType::Real => f32::from_bits(*a as u32).partial_cmp(&f32::from_bits(*b as u32)),
             ElementaryType::Lreal => f64::from_bits(*a).partial_cmp(&f64::from_bits(*b)),
             _ => Some(ty.integer_value(*a).cmp(&ty.integer_value(*b))),

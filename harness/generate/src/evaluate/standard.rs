@@ -3,9 +3,9 @@
 //! Basis: iec-61131-3: Tables 28 to 32 and 34; the table standard-functions of the cases.
 
 use super::arithmetic::{self, Computed};
-use super::cell::Cell;
-use super::machine::{Machine, Unit};
-use super::{Question, Refusal, ordering};
+use super::cell::MemoryCell;
+use super::evaluator::{Activation, Evaluator};
+use super::{EvaluationError, OpenQuestion, ordering};
 use crate::model::{Expression, StandardFunction, Type, UnaryOperator};
 use std::cmp::Ordering;
 use stickler_types::{ElementaryType, Family};
@@ -13,16 +13,17 @@ use stickler_types::{ElementaryType, Family};
 /// A text of more characters may be cut by some system that takes part: the shortest default length known is 80.
 const SHORTEST_DEFAULT_LENGTH: usize = 80;
 
-const ARGUMENTS: Refusal = Refusal::IllFormed("a standard function with other arguments than it has");
+const ARGUMENTS: EvaluationError =
+    EvaluationError::IllFormed("a standard function with other arguments than it has");
 
-impl<'p> Machine<'p> {
+impl<'p> Evaluator<'p> {
     /// What a standard function gives; all arguments are evaluated, in their order.
     pub fn standard(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         function: StandardFunction,
         arguments: &'p [Expression],
-    ) -> Result<Cell, Refusal> {
+    ) -> Result<MemoryCell, EvaluationError> {
         use StandardFunction::{Abs, Concat, Len, Limit, Max, Min, Mux, Rol, Ror, Sel, Shl, Shr};
         let mut cells = Vec::with_capacity(arguments.len());
         for argument in arguments {
@@ -30,39 +31,44 @@ impl<'p> Machine<'p> {
         }
         match (function, &cells[..], arguments) {
             (Abs, [cell], [argument]) => self.absolute(unit, argument, cell),
-            (Sel, [Cell::Plain(gate), first, second], _) => {
+            (Sel, [MemoryCell::Plain(gate), first, second], _) => {
                 Ok(if *gate == 0 { first } else { second }.clone())
             }
-            (Mux, [Cell::Plain(selector), inputs @ ..], [argument, ..]) => {
+            (Mux, [MemoryCell::Plain(selector), inputs @ ..], [argument, ..]) => {
                 let selector = self.elementary(&argument.ty)?.integer_value(*selector);
                 self.selected(unit, selector, inputs)
             }
             (Min, [a, b], [argument, _]) => self.lesser(unit, argument, a, b, Ordering::Less),
             (Max, [a, b], [argument, _]) => self.lesser(unit, argument, a, b, Ordering::Greater),
             (Limit, [low, value, high], [argument, ..]) => self.limited(unit, argument, low, value, high),
-            (Shl | Shr | Rol | Ror, [Cell::Plain(raw), Cell::Plain(count)], [operand, by]) => {
+            (Shl | Shr | Rol | Ror, [MemoryCell::Plain(raw), MemoryCell::Plain(count)], [operand, by]) => {
                 let count = self.elementary(&by.ty)?.integer_value(*count);
                 let ty = self.elementary(&operand.ty)?;
                 let computed = shifted(function, ty, *raw, count).ok_or(ARGUMENTS)?;
                 self.computed(unit, computed, || format!("{function:?} of {ty} by {count}"))
             }
-            (Len, [Cell::Text(units)], _) => Ok(Cell::Plain(units.len() as u64)),
-            (Concat, [Cell::Text(a), Cell::Text(b)], _) => {
+            (Len, [MemoryCell::Text(units)], _) => Ok(MemoryCell::Plain(units.len() as u64)),
+            (Concat, [MemoryCell::Text(a), MemoryCell::Text(b)], _) => {
                 let joined = [&a[..], &b[..]].concat();
                 if joined.len() > SHORTEST_DEFAULT_LENGTH {
-                    self.open(Question::TextLength, unit, || {
+                    self.open(OpenQuestion::TextLength, unit, || {
                         format!("CONCAT gives {} characters", joined.len())
                     });
                 }
-                Ok(Cell::Text(joined.into_boxed_slice()))
+                Ok(MemoryCell::Text(joined.into_boxed_slice()))
             }
             _ => Err(ARGUMENTS),
         }
     }
 
-    fn absolute(&mut self, unit: Unit<'p>, argument: &'p Expression, cell: &Cell) -> Result<Cell, Refusal> {
+    fn absolute(
+        &mut self,
+        unit: Activation<'p>,
+        argument: &'p Expression,
+        cell: &MemoryCell,
+    ) -> Result<MemoryCell, EvaluationError> {
         let ty = self.elementary(&argument.ty)?;
-        let Cell::Plain(raw) = *cell else {
+        let MemoryCell::Plain(raw) = *cell else {
             return Err(ARGUMENTS);
         };
         let computed = match ty.family() {
@@ -79,10 +85,15 @@ impl<'p> Machine<'p> {
     }
 
     /// The input of MUX that the selector names, counted from 0.
-    fn selected(&mut self, unit: Unit<'p>, selector: i128, inputs: &[Cell]) -> Result<Cell, Refusal> {
+    fn selected(
+        &mut self,
+        unit: Activation<'p>,
+        selector: i128,
+        inputs: &[MemoryCell],
+    ) -> Result<MemoryCell, EvaluationError> {
         let chosen = usize::try_from(selector).ok().and_then(|index| inputs.get(index));
         if chosen.is_none() {
-            self.open(Question::MuxSelector, unit, || {
+            self.open(OpenQuestion::MuxSelector, unit, || {
                 format!("{selector} of {}", inputs.len())
             });
         }
@@ -92,16 +103,18 @@ impl<'p> Machine<'p> {
     /// MIN where the first is wanted to be less, MAX where it is wanted to be greater.
     fn lesser(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         argument: &'p Expression,
-        a: &Cell,
-        b: &Cell,
+        a: &MemoryCell,
+        b: &MemoryCell,
         wanted: Ordering,
-    ) -> Result<Cell, Refusal> {
+    ) -> Result<MemoryCell, EvaluationError> {
         let ty = self.comparable(argument)?;
         let order = ordering::compare(ty, a, b);
         if order.is_none() || (order == Some(Ordering::Equal) && a != b) {
-            self.open(Question::ZerosOfTwoSigns, unit, || format!("MIN or MAX of {ty}"));
+            self.open(OpenQuestion::ZerosOfTwoSigns, unit, || {
+                format!("MIN or MAX of {ty}")
+            });
         }
         Ok(if order == Some(wanted) { a } else { b }.clone())
     }
@@ -109,22 +122,22 @@ impl<'p> Machine<'p> {
     /// MIN(MAX(low, value), high), as the standard writes it.
     fn limited(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         argument: &'p Expression,
-        low: &Cell,
-        value: &Cell,
-        high: &Cell,
-    ) -> Result<Cell, Refusal> {
+        low: &MemoryCell,
+        value: &MemoryCell,
+        high: &MemoryCell,
+    ) -> Result<MemoryCell, EvaluationError> {
         let ty = self.comparable(argument)?;
         if ordering::compare(ty, low, high).is_some_and(Ordering::is_gt) {
-            self.open(Question::LimitsCrossed, unit, || format!("LIMIT of {ty}"));
+            self.open(OpenQuestion::LimitsCrossed, unit, || format!("LIMIT of {ty}"));
         }
         let above = self.lesser(unit, argument, low, value, Ordering::Greater)?;
         self.lesser(unit, argument, &above, high, Ordering::Less)
     }
 
     /// The type by which values compare.
-    fn comparable(&self, argument: &'p Expression) -> Result<ElementaryType, Refusal> {
+    fn comparable(&self, argument: &'p Expression) -> Result<ElementaryType, EvaluationError> {
         match self.resolved(&argument.ty) {
             Type::Elementary(ty) => Ok(*ty),
             _ => Err(ARGUMENTS),
@@ -141,9 +154,9 @@ fn shifted(function: StandardFunction, ty: ElementaryType, raw: u64, count: i128
     }
     let bits = i128::from(ty.bits());
     let question = if count < 0 {
-        Some(Question::NegativeShiftCount)
+        Some(OpenQuestion::NegativeShiftCount)
     } else {
-        (count >= bits).then_some(Question::ShiftCount)
+        (count >= bits).then_some(OpenQuestion::ShiftCount)
     };
     let (number, by) = (i128::from(raw), count.clamp(0, 64) as u32);
     let around = count.rem_euclid(bits) as u32;
@@ -191,7 +204,7 @@ mod tests {
     fn a_count_outside_the_width_is_an_open_question() {
         let question = |count| shifted(Shl, ElementaryType::Word, 1, count).unwrap().question;
         assert_eq!(question(15), None);
-        assert_eq!(question(16), Some(Question::ShiftCount));
-        assert_eq!(question(-1), Some(Question::NegativeShiftCount));
+        assert_eq!(question(16), Some(OpenQuestion::ShiftCount));
+        assert_eq!(question(-1), Some(OpenQuestion::NegativeShiftCount));
     }
 }

@@ -1,21 +1,21 @@
 //! Initial values: of types, of variables, and of the instances of function blocks.
 
-use super::cell::Cell;
-use super::machine::{Machine, Unit};
-use super::{Question, Refusal};
-use crate::model::{Declared, Initial, Section, Type, Variable};
+use super::cell::MemoryCell;
+use super::evaluator::{Activation, Evaluator};
+use super::{EvaluationError, OpenQuestion};
+use crate::model::{DeclaredKind, Initializer, Type, Variable, VariableSection};
 use stickler_types::ElementaryType;
 
-impl<'p> Machine<'p> {
+impl<'p> Evaluator<'p> {
     /// Gives the variables of a unit their initial values, in cells that are appended to the memory where its base is.
-    pub fn start(&mut self, unit: Unit<'p>) -> Result<(), Refusal> {
+    pub fn start(&mut self, unit: Activation<'p>) -> Result<(), EvaluationError> {
         let end = unit.base + unit.offsets.size;
         if self.memory.len() < end {
-            self.memory.resize(end, Cell::Plain(0));
+            self.memory.resize(end, MemoryCell::Plain(0));
         }
         for (index, variable) in unit.variables.iter().enumerate() {
             // What stands behind an in-out is said by each call.
-            if variable.section != Section::InOut {
+            if variable.section != VariableSection::InOut {
                 let offset = unit.offsets.variables.get(index).copied().unwrap_or_default();
                 self.start_variable(unit, variable, unit.base + offset)?;
             }
@@ -23,18 +23,25 @@ impl<'p> Machine<'p> {
         Ok(())
     }
 
-    fn start_variable(&mut self, unit: Unit<'p>, variable: &'p Variable, at: usize) -> Result<(), Refusal> {
+    fn start_variable(
+        &mut self,
+        unit: Activation<'p>,
+        variable: &'p Variable,
+        at: usize,
+    ) -> Result<(), EvaluationError> {
         self.default(unit, &variable.ty, at)?;
         match &variable.initial {
             None => Ok(()),
-            Some(Initial::Expression(value)) => self.assign(unit, at, &variable.ty, value),
-            Some(Initial::Array(values)) => {
+            Some(Initializer::Expression(value)) => self.assign(unit, at, &variable.ty, value),
+            Some(Initializer::Array(values)) => {
                 let Type::Array(array) = self.resolved(&variable.ty) else {
-                    return Err(Refusal::IllFormed("elements of something that is no array"));
+                    return Err(EvaluationError::IllFormed(
+                        "elements of something that is no array",
+                    ));
                 };
                 let size = self.layout.size(&array.element)?;
                 if values.len() > super::layout::elements(array)? {
-                    return Err(Refusal::IllFormed(
+                    return Err(EvaluationError::IllFormed(
                         "more initial values than the array has elements",
                     ));
                 }
@@ -43,14 +50,14 @@ impl<'p> Machine<'p> {
                 }
                 Ok(())
             }
-            Some(Initial::Structure(fields)) => {
-                let none = Refusal::IllFormed("fields of something that has none");
+            Some(Initializer::Structure(fields)) => {
+                let none = EvaluationError::IllFormed("fields of something that has none");
                 let Type::Declared(structure) = self.resolved(&variable.ty) else {
                     return Err(none);
                 };
                 for (field, value) in fields {
                     let offset = self.layout.field(*structure, *field).ok_or(none)?;
-                    let Some(Declared::Structure(declared)) = self
+                    let Some(DeclaredKind::Structure(declared)) = self
                         .program
                         .types
                         .get(*structure)
@@ -67,7 +74,7 @@ impl<'p> Machine<'p> {
     }
 
     /// Writes the initial value of a type.
-    pub fn default(&mut self, unit: Unit<'p>, ty: &'p Type, at: usize) -> Result<(), Refusal> {
+    pub fn default(&mut self, unit: Activation<'p>, ty: &'p Type, at: usize) -> Result<(), EvaluationError> {
         match self.resolved(ty) {
             Type::Elementary(ty) => self.store(at, zero(*ty)),
             Type::Array(array) => {
@@ -78,7 +85,7 @@ impl<'p> Machine<'p> {
                 Ok(())
             }
             Type::Declared(index) => match self.program.types.get(*index).map(|declared| &declared.kind) {
-                Some(Declared::Structure(fields)) => {
+                Some(DeclaredKind::Structure(fields)) => {
                     for (field, (_, ty, initial)) in fields.iter().enumerate() {
                         let offset = self.layout.field(*index, field).unwrap_or_default();
                         self.default(unit, ty, at + offset)?;
@@ -89,19 +96,19 @@ impl<'p> Machine<'p> {
                     Ok(())
                 }
                 // The first value of an enumeration.
-                _ => self.store(at, Cell::Plain(0)),
+                _ => self.store(at, MemoryCell::Plain(0)),
             },
             Type::Block(index) => {
-                let missing = Refusal::IllFormed("an instance of a function block that there is not");
+                let missing = EvaluationError::IllFormed("an instance of a function block that there is not");
                 let block = self.program.blocks.get(*index).ok_or(missing)?;
-                let instance = Unit {
+                let instance = Activation {
                     name: &block.name,
                     variables: &block.variables,
                     offsets: self.layout.blocks.get(*index).ok_or(missing)?,
                     base: at,
                     result: None,
                 };
-                self.deeper(|machine| machine.start(instance))
+                self.deeper(|evaluator| evaluator.start(instance))
             }
         }
     }
@@ -112,10 +119,10 @@ impl<'p> Machine<'p> {
 /// A DATE and a DT begin with the year 1 in the second edition and with 1970 in what came after, so no document settles it.
 ///
 /// Basis: iec-61131-3: Table 10 (default initial values).
-fn zero(ty: ElementaryType) -> Cell {
+fn zero(ty: ElementaryType) -> MemoryCell {
     match ty {
-        ElementaryType::Date | ElementaryType::Dt => Cell::Unsettled(0, Question::InitialDate),
-        ty if ty.is_text() => Cell::Text(Box::default()),
-        _ => Cell::Plain(0),
+        ElementaryType::Date | ElementaryType::Dt => MemoryCell::Unsettled(0, OpenQuestion::InitialDate),
+        ty if ty.is_text() => MemoryCell::Text(Box::default()),
+        _ => MemoryCell::Plain(0),
     }
 }

@@ -1,11 +1,11 @@
 //! Statements.
 
-use super::cell::Cell;
-use super::machine::{Machine, Unit};
-use super::{Question, Refusal};
+use super::cell::MemoryCell;
+use super::evaluator::{Activation, Evaluator};
+use super::{EvaluationError, OpenQuestion};
 use crate::model::{
-    CaseBranch, CaseLabel, Expression, ExpressionKind, Place, Statement, StatementKind, Target, Type,
-    VariableId,
+    AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, Place, Statement, StatementKind,
+    Type, VariableId,
 };
 use stickler_types::{ElementaryType, Fault};
 
@@ -30,9 +30,13 @@ struct For<'p> {
     body: &'p [Statement],
 }
 
-impl<'p> Machine<'p> {
+impl<'p> Evaluator<'p> {
     /// Runs statements one after another.
-    pub fn statements(&mut self, unit: Unit<'p>, statements: &'p [Statement]) -> Result<Flow, Refusal> {
+    pub fn statements(
+        &mut self,
+        unit: Activation<'p>,
+        statements: &'p [Statement],
+    ) -> Result<Flow, EvaluationError> {
         for statement in statements {
             let flow = self.statement(unit, statement)?;
             if flow != Flow::Next {
@@ -42,12 +46,12 @@ impl<'p> Machine<'p> {
         Ok(Flow::Next)
     }
 
-    fn statement(&mut self, unit: Unit<'p>, statement: &'p Statement) -> Result<Flow, Refusal> {
+    fn statement(&mut self, unit: Activation<'p>, statement: &'p Statement) -> Result<Flow, EvaluationError> {
         self.step()?;
-        self.deeper(|machine| machine.of_kind(unit, &statement.kind))
+        self.deeper(|evaluator| evaluator.of_kind(unit, &statement.kind))
     }
 
-    fn of_kind(&mut self, unit: Unit<'p>, kind: &'p StatementKind) -> Result<Flow, Refusal> {
+    fn of_kind(&mut self, unit: Activation<'p>, kind: &'p StatementKind) -> Result<Flow, EvaluationError> {
         match kind {
             StatementKind::Assign(target, value) => self.assignment(unit, target, value),
             StatementKind::If(branches, otherwise) => {
@@ -113,39 +117,43 @@ impl<'p> Machine<'p> {
             }
             StatementKind::Exit => Ok(Flow::Exit),
             StatementKind::Return => Ok(Flow::Return),
-            StatementKind::Raw(_) => Err(Refusal::Raw),
+            StatementKind::Raw(_) => Err(EvaluationError::Raw),
         }
     }
 
     /// One turn of a loop; an empty body counts too.
-    fn turn(&mut self, unit: Unit<'p>, body: &'p [Statement]) -> Result<Flow, Refusal> {
+    fn turn(&mut self, unit: Activation<'p>, body: &'p [Statement]) -> Result<Flow, EvaluationError> {
         self.step()?;
         self.statements(unit, body)
     }
 
-    fn condition(&mut self, unit: Unit<'p>, condition: &'p Expression) -> Result<bool, Refusal> {
+    fn condition(
+        &mut self,
+        unit: Activation<'p>,
+        condition: &'p Expression,
+    ) -> Result<bool, EvaluationError> {
         Ok(self.plain(unit, condition)? != 0)
     }
 
     fn assignment(
         &mut self,
-        unit: Unit<'p>,
-        target: &'p Target,
+        unit: Activation<'p>,
+        target: &'p AssignmentTarget,
         value: &'p Expression,
-    ) -> Result<Flow, Refusal> {
+    ) -> Result<Flow, EvaluationError> {
         match target {
-            Target::Place(place) => {
+            AssignmentTarget::Place(place) => {
                 let address = self.locate(unit, place)?;
                 self.assign(unit, address, &place.ty, value)?;
             }
-            Target::Bit(place, bit) => {
+            AssignmentTarget::Bit(place, bit) => {
                 let set = self.condition(unit, value)?;
                 self.set_bit(unit, place, *bit, set)?;
             }
-            Target::Result => {
-                let (address, ty) = unit
-                    .result
-                    .ok_or(Refusal::IllFormed("a result of something that is no function"))?;
+            AssignmentTarget::Result => {
+                let (address, ty) = unit.result.ok_or(EvaluationError::IllFormed(
+                    "a result of something that is no function",
+                ))?;
                 self.assign(unit, address, ty, value)?;
             }
         }
@@ -155,18 +163,18 @@ impl<'p> Machine<'p> {
     /// Gives the cells from an address on the value of an expression of their type.
     pub fn assign(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         address: usize,
         ty: &'p Type,
         value: &'p Expression,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), EvaluationError> {
         if self.layout.size(ty)? == 1 {
             let cell = self.expression(unit, value)?;
             return self.store(address, cell);
         }
         let cells = self.cells(unit, value)?;
         let into = self.memory.get_mut(address..address + cells.len());
-        into.ok_or(Refusal::IllFormed("a place outside the memory"))?
+        into.ok_or(EvaluationError::IllFormed("a place outside the memory"))?
             .clone_from_slice(&cells);
         Ok(())
     }
@@ -174,21 +182,27 @@ impl<'p> Machine<'p> {
     /// Writes one bit of an integer or bit string, and leaves the others as they are.
     ///
     /// Basis: ironplc-bit-access: Syntax (0 is the least significant bit).
-    fn set_bit(&mut self, unit: Unit<'p>, place: &'p Place, bit: u32, set: bool) -> Result<(), Refusal> {
+    fn set_bit(
+        &mut self,
+        unit: Activation<'p>,
+        place: &'p Place,
+        bit: u32,
+        set: bool,
+    ) -> Result<(), EvaluationError> {
         let ty = self.elementary(&place.ty)?;
         let address = self.locate(unit, place)?;
-        let Cell::Plain(raw) = self.load(unit, address)? else {
-            return Err(Refusal::IllFormed("a bit of a text"));
+        let MemoryCell::Plain(raw) = self.load(unit, address)? else {
+            return Err(EvaluationError::IllFormed("a bit of a text"));
         };
         if bit >= ty.bits() {
-            return Err(Refusal::IllFormed("a bit that the type does not have"));
+            return Err(EvaluationError::IllFormed("a bit that the type does not have"));
         }
         let number = if set { raw | 1 << bit } else { raw & !(1 << bit) };
-        self.store(address, Cell::Plain(ty.wrap(i128::from(number))))
+        self.store(address, MemoryCell::Plain(ty.wrap(i128::from(number))))
     }
 
     /// The number that a CASE selects by: that of an integer, or the place of an enumerated value.
-    fn selector(&mut self, unit: Unit<'p>, selector: &'p Expression) -> Result<i128, Refusal> {
+    fn selector(&mut self, unit: Activation<'p>, selector: &'p Expression) -> Result<i128, EvaluationError> {
         let raw = self.plain(unit, selector)?;
         Ok(match self.resolved(&selector.ty) {
             Type::Elementary(ty) => ty.integer_value(raw),
@@ -196,7 +210,12 @@ impl<'p> Machine<'p> {
         })
     }
 
-    fn is_chosen(&mut self, unit: Unit<'p>, branch: &'p CaseBranch, selector: i128) -> Result<bool, Refusal> {
+    fn is_chosen(
+        &mut self,
+        unit: Activation<'p>,
+        branch: &'p CaseBranch,
+        selector: i128,
+    ) -> Result<bool, EvaluationError> {
         for label in &branch.labels {
             let chosen = match label {
                 CaseLabel::One(value) => self.selector(unit, value)? == selector,
@@ -215,7 +234,7 @@ impl<'p> Machine<'p> {
     /// document says; after EXIT and RETURN it holds the value of that turn.
     ///
     /// Basis: iec-61131-3: 7.3.3.4.2.
-    fn counted(&mut self, unit: Unit<'p>, parts: For<'p>) -> Result<Flow, Refusal> {
+    fn counted(&mut self, unit: Activation<'p>, parts: For<'p>) -> Result<Flow, EvaluationError> {
         let (address, ty) = self.variable(unit, parts.variable)?;
         let ty = self.elementary(ty)?;
         let mut value = self.integer(unit, parts.from)?;
@@ -225,17 +244,17 @@ impl<'p> Machine<'p> {
             None => 1,
         };
         if by == 0 {
-            return Err(Refusal::IllFormed("a FOR loop by 0"));
+            return Err(EvaluationError::IllFormed("a FOR loop by 0"));
         }
         while if by > 0 { value <= to } else { value >= to } {
             if !holds(ty, value) {
-                self.open(Question::LoopVariable, unit, || {
+                self.open(OpenQuestion::LoopVariable, unit, || {
                     format!("{value} does not fit {ty}")
                 });
                 break;
             }
             let raw = ty.wrap(value);
-            self.store(address, Cell::Plain(raw))?;
+            self.store(address, MemoryCell::Plain(raw))?;
             match self.turn(unit, parts.body)? {
                 Flow::Next => {}
                 Flow::Exit => return Ok(Flow::Next),
@@ -244,23 +263,26 @@ impl<'p> Machine<'p> {
             self.check_unchanged(unit, &parts, address, raw, to)?;
             value += by;
         }
-        self.store(address, Cell::Unsettled(ty.wrap(value), Question::LoopVariable))?;
+        self.store(
+            address,
+            MemoryCell::Unsettled(ty.wrap(value), OpenQuestion::LoopVariable),
+        )?;
         Ok(Flow::Next)
     }
 
     /// Notes where a turn has changed the variable of its loop or the value of its limit, which systems may look at or not.
     fn check_unchanged(
         &mut self,
-        unit: Unit<'p>,
+        unit: Activation<'p>,
         parts: &For<'p>,
         address: usize,
         raw: u64,
         to: i128,
-    ) -> Result<(), Refusal> {
-        let changed = self.memory.get(address) != Some(&Cell::Plain(raw))
+    ) -> Result<(), EvaluationError> {
+        let changed = self.memory.get(address) != Some(&MemoryCell::Plain(raw))
             || (!is_literal(parts.to) && self.integer(unit, parts.to)? != to);
         if changed {
-            self.open(Question::LoopChanged, unit, || {
+            self.open(OpenQuestion::LoopChanged, unit, || {
                 "in the body of the loop".to_owned()
             });
         }
@@ -268,16 +290,24 @@ impl<'p> Machine<'p> {
     }
 
     /// The value of an integer expression.
-    pub fn integer(&mut self, unit: Unit<'p>, expression: &'p Expression) -> Result<i128, Refusal> {
+    pub fn integer(
+        &mut self,
+        unit: Activation<'p>,
+        expression: &'p Expression,
+    ) -> Result<i128, EvaluationError> {
         let ty = self.elementary(&expression.ty)?;
         Ok(ty.integer_value(self.plain(unit, expression)?))
     }
 
     /// The raw form of an expression that is no text.
-    pub fn plain(&mut self, unit: Unit<'p>, expression: &'p Expression) -> Result<u64, Refusal> {
+    pub fn plain(
+        &mut self,
+        unit: Activation<'p>,
+        expression: &'p Expression,
+    ) -> Result<u64, EvaluationError> {
         match self.expression(unit, expression)? {
-            Cell::Plain(raw) => Ok(raw),
-            _ => Err(Refusal::IllFormed("a text where a number stands")),
+            MemoryCell::Plain(raw) => Ok(raw),
+            _ => Err(EvaluationError::IllFormed("a text where a number stands")),
         }
     }
 }
@@ -292,4 +322,4 @@ fn holds(ty: ElementaryType, value: i128) -> bool {
 }
 
 /// A division by zero, as the refusal that it is.
-pub(super) const DIVISION_BY_ZERO: Refusal = Refusal::Fault(Fault::DivisionByZero);
+pub(super) const DIVISION_BY_ZERO: EvaluationError = EvaluationError::Fault(Fault::DivisionByZero);

@@ -25,7 +25,7 @@ pub(crate) fn literal(text: &str) -> Expression {
     of(ty, ExpressionKind::Literal(value, LiteralForm::Typed))
 }
 
-pub(crate) fn place(variable: usize, path: Vec<Selector>, ty: ElementaryType) -> Place {
+pub(crate) fn place(variable: usize, path: Vec<PlaceSelector>, ty: ElementaryType) -> Place {
     Place {
         variable: VariableId(variable),
         path,
@@ -44,18 +44,23 @@ pub(crate) fn binary(operator: BinaryOperator, left: Expression, right: Expressi
     }
 }
 
-pub(crate) fn variable(name: &str, ty: Type, section: Section, initial: Option<Expression>) -> Variable {
+pub(crate) fn variable(
+    name: &str,
+    ty: Type,
+    section: VariableSection,
+    initial: Option<Expression>,
+) -> Variable {
     Variable {
         name: name.to_owned(),
         ty,
         section,
-        initial: initial.map(Initial::Expression),
+        initial: initial.map(Initializer::Expression),
     }
 }
 
 pub(crate) fn local(name: &str, ty: ElementaryType, initial: &str) -> Variable {
     let initial = (!initial.is_empty()).then(|| literal(initial));
-    variable(name, Type::Elementary(ty), Section::Local, initial)
+    variable(name, Type::Elementary(ty), VariableSection::Local, initial)
 }
 
 pub(crate) fn statement(kind: StatementKind) -> Statement {
@@ -63,7 +68,7 @@ pub(crate) fn statement(kind: StatementKind) -> Statement {
 }
 
 pub(crate) fn assign(target: Place, value: Expression) -> Statement {
-    statement(StatementKind::Assign(Target::Place(target), value))
+    statement(StatementKind::Assign(AssignmentTarget::Place(target), value))
 }
 
 pub(crate) fn set(variable: usize, ty: ElementaryType, value: Expression) -> Statement {
@@ -76,7 +81,7 @@ pub(crate) fn program(variables: Vec<Variable>, body: Vec<Statement>) -> Program
         types: Vec::new(),
         functions: Vec::new(),
         blocks: Vec::new(),
-        main: Main { variables, body },
+        main: MainProgram { variables, body },
     }
 }
 
@@ -100,7 +105,7 @@ fn values_after(program: &Program, scans: u32) -> Vec<String> {
         .collect()
 }
 
-fn questions(program: &Program) -> Vec<Question> {
+fn questions(program: &Program) -> Vec<OpenQuestion> {
     let opened = evaluate(program, 1).unwrap().opened;
     opened.into_iter().map(|opened| opened.question).collect()
 }

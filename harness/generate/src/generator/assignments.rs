@@ -6,7 +6,7 @@ use super::operations::has_bits;
 use super::scope::contains_text;
 use super::type_context::TypeContext;
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, Place, StatementKind, Target, Type, VariableId,
+    AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, StatementKind, Type, VariableId,
 };
 use stickler_types::{ElementaryType, Family};
 
@@ -18,7 +18,7 @@ impl ProgramBuilder<'_, '_> {
         if self.random.chance(1, 3)
             && let Some(value) = self.accumulated(&place)
         {
-            return Some(StatementKind::Assign(Target::Place(place), value));
+            return Some(StatementKind::Assign(AssignmentTarget::Place(place), value));
         }
         let mut value = self.assigned(&ty, place.variable.0)?;
         // What is assigned to itself tells nothing.
@@ -26,7 +26,7 @@ impl ProgramBuilder<'_, '_> {
             value = self.assigned(&ty, place.variable.0)?;
         }
         self.pou.hold(place.variable, &value);
-        Some(StatementKind::Assign(Target::Place(place), value))
+        Some(StatementKind::Assign(AssignmentTarget::Place(place), value))
     }
 
     /// What the place holds already, with something added: so what was assigned to it before is not lost.
@@ -70,6 +70,6 @@ impl ProgramBuilder<'_, '_> {
         let place = self.target(has_bits)?;
         let bit = self.bit_number(&place.ty);
         let value = self.value(ElementaryType::Bool, TypeContext::Assigned, self.deepest);
-        Some(StatementKind::Assign(Target::Bit(place, bit), value))
+        Some(StatementKind::Assign(AssignmentTarget::Bit(place, bit), value))
     }
 }

@@ -4,7 +4,7 @@ use super::constructs::{Construct, ConstructSet, palette};
 use super::profile::DialectProfile;
 use super::scope::{PouKind, PouScope};
 use super::settings::GeneratorSettings;
-use crate::model::{Main, Program, VariableId};
+use crate::model::{MainProgram, Program, VariableId};
 use crate::random::Random;
 use arbitrary::Unstructured;
 use stickler_types::{DialectName, ElementaryType};
@@ -81,7 +81,7 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
                 types: Vec::new(),
                 functions: Vec::new(),
                 blocks: Vec::new(),
-                main: Main {
+                main: MainProgram {
                     variables: Vec::new(),
                     body: Vec::new(),
                 },

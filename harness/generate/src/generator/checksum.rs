@@ -22,7 +22,7 @@ use super::places::{assign, integer, whole};
 use super::scope::PathStep;
 use crate::model::{
     ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Place,
-    Selector, StandardFunction, Statement, StatementKind, Type, VariableId, subscripts,
+    PlaceSelector, StandardFunction, Statement, StatementKind, Type, VariableId, subscripts,
 };
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -77,7 +77,7 @@ impl ProgramBuilder<'_, '_> {
         let is_element = place
             .path
             .iter()
-            .any(|selector| matches!(selector, Selector::Index(_)));
+            .any(|selector| matches!(selector, PlaceSelector::Index(_)));
         let mut statements = Vec::new();
         if ty.is_text() {
             let length = ExpressionKind::Standard(StandardFunction::Len, vec![read(place.clone(), ty)]);
@@ -189,12 +189,12 @@ impl ProgramBuilder<'_, '_> {
 }
 
 /// The paths to every element that steps lead to.
-fn spread(steps: &[PathStep]) -> Vec<Vec<Selector>> {
+fn spread(steps: &[PathStep]) -> Vec<Vec<PlaceSelector>> {
     let mut paths = vec![Vec::new()];
     for step in steps {
         let selectors = match step {
-            PathStep::Field(field) => vec![Selector::Field(*field)],
-            PathStep::Output(output) => vec![Selector::Output(*output)],
+            PathStep::Field(field) => vec![PlaceSelector::Field(*field)],
+            PathStep::Output(output) => vec![PlaceSelector::Output(*output)],
             PathStep::Index(limits) => every_element(limits),
         };
         paths = paths
@@ -211,7 +211,7 @@ fn spread(steps: &[PathStep]) -> Vec<Vec<Selector>> {
     paths
 }
 
-fn every_element(limits: &[(i64, i64)]) -> Vec<Selector> {
+fn every_element(limits: &[(i64, i64)]) -> Vec<PlaceSelector> {
     let array = ArrayType {
         dimensions: limits.to_vec(),
         element: Type::Elementary(LINT),
@@ -219,7 +219,7 @@ fn every_element(limits: &[(i64, i64)]) -> Vec<Selector> {
     let subscript = |number: &i64| integer(ElementaryType::Int, *number, LiteralForm::Untyped);
     let selectors = subscripts(&array).into_iter();
     selectors
-        .map(|numbers| Selector::Index(numbers.iter().map(subscript).collect()))
+        .map(|numbers| PlaceSelector::Index(numbers.iter().map(subscript).collect()))
         .collect()
 }
 

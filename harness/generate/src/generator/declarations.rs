@@ -6,8 +6,8 @@ use super::literals;
 use super::scope::PouKind;
 use super::type_context::TypeContext;
 use crate::model::{
-    ArrayType, Declared, Expression, ExpressionKind, Initial, LiteralForm, Section, Type, TypeDeclaration,
-    Variable, VariableId, subscripts,
+    ArrayType, DeclaredKind, Expression, ExpressionKind, Initializer, LiteralForm, Type, TypeDeclaration,
+    Variable, VariableId, VariableSection, subscripts,
 };
 use stickler_types::{ElementaryType, Family};
 
@@ -25,7 +25,7 @@ impl ProgramBuilder<'_, '_> {
                 let number = self.program.types.len();
                 let names = (0..2 + self.random.below(4)).map(|value| format!("e{number}v{value}"));
                 let names = names.collect();
-                self.declare_type("Enum", Declared::Enumeration(names));
+                self.declare_type("Enum", DeclaredKind::Enumeration(names));
             }
         }
         if self.has(Construct::Structures) {
@@ -33,7 +33,7 @@ impl ProgramBuilder<'_, '_> {
                 let fields = (0..1 + self.random.below(4))
                     .map(|field| self.field(field))
                     .collect();
-                self.declare_type("Rec", Declared::Structure(fields));
+                self.declare_type("Rec", DeclaredKind::Structure(fields));
             }
         }
         if self.has(Construct::Aliases) {
@@ -41,7 +41,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    fn declare_type(&mut self, stem: &str, kind: Declared) {
+    fn declare_type(&mut self, stem: &str, kind: DeclaredKind) {
         let name = format!("{stem}{}", self.program.types.len());
         self.program.types.push(TypeDeclaration { name, kind });
     }
@@ -74,7 +74,7 @@ impl ProgramBuilder<'_, '_> {
         } else {
             self.array()
         };
-        self.declare_type("Alias", Declared::Alias(ty));
+        self.declare_type("Alias", DeclaredKind::Alias(ty));
     }
 
     /// An array of one to three dimensions.
@@ -99,10 +99,12 @@ impl ProgramBuilder<'_, '_> {
     /// An enumeration or structure that is declared already; an elementary type where there is none. Structures are taken as
     /// parts only if they are small, so that no variable has hundreds of parts.
     fn declared_type(&mut self) -> Type {
-        let is_small = |kind: &Declared| match kind {
-            Declared::Enumeration(_) => true,
-            Declared::Structure(fields) => fields.iter().all(|(_, ty, _)| matches!(ty, Type::Elementary(_))),
-            Declared::Alias(_) => false,
+        let is_small = |kind: &DeclaredKind| match kind {
+            DeclaredKind::Enumeration(_) => true,
+            DeclaredKind::Structure(fields) => {
+                fields.iter().all(|(_, ty, _)| matches!(ty, Type::Elementary(_)))
+            }
+            DeclaredKind::Alias(_) => false,
         };
         let types = self.program.types.iter().enumerate();
         let small: Vec<usize> = types
@@ -146,7 +148,7 @@ impl ProgramBuilder<'_, '_> {
     /// An elementary type or an enumeration, for parameters.
     pub fn small_type(&mut self) -> Type {
         let is_enumeration =
-            |place: &usize| matches!(self.program.types[*place].kind, Declared::Enumeration(_));
+            |place: &usize| matches!(self.program.types[*place].kind, DeclaredKind::Enumeration(_));
         let enumerations: Vec<usize> = (0..self.program.types.len()).filter(is_enumeration).collect();
         match self.random.weighted(&[5, 1]) {
             1 if !enumerations.is_empty() => {
@@ -162,9 +164,9 @@ impl ProgramBuilder<'_, '_> {
         let may_be_constant =
             self.has(Construct::Constants) && matches!(ty, Type::Elementary(_)) && initial.is_some();
         if may_be_constant && self.random.chance(1, 4) {
-            return self.declare_variable("c", ty, Section::Constant, initial);
+            return self.declare_variable("c", ty, VariableSection::Constant, initial);
         }
-        self.declare_variable("v", ty, Section::Local, initial)
+        self.declare_variable("v", ty, VariableSection::Local, initial)
     }
 
     /// A variable in a section.
@@ -172,8 +174,8 @@ impl ProgramBuilder<'_, '_> {
         &mut self,
         stem: &str,
         ty: Type,
-        section: Section,
-        initial: Option<Initial>,
+        section: VariableSection,
+        initial: Option<Initializer>,
     ) -> VariableId {
         let name = format!("{stem}{}", self.pou.variables.len());
         let variable = Variable {
@@ -186,7 +188,7 @@ impl ProgramBuilder<'_, '_> {
     }
 
     pub fn declare_instance(&mut self, block: usize) {
-        self.declare_variable("inst", Type::Block(block), Section::Local, None);
+        self.declare_variable("inst", Type::Block(block), VariableSection::Local, None);
     }
 
     fn wants_initial(&mut self) -> bool {
@@ -194,7 +196,7 @@ impl ProgramBuilder<'_, '_> {
     }
 
     /// An initial value, perhaps.
-    pub fn initial(&mut self, ty: &Type) -> Option<Initial> {
+    pub fn initial(&mut self, ty: &Type) -> Option<Initializer> {
         let ty = self.program.unaliased(ty).clone();
         let needed = match &ty {
             Type::Elementary(ty) => needs_initial(*ty),
@@ -205,16 +207,16 @@ impl ProgramBuilder<'_, '_> {
             return None;
         }
         match ty {
-            Type::Elementary(ty) => Some(Initial::Expression(self.initial_value(ty))),
+            Type::Elementary(ty) => Some(Initializer::Expression(self.initial_value(ty))),
             Type::Array(array) => match array.element {
                 Type::Elementary(ty) => {
                     let values = (0..subscripts(&array).len()).map(|_| self.initial_literal(ty));
-                    Some(Initial::Array(values.collect()))
+                    Some(Initializer::Array(values.collect()))
                 }
                 _ => None,
             },
             ty => match self.program.enumerated_values(&ty).map(<[String]>::len) {
-                Some(count) => Some(Initial::Expression(Expression {
+                Some(count) => Some(Initializer::Expression(Expression {
                     kind: ExpressionKind::Enumerated(self.random.below(count)),
                     ty,
                 })),
@@ -224,7 +226,7 @@ impl ProgramBuilder<'_, '_> {
     }
 
     /// Values of some of the elementary fields.
-    fn initial_structure(&mut self, ty: &Type) -> Option<Initial> {
+    fn initial_structure(&mut self, ty: &Type) -> Option<Initializer> {
         let fields = self.program.fields(ty)?.iter().enumerate();
         let elementary_fields: Vec<(usize, ElementaryType)> = fields
             .filter_map(|(field, (_, ty, _))| match ty {
@@ -238,7 +240,7 @@ impl ProgramBuilder<'_, '_> {
                 values.push((field, self.initial_literal(ty)));
             }
         }
-        (!values.is_empty()).then_some(Initial::Structure(values))
+        (!values.is_empty()).then_some(Initializer::Structure(values))
     }
 
     /// A literal, or one of a type that widens.

@@ -3,8 +3,8 @@
 use super::builder::ProgramBuilder;
 use super::scope::{PathStep, VisiblePlace, contains_text};
 use crate::model::{
-    Expression, ExpressionKind, LiteralForm, Place, Selector, StandardFunction, Statement, StatementKind,
-    Target, Type, VariableId,
+    AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, StandardFunction,
+    Statement, StatementKind, Type, VariableId,
 };
 use stickler_types::{ElementaryType, Value};
 
@@ -33,11 +33,11 @@ impl ProgramBuilder<'_, '_> {
     /// A place with its subscripts; `fixed` ones depend on no variable.
     pub fn place(&mut self, seen: &VisiblePlace, fixed: bool) -> Place {
         let path = seen.path.iter().map(|step| match step {
-            PathStep::Field(field) => Selector::Field(*field),
-            PathStep::Output(output) => Selector::Output(*output),
+            PathStep::Field(field) => PlaceSelector::Field(*field),
+            PathStep::Output(output) => PlaceSelector::Output(*output),
             PathStep::Index(limits) => {
                 let subscripts = limits.iter().map(|&(low, high)| self.subscript(low, high, fixed));
-                Selector::Index(subscripts.collect())
+                PlaceSelector::Index(subscripts.collect())
             }
         });
         Place {
@@ -135,7 +135,7 @@ pub(super) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
 pub(super) fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
     let place = Place::whole(variable, Type::Elementary(ty));
     Statement {
-        kind: StatementKind::Assign(Target::Place(place), value),
+        kind: StatementKind::Assign(AssignmentTarget::Place(place), value),
     }
 }
 

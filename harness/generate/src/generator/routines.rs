@@ -3,7 +3,9 @@
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::scope::{PouKind, contains_text};
-use crate::model::{Block, Function, Section, Statement, StatementKind, Target, Type};
+use crate::model::{
+    AssignmentTarget, Function, FunctionBlock, Statement, StatementKind, Type, VariableSection,
+};
 use stickler_types::ElementaryType;
 
 /// How many statements a function or function block has at most, besides those that end it.
@@ -28,7 +30,7 @@ impl ProgramBuilder<'_, '_> {
             for _ in 0..=self.random.below(3) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);
-                self.declare_variable("in", ty, Section::Input, initial);
+                self.declare_variable("in", ty, VariableSection::Input, initial);
             }
             for _ in 0..self.random.below(3) {
                 let ty = self.variable_type();
@@ -52,7 +54,7 @@ impl ProgramBuilder<'_, '_> {
         let value = self.assigned(ty, self.pou.variables.len())?;
         self.spend(1);
         Some(Statement {
-            kind: StatementKind::Assign(Target::Result, value),
+            kind: StatementKind::Assign(AssignmentTarget::Result, value),
         })
     }
 
@@ -67,7 +69,7 @@ impl ProgramBuilder<'_, '_> {
             for _ in 0..self.random.below(3) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);
-                self.declare_variable("in", ty, Section::Input, initial);
+                self.declare_variable("in", ty, VariableSection::Input, initial);
             }
             if self.random.chance(1, 2) {
                 self.declare_in_out();
@@ -75,7 +77,7 @@ impl ProgramBuilder<'_, '_> {
             for _ in 0..=self.random.below(2) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);
-                self.declare_variable("out", ty, Section::Output, initial);
+                self.declare_variable("out", ty, VariableSection::Output, initial);
             }
             for _ in 0..=self.random.below(3) {
                 let ty = self.variable_type();
@@ -86,7 +88,7 @@ impl ProgramBuilder<'_, '_> {
             }
             let body = self.body(most);
             self.block_costs.push(self.pou.cost);
-            self.program.blocks.push(Block {
+            self.program.blocks.push(FunctionBlock {
                 name: format!("Block{number}"),
                 variables: std::mem::take(&mut self.pou.variables),
                 body,
@@ -98,7 +100,7 @@ impl ProgramBuilder<'_, '_> {
     fn declare_in_out(&mut self) {
         let ty = self.variable_type();
         if !contains_text(&ty, &self.program) && !matches!(ty, Type::Array(_)) {
-            self.declare_variable("ref", ty, Section::InOut, None);
+            self.declare_variable("ref", ty, VariableSection::InOut, None);
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use super::literals;
 use crate::model::{
-    Declared, Expression, ExpressionKind, Initial, Program, Section, Type, Variable, VariableId,
+    DeclaredKind, Expression, ExpressionKind, Initializer, Program, Type, Variable, VariableId,
+    VariableSection,
 };
 use stickler_types::{ElementaryType, Value};
 
@@ -88,9 +89,9 @@ impl PouScope {
         let id = VariableId(self.variables.len());
         let writable = matches!(
             variable.section,
-            Section::Local | Section::Output | Section::InOut
+            VariableSection::Local | VariableSection::Output | VariableSection::InOut
         );
-        let constant = variable.section == Section::Constant;
+        let constant = variable.section == VariableSection::Constant;
         self.see(
             VisiblePlace {
                 variable: id,
@@ -108,9 +109,9 @@ impl PouScope {
 
     fn hold_initial(&mut self, id: VariableId, variable: &Variable) {
         match (&variable.initial, &variable.ty) {
-            (Some(Initial::Expression(value)), _) => self.hold(id, value),
-            (Some(Initial::Array(values)), _) => values.iter().for_each(|value| self.hold(id, value)),
-            (Some(Initial::Structure(values)), _) => {
+            (Some(Initializer::Expression(value)), _) => self.hold(id, value),
+            (Some(Initializer::Array(values)), _) => values.iter().for_each(|value| self.hold(id, value)),
+            (Some(Initializer::Structure(values)), _) => {
                 values.iter().for_each(|(_, value)| self.hold(id, value))
             }
             (None, Type::Elementary(ty)) => {
@@ -146,7 +147,7 @@ impl PouScope {
         self.variables.push(Variable {
             name,
             ty: Type::Elementary(ty),
-            section: Section::Local,
+            section: VariableSection::Local,
             initial: None,
         });
         id
@@ -180,7 +181,7 @@ impl PouScope {
                     .get(*block)
                     .map_or(&[][..], |block| &block.variables);
                 for (number, output) in outputs.iter().enumerate() {
-                    if output.section == Section::Output {
+                    if output.section == VariableSection::Output {
                         let seen = part(PathStep::Output(VariableId(number)), &output.ty);
                         self.see(
                             VisiblePlace {
@@ -222,8 +223,10 @@ pub(super) fn contains_text(ty: &Type, program: &Program) -> bool {
         Type::Array(array) => contains_text(&array.element, program),
         Type::Block(_) => false,
         Type::Declared(declared) => match program.types.get(*declared).map(|declaration| &declaration.kind) {
-            Some(Declared::Structure(fields)) => fields.iter().any(|(_, ty, _)| contains_text(ty, program)),
-            Some(Declared::Alias(ty)) => contains_text(ty, program),
+            Some(DeclaredKind::Structure(fields)) => {
+                fields.iter().any(|(_, ty, _)| contains_text(ty, program))
+            }
+            Some(DeclaredKind::Alias(ty)) => contains_text(ty, program),
             _ => false,
         },
     }

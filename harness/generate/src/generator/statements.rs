@@ -6,8 +6,8 @@ use super::places::integer;
 use super::scope::PouKind;
 use super::type_context::TypeContext;
 use crate::model::{
-    Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Section, Statement,
-    StatementKind, Type, VariableId,
+    Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Statement, StatementKind, Type,
+    VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -243,7 +243,7 @@ impl ProgramBuilder<'_, '_> {
         if !self.affords(self.block_costs[block]) {
             return None;
         }
-        let parameters: Vec<(VariableId, Section, Type)> = self.program.blocks[block]
+        let parameters: Vec<(VariableId, VariableSection, Type)> = self.program.blocks[block]
             .variables
             .iter()
             .enumerate()
@@ -255,13 +255,13 @@ impl ProgramBuilder<'_, '_> {
         let mut given = Vec::new();
         for (parameter, section, ty) in parameters {
             match section {
-                Section::Input if self.random.chance(3, 4) => {
+                VariableSection::Input if self.random.chance(3, 4) => {
                     // Texts that come out again would grow.
                     self.text_bound = VariableId(0);
                     let value = self.argument(&ty, 2);
                     inputs.push(Argument { parameter, value });
                 }
-                Section::InOut => {
+                VariableSection::InOut => {
                     let ty = self.program.unaliased(&ty).clone();
                     let place = self.writable_part(&ty, &given)?;
                     given.push(place.variable);
@@ -271,7 +271,7 @@ impl ProgramBuilder<'_, '_> {
                         value: Expression { ty, kind },
                     });
                 }
-                Section::Output if self.random.chance(1, 2) => {
+                VariableSection::Output if self.random.chance(1, 2) => {
                     if let Some(place) = self.writable_part(&ty, &given) {
                         given.push(place.variable);
                         outputs.push((parameter, place));

@@ -88,7 +88,7 @@ pub struct Place {
     /// The variable, of the POU in which the place stands.
     pub variable: VariableId,
     /// What is selected of it, outermost first.
-    pub path: Vec<Selector>,
+    pub path: Vec<PlaceSelector>,
     /// The type of what is selected.
     pub ty: Type,
 }
@@ -107,7 +107,7 @@ impl Place {
 
 /// One step into a variable.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Selector {
+pub enum PlaceSelector {
     /// `[i, j]`, one subscript a dimension, each of an integer type.
     Index(Vec<Expression>),
     /// `.field` of a structure, by its place.

@@ -1,7 +1,8 @@
 //! Questions that every reader of a program asks: what an alias stands for, which fields a structure has, what is observed.
 
 use super::{
-    ArrayType, Declared, Expression, Function, Program, Section, Selector, Type, Unit, Variable, VariableId,
+    ArrayType, DeclaredKind, Expression, Function, PlaceSelector, Program, Type, Unit, Variable, VariableId,
+    VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -13,7 +14,7 @@ impl Program {
             return ty;
         };
         match self.types.get(*declared).map(|declaration| &declaration.kind) {
-            Some(Declared::Alias(of)) => of,
+            Some(DeclaredKind::Alias(of)) => of,
             _ => ty,
         }
     }
@@ -23,7 +24,7 @@ impl Program {
     pub fn fields(&self, ty: &Type) -> Option<&[(String, Type, Option<Expression>)]> {
         let Type::Declared(declared) = ty else { return None };
         match &self.types.get(*declared)?.kind {
-            Declared::Structure(fields) => Some(fields),
+            DeclaredKind::Structure(fields) => Some(fields),
             _ => None,
         }
     }
@@ -33,18 +34,18 @@ impl Program {
     pub fn enumerated_values(&self, ty: &Type) -> Option<&[String]> {
         let Type::Declared(declared) = ty else { return None };
         match &self.types.get(*declared)?.kind {
-            Declared::Enumeration(names) => Some(names),
+            DeclaredKind::Enumeration(names) => Some(names),
             _ => None,
         }
     }
 
     /// Returns the type of what a selector selects of something of type `ty`; `None` if the type has no such part.
     #[must_use]
-    pub fn selected_type<'t>(&'t self, ty: &'t Type, selector: &Selector) -> Option<&'t Type> {
+    pub fn selected_type<'t>(&'t self, ty: &'t Type, selector: &PlaceSelector) -> Option<&'t Type> {
         match (selector, self.unaliased(ty)) {
-            (Selector::Index(_), Type::Array(array)) => Some(&array.element),
-            (Selector::Field(field), ty) => self.fields(ty)?.get(*field).map(|(_, ty, _)| ty),
-            (Selector::Output(output), Type::Block(block)) => {
+            (PlaceSelector::Index(_), Type::Array(array)) => Some(&array.element),
+            (PlaceSelector::Field(field), ty) => self.fields(ty)?.get(*field).map(|(_, ty, _)| ty),
+            (PlaceSelector::Output(output), Type::Block(block)) => {
                 let output = Unit::Block(*block).variables(self).get(output.0)?;
                 Some(&output.ty)
             }
@@ -83,7 +84,7 @@ impl Program {
                 let variables = self.blocks.get(*block).map_or(&[][..], |block| &block.variables);
                 for output in variables
                     .iter()
-                    .filter(|variable| variable.section == Section::Output)
+                    .filter(|variable| variable.section == VariableSection::Output)
                 {
                     self.observe(&format!("{path}.{}", output.name), &output.ty, found);
                 }
@@ -97,7 +98,7 @@ impl Function {
     pub fn inputs(&self) -> impl Iterator<Item = (VariableId, &Variable)> {
         let variables = self.variables.iter().enumerate();
         variables
-            .filter(|(_, variable)| variable.section == Section::Input)
+            .filter(|(_, variable)| variable.section == VariableSection::Input)
             .map(|(place, variable)| (VariableId(place), variable))
     }
 }

@@ -15,9 +15,9 @@ pub struct Program {
     /// The functions; one calls only those before it.
     pub functions: Vec<Function>,
     /// The function blocks; one has instances only of those before it.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<FunctionBlock>,
     /// `PROGRAM main`.
-    pub main: Main,
+    pub main: MainProgram,
 }
 
 /// A function.
@@ -35,7 +35,7 @@ pub struct Function {
 
 /// A function block.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Block {
+pub struct FunctionBlock {
     /// Its name, unique in the program.
     pub name: String,
     /// Its variables, which keep their values between calls.
@@ -46,8 +46,8 @@ pub struct Block {
 
 /// `PROGRAM main`.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Main {
-    /// Its variables, all [`Section::Local`].
+pub struct MainProgram {
+    /// Its variables, all [`VariableSection::Local`].
     pub variables: Vec<Variable>,
     /// Its statements.
     pub body: Vec<Statement>,
@@ -65,14 +65,14 @@ pub struct Variable {
     /// Its type.
     pub ty: Type,
     /// Where it is declared.
-    pub section: Section,
+    pub section: VariableSection,
     /// Its initial value; without one the type's default.
-    pub initial: Option<Initial>,
+    pub initial: Option<Initializer>,
 }
 
 /// The section in which a variable is declared.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Section {
+pub enum VariableSection {
     /// VAR.
     Local,
     /// VAR CONSTANT: it has an initial value, and is assigned nowhere.
@@ -87,7 +87,7 @@ pub enum Section {
 
 /// An initial value.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Initial {
+pub enum Initializer {
     /// A value of the variable's own type: a literal, perhaps widened, or an operation on such.
     Expression(Expression),
     /// `[…]`: as many values as the array has elements, the last subscript quickest.

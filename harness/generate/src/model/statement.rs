@@ -13,7 +13,7 @@ pub struct Statement {
 #[derive(Clone, PartialEq, Debug)]
 pub enum StatementKind {
     /// `target := value;`, of one type.
-    Assign(Target, Expression),
+    Assign(AssignmentTarget, Expression),
     /// IF with its ELSIF branches, and what stands behind ELSE.
     If(Vec<(Expression, Vec<Statement>)>, Option<Vec<Statement>>),
     /// CASE of an integer or enumeration; no label stands twice.
@@ -67,7 +67,7 @@ impl Statement {
 
 /// What an assignment writes to.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Target {
+pub enum AssignmentTarget {
     /// A variable or part of one.
     Place(Place),
     /// A bit of an integer or bit string.

@@ -31,12 +31,12 @@ pub struct TypeDeclaration {
     /// Its name, unique in the program.
     pub name: String,
     /// What it stands for.
-    pub kind: Declared,
+    pub kind: DeclaredKind,
 }
 
 /// The forms of a declared type.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Declared {
+pub enum DeclaredKind {
     /// `STRUCT … END_STRUCT`: names, types and the initial values of the fields.
     Structure(Vec<(String, Type, Option<Expression>)>),
     /// `(RED, GREEN, …)`: the names of the values, unique in the program; the first is the default.

@@ -5,8 +5,9 @@
 //! because a reduction spends most of its time there.
 
 use super::{
-    Argument, CaseBranch, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program, Selector,
-    Statement, StatementKind, Target, Type, TypeDeclaration, Unit, Variable, VariableId,
+    Argument, AssignmentTarget, CaseBranch, CaseLabel, DeclaredKind, Expression, ExpressionKind, Initializer,
+    Place, PlaceSelector, Program, Statement, StatementKind, Type, TypeDeclaration, Unit, Variable,
+    VariableId,
 };
 
 /// Defines a visitor trait and its traversal; `$mutability` is `mut` or nothing, `$list` the type of a list of statements.
@@ -103,7 +104,7 @@ macro_rules! define_visitor {
             declaration: &$($mutability)? TypeDeclaration,
         ) {
             match &$($mutability)? declaration.kind {
-                Declared::Structure(fields) => {
+                DeclaredKind::Structure(fields) => {
                     for (_, ty, initial) in fields {
                         visitor.ty(ty);
                         if let Some(value) = initial {
@@ -111,8 +112,8 @@ macro_rules! define_visitor {
                         }
                     }
                 }
-                Declared::Enumeration(_) => {}
-                Declared::Alias(ty) => visitor.ty(ty),
+                DeclaredKind::Enumeration(_) => {}
+                DeclaredKind::Alias(ty) => visitor.ty(ty),
             }
         }
 
@@ -124,13 +125,13 @@ macro_rules! define_visitor {
             visitor.ty(&$($mutability)? variable.ty);
             match &$($mutability)? variable.initial {
                 None => {}
-                Some(Initial::Expression(value)) => visitor.expression(value),
-                Some(Initial::Array(values)) => {
+                Some(Initializer::Expression(value)) => visitor.expression(value),
+                Some(Initializer::Array(values)) => {
                     for value in values {
                         visitor.expression(value);
                     }
                 }
-                Some(Initial::Structure(fields)) => {
+                Some(Initializer::Structure(fields)) => {
                     for (_, value) in fields {
                         visitor.expression(value);
                     }
@@ -156,8 +157,8 @@ macro_rules! define_visitor {
             match &$($mutability)? statement.kind {
                 StatementKind::Assign(target, value) => {
                     match target {
-                        Target::Place(place) | Target::Bit(place, _) => visitor.place(place),
-                        Target::Result => {}
+                        AssignmentTarget::Place(place) | AssignmentTarget::Bit(place, _) => visitor.place(place),
+                        AssignmentTarget::Result => {}
                     }
                     visitor.expression(value);
                 }
@@ -236,7 +237,7 @@ macro_rules! define_visitor {
         pub fn walk_place(visitor: &mut (impl $visitor + ?Sized), place: &$($mutability)? Place) {
             visitor.ty(&$($mutability)? place.ty);
             for selector in &$($mutability)? place.path {
-                if let Selector::Index(subscripts) = selector {
+                if let PlaceSelector::Index(subscripts) = selector {
                     for subscript in subscripts {
                         visitor.expression(subscript);
                     }

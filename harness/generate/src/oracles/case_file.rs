@@ -1,6 +1,6 @@
 //! Oracle `case_file`: bytes are a case file, and its reader gives cases or located errors.
 
-use super::{Failure, Tried};
+use super::{InputOutcome, OracleFailure};
 use std::collections::HashSet;
 use std::sync::LazyLock;
 use stickler_suite::{Case, CaseFileError, Dialects, read_case_file};
@@ -14,7 +14,7 @@ static DIALECTS: LazyLock<Dialects> = LazyLock::new(|| {
 });
 
 /// The most cases that one file may expand into for each of its bytes, and those that any file may: the suite's own budget.
-const MOST_CASES: usize = 200_000;
+const MAX_CASES: usize = 200_000;
 
 /// Holds a case file against what its reader promises: a text that begins with `(*!` is a program, any other a table.
 ///
@@ -27,10 +27,10 @@ const MOST_CASES: usize = 200_000;
 ///
 /// # Errors
 /// Symptoms: `nothing`, `error:place`, `error:message`, `case:id`, `case:place`, `case:source`, `case:basis`, `size`, `changes`.
-pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
+pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let Ok(text) = std::str::from_utf8(data) else {
         // The files' reader refuses them before this one sees them.
-        return Ok(Tried::PassedOver("no text"));
+        return Ok(InputOutcome::Skipped("no text"));
     };
     let name = if text
         .trim_start_matches('\u{FEFF}')
@@ -46,28 +46,28 @@ pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
     errors.iter().try_for_each(|error| hold_error(error, lines))?;
     hold_cases(&cases, lines)?;
     if cases.is_empty() && errors.is_empty() && !text.contains("withdrawn") {
-        return Err(Failure::new(
+        return Err(OracleFailure::new(
             "nothing",
             "the file has neither a case nor an error",
         ));
     }
     // What changes from reading to reading would come from the order of a hash table; a small file shows it as well.
     if text.len() < 1024 && read_case_file(name, text, &DIALECTS) != (cases, errors) {
-        return Err(Failure::new(
+        return Err(OracleFailure::new(
             "changes",
             "reading the file again gives something else",
         ));
     }
-    Ok(Tried::Done)
+    Ok(InputOutcome::Checked)
 }
 
-fn hold_error(error: &CaseFileError, lines: usize) -> Result<(), Failure> {
+fn hold_error(error: &CaseFileError, lines: usize) -> Result<(), OracleFailure> {
     if error.line == 0 || error.line as usize > lines {
         let message = format!("the error does not lie in the file's {lines} lines: {error}");
-        return Err(Failure::new("error:place", message));
+        return Err(OracleFailure::new("error:place", message));
     }
     if error.message.is_empty() {
-        return Err(Failure::new(
+        return Err(OracleFailure::new(
             "error:message",
             format!("the error says nothing: {error:?}"),
         ));
@@ -75,16 +75,16 @@ fn hold_error(error: &CaseFileError, lines: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-fn hold_cases(cases: &[Case], lines: usize) -> Result<(), Failure> {
-    if cases.len() > MOST_CASES {
-        return Err(Failure::new(
+fn hold_cases(cases: &[Case], lines: usize) -> Result<(), OracleFailure> {
+    if cases.len() > MAX_CASES {
+        return Err(OracleFailure::new(
             "size",
             format!("the file expands into {} cases", cases.len()),
         ));
     }
     let mut ids = HashSet::with_capacity(cases.len());
     for case in cases {
-        let wrong = |symptom: &str, what: &str| Err(Failure::new(symptom, format!("{what}: {case:?}")));
+        let wrong = |symptom: &str, what: &str| Err(OracleFailure::new(symptom, format!("{what}: {case:?}")));
         if case.id.is_empty() || !case.id.is_ascii() || !ids.insert((&case.id, case.dialect)) {
             return wrong("case:id", "the id is empty, not ASCII, or another case's");
         }
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn a_program_gives_a_case_for_each_dialect() {
-        assert_eq!(judge(PROGRAM.as_bytes()), Ok(Tried::Done));
+        assert_eq!(judge(PROGRAM.as_bytes()), Ok(InputOutcome::Checked));
         let (cases, errors) = read_case_file("language/fuzzed.st", PROGRAM, &DIALECTS);
         assert_eq!((cases.len(), errors), (5, vec![]));
     }
@@ -126,8 +126,8 @@ mod tests {
             "\u{FEFF}(*!\n*)",
             "[[probe]]\n",
         ] {
-            assert_eq!(judge(text.as_bytes()), Ok(Tried::Done), "{text}");
+            assert_eq!(judge(text.as_bytes()), Ok(InputOutcome::Checked), "{text}");
         }
-        assert_eq!(judge(b"\xFF"), Ok(Tried::PassedOver("no text")));
+        assert_eq!(judge(b"\xFF"), Ok(InputOutcome::Skipped("no text")));
     }
 }

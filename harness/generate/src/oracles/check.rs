@@ -1,7 +1,7 @@
 //! Holds the reference to a program with one planted error: that error and nothing else is said, on its line, and what is
 //! suggested helps.
 
-use super::{Failure, Tried};
+use super::{InputOutcome, OracleFailure};
 use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::plant::{Planted, plant};
@@ -21,13 +21,13 @@ const OF_THE_ERROR: usize = 48;
 ///
 /// # Errors
 /// What of this does not hold.
-pub fn check(data: &[u8]) -> Result<Tried, Failure> {
+pub fn check(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let Some(SoundProgram { sound, style, error }) = SoundProgram::of(data) else {
-        return Ok(Tried::PassedOver("too short"));
+        return Ok(InputOutcome::Skipped("too short"));
     };
     match plant(&sound, &mut Unstructured::new(error)) {
         Some(planted) => judge(&sound, &planted, &style),
-        None => Ok(Tried::PassedOver("no place for an error")),
+        None => Ok(InputOutcome::Skipped("no place for an error")),
     }
 }
 
@@ -77,25 +77,25 @@ fn style(choice: u8) -> Style {
 ///
 /// # Errors
 /// As [`check`].
-pub fn judge(sound: &Program, planted: &Planted, style: &Style) -> Result<Tried, Failure> {
+pub fn judge(sound: &Program, planted: &Planted, style: &Style) -> Result<InputOutcome, OracleFailure> {
     let without = write(sound, style);
     judge_sound_text(sound.dialect, &without.text)?;
     let with = write(&planted.program, style);
     let line = planted.line(&without, &with);
-    judge_planted_text(planted, &with.text, line).map(|()| Tried::Done)
+    judge_planted_text(planted, &with.text, line).map(|()| InputOutcome::Checked)
 }
 
 /// Holds the reference to the text of a sound program.
 ///
 /// # Errors
 /// It is rejected.
-pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), Failure> {
+pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), OracleFailure> {
     match stickler_reference::check(text, dialect).first() {
         None => Ok(()),
         Some(said) => {
             let symptom = format!("rejected:{}", said.code);
             let message = format!("a sound program of {dialect} is rejected: {}", shown(said));
-            Err(Failure::new(symptom, message).of_program(text))
+            Err(OracleFailure::new(symptom, message).of_program(text))
         }
     }
 }
@@ -104,7 +104,7 @@ pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), Failure>
 ///
 /// # Errors
 /// The error is not the one thing that is said, or what is suggested does not help.
-pub fn judge_planted_text(planted: &Planted, text: &str, line: u32) -> Result<(), Failure> {
+pub fn judge_planted_text(planted: &Planted, text: &str, line: u32) -> Result<(), OracleFailure> {
     let dialect = planted.program.dialect;
     let said = stickler_reference::check(text, dialect);
     let verdict =
@@ -112,7 +112,7 @@ pub fn judge_planted_text(planted: &Planted, text: &str, line: u32) -> Result<()
     verdict.map_err(|(symptom, message)| {
         let (code, kind) = (planted.code, planted.kind);
         let message = format!("{message}\nplanted in a program of {dialect}: {kind}, {code} on line {line}");
-        Failure::new(symptom, message).of_program(text)
+        OracleFailure::new(symptom, message).of_program(text)
     })
 }
 
@@ -313,6 +313,6 @@ mod tests {
 
     #[test]
     fn a_short_input_is_passed_over() {
-        assert_eq!(check(&[0; 10]), Ok(Tried::PassedOver("too short")));
+        assert_eq!(check(&[0; 10]), Ok(InputOutcome::Skipped("too short")));
     }
 }

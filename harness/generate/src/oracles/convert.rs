@@ -1,7 +1,7 @@
 //! Oracle `convert`: a conversion function, its operands and a dialect, held against exact arithmetic.
 
 use super::operands::operand;
-use super::{Failure, Tried};
+use super::{InputOutcome, OracleFailure};
 use arbitrary::Unstructured;
 use std::sync::LazyLock;
 use stickler_exact::{Signature, expected, functions, signatures};
@@ -25,14 +25,14 @@ static CONVERSIONS: LazyLock<[Vec<Signature>; DialectName::ALL.len()]> = LazyLoc
 ///
 /// # Errors
 /// Symptoms: `value:FUNCTION`, `rejected:CODE`, `fault:FAULT`, `internal-error`, `request`.
-pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
+pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let mut input = Unstructured::new(data);
     let Ok((dialect, signature, operands)) = call(&mut input) else {
-        return Ok(Tried::PassedOver("too short"));
+        return Ok(InputOutcome::Skipped("too short"));
     };
     let program = program(signature);
     hold(dialect, signature, &operands, &program).map_err(|failure| failure.of_program(program))?;
-    Ok(Tried::Done)
+    Ok(InputOutcome::Checked)
 }
 
 fn call(input: &mut Unstructured<'_>) -> arbitrary::Result<(DialectName, &'static Signature, Vec<Value>)> {
@@ -72,7 +72,7 @@ fn hold(
     signature: &Signature,
     operands: &[Value],
     source: &str,
-) -> Result<(), Failure> {
+) -> Result<(), OracleFailure> {
     let set: Vec<ValueSetting> = ["a", "b"]
         .into_iter()
         .zip(operands)
@@ -105,16 +105,19 @@ fn hold(
                 .first()
                 .map_or_else(String::new, |first| first.code.as_str().to_owned());
             let message = format!("{} is rejected: {said:?}", call());
-            return Err(Failure::new(format!("rejected:{first}"), message));
+            return Err(OracleFailure::new(format!("rejected:{first}"), message));
         }
         Ok(Outcome::Faulted { fault, .. }) => {
             let message = format!("{} faults: {fault}", call());
-            return Err(Failure::new(format!("fault:{fault}"), message));
+            return Err(OracleFailure::new(format!("fault:{fault}"), message));
         }
         Err(RequestError::Internal(reason)) => {
-            return Err(Failure::new("internal-error", format!("{}: {reason}", call())));
+            return Err(OracleFailure::new(
+                "internal-error",
+                format!("{}: {reason}", call()),
+            ));
         }
-        Err(error) => return Err(Failure::new("request", format!("{}: {error}", call()))),
+        Err(error) => return Err(OracleFailure::new("request", format!("{}: {error}", call()))),
     };
     let exact = expected(signature, operands, dialect);
     if got.as_ref() == Some(&exact.value) {
@@ -122,7 +125,7 @@ fn hold(
     }
     let got = got.map_or_else(|| "nothing".to_owned(), |value| value.to_string());
     let basis = exact.basis.unwrap_or("open, by the design");
-    Err(Failure::new(
+    Err(OracleFailure::new(
         format!("value:{}", signature.function),
         format!(
             "{} is {} ({basis}), and the reference gives {got}",

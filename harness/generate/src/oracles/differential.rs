@@ -2,7 +2,7 @@
 //!
 //! What documents leave open poisons the comparison instead of failing it: such a program is passed over.
 
-use super::{Failure, Tried};
+use super::{InputOutcome, OracleFailure};
 use crate::evaluate::evaluate;
 use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
@@ -30,16 +30,16 @@ const COMMAND: &str = "cmd:";
 ///
 /// # Errors
 /// See [`judge_on`]; `engine` where it cannot be started.
-pub fn differential(data: &[u8]) -> Result<Tried, Failure> {
+pub fn differential(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     thread_local! {
         static OPEN: RefCell<Option<Result<Open, String>>> = const { RefCell::new(None) };
     }
     let Ok(name) = std::env::var(ENGINE) else {
-        return Ok(Tried::PassedOver("no engine is named in STICKLER_ENGINE"));
+        return Ok(InputOutcome::Skipped("no engine is named in STICKLER_ENGINE"));
     };
     OPEN.with_borrow_mut(|open| match open.get_or_insert_with(|| Open::new(&name)) {
         Ok(open) => judge_on(open.session.as_mut(), &program_for(&open.dialects, data)),
-        Err(reason) => Err(Failure::new("engine", reason.clone())),
+        Err(reason) => Err(OracleFailure::new("engine", reason.clone())),
     })
 }
 
@@ -96,12 +96,12 @@ pub fn program_for(dialects: &[DialectName], data: &[u8]) -> Program {
 ///
 /// # Errors
 /// How the engine's outcome differs from what the evaluator gives; the symptom is that of [`Symptom`].
-pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<Tried, Failure> {
+pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOutcome, OracleFailure> {
     let Ok(evaluation) = evaluate(program, 1) else {
-        return Ok(Tried::PassedOver("the program has no values"));
+        return Ok(InputOutcome::Skipped("the program has no values"));
     };
     if !evaluation.opened.is_empty() {
-        return Ok(Tried::PassedOver("poisoned by what documents leave open"));
+        return Ok(InputOutcome::Skipped("poisoned by what documents leave open"));
     }
     let text = write(program, &Style::default()).text;
     let observed = program.observed();
@@ -111,20 +111,20 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<Tried, F
         .collect();
     let given = session.run(&RunRequest::once(program.dialect, &text, &observe));
     if let Outcome::Unsupported { .. } = given {
-        return Ok(Tried::PassedOver("the engine does not support the program"));
+        return Ok(InputOutcome::Skipped("the engine does not support the program"));
     }
     let expected = Outcome::Executed {
         values: evaluation.values,
     };
     match Symptom::first(&expected, &given) {
-        None => Ok(Tried::Done),
+        None => Ok(InputOutcome::Checked),
         Some(symptom) => {
             let message = format!(
                 "by the documents {}, but the engine {}",
                 told(&expected, &given),
                 told(&given, &expected)
             );
-            Err(Failure::new(symptom.to_string(), message).of_program(text))
+            Err(OracleFailure::new(symptom.to_string(), message).of_program(text))
         }
     }
 }
@@ -172,7 +172,7 @@ mod tests {
         }
     }
 
-    fn judged(outcome: Outcome) -> Result<Tried, String> {
+    fn judged(outcome: Outcome) -> Result<InputOutcome, String> {
         let judged = judge_on(&mut Stubborn(outcome), &everything());
         judged.map_err(|failure| failure.symptom)
     }
@@ -180,10 +180,13 @@ mod tests {
     #[test]
     fn an_engine_that_gives_the_documented_values_is_right() {
         let values = evaluate(&everything(), 1).unwrap().values;
-        assert_eq!(judged(Outcome::Executed { values }), Ok(Tried::Done));
+        assert_eq!(judged(Outcome::Executed { values }), Ok(InputOutcome::Checked));
         let reference = Reference::default();
         let mut session = reference.session().unwrap();
-        assert_eq!(judge_on(session.as_mut(), &everything()), Ok(Tried::Done));
+        assert_eq!(
+            judge_on(session.as_mut(), &everything()),
+            Ok(InputOutcome::Checked)
+        );
     }
 
     #[test]
@@ -198,7 +201,7 @@ mod tests {
         let unsupported = judged(Outcome::Unsupported { reason });
         assert_eq!(
             unsupported,
-            Ok(Tried::PassedOver("the engine does not support the program"))
+            Ok(InputOutcome::Skipped("the engine does not support the program"))
         );
     }
 
@@ -210,7 +213,7 @@ mod tests {
         let judged = judge_on(&mut Stubborn(Outcome::Accepted), &program);
         assert_eq!(
             judged,
-            Ok(Tried::PassedOver("poisoned by what documents leave open"))
+            Ok(InputOutcome::Skipped("poisoned by what documents leave open"))
         );
     }
 

@@ -1,8 +1,8 @@
 //! Well-typed programs: the reference accepts each, runs it to its end, and gives the values that the model's evaluator
 //! gives; and so it does with every variant of it that means the same.
 
-use super::{Failure, Tried};
-use crate::evaluate::{Evaluation, Refusal, evaluate};
+use super::{InputOutcome, OracleFailure};
+use crate::evaluate::{Evaluation, EvaluationError, evaluate};
 use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::random::{Random, bytes};
@@ -19,7 +19,7 @@ const VARIANTS_TRIED: usize = 3;
 ///
 /// # Errors
 /// See [`judge_program`].
-pub fn execute(data: &[u8]) -> Result<Tried, Failure> {
+pub fn execute(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     judge_program(&program_of(data), data)
 }
 
@@ -36,34 +36,38 @@ pub fn program_of(data: &[u8]) -> Program {
 /// The reference rejects the program or a variant of it, faults where the evaluator does not or otherwise, does not end, breaks
 /// down, or gives another value; or the program is none: the generator's own defect. The symptom of a variant begins with
 /// `variant`, its name and a colon.
-pub fn judge_program(program: &Program, rest: &[u8]) -> Result<Tried, Failure> {
+pub fn judge_program(program: &Program, rest: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let text = write(program, &Style::default()).text;
     let evaluation = match evaluate(program, 1) {
         Ok(evaluation) => evaluation,
-        Err(Refusal::Raw) => return Ok(Tried::PassedOver("raw text in the program")),
-        Err(Refusal::Fault(fault)) => return judge_fault(program, &text, fault),
-        Err(Refusal::StepLimit) => {
+        Err(EvaluationError::Raw) => return Ok(InputOutcome::Skipped("raw text in the program")),
+        Err(EvaluationError::Fault(fault)) => return judge_fault(program, &text, fault),
+        Err(EvaluationError::StepLimit) => {
             let message = "the program takes too many steps, though it is made to end soon";
-            return Err(Failure::new("generator:step-limit", message).of_program(text));
+            return Err(OracleFailure::new("generator:step-limit", message).of_program(text));
         }
-        Err(Refusal::IllFormed(why)) => {
+        Err(EvaluationError::IllFormed(why)) => {
             let message = format!("the model of the program contradicts itself: {why}");
-            return Err(Failure::new("generator:ill-formed", message).of_program(text));
+            return Err(OracleFailure::new("generator:ill-formed", message).of_program(text));
         }
     };
     let given = values_of(program, &text).map_err(|failure| failure.of_program(&*text))?;
     if !evaluation.binds_the_reference() {
-        return Ok(Tried::PassedOver("documents leave open what it gives"));
+        return Ok(InputOutcome::Skipped("documents leave open what it gives"));
     }
     compare(&evaluation.values, &given).map_err(|failure| failure.of_program(&*text))?;
     judge_variants(program, &text, &evaluation, rest)?;
-    Ok(Tried::Done)
+    Ok(InputOutcome::Checked)
 }
 
 /// Judges a program that stops: the reference stops it with the same fault.
-fn judge_fault(program: &Program, text: &str, fault: stickler_types::Fault) -> Result<Tried, Failure> {
+fn judge_fault(
+    program: &Program,
+    text: &str,
+    fault: stickler_types::Fault,
+) -> Result<InputOutcome, OracleFailure> {
     let symptom = match reference(program.dialect, text, &[]) {
-        Ok(Outcome::Faulted { fault: given, .. }) if given == fault => return Ok(Tried::Done),
+        Ok(Outcome::Faulted { fault: given, .. }) if given == fault => return Ok(InputOutcome::Checked),
         Ok(Outcome::Faulted { fault: given, .. }) => format!("fault:{given}"),
         Ok(Outcome::Executed { .. }) => format!("not-fault:{fault}"),
         Ok(Outcome::Rejected(diagnostics)) => rejected(&diagnostics).symptom,
@@ -71,7 +75,7 @@ fn judge_fault(program: &Program, text: &str, fault: stickler_types::Fault) -> R
     };
     let message =
         format!("the program stops by its documents with the fault {fault}; the reference does not");
-    Err(Failure::new(symptom, message).of_program(text))
+    Err(OracleFailure::new(symptom, message).of_program(text))
 }
 
 /// Tries some variants of a program that the reference runs rightly.
@@ -80,7 +84,7 @@ fn judge_variants(
     text: &str,
     evaluation: &Evaluation,
     rest: &[u8],
-) -> Result<(), Failure> {
+) -> Result<(), OracleFailure> {
     let choices = scattered(rest);
     let mut choices = Unstructured::new(&choices);
     for _ in 0..VARIANTS_TRIED {
@@ -101,11 +105,11 @@ fn judge_variant(
     text: &str,
     varied: &str,
     evaluation: &Evaluation,
-) -> Result<(), Failure> {
+) -> Result<(), OracleFailure> {
     let judged = values_of(program, varied).and_then(|given| compare(&evaluation.values, &given));
     judged.map_err(|failure| {
         let name = variant.name();
-        Failure::new(
+        OracleFailure::new(
             format!("variant {name}:{}", failure.symptom),
             format!(
                 "the program is right, but its variant `{name}` is not: {}; the variant is\n{varied}\nof",
@@ -117,12 +121,12 @@ fn judge_variant(
 }
 
 /// What the reference gives for everything that is observed of a program, by one of its texts.
-fn values_of(program: &Program, text: &str) -> Result<Vec<(String, Value)>, Failure> {
+fn values_of(program: &Program, text: &str) -> Result<Vec<(String, Value)>, OracleFailure> {
     let observed = program.observed();
     match reference(program.dialect, text, &observed) {
         Ok(Outcome::Executed { values }) => Ok(values),
         Ok(Outcome::Rejected(diagnostics)) => Err(rejected(&diagnostics)),
-        Ok(Outcome::Faulted { fault, line, .. }) => Err(Failure::new(
+        Ok(Outcome::Faulted { fault, line, .. }) => Err(OracleFailure::new(
             format!("fault:{fault}"),
             format!(
                 "the reference stops with the fault {fault} on line {line}, and nothing in the program does that"
@@ -145,7 +149,7 @@ fn reference(
     run(&Request::once(dialect, source, &observe))
 }
 
-fn rejected(diagnostics: &[stickler_reference::LocatedDiagnostic]) -> Failure {
+fn rejected(diagnostics: &[stickler_reference::LocatedDiagnostic]) -> OracleFailure {
     let code = diagnostics.first().map_or("nothing", |first| first.code.as_str());
     let told: Vec<String> = diagnostics
         .iter()
@@ -155,34 +159,34 @@ fn rejected(diagnostics: &[stickler_reference::LocatedDiagnostic]) -> Failure {
         })
         .collect();
     let message = format!("the reference rejects a well-typed program: {}", told.join("; "));
-    Failure::new(format!("rejected:{code}"), message)
+    OracleFailure::new(format!("rejected:{code}"), message)
 }
 
-fn broken(error: &RequestError) -> Failure {
+fn broken(error: &RequestError) -> OracleFailure {
     let symptom = match error {
         RequestError::Internal(_) => "internal-error",
         _ => "not-observed",
     };
-    Failure::new(symptom, format!("the reference gives no values: {error}"))
+    OracleFailure::new(symptom, format!("the reference gives no values: {error}"))
 }
 
 /// Holds the values that came against those that must come.
 ///
 /// # Errors
 /// The first value that differs; the symptom is `value:` and its type.
-pub(super) fn compare(expected: &[(String, Value)], given: &[(String, Value)]) -> Result<(), Failure> {
+pub(super) fn compare(expected: &[(String, Value)], given: &[(String, Value)]) -> Result<(), OracleFailure> {
     for (index, (path, value)) in expected.iter().enumerate() {
         match given.get(index) {
             Some((name, other)) if name == path && other == value => {}
             Some((_, other)) => {
-                return Err(Failure::new(
+                return Err(OracleFailure::new(
                     format!("value:{}", value.type_name()),
                     format!("{path} is {other}, and by the documents {value}"),
                 ));
             }
             None => {
                 let message = format!("{path} is told nothing of, and by the documents it is {value}");
-                return Err(Failure::new("value:missing", message));
+                return Err(OracleFailure::new("value:missing", message));
             }
         }
     }
@@ -206,7 +210,7 @@ mod tests {
     #[test]
     fn no_bytes_and_few_bytes_stand_for_programs_that_are_right() {
         for data in [&[][..], &[1], &[0xFF; 40], &[0x5A; 400]] {
-            assert_eq!(execute(data), Ok(Tried::Done), "{data:?}");
+            assert_eq!(execute(data), Ok(InputOutcome::Checked), "{data:?}");
         }
     }
 

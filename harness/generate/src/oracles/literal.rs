@@ -1,7 +1,7 @@
 //! Oracle `literal`: bytes are a literal, and what reads has one canonical spelling that reads to the same value.
 
-use super::numerals::{self, Decimal};
-use super::{Failure, Tried};
+use super::numerals::{self, DecimalNumber};
+use super::{InputOutcome, OracleFailure};
 use num_bigint::BigInt;
 use stickler_types::{ElementaryType, Family, LiteralError, Value, literal};
 
@@ -14,19 +14,19 @@ use stickler_types::{ElementaryType, Family, LiteralError, Value, literal};
 ///
 /// # Errors
 /// Symptoms, each with the type behind it: `value`, `accepted`, `rejected`, `canonical`; `place` for an error's offset.
-pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
+pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     if let Some((first, rest)) = data.split_first()
         && let Some(ty) = ElementaryType::ALL.get(usize::from(*first))
     {
         hold_written(&value_of(*ty, rest))?;
-        return Ok(Tried::Done);
+        return Ok(InputOutcome::Checked);
     }
     let Ok(text) = std::str::from_utf8(data) else {
-        return Ok(Tried::PassedOver("no text"));
+        return Ok(InputOutcome::Skipped("no text"));
     };
     hold_typed(text)?;
     hold_untyped(text)?;
-    Ok(Tried::Done)
+    Ok(InputOutcome::Checked)
 }
 
 /// A value of the type in its canonical raw form, from any bytes.
@@ -54,10 +54,10 @@ fn value_of(ty: ElementaryType, bytes: &[u8]) -> Value {
 }
 
 /// The canonical spelling of a value reads to that value.
-fn hold_written(value: &Value) -> Result<(), Failure> {
+fn hold_written(value: &Value) -> Result<(), OracleFailure> {
     let written = value.to_string();
     let wrong = |what: &str| {
-        Err(Failure::new(
+        Err(OracleFailure::new(
             format!("canonical:{}", value.type_name().to_ascii_uppercase()),
             format!("the canonical spelling {written} {what}"),
         ))
@@ -90,7 +90,7 @@ fn expected_spelling(value: &Value) -> Option<String> {
 }
 
 /// The text as a typed literal.
-fn hold_typed(text: &str) -> Result<(), Failure> {
+fn hold_typed(text: &str) -> Result<(), OracleFailure> {
     let got = Value::parse(text);
     match &got {
         Ok(value) => hold_written(value)?,
@@ -144,7 +144,7 @@ fn low_bits(number: &BigInt) -> i128 {
 }
 
 /// The text as it would stand without a type in front.
-fn hold_untyped(text: &str) -> Result<(), Failure> {
+fn hold_untyped(text: &str) -> Result<(), OracleFailure> {
     let fits = |number: BigInt| i128::try_from(number).ok();
     let got = literal::integer(text).map(Some);
     hold_number(text, "integer", numerals::integer(text).map(fits), got)?;
@@ -164,7 +164,7 @@ fn hold_number<T: PartialEq + std::fmt::Debug>(
     ty: &str,
     said: Option<Option<T>>,
     got: Result<Option<T>, LiteralError>,
-) -> Result<(), Failure> {
+) -> Result<(), OracleFailure> {
     let symptom = match (&said, &got) {
         (None, Err(LiteralError::Malformed { .. })) | (Some(None), Err(LiteralError::Overflow { .. })) => {
             return Ok(());
@@ -175,15 +175,15 @@ fn hold_number<T: PartialEq + std::fmt::Debug>(
         (_, Err(_)) => "rejected",
     };
     let message = format!("`{text}` as {ty} is {said:?} by exact arithmetic, and {got:?}");
-    Err(Failure::new(format!("{symptom}:{ty}"), message))
+    Err(OracleFailure::new(format!("{symptom}:{ty}"), message))
 }
 
 fn hold_real(
     text: &str,
-    said: Option<Decimal>,
+    said: Option<DecimalNumber>,
     ty: ElementaryType,
     got: Result<Option<u64>, LiteralError>,
-) -> Result<(), Failure> {
+) -> Result<(), OracleFailure> {
     // Whether a raw form is right can be told; which one is, need not be.
     let said = said.map(|decimal| match got {
         _ if decimal.overflows(ty) => None,
@@ -194,12 +194,12 @@ fn hold_real(
 }
 
 /// An error points into the text.
-fn hold_offset(text: &str, error: &LiteralError) -> Result<(), Failure> {
+fn hold_offset(text: &str, error: &LiteralError) -> Result<(), OracleFailure> {
     if text.is_char_boundary(error.offset()) {
         return Ok(());
     }
     let message = format!("the error `{error}` of `{text}` does not lie between its characters");
-    Err(Failure::new("place", message))
+    Err(OracleFailure::new("place", message))
 }
 
 #[cfg(test)]
@@ -228,7 +228,7 @@ mod tests {
             "",
             "é#1",
         ] {
-            assert_eq!(judge(text.as_bytes()), Ok(Tried::Done), "{text}");
+            assert_eq!(judge(text.as_bytes()), Ok(InputOutcome::Checked), "{text}");
         }
     }
 
@@ -238,7 +238,7 @@ mod tests {
             for raw in [0, 1, 1 << 31, i64::MIN, i64::MAX, -1, -86_400_000_000_001] {
                 let mut data = vec![place as u8];
                 data.extend(raw.to_le_bytes());
-                assert_eq!(judge(&data), Ok(Tried::Done), "{data:?}");
+                assert_eq!(judge(&data), Ok(InputOutcome::Checked), "{data:?}");
             }
         }
     }

@@ -39,7 +39,7 @@ pub(super) fn integer(text: &str) -> Option<BigInt> {
 
 /// A decimal number: digits times a power of ten.
 #[derive(Clone, Debug)]
-pub(super) struct Decimal {
+pub(super) struct DecimalNumber {
     negative: bool,
     digits: BigUint,
     exponent: BigInt,
@@ -48,7 +48,7 @@ pub(super) struct Decimal {
 }
 
 /// What a real literal says; `None` where the text is none.
-pub(super) fn real(text: &str) -> Option<Decimal> {
+pub(super) fn real(text: &str) -> Option<DecimalNumber> {
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((_, exponent)) if exponent.contains('#') => return None,
         Some((mantissa, exponent)) => (mantissa, integer(exponent)?),
@@ -60,7 +60,7 @@ pub(super) fn real(text: &str) -> Option<Decimal> {
     digits(fraction, 10)?;
     let [whole, fraction] = [whole, fraction].map(|part| part.replace('_', ""));
     let all = whole + &fraction;
-    Some(Decimal {
+    Some(DecimalNumber {
         negative: mantissa.starts_with('-'),
         digits: digits(&all, 10)?,
         exponent: exponent - fraction.len(),
@@ -68,10 +68,10 @@ pub(super) fn real(text: &str) -> Option<Decimal> {
     })
 }
 
-impl Decimal {
+impl DecimalNumber {
     /// Whether the raw form of a REAL or LREAL is what this number rounds to: to nearest, ties to even.
     pub(super) fn rounds_to(&self, raw: u64, ty: ElementaryType) -> bool {
-        let format = Format::of(ty);
+        let format = BinaryFormat::of(ty);
         let magnitude = raw & !format.sign();
         if (raw != magnitude) != self.negative || magnitude >= format.infinity() {
             return false;
@@ -87,7 +87,7 @@ impl Decimal {
 
     /// Whether this number rounds to an infinity, without regard to its sign.
     pub(super) fn overflows(&self, ty: ElementaryType) -> bool {
-        let format = Format::of(ty);
+        let format = BinaryFormat::of(ty);
         self.compare(&format.half_above(format.infinity() - 1)) != Ordering::Less
     }
 
@@ -127,21 +127,21 @@ struct Dyadic {
 }
 
 /// The interchange formats of IEC 60559, by their widths.
-struct Format {
+struct BinaryFormat {
     /// Bits of the fraction.
     fraction: u32,
     /// Bits of the exponent.
     exponent: u32,
 }
 
-impl Format {
-    fn of(ty: ElementaryType) -> Format {
+impl BinaryFormat {
+    fn of(ty: ElementaryType) -> BinaryFormat {
         match ty {
-            ElementaryType::Real => Format {
+            ElementaryType::Real => BinaryFormat {
                 fraction: 23,
                 exponent: 8,
             },
-            _ => Format {
+            _ => BinaryFormat {
                 fraction: 52,
                 exponent: 11,
             },

@@ -73,7 +73,7 @@ fn real(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<u64> {
 }
 
 /// The longest text; what a conversion makes of it still fits where the program keeps it.
-const LONGEST: usize = 60;
+const MAX_TEXT_LEN: usize = 60;
 
 /// Pieces of which texts that stand for values are made.
 const PIECES: [&str; 24] = [
@@ -105,7 +105,7 @@ const PIECES: [&str; 24] = [
 
 fn text(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<Vec<u16>> {
     let mut units: Vec<u16> = Vec::new();
-    while !input.is_empty() && units.len() < LONGEST {
+    while !input.is_empty() && units.len() < MAX_TEXT_LEN {
         match input.arbitrary::<u8>()? {
             0 => break,
             any @ 1..=0x1F => {
@@ -120,7 +120,7 @@ fn text(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<Vec<u16>> {
             piece => units.extend(PIECES[usize::from(piece) % PIECES.len()].bytes().map(u16::from)),
         }
     }
-    units.truncate(LONGEST);
+    units.truncate(MAX_TEXT_LEN);
     Ok(units)
 }
 
@@ -144,6 +144,6 @@ mod tests {
     fn texts_of_single_bytes_have_no_wider_unit() {
         let data: Vec<u8> = (1..=255).collect();
         let units = text(ElementaryType::String, &mut Unstructured::new(&data)).expect("a text");
-        assert!(units.len() <= LONGEST && units.iter().all(|unit| *unit <= 0xFF));
+        assert!(units.len() <= MAX_TEXT_LEN && units.iter().all(|unit| *unit <= 0xFF));
     }
 }

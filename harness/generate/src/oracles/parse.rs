@@ -2,7 +2,7 @@
 
 use super::places::{hold_places, is_inside};
 use super::words::{census, missing};
-use super::{Failure, Tried};
+use super::{InputOutcome, OracleFailure};
 use stickler_reference::diagnostic::Diagnostic;
 use stickler_reference::dialect::Dialect;
 use stickler_reference::semantics;
@@ -15,10 +15,10 @@ use stickler_types::DialectName;
 const DIALECT: DialectName = DialectName::IronplcEd3;
 
 /// The most bytes that a diagnostic's message has, however long the names in the text are.
-const LONGEST_MESSAGE: usize = 1000;
+const MAX_MESSAGE_LEN: usize = 1000;
 
 /// The most bytes of a rendering for each byte of its text: a semicolon at the greatest depth comes with its indent.
-const GROWTH: usize = 1000;
+const MAX_GROWTH: usize = 1000;
 
 /// So many leading zeros of a text's census make the checker read the rendering too.
 const CHECKED_AGAIN: u32 = 2;
@@ -40,7 +40,7 @@ const CHECKED_AGAIN: u32 = 2;
 /// # Errors
 /// Symptoms: `place`, `message`, `size`, `rendering:CODE`, `rendering:words`, `rendering:tree`, `rendering:changes`,
 /// `rendering:check`.
-pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
+pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let (name, bytes) = match data.split_first() {
         Some((first, rest)) if usize::from(*first) < DialectName::ALL.len() => {
             (DialectName::ALL[usize::from(*first)], rest)
@@ -50,22 +50,22 @@ pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
     let (text, broken) = decode(bytes);
     hold_text(&text, &broken, &Dialect::of(name)).map_err(|failure| {
         let message = format!("in the dialect {name}: {}", failure.message);
-        Failure { message, ..failure }.of_program(text.as_ref())
+        OracleFailure { message, ..failure }.of_program(text.as_ref())
     })?;
-    Ok(Tried::Done)
+    Ok(InputOutcome::Checked)
 }
 
-fn hold_text(text: &str, broken: &[Diagnostic], dialect: &Dialect) -> Result<(), Failure> {
+fn hold_text(text: &str, broken: &[Diagnostic], dialect: &Dialect) -> Result<(), OracleFailure> {
     let (unit, diagnostics) = parse(text, dialect);
     let (_, found) = semantics::check(&unit, text, &LineIndex::new(text), dialect);
     let all = || broken.iter().chain(&diagnostics).chain(&found);
     all().try_for_each(|diagnostic| hold_diagnostic(diagnostic, text))?;
-    hold_places(&unit, text, diagnostics.is_empty()).map_err(|wrong| Failure::new("place", wrong))?;
+    hold_places(&unit, text, diagnostics.is_empty()).map_err(|wrong| OracleFailure::new("place", wrong))?;
     let rendered = render(&unit, text);
-    if unit.expressions.len() > text.len() || rendered.len() > GROWTH * (text.len() + 1) {
+    if unit.expressions.len() > text.len() || rendered.len() > MAX_GROWTH * (text.len() + 1) {
         let sizes = (text.len(), unit.expressions.len(), rendered.len());
         let said = format!("bytes of the text, expressions of the tree, bytes of the rendering: {sizes:?}");
-        return Err(Failure::new("size", said));
+        return Err(OracleFailure::new("size", said));
     }
     // What the dialect does not enable is not rendered either.
     let refused = |said: &Diagnostic| said.code.not_enabled();
@@ -81,8 +81,9 @@ fn hold_rendering(
     rendered: &str,
     found: &[Diagnostic],
     dialect: &Dialect,
-) -> Result<(), Failure> {
-    let failed = |symptom: &str, said: String| Err(Failure::new(symptom, format!("{said}\n{rendered}")));
+) -> Result<(), OracleFailure> {
+    let failed =
+        |symptom: &str, said: String| Err(OracleFailure::new(symptom, format!("{said}\n{rendered}")));
     let nested = dialect.nested_comments;
     let words = census(text, nested);
     if words != census(rendered, nested) {
@@ -127,7 +128,7 @@ fn codes(found: &[Diagnostic]) -> Vec<&'static str> {
     codes
 }
 
-fn hold_diagnostic(diagnostic: &Diagnostic, text: &str) -> Result<(), Failure> {
+fn hold_diagnostic(diagnostic: &Diagnostic, text: &str) -> Result<(), OracleFailure> {
     let Diagnostic {
         code, span, message, ..
     } = diagnostic;
@@ -138,11 +139,11 @@ fn hold_diagnostic(diagnostic: &Diagnostic, text: &str) -> Result<(), Failure> {
             span.start,
             span.end
         );
-        return Err(Failure::new("place", said));
+        return Err(OracleFailure::new("place", said));
     }
-    if message.is_empty() || message.len() > LONGEST_MESSAGE {
+    if message.is_empty() || message.len() > MAX_MESSAGE_LEN {
         let said = format!("a message of {} bytes: {message}", message.len());
-        return Err(Failure::new("message", said));
+        return Err(OracleFailure::new("message", said));
     }
     Ok(())
 }
@@ -150,7 +151,7 @@ fn hold_diagnostic(diagnostic: &Diagnostic, text: &str) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::judge;
-    use crate::oracles::Tried;
+    use crate::oracles::InputOutcome;
 
     #[test]
     fn a_program_with_everything_holds() {
@@ -159,14 +160,14 @@ mod tests {
             PROGRAM main VAR r : REC; c : color := RED; b : BYTE := 16#8_0; t : STRING(5) := 'it$'s'; END_VAR
             IF r.A > 5 & TRUE THEN r.b := f(x := r.a); ELSE b.%X007 := FALSE; END_IF (* no semicolon *)
             END_PROGRAM";
-        assert_eq!(judge(text.as_bytes()), Ok(Tried::Done));
+        assert_eq!(judge(text.as_bytes()), Ok(InputOutcome::Checked));
     }
 
     #[test]
     fn bytes_that_are_no_text_hold() {
         for first in 0..=u8::MAX {
-            assert_eq!(judge(&[first, 0xFF, b'P', 0]), Ok(Tried::Done));
+            assert_eq!(judge(&[first, 0xFF, b'P', 0]), Ok(InputOutcome::Checked));
         }
-        assert_eq!(judge(b""), Ok(Tried::Done));
+        assert_eq!(judge(b""), Ok(InputOutcome::Checked));
     }
 }

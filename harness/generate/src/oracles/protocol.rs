@@ -1,6 +1,6 @@
 //! Oracle `protocol`: bytes are what comes over the wire, and every line of them is answered.
 
-use super::{Failure, Tried};
+use super::{InputOutcome, OracleFailure};
 use serde_json::Value as Json;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -23,9 +23,9 @@ static ENGINE: LazyLock<Reference> = LazyLock::new(|| Reference::with_step_limit
 ///
 /// # Errors
 /// Symptoms: `io`, `replies`, `reply`, `id`, `kind`, `values`, `diagnostics`, `crash`, `internal-error`.
-pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
+pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let mut output = Vec::new();
-    serve(&*ENGINE, data, &mut output).map_err(|error| Failure::new("io", error.to_string()))?;
+    serve(&*ENGINE, data, &mut output).map_err(|error| OracleFailure::new("io", error.to_string()))?;
     let lines = asked(data);
     let replies: Vec<&[u8]> = output.split_inclusive(|byte| *byte == b'\n').collect();
     hold_count(&lines, replies.len())?;
@@ -33,10 +33,10 @@ pub(super) fn judge(data: &[u8]) -> Result<Tried, Failure> {
         hold_reply(line, reply).map_err(|failure| {
             let [line, reply] = [line, reply].map(String::from_utf8_lossy);
             let message = format!("{}\n→ {line}\n← {reply}", failure.message);
-            Failure { message, ..failure }
+            OracleFailure { message, ..failure }
         })?;
     }
-    Ok(Tried::Done)
+    Ok(InputOutcome::Checked)
 }
 
 /// The lines that ask something.
@@ -48,7 +48,7 @@ fn asked(data: &[u8]) -> Vec<&[u8]> {
 }
 
 /// Every line is answered up to the first that may say `bye`.
-fn hold_count(lines: &[&[u8]], replies: usize) -> Result<(), Failure> {
+fn hold_count(lines: &[&[u8]], replies: usize) -> Result<(), OracleFailure> {
     let says_bye = |line: &&[u8]| {
         // An escape may spell it in other bytes.
         line.windows(3).any(|word| word == b"bye") || line.contains(&b'\\')
@@ -58,14 +58,14 @@ fn hold_count(lines: &[&[u8]], replies: usize) -> Result<(), Failure> {
         return Ok(());
     }
     let message = format!("{} lines ask something, and {replies} replies came", lines.len());
-    Err(Failure::new("replies", message))
+    Err(OracleFailure::new("replies", message))
 }
 
-fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), Failure> {
+fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
     let read: Reply =
-        serde_json::from_slice(reply).map_err(|error| Failure::new("reply", error.to_string()))?;
+        serde_json::from_slice(reply).map_err(|error| OracleFailure::new("reply", error.to_string()))?;
     if !reply.ends_with(b"\n") {
-        return Err(Failure::new("reply", "the reply does not end its line"));
+        return Err(OracleFailure::new("reply", "the reply does not end its line"));
     }
     if let Reply::Error(error) = &read {
         hold_error(&error.message)?;
@@ -74,7 +74,10 @@ fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), Failure> {
         return match read {
             // A number beyond what the reader of any JSON takes may still stand where nobody looks.
             Reply::Error(_) => Ok(()),
-            _ => Err(Failure::new("kind", "no JSON object is answered by an error")),
+            _ => Err(OracleFailure::new(
+                "kind",
+                "no JSON object is answered by an error",
+            )),
         };
     };
     let id = request.get("id").and_then(Json::as_u64);
@@ -82,7 +85,7 @@ fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), Failure> {
         if kinds.contains(&read.word()) {
             Ok(())
         } else {
-            Err(Failure::new(
+            Err(OracleFailure::new(
                 "kind",
                 format!("a request is answered by `{}`", read.word()),
             ))
@@ -99,7 +102,7 @@ fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), Failure> {
     // A greeting has no id, and one that is there all the same need not be read.
     let without = verb == Some("hello") && read.id().is_none();
     if read.id() != id && !without {
-        return Err(Failure::new("id", format!("the request's id is {id:?}")));
+        return Err(OracleFailure::new("id", format!("the request's id is {id:?}")));
     }
     match &read {
         Reply::Executed(executed) => hold_values(&request, &executed.values, true),
@@ -110,12 +113,12 @@ fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), Failure> {
 }
 
 /// Errors are about requests, never about the engine itself.
-fn hold_error(message: &str) -> Result<(), Failure> {
+fn hold_error(message: &str) -> Result<(), OracleFailure> {
     if message.starts_with("the engine crashed: ") {
-        return Err(Failure::new("crash", message));
+        return Err(OracleFailure::new("crash", message));
     }
     if message.starts_with("defect of the reference: ") {
-        return Err(Failure::new("internal-error", message));
+        return Err(OracleFailure::new("internal-error", message));
     }
     Ok(())
 }
@@ -125,11 +128,11 @@ fn hold_values(
     request: &serde_json::Map<String, Json>,
     values: &BTreeMap<String, String>,
     all: bool,
-) -> Result<(), Failure> {
+) -> Result<(), OracleFailure> {
     for (name, value) in values {
         let canonical = Value::parse(value).is_ok_and(|read| read.to_string() == *value);
         if !canonical {
-            return Err(Failure::new(
+            return Err(OracleFailure::new(
                 "values",
                 format!("the value of {name} is {value}, which is not canonical"),
             ));
@@ -153,8 +156,11 @@ fn hold_values(
     let surplus = values.keys().find(|name| !names.contains(name));
     match (missing, surplus) {
         (None, None) => Ok(()),
-        (Some(name), _) => Err(Failure::new("values", format!("the value of {name} is missing"))),
-        (_, Some(name)) => Err(Failure::new("values", format!("nobody asked for {name}"))),
+        (Some(name), _) => Err(OracleFailure::new(
+            "values",
+            format!("the value of {name} is missing"),
+        )),
+        (_, Some(name)) => Err(OracleFailure::new("values", format!("nobody asked for {name}"))),
     }
 }
 
@@ -162,7 +168,7 @@ fn hold_values(
 fn hold_diagnostics(
     request: &serde_json::Map<String, Json>,
     diagnostics: &[DiagnosticMessage],
-) -> Result<(), Failure> {
+) -> Result<(), OracleFailure> {
     let source = request.get("source").and_then(Json::as_str).unwrap_or_default();
     let lines = source.bytes().filter(|byte| *byte == b'\n').count() + 1;
     let sound = |said: &DiagnosticMessage| {
@@ -181,7 +187,7 @@ fn hold_diagnostics(
         return Ok(());
     }
     let message = "no diagnostic, or one without code, message or place, or out of order";
-    Err(Failure::new("diagnostics", message))
+    Err(OracleFailure::new("diagnostics", message))
 }
 
 #[cfg(test)]
@@ -201,8 +207,8 @@ mod tests {
             r#"{"type":"bye"}"#,
             "not read any more",
         ];
-        assert_eq!(judge(lines.join("\n").as_bytes()), Ok(Tried::Done));
-        assert_eq!(judge(b"\xFF\n\xEF\xBB\xBF\n{}\r\n"), Ok(Tried::Done));
+        assert_eq!(judge(lines.join("\n").as_bytes()), Ok(InputOutcome::Checked));
+        assert_eq!(judge(b"\xFF\n\xEF\xBB\xBF\n{}\r\n"), Ok(InputOutcome::Checked));
     }
 
     #[test]

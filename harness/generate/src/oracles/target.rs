@@ -1,12 +1,14 @@
 //! The fuzz targets: their names, and the one door through which libFuzzer, replays, tests and campaigns judge an input.
 
-use super::{Failure, Tried, case_file, check, convert, differential, execute, literal, parse, protocol};
+use super::{
+    InputOutcome, OracleFailure, case_file, check, convert, differential, execute, literal, parse, protocol,
+};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// One question that random input can be held against.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Target {
+pub enum FuzzTarget {
     /// Bytes are a source text: reading it neither fails nor hangs, and what can be read keeps its tree when it is rendered.
     Parse,
     /// Bytes are a literal: its canonical spelling reads to the same value, which an independent reader finds too.
@@ -25,38 +27,38 @@ pub enum Target {
     Differential,
 }
 
-impl Target {
+impl FuzzTarget {
     /// Every target, in the order in which people are shown them.
-    pub const ALL: [Target; 8] = [
-        Target::Parse,
-        Target::Literal,
-        Target::Convert,
-        Target::Check,
-        Target::Execute,
-        Target::CaseFile,
-        Target::Protocol,
-        Target::Differential,
+    pub const ALL: [FuzzTarget; 8] = [
+        FuzzTarget::Parse,
+        FuzzTarget::Literal,
+        FuzzTarget::Convert,
+        FuzzTarget::Check,
+        FuzzTarget::Execute,
+        FuzzTarget::CaseFile,
+        FuzzTarget::Protocol,
+        FuzzTarget::Differential,
     ];
 
     /// The name that the command line, the folders of the corpora and the binaries of the fuzz crate use.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
-            Target::Parse => "parse",
-            Target::Literal => "literal",
-            Target::Convert => "convert",
-            Target::Check => "check",
-            Target::Execute => "execute",
-            Target::CaseFile => "case_file",
-            Target::Protocol => "protocol",
-            Target::Differential => "differential",
+            FuzzTarget::Parse => "parse",
+            FuzzTarget::Literal => "literal",
+            FuzzTarget::Convert => "convert",
+            FuzzTarget::Check => "check",
+            FuzzTarget::Execute => "execute",
+            FuzzTarget::CaseFile => "case_file",
+            FuzzTarget::Protocol => "protocol",
+            FuzzTarget::Differential => "differential",
         }
     }
 
     /// The target of this name, in lower case; `None` for any other text.
     #[must_use]
-    pub fn from_name(name: &str) -> Option<Target> {
-        Target::ALL.into_iter().find(|target| target.name() == name)
+    pub fn from_name(name: &str) -> Option<FuzzTarget> {
+        FuzzTarget::ALL.into_iter().find(|target| target.name() == name)
     }
 
     /// Judges one input, whatever it is; any bytes are an input.
@@ -65,7 +67,7 @@ impl Target {
     /// How the input broke what the target holds it to. A panic is such a failure, with the symptom `panic`; under libFuzzer
     /// the process ends before this is told.
     #[inline(always)]
-    pub fn judge(self, data: &[u8]) -> Result<Tried, Failure> {
+    pub fn judge(self, data: &[u8]) -> Result<InputOutcome, OracleFailure> {
         let oracle = self.oracle();
         // An oracle keeps nothing between inputs, so there is nothing that a panic could leave broken.
         catch_unwind(AssertUnwindSafe(|| oracle(data))).unwrap_or_else(|panic| Err(panicked(&*panic)))
@@ -74,26 +76,26 @@ impl Target {
     /// The function that judges. It is always inlined, so that a fuzz target links its own oracle alone: libFuzzer goes through
     /// the counters of all code that is linked after every input.
     #[inline(always)]
-    const fn oracle(self) -> fn(&[u8]) -> Result<Tried, Failure> {
+    const fn oracle(self) -> fn(&[u8]) -> Result<InputOutcome, OracleFailure> {
         match self {
-            Target::Parse => parse::judge,
-            Target::Literal => literal::judge,
-            Target::Convert => convert::judge,
-            Target::Check => check::check,
-            Target::Execute => execute::execute,
-            Target::CaseFile => case_file::judge,
-            Target::Protocol => protocol::judge,
-            Target::Differential => differential::differential,
+            FuzzTarget::Parse => parse::judge,
+            FuzzTarget::Literal => literal::judge,
+            FuzzTarget::Convert => convert::judge,
+            FuzzTarget::Check => check::check,
+            FuzzTarget::Execute => execute::execute,
+            FuzzTarget::CaseFile => case_file::judge,
+            FuzzTarget::Protocol => protocol::judge,
+            FuzzTarget::Differential => differential::differential,
         }
     }
 }
 
-fn panicked(payload: &(dyn Any + Send)) -> Failure {
+fn panicked(payload: &(dyn Any + Send)) -> OracleFailure {
     let text = payload
         .downcast_ref::<&str>()
         .copied()
         .or_else(|| payload.downcast_ref::<String>().map(String::as_str));
-    Failure::new("panic", text.unwrap_or("a panic with no message"))
+    OracleFailure::new("panic", text.unwrap_or("a panic with no message"))
 }
 
 #[cfg(test)]
@@ -102,18 +104,18 @@ mod tests {
 
     #[test]
     fn a_target_is_found_by_its_name() {
-        for target in Target::ALL {
-            assert_eq!(Target::from_name(target.name()), Some(target));
+        for target in FuzzTarget::ALL {
+            assert_eq!(FuzzTarget::from_name(target.name()), Some(target));
         }
-        assert_eq!(Target::from_name("Parse"), None);
+        assert_eq!(FuzzTarget::from_name("Parse"), None);
     }
 
     #[test]
     fn a_panic_is_a_failure_with_its_message() {
-        assert_eq!(panicked(&"broken"), Failure::new("panic", "broken"));
+        assert_eq!(panicked(&"broken"), OracleFailure::new("panic", "broken"));
         assert_eq!(
             panicked(&"broken 7".to_owned()),
-            Failure::new("panic", "broken 7")
+            OracleFailure::new("panic", "broken 7")
         );
         assert_eq!(panicked(&7).message, "a panic with no message");
     }

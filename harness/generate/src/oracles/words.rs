@@ -10,13 +10,13 @@
 /// choose: blanks, comments (which may be `nested`), pragmas, semicolons; `&` counts as AND, `.%X3` as `.3`, and a bracket as a
 /// parenthesis, since the length of a text may be written between either.
 pub(super) fn census(text: &str, nested: bool) -> u64 {
-    Words::new(text, nested).fold(0, |sum: u64, word| sum.wrapping_add(word.hash()))
+    SourceWords::new(text, nested).fold(0, |sum: u64, word| sum.wrapping_add(word.hash()))
 }
 
 /// The words that stand more often in `first` than in `second`.
 pub(super) fn missing(first: &str, second: &str, nested: bool) -> Vec<String> {
     let [mut here, mut there] = [first, second].map(|text| {
-        Words::new(text, nested)
+        SourceWords::new(text, nested)
             .map(|word| word.spelling())
             .collect::<Vec<_>>()
     });
@@ -32,7 +32,7 @@ pub(super) fn missing(first: &str, second: &str, nested: bool) -> Vec<String> {
 
 /// A word or mark.
 #[derive(Clone, Copy, Debug)]
-enum Word<'t> {
+enum SourceWord<'t> {
     /// A name, a keyword or the digits of a number.
     Letters(&'t [u8]),
     /// The number of a bit, a byte …; whatever is larger than 64 bits is one number.
@@ -43,23 +43,23 @@ enum Word<'t> {
     Mark(u8),
 }
 
-impl Word<'_> {
+impl SourceWord<'_> {
     fn hash(self) -> u64 {
         match self {
             // Clearing this bit makes letters capitals, and keeps digits and the underscore apart from them.
-            Word::Letters(bytes) => hash(1, bytes, 0xDF),
-            Word::Quoted(bytes) => hash(2, bytes, 0xFF),
-            Word::Index(index) => hash(3, &index.to_le_bytes(), 0xFF),
-            Word::Mark(mark) => hash(4, &[mark], 0xFF),
+            SourceWord::Letters(bytes) => hash(1, bytes, 0xDF),
+            SourceWord::Quoted(bytes) => hash(2, bytes, 0xFF),
+            SourceWord::Index(index) => hash(3, &index.to_le_bytes(), 0xFF),
+            SourceWord::Mark(mark) => hash(4, &[mark], 0xFF),
         }
     }
 
     fn spelling(self) -> String {
         match self {
-            Word::Letters(bytes) => String::from_utf8_lossy(bytes).to_ascii_uppercase(),
-            Word::Quoted(bytes) => String::from_utf8_lossy(bytes).into_owned(),
-            Word::Index(index) => index.to_string(),
-            Word::Mark(mark) => char::from(mark).to_string(),
+            SourceWord::Letters(bytes) => String::from_utf8_lossy(bytes).to_ascii_uppercase(),
+            SourceWord::Quoted(bytes) => String::from_utf8_lossy(bytes).into_owned(),
+            SourceWord::Index(index) => index.to_string(),
+            SourceWord::Mark(mark) => char::from(mark).to_string(),
         }
     }
 }
@@ -78,16 +78,16 @@ fn hash(kind: u64, bytes: &[u8], mask: u8) -> u64 {
 }
 
 /// The scanner.
-struct Words<'t> {
+struct SourceWords<'t> {
     rest: &'t [u8],
     nested: bool,
     /// The word before was a point.
     dotted: bool,
 }
 
-impl<'t> Words<'t> {
-    fn new(text: &'t str, nested: bool) -> Words<'t> {
-        Words {
+impl<'t> SourceWords<'t> {
+    fn new(text: &'t str, nested: bool) -> SourceWords<'t> {
+        SourceWords {
             rest: text.as_bytes(),
             nested,
             dotted: false,
@@ -148,7 +148,7 @@ impl<'t> Words<'t> {
     }
 
     /// What stands behind a point: the number of a bit, with `%X` or without.
-    fn index(&mut self) -> Option<Word<'t>> {
+    fn index(&mut self) -> Option<SourceWord<'t>> {
         let prefix = match self.rest {
             [b'%', b'x' | b'X', ..] => 2,
             [b'%', ..] => 1,
@@ -161,16 +161,16 @@ impl<'t> Words<'t> {
         }
         self.take(prefix + digits.len());
         let value = |index: u64, digit: &u8| index.saturating_mul(10).saturating_add(u64::from(digit - b'0'));
-        Some(Word::Index(
+        Some(SourceWord::Index(
             digits.iter().filter(|byte| **byte != b'_').fold(0, value),
         ))
     }
 }
 
-impl<'t> Iterator for Words<'t> {
-    type Item = Word<'t>;
+impl<'t> Iterator for SourceWords<'t> {
+    type Item = SourceWord<'t>;
 
-    fn next(&mut self) -> Option<Word<'t>> {
+    fn next(&mut self) -> Option<SourceWord<'t>> {
         loop {
             let blank = position(self.rest, |byte| !byte.is_ascii_whitespace() && byte != b';');
             self.take(blank);
@@ -188,17 +188,17 @@ impl<'t> Iterator for Words<'t> {
         Some(match first {
             b'&' => {
                 self.take(1);
-                Word::Letters(b"AND")
+                SourceWord::Letters(b"AND")
             }
-            b'\'' | b'"' => Word::Quoted(self.take(self.quoted(first))),
+            b'\'' | b'"' => SourceWord::Quoted(self.take(self.quoted(first))),
             b'[' | b']' => {
                 self.take(1);
-                Word::Mark(if first == b'[' { b'(' } else { b')' })
+                SourceWord::Mark(if first == b'[' { b'(' } else { b')' })
             }
-            _ if is_word(first) => Word::Letters(self.take(position(self.rest, |byte| !is_word(byte)))),
+            _ if is_word(first) => SourceWord::Letters(self.take(position(self.rest, |byte| !is_word(byte)))),
             _ => {
                 self.take(1);
-                Word::Mark(first)
+                SourceWord::Mark(first)
             }
         })
     }

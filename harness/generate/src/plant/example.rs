@@ -1,6 +1,6 @@
 //! A program made by hand that has a place for every kind of error.
 
-use super::plot::literal;
+use super::fault_site::literal;
 use super::scope::integer;
 use crate::model::*;
 use stickler_types::{DialectName, ElementaryType as E, Value};
@@ -20,7 +20,8 @@ const COLOUR: Type = Type::Declared(0);
 const POINT: Type = Type::Declared(2);
 
 fn types() -> Vec<TypeDeclaration> {
-    let names = |names: &[&str]| Declared::Enumeration(names.iter().map(|&name| name.to_owned()).collect());
+    let names =
+        |names: &[&str]| DeclaredKind::Enumeration(names.iter().map(|&name| name.to_owned()).collect());
     let declared = |name: &str, kind| TypeDeclaration {
         name: name.to_owned(),
         kind,
@@ -32,12 +33,12 @@ fn types() -> Vec<TypeDeclaration> {
     vec![
         declared("Colour", names(&["Red", "Green"])),
         declared("Fruit", names(&["Apple", "Pear"])),
-        declared("Point", Declared::Structure(fields)),
-        declared("Level", Declared::Alias(Type::Elementary(E::Dint))),
+        declared("Point", DeclaredKind::Structure(fields)),
+        declared("Level", DeclaredKind::Alias(Type::Elementary(E::Dint))),
     ]
 }
 
-fn variable(name: &str, ty: Type, section: Section, initial: Option<Initial>) -> Variable {
+fn variable(name: &str, ty: Type, section: VariableSection, initial: Option<Initializer>) -> Variable {
     Variable {
         name: name.to_owned(),
         ty,
@@ -46,7 +47,7 @@ fn variable(name: &str, ty: Type, section: Section, initial: Option<Initial>) ->
     }
 }
 
-fn elementary(name: &str, ty: E, section: Section) -> Variable {
+fn elementary(name: &str, ty: E, section: VariableSection) -> Variable {
     variable(name, Type::Elementary(ty), section, None)
 }
 
@@ -57,7 +58,7 @@ fn read(id: usize, ty: Type) -> Expression {
     }
 }
 
-fn place(id: usize, path: Vec<Selector>, ty: Type) -> Place {
+fn place(id: usize, path: Vec<PlaceSelector>, ty: Type) -> Place {
     Place {
         variable: VariableId(id),
         path,
@@ -70,7 +71,7 @@ fn statement(kind: StatementKind) -> Statement {
 }
 
 fn assign(id: usize, value: Expression) -> Statement {
-    let target = Target::Place(place(id, Vec::new(), value.ty.clone()));
+    let target = AssignmentTarget::Place(place(id, Vec::new(), value.ty.clone()));
     statement(StatementKind::Assign(target, value))
 }
 
@@ -92,21 +93,21 @@ fn function() -> Function {
         name: "Weigh".to_owned(),
         result: Type::Elementary(E::Int),
         variables: vec![
-            elementary("a", E::Int, Section::Input),
-            elementary("b", E::Real, Section::Input),
+            elementary("a", E::Int, VariableSection::Input),
+            elementary("b", E::Real, VariableSection::Input),
         ],
-        body: vec![statement(StatementKind::Assign(Target::Result, sum))],
+        body: vec![statement(StatementKind::Assign(AssignmentTarget::Result, sum))],
     }
 }
 
-fn block(name: &str, in_out: bool) -> Block {
+fn block(name: &str, in_out: bool) -> FunctionBlock {
     let mut variables = vec![
-        elementary("step", E::Dint, Section::Input),
-        elementary("total", E::Dint, Section::Output),
-        elementary("inner", E::Bool, Section::Local),
+        elementary("step", E::Dint, VariableSection::Input),
+        elementary("total", E::Dint, VariableSection::Output),
+        elementary("inner", E::Bool, VariableSection::Local),
     ];
     if in_out {
-        variables.push(elementary("through", E::Dint, Section::InOut));
+        variables.push(elementary("through", E::Dint, VariableSection::InOut));
     }
     let sum = binary(
         E::Dint,
@@ -114,7 +115,7 @@ fn block(name: &str, in_out: bool) -> Block {
         read(1, Type::Elementary(E::Dint)),
         read(0, Type::Elementary(E::Dint)),
     );
-    Block {
+    FunctionBlock {
         name: name.to_owned(),
         variables,
         body: vec![assign(1, sum)],
@@ -137,14 +138,14 @@ const COUNTER: usize = 11;
 const TIMER: usize = 12;
 
 fn main_variables() -> Vec<Variable> {
-    let local = |name, ty| elementary(name, ty, Section::Local);
+    let local = |name, ty| elementary(name, ty, VariableSection::Local);
     let array = Type::Array(Box::new(ArrayType {
         dimensions: vec![(1, 3), (0, 1)],
         element: Type::Elementary(E::Int),
     }));
-    let first = Initial::Expression(literal(E::Int));
+    let first = Initializer::Expression(literal(E::Int));
     vec![
-        variable("i", Type::Elementary(E::Int), Section::Local, Some(first)),
+        variable("i", Type::Elementary(E::Int), VariableSection::Local, Some(first)),
         local("d", E::Dint),
         local("r", E::Real),
         local("b", E::Bool),
@@ -152,21 +153,21 @@ fn main_variables() -> Vec<Variable> {
         local("s", E::String),
         local("t", E::Time),
         local("day", E::Date),
-        variable("list", array, Section::Local, None),
+        variable("list", array, VariableSection::Local, None),
         variable(
             "p",
             POINT,
-            Section::Local,
-            Some(Initial::Structure(vec![(0, literal(E::Int))])),
+            VariableSection::Local,
+            Some(Initializer::Structure(vec![(0, literal(E::Int))])),
         ),
-        variable("c", COLOUR, Section::Local, None),
-        variable("counter", Type::Block(0), Section::Local, None),
-        variable("timer", Type::Block(1), Section::Local, None),
+        variable("c", COLOUR, VariableSection::Local, None),
+        variable("counter", Type::Block(0), VariableSection::Local, None),
+        variable("timer", Type::Block(1), VariableSection::Local, None),
         local("k", E::Int),
     ]
 }
 
-fn main(dialect: DialectName) -> Main {
+fn main(dialect: DialectName) -> MainProgram {
     let mut body = vec![
         assign(R, literal(E::Real)),
         assign(
@@ -207,7 +208,7 @@ fn main(dialect: DialectName) -> Main {
     ];
     body.extend(loops());
     body.extend(conversions(dialect));
-    Main {
+    MainProgram {
         variables: main_variables(),
         body,
     }
@@ -231,7 +232,7 @@ fn call() -> Expression {
 }
 
 fn element() -> Expression {
-    let subscripts = Selector::Index(vec![integer(1), read(I, Type::Elementary(E::Int))]);
+    let subscripts = PlaceSelector::Index(vec![integer(1), read(I, Type::Elementary(E::Int))]);
     let place = place(LIST, vec![subscripts], Type::Elementary(E::Int));
     Expression::elementary(E::Int, ExpressionKind::Read(place))
 }

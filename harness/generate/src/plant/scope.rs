@@ -3,8 +3,8 @@
 use crate::dialect::has_third_edition;
 use crate::model::visit::bodies;
 use crate::model::{
-    ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Selector,
-    StandardFunction, StatementKind, Type, Unit, VariableId,
+    ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, Program,
+    StandardFunction, StatementKind, Type, Unit, VariableId, VariableSection,
 };
 use stickler_types::{DialectName, ElementaryType, Value};
 
@@ -99,7 +99,7 @@ pub(super) fn types(dialect: DialectName) -> impl Iterator<Item = ElementaryType
 
 /// A part of a variable that a unit can name.
 #[derive(Clone, Debug)]
-pub(super) struct Named {
+pub(super) struct NamedPlace {
     /// The part.
     pub place: Place,
     /// Whether the unit may write it without changing anything but its value.
@@ -107,23 +107,25 @@ pub(super) struct Named {
 }
 
 /// Every part of a unit's variables; of arrays the element with the lowest subscripts.
-pub(super) fn places(program: &Program, unit: Unit) -> Vec<Named> {
+pub(super) fn places(program: &Program, unit: Unit) -> Vec<NamedPlace> {
     let mut found = Vec::new();
     let controlled = controlled(program, unit);
     for (number, variable) in unit.variables(program).iter().enumerate() {
         let id = VariableId(number);
         let place = Place::whole(id, variable.ty.clone());
         let writable = match variable.section {
-            Section::Local | Section::Output | Section::InOut => !controlled.contains(&id),
-            Section::Constant | Section::Input => false,
+            VariableSection::Local | VariableSection::Output | VariableSection::InOut => {
+                !controlled.contains(&id)
+            }
+            VariableSection::Constant | VariableSection::Input => false,
         };
         parts(program, place, writable, &mut found);
     }
     found
 }
 
-fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<Named>) {
-    let mut step = |selector: Selector, ty: &Type, writable: bool| {
+fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<NamedPlace>) {
+    let mut step = |selector: PlaceSelector, ty: &Type, writable: bool| {
         let mut path = place.path.clone();
         path.push(selector);
         let part = Place {
@@ -135,19 +137,19 @@ fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<Named>
     };
     if let Some((element, limits)) = element_and_limits(program, &place.ty) {
         let lowest = limits.iter().map(|&(low, _)| integer(low)).collect();
-        step(Selector::Index(lowest), element, writable);
+        step(PlaceSelector::Index(lowest), element, writable);
     } else if let Some(fields) = program.fields(&place.ty) {
         for (number, (_, ty, _)) in fields.iter().enumerate() {
-            step(Selector::Field(number), ty, writable);
+            step(PlaceSelector::Field(number), ty, writable);
         }
     } else if let Type::Block(block) = place.ty {
         for (number, output) in Unit::Block(block).variables(program).iter().enumerate() {
-            if output.section == Section::Output {
-                step(Selector::Output(VariableId(number)), &output.ty, false);
+            if output.section == VariableSection::Output {
+                step(PlaceSelector::Output(VariableId(number)), &output.ty, false);
             }
         }
     }
-    found.push(Named { place, writable });
+    found.push(NamedPlace { place, writable });
 }
 
 /// An untyped integer literal, as a subscript.

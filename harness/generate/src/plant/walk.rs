@@ -4,15 +4,15 @@
 use super::scope::{element_and_limits, written};
 use crate::model::visit_mut::bodies;
 use crate::model::{
-    Argument, BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, Place, Program,
-    Section, Selector, StandardFunction, Statement, StatementKind, Target, Type, UnaryOperator, Unit,
-    Variable, VariableId,
+    Argument, AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind,
+    Initializer, Place, PlaceSelector, Program, StandardFunction, Statement, StatementKind, Type,
+    UnaryOperator, Unit, Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
 /// Where an expression stands.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Context {
+pub(super) enum ExpressionContext {
     /// The right side of an assignment to a variable, a part of one, or a bit.
     Assigned,
     /// The right side of an assignment to the result of a function.
@@ -58,11 +58,11 @@ pub(super) enum Context {
 
 /// An expression's place in the program.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Site {
+pub(super) struct ExpressionSite {
     /// In which unit it stands.
     pub unit: Unit,
     /// What is expected of it there.
-    pub context: Context,
+    pub context: ExpressionContext,
 }
 
 /// Visits every expression of `copy`, outer ones before the inner. What an implicit conversion converts is not visited itself,
@@ -70,16 +70,16 @@ pub(super) struct Site {
 pub(super) fn expressions(
     original: &Program,
     copy: &mut Program,
-    visit: &mut dyn FnMut(Site, &mut Expression),
+    visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
 ) {
-    let walk = |unit| Walk {
+    let walk = |unit| SiteWalker {
         program: original,
         unit,
     };
     for declaration in &mut copy.types {
-        if let Declared::Structure(fields) = &mut declaration.kind {
+        if let DeclaredKind::Structure(fields) = &mut declaration.kind {
             for default in fields.iter_mut().filter_map(|(_, _, default)| default.as_mut()) {
-                walk(Unit::Types).expression(default, Context::Initial, visit);
+                walk(Unit::Types).expression(default, ExpressionContext::Initial, visit);
             }
         }
     }
@@ -117,65 +117,81 @@ fn list(
 
 /// Visits the expressions of one unit.
 #[derive(Clone, Copy)]
-struct Walk<'p> {
+struct SiteWalker<'p> {
     program: &'p Program,
     unit: Unit,
 }
 
-impl<'p> Walk<'p> {
+impl<'p> SiteWalker<'p> {
     fn variable(self, id: VariableId) -> Option<&'p Variable> {
         self.unit.variables(self.program).get(id.0)
     }
 
-    fn initial_values(self, variables: &mut [Variable], visit: &mut dyn FnMut(Site, &mut Expression)) {
+    fn initial_values(
+        self,
+        variables: &mut [Variable],
+        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
+    ) {
         for initial in variables
             .iter_mut()
             .filter_map(|variable| variable.initial.as_mut())
         {
             match initial {
-                Initial::Expression(value) => self.expression(value, Context::Initial, visit),
-                Initial::Array(values) => {
+                Initializer::Expression(value) => self.expression(value, ExpressionContext::Initial, visit),
+                Initializer::Array(values) => {
                     for value in values {
-                        self.expression(value, Context::Initial, visit);
+                        self.expression(value, ExpressionContext::Initial, visit);
                     }
                 }
-                Initial::Structure(values) => {
+                Initializer::Structure(values) => {
                     for (_, value) in values {
-                        self.expression(value, Context::Initial, visit);
+                        self.expression(value, ExpressionContext::Initial, visit);
                     }
                 }
             }
         }
     }
 
-    fn statements(self, statements: &mut [Statement], visit: &mut dyn FnMut(Site, &mut Expression)) {
+    fn statements(
+        self,
+        statements: &mut [Statement],
+        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
+    ) {
         for statement in statements {
             self.statement(&mut statement.kind, visit);
         }
     }
 
-    fn statement(self, statement: &mut StatementKind, visit: &mut dyn FnMut(Site, &mut Expression)) {
+    fn statement(
+        self,
+        statement: &mut StatementKind,
+        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
+    ) {
         match statement {
             StatementKind::Assign(target, value) => {
                 let context = match target {
-                    Target::Place(place) | Target::Bit(place, _) => {
+                    AssignmentTarget::Place(place) | AssignmentTarget::Bit(place, _) => {
                         self.place(place, visit);
-                        Context::Assigned
+                        ExpressionContext::Assigned
                     }
-                    Target::Result => Context::Result,
+                    AssignmentTarget::Result => ExpressionContext::Result,
                 };
                 self.expression(value, context, visit);
             }
             StatementKind::If(branches, otherwise) => {
                 for (number, (condition, body)) in branches.iter_mut().enumerate() {
-                    let context = if number == 0 { Context::If } else { Context::ElsIf };
+                    let context = if number == 0 {
+                        ExpressionContext::If
+                    } else {
+                        ExpressionContext::ElsIf
+                    };
                     self.expression(condition, context, visit);
                     self.statements(body, visit);
                 }
                 self.statements(otherwise.as_deref_mut().unwrap_or_default(), visit);
             }
             StatementKind::Case(selector, branches, otherwise) => {
-                self.expression(selector, Context::Selector, visit);
+                self.expression(selector, ExpressionContext::Selector, visit);
                 for branch in branches {
                     for label in &mut branch.labels {
                         self.label(label, visit);
@@ -187,20 +203,20 @@ impl<'p> Walk<'p> {
             StatementKind::For {
                 from, to, by, body, ..
             } => {
-                self.expression(from, Context::Bound, visit);
-                self.expression(to, Context::Bound, visit);
+                self.expression(from, ExpressionContext::Bound, visit);
+                self.expression(to, ExpressionContext::Bound, visit);
                 if let Some(by) = by {
-                    self.expression(by, Context::Step, visit);
+                    self.expression(by, ExpressionContext::Step, visit);
                 }
                 self.statements(body, visit);
             }
             StatementKind::While(condition, body) => {
-                self.expression(condition, Context::While, visit);
+                self.expression(condition, ExpressionContext::While, visit);
                 self.statements(body, visit);
             }
             StatementKind::Repeat(body, condition) => {
                 self.statements(body, visit);
-                self.expression(condition, Context::Until, visit);
+                self.expression(condition, ExpressionContext::Until, visit);
             }
             StatementKind::Invoke {
                 instance,
@@ -218,17 +234,22 @@ impl<'p> Walk<'p> {
         }
     }
 
-    fn label(self, label: &mut CaseLabel, visit: &mut dyn FnMut(Site, &mut Expression)) {
+    fn label(self, label: &mut CaseLabel, visit: &mut dyn FnMut(ExpressionSite, &mut Expression)) {
         match label {
-            CaseLabel::One(value) => self.expression(value, Context::Label, visit),
+            CaseLabel::One(value) => self.expression(value, ExpressionContext::Label, visit),
             CaseLabel::Range(low, high) => {
-                self.expression(low, Context::Label, visit);
-                self.expression(high, Context::Label, visit);
+                self.expression(low, ExpressionContext::Label, visit);
+                self.expression(high, ExpressionContext::Label, visit);
             }
         }
     }
 
-    fn input(self, instance: VariableId, input: &mut Argument, visit: &mut dyn FnMut(Site, &mut Expression)) {
+    fn input(
+        self,
+        instance: VariableId,
+        input: &mut Argument,
+        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
+    ) {
         let parameters = self
             .variable(instance)
             .map_or(&[][..], |instance| match instance.ty {
@@ -239,22 +260,22 @@ impl<'p> Walk<'p> {
             .get(input.parameter.0)
             .map(|parameter| parameter.section)
         {
-            Some(Section::InOut) => Context::InOut,
-            _ => Context::Input,
+            Some(VariableSection::InOut) => ExpressionContext::InOut,
+            _ => ExpressionContext::Input,
         };
         self.expression(&mut input.value, context, visit);
     }
 
-    fn place(self, place: &mut Place, visit: &mut dyn FnMut(Site, &mut Expression)) {
+    fn place(self, place: &mut Place, visit: &mut dyn FnMut(ExpressionSite, &mut Expression)) {
         let mut within = self.variable(place.variable).map(|variable| &variable.ty);
         for selector in &mut place.path {
-            if let Selector::Index(subscripts) = selector {
+            if let PlaceSelector::Index(subscripts) = selector {
                 let limits = within.and_then(|ty| element_and_limits(self.program, ty));
                 for (number, subscript) in subscripts.iter_mut().enumerate() {
                     // What has no limits is no array, and the program is not what it should be.
                     let limits = limits.and_then(|(_, limits)| limits.get(number));
                     let &(low, high) = limits.unwrap_or(&(0, 0));
-                    self.expression(subscript, Context::Subscript(low, high), visit);
+                    self.expression(subscript, ExpressionContext::Subscript(low, high), visit);
                 }
             }
             within = within.and_then(|ty| self.program.selected_type(ty, selector));
@@ -264,10 +285,10 @@ impl<'p> Walk<'p> {
     fn expression(
         self,
         expression: &mut Expression,
-        context: Context,
-        visit: &mut dyn FnMut(Site, &mut Expression),
+        context: ExpressionContext,
+        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
     ) {
-        let site = Site {
+        let site = ExpressionSite {
             unit: self.unit,
             context,
         };
@@ -276,16 +297,16 @@ impl<'p> Walk<'p> {
     }
 
     /// What stands in an expression.
-    fn inside(self, expression: &mut Expression, visit: &mut dyn FnMut(Site, &mut Expression)) {
+    fn inside(self, expression: &mut Expression, visit: &mut dyn FnMut(ExpressionSite, &mut Expression)) {
         match &mut expression.kind {
             ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) => self.place(place, visit),
             ExpressionKind::Unary(operator, operand) => {
-                self.expression(operand, Context::UnaryOperand(*operator), visit);
+                self.expression(operand, ExpressionContext::UnaryOperand(*operator), visit);
             }
             ExpressionKind::Binary(operator, left, right) => {
                 let (of_left, of_right) = (written(left), written(right));
-                self.expression(left, Context::Operand(*operator, of_right), visit);
-                self.expression(right, Context::Operand(*operator, of_left), visit);
+                self.expression(left, ExpressionContext::Operand(*operator, of_right), visit);
+                self.expression(right, ExpressionContext::Operand(*operator, of_left), visit);
             }
             ExpressionKind::Widen(operand) => self.inside(operand, visit),
             ExpressionKind::Convert(signature, operand) => {
@@ -294,20 +315,20 @@ impl<'p> Walk<'p> {
                     .first()
                     .is_some_and(|from| signature.function == format!("{from}_TO_{}", signature.result));
                 let context = if own_name {
-                    Context::Converted
+                    ExpressionContext::Converted
                 } else {
-                    Context::Overloaded
+                    ExpressionContext::Overloaded
                 };
                 self.expression(operand, context, visit);
             }
             ExpressionKind::Call(_, arguments) => {
                 for argument in arguments {
-                    self.expression(&mut argument.value, Context::Argument, visit);
+                    self.expression(&mut argument.value, ExpressionContext::Argument, visit);
                 }
             }
             ExpressionKind::Standard(function, arguments) => {
                 for (number, argument) in arguments.iter_mut().enumerate() {
-                    self.expression(argument, Context::Standard(*function, number), visit);
+                    self.expression(argument, ExpressionContext::Standard(*function, number), visit);
                 }
             }
             ExpressionKind::Literal(..) | ExpressionKind::Enumerated(_) | ExpressionKind::Raw(_) => {}

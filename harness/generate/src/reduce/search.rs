@@ -15,21 +15,21 @@ use std::ops::Range;
 
 /// What is said of a candidate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Answer {
+pub enum Interestingness {
     /// It shows what is being looked for.
     Interesting,
     /// It was tried, and does not.
-    Dull,
+    Uninteresting,
     /// It was not worth a try, because it breaks a rule that candidates must keep; it costs nothing and is not counted.
-    Refused,
+    Invalid,
 }
 
-impl From<bool> for Answer {
-    fn from(interesting: bool) -> Answer {
+impl From<bool> for Interestingness {
+    fn from(interesting: bool) -> Interestingness {
         if interesting {
-            Answer::Interesting
+            Interestingness::Interesting
         } else {
-            Answer::Dull
+            Interestingness::Uninteresting
         }
     }
 }
@@ -84,7 +84,7 @@ impl Sites {
 }
 
 /// How things of one kind are reduced.
-pub struct Method<T: 'static> {
+pub struct ReductionMethod<T: 'static> {
     /// The passes, coarse ones first.
     pub passes: &'static [Pass<T>],
     /// How much there is of it. Only what is lighter is tried, so that every reduction ends.
@@ -95,17 +95,17 @@ pub struct Method<T: 'static> {
 
 /// What a reduction may take.
 #[derive(Clone, Copy)]
-pub struct Budget<'a> {
+pub struct ReductionBudget<'a> {
     /// How many candidates may be tried, those refused not counted.
     pub tries: u64,
     /// Asked before each try: whether to be content with what there is. Ctrl-C and time limits belong here.
     pub stop: &'a dyn Fn() -> bool,
 }
 
-impl Default for Budget<'_> {
+impl Default for ReductionBudget<'_> {
     /// Two thousand tries, and never stopped.
     fn default() -> Self {
-        Budget {
+        ReductionBudget {
             tries: 2000,
             stop: &|| false,
         }
@@ -114,7 +114,7 @@ impl Default for Budget<'_> {
 
 /// The result of a reduction.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Minimised<T> {
+pub struct Reduction<T> {
     /// The smallest that was found to be interesting; the start where nothing smaller was.
     pub value: T,
     /// How many candidates were tried, the start among them.
@@ -122,17 +122,17 @@ pub struct Minimised<T> {
     /// How many candidates were refused without a try.
     pub refused: u64,
     /// Why it ended.
-    pub ended: Ended,
+    pub ended: StopReason,
 }
 
 /// Why a reduction ended.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Ended {
+pub enum StopReason {
     /// No pass makes it any smaller.
     Smallest,
     /// The budget was spent.
     OutOfTries,
-    /// [`Budget::stop`] said so.
+    /// [`ReductionBudget::stop`] said so.
     Stopped,
     /// The start itself is not interesting: there was nothing to reduce.
     NotInteresting,
@@ -144,11 +144,11 @@ pub enum Ended {
 /// ones are made from, so the result has been interesting when it was tried.
 pub fn minimise<T: Clone>(
     start: T,
-    method: &Method<T>,
-    interesting: &mut dyn FnMut(&T) -> Answer,
-    budget: &Budget<'_>,
-) -> Minimised<T> {
-    let mut search = Search {
+    method: &ReductionMethod<T>,
+    interesting: &mut dyn FnMut(&T) -> Interestingness,
+    budget: &ReductionBudget<'_>,
+) -> Reduction<T> {
+    let mut search = PassSearch {
         weight: (method.weight)(&start),
         seen: HashSet::from([(method.key)(&start)]),
         best: start,
@@ -159,10 +159,10 @@ pub fn minimise<T: Clone>(
         refused: 0,
     };
     let ended = match (search.interesting)(&search.best) {
-        Answer::Interesting => search.rounds(),
-        Answer::Dull | Answer::Refused => Ended::NotInteresting,
+        Interestingness::Interesting => search.rounds(),
+        Interestingness::Uninteresting | Interestingness::Invalid => StopReason::NotInteresting,
     };
-    Minimised {
+    Reduction {
         value: search.best,
         tries: search.tries,
         refused: search.refused,
@@ -170,20 +170,20 @@ pub fn minimise<T: Clone>(
     }
 }
 
-struct Search<'a, T: 'static> {
+struct PassSearch<'a, T: 'static> {
     best: T,
     weight: (u64, u128),
     seen: HashSet<u64>,
-    method: &'a Method<T>,
-    interesting: &'a mut dyn FnMut(&T) -> Answer,
-    budget: &'a Budget<'a>,
+    method: &'a ReductionMethod<T>,
+    interesting: &'a mut dyn FnMut(&T) -> Interestingness,
+    budget: &'a ReductionBudget<'a>,
     tries: u64,
     refused: u64,
 }
 
-impl<T: Clone> Search<'_, T> {
+impl<T: Clone> PassSearch<'_, T> {
     /// All passes, again and again, until a round changes nothing.
-    fn rounds(&mut self) -> Ended {
+    fn rounds(&mut self) -> StopReason {
         loop {
             let before = self.weight;
             for pass in self.method.passes {
@@ -192,13 +192,13 @@ impl<T: Clone> Search<'_, T> {
                 }
             }
             if self.weight == before {
-                return Ended::Smallest;
+                return StopReason::Smallest;
             }
         }
     }
 
     /// One pass, with ever smaller chunks of its sites.
-    fn chunks(&mut self, pass: &Pass<T>) -> Result<(), Ended> {
+    fn chunks(&mut self, pass: &Pass<T>) -> Result<(), StopReason> {
         let mut chunk = self.sites(pass);
         while chunk > 0 {
             let mut at = 0;
@@ -220,7 +220,7 @@ impl<T: Clone> Search<'_, T> {
     }
 
     /// Whether these sites can be changed; then they are.
-    fn attempt(&mut self, pass: &Pass<T>, chosen: Range<usize>) -> Result<bool, Ended> {
+    fn attempt(&mut self, pass: &Pass<T>, chosen: Range<usize>) -> Result<bool, StopReason> {
         let mut candidate = self.best.clone();
         let mut sites = Sites::new(chosen);
         (pass.edit)(&mut candidate, &mut sites);
@@ -229,15 +229,15 @@ impl<T: Clone> Search<'_, T> {
             return Ok(false);
         }
         if self.tries >= self.budget.tries {
-            return Err(Ended::OutOfTries);
+            return Err(StopReason::OutOfTries);
         }
         if (self.budget.stop)() {
-            return Err(Ended::Stopped);
+            return Err(StopReason::Stopped);
         }
         match (self.interesting)(&candidate) {
-            Answer::Refused => self.refused += 1,
-            Answer::Dull => self.tries += 1,
-            Answer::Interesting => {
+            Interestingness::Invalid => self.refused += 1,
+            Interestingness::Uninteresting => self.tries += 1,
+            Interestingness::Interesting => {
                 self.tries += 1;
                 self.best = candidate;
                 self.weight = weight;
@@ -255,7 +255,7 @@ mod tests {
     use std::hash::{DefaultHasher, Hash, Hasher};
 
     /// Lists of numbers: an element is dropped, or made one less.
-    const LISTS: Method<Vec<u32>> = Method {
+    const LISTS: ReductionMethod<Vec<u32>> = ReductionMethod {
         passes: &[
             Pass {
                 name: "drop",
@@ -291,11 +291,12 @@ mod tests {
 
     #[test]
     fn what_matters_remains_and_all_else_goes() {
-        let mut both =
-            |list: &Vec<u32>| Answer::from(list.contains(&17) && list.iter().any(|element| *element > 150));
-        let found = minimise(list(), &LISTS, &mut both, &Budget::default());
+        let mut both = |list: &Vec<u32>| {
+            Interestingness::from(list.contains(&17) && list.iter().any(|element| *element > 150))
+        };
+        let found = minimise(list(), &LISTS, &mut both, &ReductionBudget::default());
         assert_eq!(found.value, [17, 151]);
-        assert_eq!(found.ended, Ended::Smallest);
+        assert_eq!(found.ended, StopReason::Smallest);
         assert!(found.tries < 200, "{} tries", found.tries);
     }
 
@@ -304,31 +305,36 @@ mod tests {
         let mut asked = HashSet::new();
         let mut ask = |list: &Vec<u32>| {
             assert!(asked.insert(list.clone()), "{list:?} was asked twice");
-            Answer::from(list.len() >= 3)
+            Interestingness::from(list.len() >= 3)
         };
-        let found = minimise(list(), &LISTS, &mut ask, &Budget::default());
+        let found = minimise(list(), &LISTS, &mut ask, &ReductionBudget::default());
         assert_eq!(found.value, [0, 0, 0]);
         assert_eq!(found.tries, asked.len() as u64);
     }
 
     #[test]
     fn a_start_without_the_symptom_is_given_back_as_it_is() {
-        let found = minimise(list(), &LISTS, &mut |_| Answer::Dull, &Budget::default());
+        let found = minimise(
+            list(),
+            &LISTS,
+            &mut |_| Interestingness::Uninteresting,
+            &ReductionBudget::default(),
+        );
         assert_eq!(
             (found.value, found.tries, found.ended),
-            (list(), 1, Ended::NotInteresting)
+            (list(), 1, StopReason::NotInteresting)
         );
     }
 
     #[test]
     fn the_best_so_far_is_given_when_the_budget_ends() {
-        let few = Budget {
+        let few = ReductionBudget {
             tries: 5,
-            ..Budget::default()
+            ..ReductionBudget::default()
         };
-        let mut long = |list: &Vec<u32>| Answer::from(list.contains(&17));
+        let mut long = |list: &Vec<u32>| Interestingness::from(list.contains(&17));
         let found = minimise(list(), &LISTS, &mut long, &few);
-        assert_eq!((found.tries, found.ended), (5, Ended::OutOfTries));
+        assert_eq!((found.tries, found.ended), (5, StopReason::OutOfTries));
         assert!(found.value.contains(&17) && found.value.len() < 200);
     }
 
@@ -336,26 +342,26 @@ mod tests {
     fn the_best_so_far_is_given_when_it_is_stopped() {
         let asked = Cell::new(0);
         let stop = || asked.get() == 3;
-        let budget = Budget {
+        let budget = ReductionBudget {
             stop: &stop,
-            ..Budget::default()
+            ..ReductionBudget::default()
         };
         let mut long = |list: &Vec<u32>| {
             asked.set(asked.get() + 1);
-            Answer::from(list.contains(&17))
+            Interestingness::from(list.contains(&17))
         };
         let found = minimise(list(), &LISTS, &mut long, &budget);
-        assert_eq!((found.tries, found.ended), (3, Ended::Stopped));
+        assert_eq!((found.tries, found.ended), (3, StopReason::Stopped));
         assert!(found.value.contains(&17));
     }
 
     #[test]
     fn what_is_refused_costs_no_try() {
         let mut even = |list: &Vec<u32>| match list.len() % 2 {
-            0 => Answer::from(list.contains(&17)),
-            _ => Answer::Refused,
+            0 => Interestingness::from(list.contains(&17)),
+            _ => Interestingness::Invalid,
         };
-        let found = minimise(list(), &LISTS, &mut even, &Budget::default());
+        let found = minimise(list(), &LISTS, &mut even, &ReductionBudget::default());
         assert!(found.refused > 0);
         assert_eq!(found.value.len() % 2, 0);
     }

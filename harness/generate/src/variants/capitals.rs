@@ -17,22 +17,22 @@ pub(super) fn scattered(program: &Program, random: &mut Random<'_, '_>) -> Optio
         .map(|letter| match quoted {
             // A quote within a text stands behind a dollar, or is written by its number: what the writer spells `$'` is passed by
             // its dollar, see `after_dollar`.
-            Some(Quoted::Escaped(quote)) => {
-                quoted = Some(Quoted::In(quote));
+            Some(QuoteState::Escaped(quote)) => {
+                quoted = Some(QuoteState::In(quote));
                 letter
             }
-            Some(Quoted::In(_)) if letter == '$' => {
-                quoted = quoted.map(Quoted::escaped);
+            Some(QuoteState::In(_)) if letter == '$' => {
+                quoted = quoted.map(QuoteState::escaped);
                 letter
             }
-            Some(Quoted::In(quote)) => {
+            Some(QuoteState::In(quote)) => {
                 if letter == quote {
                     quoted = None;
                 }
                 letter
             }
             None if matches!(letter, '\'' | '"') => {
-                quoted = Some(Quoted::In(letter));
+                quoted = Some(QuoteState::In(letter));
                 letter
             }
             None => {
@@ -46,15 +46,15 @@ pub(super) fn scattered(program: &Program, random: &mut Random<'_, '_>) -> Optio
 
 /// Where in a text a character stands: inside it, or behind a dollar sign; and the quote that ends it.
 #[derive(Clone, Copy)]
-enum Quoted {
+enum QuoteState {
     In(char),
     Escaped(char),
 }
 
-impl Quoted {
-    const fn escaped(self) -> Quoted {
+impl QuoteState {
+    const fn escaped(self) -> QuoteState {
         match self {
-            Quoted::In(quote) | Quoted::Escaped(quote) => Quoted::Escaped(quote),
+            QuoteState::In(quote) | QuoteState::Escaped(quote) => QuoteState::Escaped(quote),
         }
     }
 }

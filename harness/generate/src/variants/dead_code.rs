@@ -2,8 +2,8 @@
 
 use super::walk::{FreeNames, bodies, has_loose_exit, lists, variable};
 use crate::model::{
-    Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement, StatementKind, Target, Type,
-    Variable, VariableId,
+    AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind,
+    Type, Variable, VariableId, VariableSection,
 };
 use crate::random::Random;
 use std::collections::HashSet;
@@ -17,7 +17,7 @@ pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
         body.add(variable(
             names.next("unread"),
             Type::Elementary(ElementaryType::Lword),
-            Section::Local,
+            VariableSection::Local,
         ));
         let settled = settled_variables(body.variables, body.statements);
         lists(body.statements, &mut |list| {
@@ -65,7 +65,9 @@ fn settled_variables(
         .iter()
         .enumerate()
         .filter_map(|(index, variable)| match variable.ty {
-            Type::Elementary(ty) if variable.section == Section::Local => Some((VariableId(index), ty)),
+            Type::Elementary(ty) if variable.section == VariableSection::Local => {
+                Some((VariableId(index), ty))
+            }
             _ => None,
         });
     settled.filter(|(id, _)| !counting.contains(id)).collect()
@@ -101,7 +103,7 @@ fn onto_itself(id: VariableId, ty: ElementaryType) -> Statement {
         ty: Type::Elementary(ty),
         kind: ExpressionKind::Read(place.clone()),
     };
-    statement(StatementKind::Assign(Target::Place(place), value))
+    statement(StatementKind::Assign(AssignmentTarget::Place(place), value))
 }
 
 fn truth(value: bool) -> Expression {

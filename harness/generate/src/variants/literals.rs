@@ -2,7 +2,8 @@
 
 use super::walk::{FreeNames, bodies, expressions, variable};
 use crate::model::{
-    Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Variable, VariableId,
+    Expression, ExpressionKind, Initializer, LiteralForm, Place, Program, Variable, VariableId,
+    VariableSection,
 };
 use crate::random::Random;
 
@@ -25,15 +26,15 @@ pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize
                 return;
             }
             let section = if random.chance(1, 2) {
-                Section::Constant
+                VariableSection::Constant
             } else {
-                Section::Local
+                VariableSection::Local
             };
             let ty = expression.ty.clone();
             let hoisted = Place::whole(VariableId(first + added.len()), ty.clone());
             let value = std::mem::replace(&mut expression.kind, ExpressionKind::Read(hoisted));
             added.push(Variable {
-                initial: Some(Initial::Expression(Expression {
+                initial: Some(Initializer::Expression(Expression {
                     ty: ty.clone(),
                     kind: value,
                 })),

@@ -3,16 +3,16 @@
 use super::walk::{bodies, has_loose_exit, lists};
 use crate::model::visit::bodies as bodies_of;
 use crate::model::{
-    Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind, Target, Type,
-    UnaryOperator, Variable, VariableId,
+    AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind,
+    Type, UnaryOperator, Variable, VariableId,
 };
 use crate::random::Random;
 use stickler_types::{ElementaryType, Value};
 
 /// A loop of more turns is left as it is.
-const MOST_TURNS: usize = 6;
+const MAX_TURNS: usize = 6;
 /// So many statements a program may get by this, so that loops in loops do not make it endless.
-const MOST_STATEMENTS: usize = 400;
+const MAX_ADDED_STATEMENTS: usize = 400;
 
 /// Unrolls some loops. Says how many.
 pub(super) fn unroll(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
@@ -25,7 +25,7 @@ pub(super) fn unroll(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
             for statement in list.drain(..) {
                 match unrolled_loop(&statement, variables) {
                     Some(statements)
-                        if spent + size(&statements) <= MOST_STATEMENTS && !random.chance(1, 4) =>
+                        if spent + size(&statements) <= MAX_ADDED_STATEMENTS && !random.chance(1, 4) =>
                     {
                         spent += size(&statements);
                         count += 1;
@@ -87,7 +87,7 @@ fn turns(from: &Expression, to: &Expression, by: Option<&Expression>) -> Option<
     let by = by.map_or(Some(1), literal)?;
     let mut turns = Vec::new();
     while by != 0 && if by > 0 { value <= to } else { value >= to } {
-        if turns.len() == MOST_TURNS {
+        if turns.len() == MAX_TURNS {
             return None;
         }
         turns.push(value);
@@ -110,7 +110,7 @@ fn assigned(variable: VariableId, ty: ElementaryType, value: i128) -> Statement 
         kind: ExpressionKind::Literal(Value::plain(ty, ty.wrap(value)), LiteralForm::Typed),
     };
     of_kind(StatementKind::Assign(
-        Target::Place(Place::whole(variable, Type::Elementary(ty))),
+        AssignmentTarget::Place(Place::whole(variable, Type::Elementary(ty))),
         literal,
     ))
 }

@@ -3,8 +3,8 @@
 use super::walk::{Body, FreeNames, bodies, expressions, lists, variable};
 use crate::model::visit_mut::operands;
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, Place, Program, Section, Statement, StatementKind, Target,
-    VariableId,
+    AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, Program, Statement, StatementKind,
+    VariableId, VariableSection,
 };
 use crate::random::Random;
 use std::mem;
@@ -82,13 +82,13 @@ const fn is_worth_a_variable(operand: &Expression) -> bool {
 /// The assignment of an operand to a new variable, which stands in its place from now on.
 fn separate(operand: &mut Expression, body: &mut Body<'_>, names: &mut FreeNames) -> Statement {
     let ty = operand.ty.clone();
-    let id: VariableId = body.add(variable(names.next("part"), ty.clone(), Section::Local));
+    let id: VariableId = body.add(variable(names.next("part"), ty.clone(), VariableSection::Local));
     let read = Expression {
         ty: ty.clone(),
         kind: ExpressionKind::Read(Place::whole(id, ty.clone())),
     };
     let value = mem::replace(operand, read);
     Statement {
-        kind: StatementKind::Assign(Target::Place(Place::whole(id, ty)), value),
+        kind: StatementKind::Assign(AssignmentTarget::Place(Place::whole(id, ty)), value),
     }
 }

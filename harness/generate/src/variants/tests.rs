@@ -83,7 +83,7 @@ pub(crate) fn everything() -> Program {
         )),
         hand::set(2, Dint, widened),
         hand::statement(StatementKind::Assign(
-            Target::Bit(hand::place(3, Vec::new(), Byte), 6),
+            AssignmentTarget::Bit(hand::place(3, Vec::new(), Byte), 6),
             hand::literal("BOOL#TRUE"),
         )),
     ];
@@ -94,13 +94,13 @@ pub(crate) fn everything() -> Program {
         hand::local("bits", Byte, ""),
     ];
     let mut made = hand::program(variables, body);
-    let input = |name| hand::variable(name, Type::Elementary(Int), Section::Input, None);
+    let input = |name| hand::variable(name, Type::Elementary(Int), VariableSection::Input, None);
     made.functions.push(Function {
         name: "product".to_owned(),
         result: Type::Elementary(Int),
         variables: vec![input("a"), input("b")],
         body: vec![hand::statement(StatementKind::Assign(
-            Target::Result,
+            AssignmentTarget::Result,
             hand::binary(BinaryOperator::Multiply, hand::read(0, Int), hand::read(1, Int)),
         ))],
     });

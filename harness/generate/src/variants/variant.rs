@@ -4,7 +4,7 @@ use super::{branches, capitals, dead_code, literals, loops, operands, spelling};
 use crate::dialect::has_partial_access;
 use crate::model::Program;
 use crate::random::Random;
-use crate::writer::{Arguments, Bits, Keywords, LineEnds, Notation, Style, Widening, write};
+use crate::writer::{ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm, write};
 use arbitrary::Unstructured;
 use stickler_reference::render;
 
@@ -144,14 +144,14 @@ impl Variant {
             Variant::ExplicitConversions => spelling::other(
                 program,
                 Style {
-                    widening: Widening::Explicit,
+                    widening: WideningForm::Explicit,
                     ..Style::default()
                 },
             ),
             Variant::NamedArguments => spelling::other(
                 program,
                 Style {
-                    arguments: Arguments::Named,
+                    arguments: ArgumentForm::Named,
                     ..Style::default()
                 },
             ),

@@ -2,7 +2,8 @@
 
 use crate::model::visit_mut::{self, VisitorMut, walk_expression, walk_statements};
 use crate::model::{
-    Declared, Expression, Program, Section, Statement, StatementKind, Type, Unit, Variable, VariableId, visit,
+    DeclaredKind, Expression, Program, Statement, StatementKind, Type, Unit, Variable, VariableId,
+    VariableSection, visit,
 };
 use std::collections::HashSet;
 
@@ -55,7 +56,7 @@ impl FreeNames {
         };
         for declaration in &program.types {
             take(&declaration.name);
-            if let Declared::Enumeration(names) = &declaration.kind {
+            if let DeclaredKind::Enumeration(names) = &declaration.kind {
                 names.iter().for_each(|name| take(name));
             }
         }
@@ -82,7 +83,7 @@ impl FreeNames {
 }
 
 /// A variable of its own for a value, in VAR or VAR CONSTANT.
-pub(super) fn variable(name: String, ty: Type, section: Section) -> Variable {
+pub(super) fn variable(name: String, ty: Type, section: VariableSection) -> Variable {
     Variable {
         name,
         ty,

@@ -1,13 +1,15 @@
 //! Types, variables, POUs, and the whole text.
 
-use super::sheet::Sheet;
-use super::statements::Pou;
+use super::sheet::TextSheet;
+use super::statements::PouText;
 use super::style::Style;
-use crate::model::{Declared, Initial, Program, Section, Statement, Type, TypeDeclaration, Variable};
+use crate::model::{
+    DeclaredKind, Initializer, Program, Statement, Type, TypeDeclaration, Variable, VariableSection,
+};
 
 /// The text of a program.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Written {
+pub struct WrittenProgram {
     /// The source text; its last line is ended.
     pub text: String,
     /// The line, counted from 1, on which each raw expression or statement begins, in the order of the text.
@@ -17,8 +19,8 @@ pub struct Written {
 /// Writes a program. Takes any program, also one that is not well-typed; a reference to something that the program does not
 /// have is left out.
 #[must_use]
-pub fn write(program: &Program, style: &Style) -> Written {
-    let mut sheet = Sheet::new(program, *style);
+pub fn write(program: &Program, style: &Style) -> WrittenProgram {
+    let mut sheet = TextSheet::new(program, *style);
     sheet.types(&program.types);
     for function in &program.functions {
         sheet.word("FUNCTION");
@@ -43,13 +45,13 @@ pub fn write(program: &Program, style: &Style) -> Written {
     sheet.blank();
     sheet.put("main");
     sheet.pou(&program.main.variables, &program.main.body, "main", "END_PROGRAM");
-    Written {
+    WrittenProgram {
         text: sheet.text,
         raw_lines: sheet.raw_lines,
     }
 }
 
-impl<'p> Sheet<'p> {
+impl<'p> TextSheet<'p> {
     /// Everything of a POU behind its first line.
     fn pou(&mut self, variables: &'p [Variable], body: &'p [Statement], name: &'p str, end: &str) {
         for section in variables.chunk_by(|one, next| one.section == next.section) {
@@ -57,7 +59,7 @@ impl<'p> Sheet<'p> {
         }
         self.statements(
             body,
-            Pou {
+            PouText {
                 variables,
                 result: name,
             },
@@ -71,11 +73,11 @@ impl<'p> Sheet<'p> {
         let Some(first) = declared.first() else { return };
         self.new_line();
         self.word(match first.section {
-            Section::Local => "VAR",
-            Section::Constant => "VAR CONSTANT",
-            Section::Input => "VAR_INPUT",
-            Section::Output => "VAR_OUTPUT",
-            Section::InOut => "VAR_IN_OUT",
+            VariableSection::Local => "VAR",
+            VariableSection::Constant => "VAR CONSTANT",
+            VariableSection::Input => "VAR_INPUT",
+            VariableSection::Output => "VAR_OUTPUT",
+            VariableSection::InOut => "VAR_IN_OUT",
         });
         self.deeper();
         for variable in declared {
@@ -94,10 +96,10 @@ impl<'p> Sheet<'p> {
         self.word("END_VAR");
     }
 
-    fn initial(&mut self, initial: &Initial, ty: &Type, variables: &[Variable]) {
+    fn initial(&mut self, initial: &Initializer, ty: &Type, variables: &[Variable]) {
         match initial {
-            Initial::Expression(value) => self.expression(value, variables),
-            Initial::Array(values) => {
+            Initializer::Expression(value) => self.expression(value, variables),
+            Initializer::Array(values) => {
                 self.put("[");
                 for (number, value) in values.iter().enumerate() {
                     if number > 0 {
@@ -107,7 +109,7 @@ impl<'p> Sheet<'p> {
                 }
                 self.put("]");
             }
-            Initial::Structure(values) => {
+            Initializer::Structure(values) => {
                 let fields = self.program.fields(ty).unwrap_or_default();
                 self.put("(");
                 for (number, (field, value)) in values.iter().enumerate() {
@@ -167,9 +169,9 @@ impl<'p> Sheet<'p> {
         self.new_line();
     }
 
-    fn declared(&mut self, declared: &'p Declared) {
+    fn declared(&mut self, declared: &'p DeclaredKind) {
         match declared {
-            Declared::Enumeration(names) => {
+            DeclaredKind::Enumeration(names) => {
                 self.put("(");
                 for (number, name) in names.iter().enumerate() {
                     if number > 0 {
@@ -179,8 +181,8 @@ impl<'p> Sheet<'p> {
                 }
                 self.put(")");
             }
-            Declared::Alias(ty) => self.type_name(ty),
-            Declared::Structure(fields) => {
+            DeclaredKind::Alias(ty) => self.type_name(ty),
+            DeclaredKind::Structure(fields) => {
                 self.word("STRUCT");
                 self.deeper();
                 for (name, ty, initial) in fields {

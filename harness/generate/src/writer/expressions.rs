@@ -1,10 +1,10 @@
 //! Expressions and places.
 
 use super::literals::begins_with_minus;
-use super::sheet::Sheet;
-use super::style::{Arguments, Bits, Widening};
+use super::sheet::TextSheet;
+use super::style::{ArgumentForm, Bits, WideningForm};
 use crate::model::{
-    Argument, BinaryOperator, Declared, Expression, ExpressionKind, LiteralForm, Place, Selector,
+    Argument, BinaryOperator, DeclaredKind, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector,
     StandardFunction, Type, UnaryOperator, Variable,
 };
 use stickler_exact::signatures;
@@ -79,7 +79,7 @@ pub(crate) const fn function_name(function: StandardFunction) -> &'static str {
     }
 }
 
-impl Sheet<'_> {
+impl TextSheet<'_> {
     /// An expression in the POU that declares `variables`.
     pub fn expression(&mut self, expression: &Expression, variables: &[Variable]) {
         match &expression.kind {
@@ -130,7 +130,7 @@ impl Sheet<'_> {
             return;
         };
         // Only a call by names can leave inputs out.
-        let named = self.style.arguments == Arguments::Named || arguments.len() < called.inputs().count();
+        let named = self.style.arguments == ArgumentForm::Named || arguments.len() < called.inputs().count();
         self.put(&called.name);
         self.put("(");
         for (number, argument) in arguments.iter().enumerate() {
@@ -216,7 +216,7 @@ impl Sheet<'_> {
         let (&Type::Elementary(from), &Type::Elementary(into)) = (&operand.ty, into) else {
             return None;
         };
-        if self.style.widening == Widening::Implicit {
+        if self.style.widening == WideningForm::Implicit {
             return None;
         }
         let name = format!("{from}_TO_{into}");
@@ -226,7 +226,7 @@ impl Sheet<'_> {
     fn enumerated(&mut self, ty: &Type, which: usize) {
         let Type::Declared(declared) = ty else { return };
         let declaration = self.program.types.get(*declared);
-        if let Some(Declared::Enumeration(names)) = declaration.map(|declaration| &declaration.kind)
+        if let Some(DeclaredKind::Enumeration(names)) = declaration.map(|declaration| &declaration.kind)
             && let Some(name) = names.get(which)
         {
             self.put(name);
@@ -262,7 +262,7 @@ impl Sheet<'_> {
     fn selected<'t>(
         &mut self,
         within: &'t Type,
-        selector: &Selector,
+        selector: &PlaceSelector,
         variables: &[Variable],
     ) -> Option<&'t Type>
     where
@@ -270,7 +270,7 @@ impl Sheet<'_> {
     {
         let program = self.program;
         match selector {
-            Selector::Index(subscripts) => {
+            PlaceSelector::Index(subscripts) => {
                 self.put("[");
                 for (number, subscript) in subscripts.iter().enumerate() {
                     if number > 0 {
@@ -284,13 +284,13 @@ impl Sheet<'_> {
                     _ => None,
                 }
             }
-            Selector::Field(field) => {
+            PlaceSelector::Field(field) => {
                 let (name, ty, _) = program.fields(within)?.get(*field)?;
                 self.put(".");
                 self.put(name);
                 Some(ty)
             }
-            Selector::Output(output) => {
+            PlaceSelector::Output(output) => {
                 let Type::Block(block) = within else {
                     return None;
                 };

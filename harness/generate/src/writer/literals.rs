@@ -1,13 +1,13 @@
 //! Literals.
 
 use super::notation::long_prefix;
-use super::sheet::Sheet;
+use super::sheet::TextSheet;
 use super::style::Notation;
 use crate::model::LiteralForm;
 use std::fmt::Write as _;
 use stickler_types::{ElementaryType, Family, Value};
 
-impl Sheet<'_> {
+impl TextSheet<'_> {
     /// A literal in its canonical spelling, or what the style has instead, with the prefix of its type or without it.
     ///
     /// Without it, bit strings are written in base 16, and durations and dates keep the short prefix that the standard

@@ -1,10 +1,10 @@
 //! Other notations of the same literals: bases, underscores, exponents, composed durations, long prefixes, character codes.
 
-use super::sheet::Sheet;
+use super::sheet::TextSheet;
 use crate::model::LiteralForm;
 use stickler_types::{BuiltIn, ElementaryType, Family, Value};
 
-impl Sheet<'_> {
+impl TextSheet<'_> {
     /// A literal behind its prefix in another notation; nothing where there is none but the canonical one.
     ///
     /// Basis: iec-61131-3: Tables 5 to 9.

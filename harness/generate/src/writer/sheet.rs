@@ -5,7 +5,7 @@ use crate::model::Program;
 use crate::random::next;
 
 /// The text so far, and everything that decides how it goes on.
-pub(super) struct Sheet<'p> {
+pub(super) struct TextSheet<'p> {
     pub program: &'p Program,
     pub style: Style,
     pub text: String,
@@ -31,9 +31,9 @@ const COMMENTS: [&str; 8] = [
     "(* two\nlines *)",
 ];
 
-impl<'p> Sheet<'p> {
-    pub fn new(program: &'p Program, style: Style) -> Sheet<'p> {
-        Sheet {
+impl<'p> TextSheet<'p> {
+    pub fn new(program: &'p Program, style: Style) -> TextSheet<'p> {
+        TextSheet {
             program,
             style,
             // A mean program has about this many bytes, so the text rarely moves.

@@ -1,23 +1,23 @@
 //! Statements.
 
-use super::sheet::Sheet;
+use super::sheet::TextSheet;
 use crate::model::{
-    Argument, CaseBranch, CaseLabel, Expression, Place, Statement, StatementKind, Target, Type, Variable,
-    VariableId,
+    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, Place, Statement, StatementKind, Type,
+    Variable, VariableId,
 };
 
 /// The POU whose statements are written.
 #[derive(Clone, Copy)]
-pub(super) struct Pou<'p> {
+pub(super) struct PouText<'p> {
     pub variables: &'p [Variable],
     /// What the result of a function is called.
     pub result: &'p str,
 }
 
-impl Sheet<'_> {
+impl TextSheet<'_> {
     /// Statements, each on a line of its own, one step deeper. Where there are none stands an empty one, for the standard
     /// demands a statement there.
-    pub fn statements(&mut self, statements: &[Statement], pou: Pou<'_>) {
+    pub fn statements(&mut self, statements: &[Statement], pou: PouText<'_>) {
         self.deeper();
         for statement in statements {
             self.new_line();
@@ -30,7 +30,7 @@ impl Sheet<'_> {
         self.shallower();
     }
 
-    fn statement(&mut self, statement: &Statement, pou: Pou<'_>) {
+    fn statement(&mut self, statement: &Statement, pou: PouText<'_>) {
         match &statement.kind {
             StatementKind::Assign(target, value) => {
                 self.target(target, pou);
@@ -86,11 +86,11 @@ impl Sheet<'_> {
         self.word(keyword);
     }
 
-    fn target(&mut self, target: &Target, pou: Pou<'_>) {
+    fn target(&mut self, target: &AssignmentTarget, pou: PouText<'_>) {
         match target {
-            Target::Place(place) => self.place(place, pou.variables),
-            Target::Bit(place, bit) => self.bit(place, *bit, pou.variables),
-            Target::Result => self.put(pou.result),
+            AssignmentTarget::Place(place) => self.place(place, pou.variables),
+            AssignmentTarget::Bit(place, bit) => self.bit(place, *bit, pou.variables),
+            AssignmentTarget::Result => self.put(pou.result),
         }
     }
 
@@ -98,7 +98,7 @@ impl Sheet<'_> {
         &mut self,
         branches: &[(Expression, Vec<Statement>)],
         otherwise: Option<&[Statement]>,
-        pou: Pou<'_>,
+        pou: PouText<'_>,
     ) {
         for (number, (condition, body)) in branches.iter().enumerate() {
             if number == 0 {
@@ -116,7 +116,7 @@ impl Sheet<'_> {
         self.closing("END_IF");
     }
 
-    fn otherwise(&mut self, otherwise: Option<&[Statement]>, pou: Pou<'_>) {
+    fn otherwise(&mut self, otherwise: Option<&[Statement]>, pou: PouText<'_>) {
         if let Some(body) = otherwise {
             self.closing("ELSE");
             self.statements(body, pou);
@@ -128,7 +128,7 @@ impl Sheet<'_> {
         selector: &Expression,
         branches: &[CaseBranch],
         otherwise: Option<&[Statement]>,
-        pou: Pou<'_>,
+        pou: PouText<'_>,
     ) {
         self.word("CASE");
         self.blank();
@@ -153,7 +153,7 @@ impl Sheet<'_> {
     }
 
     /// A label, whose numbers the second edition writes in decimal digits only.
-    fn label(&mut self, label: &CaseLabel, pou: Pou<'_>) {
+    fn label(&mut self, label: &CaseLabel, pou: PouText<'_>) {
         let notation = std::mem::take(&mut self.style.notation);
         match label {
             CaseLabel::One(value) => self.expression(value, pou.variables),
@@ -172,7 +172,7 @@ impl Sheet<'_> {
         from: &Expression,
         to: &Expression,
         by: Option<&Expression>,
-        pou: Pou<'_>,
+        pou: PouText<'_>,
     ) {
         self.word("FOR");
         self.blank();
@@ -196,7 +196,7 @@ impl Sheet<'_> {
         instance: VariableId,
         inputs: &[Argument],
         outputs: &[(VariableId, Place)],
-        pou: Pou<'_>,
+        pou: PouText<'_>,
     ) {
         let Some(variable) = pou.variables.get(instance.0) else {
             return;

@@ -16,9 +16,9 @@ pub struct Style {
     pub bits: Bits,
     /// Whether an implicit conversion is spelled by the function that does the same. Where no function of the dialect does,
     /// it stays implicit.
-    pub widening: Widening,
+    pub widening: WideningForm,
     /// How the functions of the program are called. Function blocks are always called with names.
-    pub arguments: Arguments,
+    pub arguments: ArgumentForm,
     /// How literals are written.
     pub notation: Notation,
     /// Decides where comments stand, the case of each letter of [`Keywords::Mixed`], and which of the notations of
@@ -60,7 +60,7 @@ pub enum Bits {
 
 /// An implicit conversion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Widening {
+pub enum WideningForm {
     /// `i`, where a DINT is expected.
     #[default]
     Implicit,
@@ -70,7 +70,7 @@ pub enum Widening {
 
 /// The arguments of a function's call.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Arguments {
+pub enum ArgumentForm {
     /// `f(1, 2)`; a call that leaves out inputs has names all the same.
     #[default]
     Positional,

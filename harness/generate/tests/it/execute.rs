@@ -1,7 +1,7 @@
 //! What the oracle `execute` finds in programs by the hundred: nothing, and little that documents leave open.
 
 use std::fmt::Write as _;
-use stickler_generate::oracles::{Tried, execute};
+use stickler_generate::oracles::{InputOutcome, execute};
 
 /// So many bytes that look random, for the seed.
 fn bytes(seed: u64) -> Vec<u8> {
@@ -19,8 +19,8 @@ fn the_reference_gives_what_the_evaluator_gives_and_so_do_all_variants() {
     let (mut failures, mut passed_over) = (String::new(), 0);
     for seed in 0..seeds() {
         match execute::execute(&bytes(seed)) {
-            Ok(Tried::Done) => {}
-            Ok(Tried::PassedOver(_)) => passed_over += 1,
+            Ok(InputOutcome::Checked) => {}
+            Ok(InputOutcome::Skipped(_)) => passed_over += 1,
             Err(failure) => {
                 let _ = writeln!(failures, "seed {seed}: {failure}");
             }

@@ -5,7 +5,7 @@ use arbitrary::Unstructured;
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_exact::{expected, functions, implicit, signatures};
 use stickler_generate::evaluate::evaluate;
-use stickler_generate::features::{Detail, features};
+use stickler_generate::features::{FeatureDetail, features};
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
@@ -120,7 +120,7 @@ fn what_is_open_is_used_only_when_asked_for() {
         };
         program(&mut Unstructured::new(&bytes(seed)), &settings)
     };
-    let has_bits = |program: &Program| features(program, Detail::Measured).contains_key("bit read");
+    let has_bits = |program: &Program| features(program, FeatureDetail::Measured).contains_key("bit read");
     assert!((0..200).any(|seed| has_bits(&open(seed))));
     assert!(!(0..200).any(|seed| has_bits(&made(DialectName::Plcnext, seed))));
 }
@@ -254,7 +254,7 @@ fn every_construct_occurs_in_some_of_the_programs() {
     for dialect in DialectName::ALL {
         let mut missing: BTreeSet<String> = demanded(dialect).into_iter().collect();
         for seed in 0..PROGRAMS {
-            for construct in features(&made(dialect, seed), Detail::Measured).into_keys() {
+            for construct in features(&made(dialect, seed), FeatureDetail::Measured).into_keys() {
                 missing.remove(&construct);
             }
             if missing.is_empty() {

@@ -2,8 +2,12 @@
 
 use arbitrary::Unstructured;
 use stickler_generate::generator::{GeneratorSettings, program};
-use stickler_generate::model::{Expression, ExpressionKind, Program, Statement, StatementKind, Target};
-use stickler_generate::writer::{Arguments, Bits, Keywords, LineEnds, Notation, Style, Widening, write};
+use stickler_generate::model::{
+    AssignmentTarget, Expression, ExpressionKind, Program, Statement, StatementKind,
+};
+use stickler_generate::writer::{
+    ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm, write,
+};
 use stickler_types::{DialectName, Value};
 
 fn made(dialect: DialectName, seed: u8) -> Program {
@@ -51,11 +55,11 @@ fn styles(dialect: DialectName) -> Vec<Style> {
             ..canonical
         },
         Style {
-            widening: Widening::Explicit,
+            widening: WideningForm::Explicit,
             ..canonical
         },
         Style {
-            arguments: Arguments::Named,
+            arguments: ArgumentForm::Named,
             ..canonical
         },
     ];
@@ -142,7 +146,7 @@ fn the_lines_of_raw_text_are_remembered() {
         .body
         .iter()
         .find_map(|statement| match &statement.kind {
-            StatementKind::Assign(Target::Place(place), _) => Some(place.clone()),
+            StatementKind::Assign(AssignmentTarget::Place(place), _) => Some(place.clone()),
             _ => None,
         });
     let target = target.expect("every program assigns something");
@@ -151,7 +155,7 @@ fn the_lines_of_raw_text_are_remembered() {
         kind: ExpressionKind::Raw("nonsense".to_owned()),
     };
     let assigned = Statement {
-        kind: StatementKind::Assign(Target::Place(target), value),
+        kind: StatementKind::Assign(AssignmentTarget::Place(target), value),
     };
     program.main.body.extend([broken, assigned]);
     for style in [

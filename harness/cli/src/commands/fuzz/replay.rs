@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use stickler_campaign::finding::Finding;
 use stickler_campaign::{Replayed, load, replay};
-use stickler_generate::oracles::{Failure, Target, Tried};
+use stickler_generate::oracles::{FuzzTarget, InputOutcome, OracleFailure};
 
 /// Judges the finding in a folder, or, with targets, the bytes of a file.
 ///
@@ -111,13 +111,13 @@ fn write_replayed(finding: &Finding, replayed: &Replayed, out: &mut dyn Write) -
 
 fn write_judged(
     name: &str,
-    target: Target,
-    judged: &Result<Tried, Failure>,
+    target: FuzzTarget,
+    judged: &Result<InputOutcome, OracleFailure>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match judged {
-        Ok(Tried::Done) => writeln!(out, "{name}: {} holds", target.name()),
-        Ok(Tried::PassedOver(word)) => writeln!(out, "{name}: {} passed it over: {word}", target.name()),
+        Ok(InputOutcome::Checked) => writeln!(out, "{name}: {} holds", target.name()),
+        Ok(InputOutcome::Skipped(word)) => writeln!(out, "{name}: {} passed it over: {word}", target.name()),
         Err(failure) => writeln!(out, "{name}: {} fails: {failure}", target.name()),
     }
 }

@@ -4,7 +4,7 @@ use stickler_engines::{
     Ability, Engine, EngineError, Identity, NamedValue, Observation, Outcome, Reference, RunRequest, Session,
     guard,
 };
-use stickler_generate::reduce::{Answer, Symptom};
+use stickler_generate::reduce::{Interestingness, Symptom};
 use stickler_types::{DialectName, Fault, Value};
 
 /// How many variables are compared.
@@ -74,9 +74,9 @@ impl<'e> Subject<'e> {
         dialect: DialectName,
         source: &str,
         symptom: &Symptom,
-    ) -> anyhow::Result<Answer> {
+    ) -> anyhow::Result<Interestingness> {
         let symptoms = self.symptoms(dialect, source)?;
-        Ok(Answer::from(symptoms.contains(symptom)))
+        Ok(Interestingness::from(symptoms.contains(symptom)))
     }
 
     /// What the reference does: the values of all variables of an elementary type.

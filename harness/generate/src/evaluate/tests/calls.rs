@@ -8,11 +8,11 @@ fn a_function_starts_afresh_and_an_input_not_given_has_its_initial_value() {
         name: "f".to_owned(),
         result: Type::Elementary(Int),
         variables: vec![
-            variable("a", Type::Elementary(Int), Section::Input, None),
+            variable("a", Type::Elementary(Int), VariableSection::Input, None),
             variable(
                 "b",
                 Type::Elementary(Int),
-                Section::Input,
+                VariableSection::Input,
                 Some(literal("INT#10")),
             ),
             local("fresh", Int, "INT#1"),
@@ -20,11 +20,11 @@ fn a_function_starts_afresh_and_an_input_not_given_has_its_initial_value() {
         body: vec![
             set(2, Int, binary(BinaryOperator::Add, read(2, Int), read(0, Int))),
             statement(StatementKind::Assign(
-                Target::Result,
+                AssignmentTarget::Result,
                 binary(BinaryOperator::Multiply, read(2, Int), read(1, Int)),
             )),
             statement(StatementKind::Return),
-            statement(StatementKind::Assign(Target::Result, literal("INT#0"))),
+            statement(StatementKind::Assign(AssignmentTarget::Result, literal("INT#0"))),
         ],
     };
     let call = |arguments: Vec<(usize, Expression)>| {
@@ -45,29 +45,29 @@ fn a_function_starts_afresh_and_an_input_not_given_has_its_initial_value() {
 /// A block that adds an input to its output and to an in-out, and two instances of it.
 fn counters(body: Vec<Statement>) -> Program {
     let sum = |to: usize| set(to, Int, binary(BinaryOperator::Add, read(to, Int), read(0, Int)));
-    let block = Block {
+    let block = FunctionBlock {
         name: "Counter".to_owned(),
         variables: vec![
             variable(
                 "step",
                 Type::Elementary(Int),
-                Section::Input,
+                VariableSection::Input,
                 Some(literal("INT#1")),
             ),
             variable(
                 "total",
                 Type::Elementary(Int),
-                Section::Output,
+                VariableSection::Output,
                 Some(literal("INT#100")),
             ),
-            variable("all", Type::Elementary(Int), Section::InOut, None),
+            variable("all", Type::Elementary(Int), VariableSection::InOut, None),
         ],
         body: vec![sum(1), sum(2)],
     };
     let mut main = program(
         vec![
-            variable("a", Type::Block(0), Section::Local, None),
-            variable("b", Type::Block(0), Section::Local, None),
+            variable("a", Type::Block(0), VariableSection::Local, None),
+            variable("b", Type::Block(0), VariableSection::Local, None),
             local("all", Int, ""),
             local("captured", Int, ""),
         ],

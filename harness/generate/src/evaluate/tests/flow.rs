@@ -25,14 +25,14 @@ fn counting(from: &str, to: &str, by: &str, mut body: Vec<Statement>) -> Program
 fn a_for_loop_counts_to_its_limit_and_leaves_its_variable_open() {
     let up = counting("USINT#250", "USINT#255", "", Vec::new());
     assert_eq!(values(&up)[1], "n = INT#6");
-    assert_eq!(questions(&up), [Question::LoopVariable]);
+    assert_eq!(questions(&up), [OpenQuestion::LoopVariable]);
     assert_eq!(
         values(&counting("USINT#5", "USINT#1", "SINT#-2", Vec::new()))[1],
         "n = INT#3"
     );
     let never = counting("USINT#5", "USINT#1", "", Vec::new());
     assert_eq!(values(&never)[1], "n = INT#0");
-    assert_eq!(questions(&never), [Question::LoopVariable]);
+    assert_eq!(questions(&never), [OpenQuestion::LoopVariable]);
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn exit_leaves_the_loop_variable_at_its_turn_and_a_changed_one_is_open() {
     assert_eq!(values(&main), ["i = USINT#3", "n = INT#2"]);
     assert_eq!(questions(&main), []);
     let changing = counting("USINT#1", "USINT#3", "", vec![set(0, Usint, literal("USINT#3"))]);
-    assert!(questions(&changing).contains(&Question::LoopChanged));
+    assert!(questions(&changing).contains(&OpenQuestion::LoopChanged));
 }
 
 #[test]
@@ -66,7 +66,7 @@ fn an_endless_loop_ends_by_the_limit_of_steps() {
     let endless = statement(StatementKind::While(literal("BOOL#TRUE"), Vec::new()));
     assert_eq!(
         evaluate(&program(vec![], vec![endless]), 1),
-        Err(Refusal::StepLimit)
+        Err(EvaluationError::StepLimit)
     );
 }
 

@@ -36,7 +36,7 @@ fn a_conversion_is_that_of_exact_arithmetic_and_open_where_no_document_says() {
     );
     assert_eq!(
         convert("REAL_TO_INT", literal("REAL#2.5"), Int, DialectName::Plcnext),
-        ("r = INT#2".to_owned(), vec![Question::Conversion])
+        ("r = INT#2".to_owned(), vec![OpenQuestion::Conversion])
     );
 }
 
@@ -65,16 +65,19 @@ fn an_implicit_conversion_keeps_the_value() {
     );
     assert_eq!(
         widen("TIME#1.5ms", Udint, plcnext).1,
-        [Question::ImplicitConversion]
+        [OpenQuestion::ImplicitConversion]
     );
-    assert_eq!(widen("TIME#1ms", Ltime, ed3).1, [Question::ImplicitConversion]);
+    assert_eq!(
+        widen("TIME#1ms", Ltime, ed3).1,
+        [OpenQuestion::ImplicitConversion]
+    );
 }
 
 #[test]
 fn elements_fields_and_bits_are_read_and_written_where_they_are() {
     let pair = TypeDeclaration {
         name: "Pair".to_owned(),
-        kind: Declared::Structure(vec![
+        kind: DeclaredKind::Structure(vec![
             ("x".to_owned(), Type::Elementary(Int), Some(literal("INT#7"))),
             ("y".to_owned(), Type::Elementary(Byte), None),
         ]),
@@ -85,24 +88,24 @@ fn elements_fields_and_bits_are_read_and_written_where_they_are() {
     };
     let at = |i: &str, j: &str, field| {
         vec![
-            Selector::Index(vec![literal(i), literal(j)]),
-            Selector::Field(field),
+            PlaceSelector::Index(vec![literal(i), literal(j)]),
+            PlaceSelector::Field(field),
         ]
     };
     let mut main = program(
         vec![
-            variable("grid", Type::Array(Box::new(array)), Section::Local, None),
-            variable("one", Type::Declared(0), Section::Local, None),
+            variable("grid", Type::Array(Box::new(array)), VariableSection::Local, None),
+            variable("one", Type::Declared(0), VariableSection::Local, None),
             local("bit", Bool, ""),
         ],
         vec![
             assign(place(0, at("INT#1", "SINT#-1", 0), Int), literal("INT#40")),
             statement(StatementKind::Assign(
-                Target::Bit(place(0, at("INT#1", "SINT#-1", 1), Byte), 7),
+                AssignmentTarget::Bit(place(0, at("INT#1", "SINT#-1", 1), Byte), 7),
                 literal("BOOL#TRUE"),
             )),
             statement(StatementKind::Assign(
-                Target::Bit(place(1, vec![Selector::Field(0)], Int), 15),
+                AssignmentTarget::Bit(place(1, vec![PlaceSelector::Field(0)], Int), 15),
                 literal("BOOL#TRUE"),
             )),
             set(
@@ -135,18 +138,24 @@ fn a_subscript_outside_and_a_division_by_zero_are_faults() {
     };
     let outside = program(
         vec![
-            variable("a", Type::Array(Box::new(array)), Section::Local, None),
+            variable("a", Type::Array(Box::new(array)), VariableSection::Local, None),
             local("i", Int, "INT#4"),
         ],
         vec![assign(
-            place(0, vec![Selector::Index(vec![read(1, Int)])], Int),
+            place(0, vec![PlaceSelector::Index(vec![read(1, Int)])], Int),
             literal("INT#1"),
         )],
     );
-    assert_eq!(evaluate(&outside, 1), Err(Refusal::Fault(Fault::SubscriptRange)));
+    assert_eq!(
+        evaluate(&outside, 1),
+        Err(EvaluationError::Fault(Fault::SubscriptRange))
+    );
     let quotient = binary(BinaryOperator::Divide, literal("INT#1"), read(0, Int));
     let by_zero = program(vec![local("a", Int, "")], vec![set(0, Int, quotient)]);
-    assert_eq!(evaluate(&by_zero, 1), Err(Refusal::Fault(Fault::DivisionByZero)));
+    assert_eq!(
+        evaluate(&by_zero, 1),
+        Err(EvaluationError::Fault(Fault::DivisionByZero))
+    );
 }
 
 #[test]
@@ -186,11 +195,11 @@ fn a_model_that_contradicts_itself_is_refused_and_never_a_panic() {
             of(Int, ExpressionKind::Standard(StandardFunction::Len, Vec::new())),
         ),
         statement(StatementKind::Assign(
-            Target::Bit(place(0, Vec::new(), Int), 16),
+            AssignmentTarget::Bit(place(0, Vec::new(), Int), 16),
             literal("BOOL#TRUE"),
         )),
-        statement(StatementKind::Assign(Target::Result, literal("INT#1"))),
-        assign(place(0, vec![Selector::Field(0)], Int), literal("INT#1")),
+        statement(StatementKind::Assign(AssignmentTarget::Result, literal("INT#1"))),
+        assign(place(0, vec![PlaceSelector::Field(0)], Int), literal("INT#1")),
         statement(StatementKind::Invoke {
             instance: VariableId(0),
             inputs: Vec::new(),
@@ -200,14 +209,14 @@ fn a_model_that_contradicts_itself_is_refused_and_never_a_panic() {
     for statement in wrong {
         let answer = evaluate(&program(vec![local("a", Int, "")], vec![statement.clone()]), 1);
         assert!(
-            matches!(answer, Err(Refusal::IllFormed(_))),
+            matches!(answer, Err(EvaluationError::IllFormed(_))),
             "{statement:?}: {answer:?}"
         );
     }
     let raw = set(0, Int, of(Int, ExpressionKind::Raw("?".to_owned())));
     assert_eq!(
         evaluate(&program(vec![local("a", Int, "")], vec![raw]), 1),
-        Err(Refusal::Raw)
+        Err(EvaluationError::Raw)
     );
     let mut recursive = program(
         vec![local("a", Int, "")],
@@ -218,11 +227,14 @@ fn a_model_that_contradicts_itself_is_refused_and_never_a_panic() {
         result: Type::Elementary(Int),
         variables: Vec::new(),
         body: vec![statement(StatementKind::Assign(
-            Target::Result,
+            AssignmentTarget::Result,
             of(Int, ExpressionKind::Call(0, Vec::new())),
         ))],
     });
-    assert!(matches!(evaluate(&recursive, 1), Err(Refusal::IllFormed(_))));
+    assert!(matches!(
+        evaluate(&recursive, 1),
+        Err(EvaluationError::IllFormed(_))
+    ));
 }
 
 #[test]
@@ -250,7 +262,7 @@ fn standard_functions_give_what_the_standard_says() {
     assert_eq!(call(Mux, &["SINT#1", "INT#3", "INT#-4"], Int), settled("INT#-4"));
     assert_eq!(
         call(Mux, &["SINT#2", "INT#3", "INT#-4"], Int).1,
-        [Question::MuxSelector]
+        [OpenQuestion::MuxSelector]
     );
     assert_eq!(
         call(Min, &["UDINT#4000000000", "UDINT#5"], Udint),
@@ -259,7 +271,7 @@ fn standard_functions_give_what_the_standard_says() {
     assert_eq!(call(Max, &["REAL#1.5", "REAL#1.25"], Real), settled("REAL#1.5"));
     assert_eq!(
         call(Max, &["REAL#0.0", "REAL#-0.0"], Real).1,
-        [Question::ZerosOfTwoSigns]
+        [OpenQuestion::ZerosOfTwoSigns]
     );
     assert_eq!(
         call(Limit, &["INT#0", "INT#15", "INT#10"], Int),
@@ -267,7 +279,7 @@ fn standard_functions_give_what_the_standard_says() {
     );
     assert_eq!(
         call(Limit, &["INT#10", "INT#5", "INT#0"], Int).1,
-        [Question::LimitsCrossed]
+        [OpenQuestion::LimitsCrossed]
     );
     assert_eq!(call(Ror, &["BYTE#16#81", "INT#1"], Byte), settled("BYTE#16#C0"));
     assert_eq!(call(Len, &["STRING#'abc'"], Int), settled("INT#3"));

@@ -2,11 +2,11 @@
 //!
 //! Basis: ironplc-bit-access, which is why most of it is for IronPLC's dialects only; where another stands, the kind names it.
 
-use super::super::plot::{Plot, literal};
+use super::super::fault_site::{FaultSite, literal};
 use super::super::scope::elementary;
 use super::operands::stands_for_any_value;
 use crate::dialect::{has_bits, has_partial_access};
-use crate::model::{Expression, ExpressionKind, Place, Program, StatementKind, Target, Type, Unit};
+use crate::model::{AssignmentTarget, Expression, ExpressionKind, Place, Program, StatementKind, Type, Unit};
 use stickler_types::{DialectName, ElementaryType};
 
 /// The number of bits of a type that has bits.
@@ -18,10 +18,10 @@ pub(super) fn bits(program: &Program, ty: &Type) -> Option<u32> {
 /// A bit beyond the last one, read where a BOOL is wanted: anywhere else that it is one would be a second error.
 ///
 /// Basis: bit-access/outside-and-no-bool.st.
-pub(super) fn outside_read(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn outside_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     read(
-        plot,
+        fault,
         |expression| elementary(original, &expression.ty) == Some(ElementaryType::Bool),
         |place| bits(original, &place.ty).is_some(),
         |width| vec![width, width * 2, 1000],
@@ -29,10 +29,10 @@ pub(super) fn outside_read(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 }
 
 /// A bit of what has no bits, read: of a BOOL, a real, a duration, a text, an aggregate, an enumeration.
-pub(super) fn none_read(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn none_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     read(
-        plot,
+        fault,
         |_| true,
         |place| has_none(original, place),
         |_| vec![0, 1, 31],
@@ -45,56 +45,57 @@ fn has_none(program: &Program, place: &Place) -> bool {
 
 /// Puts a bit of some place where any value may stand, in the place of some expression.
 fn read(
-    plot: &mut Plot<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_, '_>,
     gives_way: impl Fn(&Expression) -> bool,
     eligible: impl Fn(&Place) -> bool,
     numbers: impl Fn(u32) -> Vec<u32>,
 ) -> Option<()> {
-    let original = plot.original;
+    let original = fault.original;
     if !has_bits(original.dialect) {
         return None;
     }
-    let (number, site, _) =
-        plot.site(|site, expression| stands_for_any_value(site, expression) && gives_way(expression))?;
-    let place = plot.place(site.unit, |place, _| eligible(place))?;
+    let (number, site, _) = fault.pick_expression(|site, expression| {
+        stands_for_any_value(site, expression) && gives_way(expression)
+    })?;
+    let place = fault.place(site.unit, |place, _| eligible(place))?;
     let width = bits(original, &place.ty).unwrap_or_default();
-    let bit = plot.choose(numbers(width))?;
-    plot.replace(number, ExpressionKind::Bit(place, bit));
+    let bit = fault.choose(numbers(width))?;
+    fault.replace(number, ExpressionKind::Bit(place, bit));
     Some(())
 }
 
 /// A bit beyond the last one, written.
-pub(super) fn outside_written(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn outside_written(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     written(
-        plot,
+        fault,
         |place| bits(original, &place.ty).is_some(),
         |width| vec![width, width + 1, 99],
     )
 }
 
 /// A bit of what has no bits, written.
-pub(super) fn none_written(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
-    written(plot, |place| has_none(original, place), |_| vec![0, 7])
+pub(super) fn none_written(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
+    written(fault, |place| has_none(original, place), |_| vec![0, 7])
 }
 
 fn written(
-    plot: &mut Plot<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_, '_>,
     eligible: impl Fn(&Place) -> bool,
     numbers: impl Fn(u32) -> Vec<u32>,
 ) -> Option<()> {
-    let original = plot.original;
+    let original = fault.original;
     if !has_bits(original.dialect) {
         return None;
     }
-    plot.insert(
+    fault.insert(
         |_, _| true,
-        |plot, unit| {
-            let place = plot.place(unit, |place, writable| writable && eligible(place))?;
-            let bit = plot.choose(numbers(bits(original, &place.ty).unwrap_or_default()))?;
+        |fault, unit| {
+            let place = fault.place(unit, |place, writable| writable && eligible(place))?;
+            let bit = fault.choose(numbers(bits(original, &place.ty).unwrap_or_default()))?;
             let value = literal(ElementaryType::Bool);
-            Some(StatementKind::Assign(Target::Bit(place, bit), value))
+            Some(StatementKind::Assign(AssignmentTarget::Bit(place, bit), value))
         },
     )
 }
@@ -102,50 +103,50 @@ fn written(
 /// A bit by `.%X`, where the dialect does not have the form.
 ///
 /// Basis: bit-access/partial-access-disabled.toml.
-pub(super) fn percent_disabled(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    if plot.original.dialect != DialectName::IronplcEd2 {
+pub(super) fn percent_disabled(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    if fault.original.dialect != DialectName::IronplcEd2 {
         return None;
     }
-    by_text(plot, ElementaryType::Word, &[".%X0", ".%X15", ".%X16", ".%x3"])
+    by_text(fault, ElementaryType::Word, &[".%X0", ".%X15", ".%X16", ".%x3"])
 }
 
 /// A byte or word of a bit string, where the dialect has no partial access.
 ///
 /// Basis: bit-access/wider-forms-disabled.toml.
-pub(super) fn wider_disabled(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    if plot.original.dialect != DialectName::IronplcEd2 {
+pub(super) fn wider_disabled(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    if fault.original.dialect != DialectName::IronplcEd2 {
         return None;
     }
-    by_text(plot, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
+    by_text(fault, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
 }
 
 /// A byte or word of a bit string, where the dialect has partial access to bits only.
 ///
 /// Basis: bit-access/wider-forms-unsupported.toml.
-pub(super) fn wider_unsupported(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    if !has_partial_access(plot.original.dialect) {
+pub(super) fn wider_unsupported(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    if !has_partial_access(fault.original.dialect) {
         return None;
     }
-    by_text(plot, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
+    by_text(fault, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
 }
 
 /// A bit in matiec, whose grammar has none.
 ///
 /// Basis: bit-access/matiec.toml.
-pub(super) fn in_matiec(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    if plot.original.dialect != DialectName::Matiec {
+pub(super) fn in_matiec(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    if fault.original.dialect != DialectName::Matiec {
         return None;
     }
-    by_text(plot, ElementaryType::Word, &[".0", ".15", ".%X0"])
+    by_text(fault, ElementaryType::Word, &[".0", ".15", ".%X0"])
 }
 
 /// Puts a variable of the type, and one of the texts behind it, where any value may stand.
-fn by_text(plot: &mut Plot<'_, '_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
-    let (number, site, _) = plot.site(|site, expression: &Expression| {
+fn by_text(fault: &mut FaultSite<'_, '_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
+    let (number, site, _) = fault.pick_expression(|site, expression: &Expression| {
         site.unit != Unit::Types && stands_for_any_value(site, expression)
     })?;
-    let name = plot.variable_text(site.unit, ty)?;
-    let text = plot.choose(texts.to_vec())?;
-    plot.replace(number, ExpressionKind::Raw(format!("{name}{text}")));
+    let name = fault.variable_text(site.unit, ty)?;
+    let text = fault.choose(texts.to_vec())?;
+    fault.replace(number, ExpressionKind::Raw(format!("{name}{text}")));
     Some(())
 }

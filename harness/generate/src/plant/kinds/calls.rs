@@ -1,30 +1,30 @@
 //! Calls of functions: arguments too many, too few, twice, or by names that nothing has; and calls that never end.
 
-use super::super::plot::{PLANTED, Plot, literal, literal_text};
+use super::super::fault_site::{FaultSite, PLANTED, literal, literal_text};
 use super::super::scope::{elementary, types, written};
-use super::super::walk::Site;
+use super::super::walk::ExpressionSite;
 use super::misfits::converts;
 use super::operands::stands_for_any_value;
 use crate::model::{
-    Argument, Expression, ExpressionKind, Function, Program, Section, StandardFunction, Statement,
-    StatementKind, Target, Type, Unit, Variable, VariableId,
+    Argument, AssignmentTarget, Expression, ExpressionKind, Function, Program, StandardFunction, Statement,
+    StatementKind, Type, Unit, Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
 /// One argument more than the function has inputs; the style of writing must be positional.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn argument_too_many(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn argument_too_many(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     // A call that leaves inputs out has its arguments by names.
-    let functions = &plot.original.functions;
+    let functions = &fault.original.functions;
     let gives_all = |function: usize, arguments: &[Argument]| {
         let called = functions.get(function);
         called.is_some_and(|called| called.inputs().count() == arguments.len())
     };
-    let (number, ..) = plot.site(|_, expression| {
+    let (number, ..) = fault.pick_expression(|_, expression| {
         matches!(&expression.kind, ExpressionKind::Call(function, arguments) if gives_all(*function, arguments))
     })?;
-    plot.change(number, |call| {
+    fault.change(number, |call| {
         if let ExpressionKind::Call(_, arguments) = &mut call.kind {
             arguments.push(Argument {
                 parameter: VariableId(arguments.len()),
@@ -38,9 +38,9 @@ pub(super) fn argument_too_many(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// One argument less than the function has inputs, by position.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn argument_too_few(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn argument_too_few(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     call(
-        plot,
+        fault,
         |_| true,
         |function| {
             let mut arguments: Vec<_> = inputs(function)
@@ -56,10 +56,11 @@ pub(super) fn argument_too_few(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// A standard function with one argument more or less than it has parameters.
 ///
 /// Basis: ironplc-problem-codes: P4018; iec-61131-3: Tables 28 to 34.
-pub(super) fn standard_argument(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let (number, ..) = plot.site(|_, expression| matches!(expression.kind, ExpressionKind::Standard(..)))?;
-    let fewer = plot.input.ratio(1, 2).unwrap_or(true);
-    plot.change(number, |call| {
+pub(super) fn standard_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let (number, ..) =
+        fault.pick_expression(|_, expression| matches!(expression.kind, ExpressionKind::Standard(..)))?;
+    let fewer = fault.input.ratio(1, 2).unwrap_or(true);
+    fault.change(number, |call| {
         if let ExpressionKind::Standard(function, arguments) = &mut call.kind {
             if takes_any_number(*function) {
                 arguments.truncate(1);
@@ -85,8 +86,8 @@ const fn takes_any_number(function: StandardFunction) -> bool {
 /// A conversion function with two arguments, or with none; its result is of the type that the place expects.
 ///
 /// Basis: conversion/bad-count.toml.
-pub(super) fn conversion_argument(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn conversion_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     let dialect = original.dialect;
     let sources = |expression: &Expression| {
         let into = written(expression);
@@ -94,13 +95,14 @@ pub(super) fn conversion_argument(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
             .filter(|&from| into.is_some_and(|into| from != into && converts(from, into, dialect)))
             .collect::<Vec<_>>()
     };
-    let (number, _, expression) = plot
-        .site(|site, expression| stands_for_any_value(site, expression) && written(expression).is_some())?;
-    let from = plot.choose(sources(&expression))?;
+    let (number, _, expression) = fault.pick_expression(|site, expression| {
+        stands_for_any_value(site, expression) && written(expression).is_some()
+    })?;
+    let from = fault.choose(sources(&expression))?;
     let into = written(&expression)?;
     let argument = literal_text(from);
-    let arguments = plot.choose(vec![String::new(), format!("{argument}, {argument}")])?;
-    plot.replace(
+    let arguments = fault.choose(vec![String::new(), format!("{argument}, {argument}")])?;
+    fault.replace(
         number,
         ExpressionKind::Raw(format!("{from}_TO_{into}({arguments})")),
     );
@@ -130,8 +132,9 @@ fn callable(program: &Program, unit: Unit) -> Vec<&Function> {
     functions
         .filter(|function| {
             let others = function.variables.iter();
-            let needed =
-                others.filter(|variable| matches!(variable.section, Section::Input | Section::InOut));
+            let needed = others.filter(|variable| {
+                matches!(variable.section, VariableSection::Input | VariableSection::InOut)
+            });
             !inputs(function).is_empty() && inputs(function).len() == needed.count()
         })
         .collect()
@@ -147,12 +150,12 @@ fn named(function: &Function) -> Vec<String> {
 
 /// Puts a call of a function of the program, as a text, where a value of the type of its result stands.
 fn call(
-    plot: &mut Plot<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_, '_>,
     eligible: fn(&Function) -> bool,
     arguments: impl FnOnce(&Function) -> String,
 ) -> Option<()> {
-    let original = plot.original;
-    let fitting = |site: Site, expression: &Expression| {
+    let original = fault.original;
+    let fitting = |site: ExpressionSite, expression: &Expression| {
         // What is converted implicitly is of another type than its place.
         let own = !matches!(expression.kind, ExpressionKind::Widen(_));
         let functions = callable(original, site.unit).into_iter();
@@ -160,21 +163,21 @@ fn call(
             .filter(|function| own && function.result == expression.ty && eligible(function))
             .collect::<Vec<_>>()
     };
-    let (number, site, expression) = plot.site(|site, expression| {
+    let (number, site, expression) = fault.pick_expression(|site, expression| {
         stands_for_any_value(site, expression) && !fitting(site, expression).is_empty()
     })?;
-    let function = plot.choose(fitting(site, &expression))?;
+    let function = fault.choose(fitting(site, &expression))?;
     let text = format!("{}({})", function.name, arguments(function));
-    plot.replace(number, ExpressionKind::Raw(text));
+    fault.replace(number, ExpressionKind::Raw(text));
     Some(())
 }
 
 /// An argument by a name that the function does not have.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn unknown_name(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn unknown_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     call(
-        plot,
+        fault,
         |_| true,
         |function| {
             let mut arguments = named(function);
@@ -187,9 +190,9 @@ pub(super) fn unknown_name(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// An argument that is given twice.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn name_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn name_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     call(
-        plot,
+        fault,
         |_| true,
         |function| {
             let mut arguments = named(function);
@@ -202,9 +205,9 @@ pub(super) fn name_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// Arguments of which some have names and some have not.
 ///
 /// Basis: ironplc-problem-codes: P4001.
-pub(super) fn mixed(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn mixed(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     call(
-        plot,
+        fault,
         |function| inputs(function).len() > 1,
         |function| {
             let mut arguments = named(function);
@@ -219,8 +222,8 @@ pub(super) fn mixed(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// A function that calls itself.
 ///
 /// Basis: language/diagnostics-recursion.st (the call is the line).
-pub(super) fn recursive_function(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     let numbers = (0..original.functions.len()).filter(|&number| {
         let function = &original.functions[number];
         elementary(original, &function.result).is_some()
@@ -228,8 +231,8 @@ pub(super) fn recursive_function(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
                 .iter()
                 .any(|other| other.name == function.name)
     });
-    let number = plot.choose(numbers.collect())?;
-    let function = plot.program.functions.get_mut(number)?;
+    let number = fault.choose(numbers.collect())?;
+    let function = fault.program.functions.get_mut(number)?;
     let arguments = function
         .inputs()
         .filter_map(|(parameter, variable)| match variable.ty {
@@ -243,8 +246,8 @@ pub(super) fn recursive_function(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
         ty: function.result.clone(),
         kind: ExpressionKind::Call(number, arguments.collect()),
     };
-    let at = plot.input.int_in_range(0..=function.body.len()).unwrap_or(0);
-    let kind = StatementKind::Assign(Target::Result, value);
+    let at = fault.input.int_in_range(0..=function.body.len()).unwrap_or(0);
+    let kind = StatementKind::Assign(AssignmentTarget::Result, value);
     function.body.insert(at, Statement { kind });
     Some(())
 }
@@ -252,12 +255,12 @@ pub(super) fn recursive_function(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// A function block that holds an instance of itself.
 ///
 /// Basis: ironplc-problem-codes: P4005.
-pub(super) fn recursive_block(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let number = plot.choose((0..plot.original.blocks.len()).collect())?;
-    let name = &plot.original.blocks.get(number)?.name;
-    plot.declare_text(
+pub(super) fn recursive_block(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let number = fault.choose((0..fault.original.blocks.len()).collect())?;
+    let name = &fault.original.blocks.get(number)?.name;
+    fault.declare_text(
         Unit::Block(number),
         &format!("{PLANTED}_own : {name}"),
-        Section::Local,
+        VariableSection::Local,
     )
 }

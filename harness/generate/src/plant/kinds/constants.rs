@@ -1,27 +1,27 @@
 //! Constants, and what lies within them, assigned.
 
-use super::super::plot::{PLANTED, Plot, literal, literal_text};
+use super::super::fault_site::{FaultSite, PLANTED, literal, literal_text};
 use super::super::scope::{elementary, places, types};
 use super::bits::bits;
 use crate::dialect::has_bits;
 use crate::model::{
-    ArrayType, Declared, Initial, Place, Program, Section, Selector, StatementKind, Target, Type, Unit,
-    Variable, VariableId,
+    ArrayType, AssignmentTarget, DeclaredKind, Initializer, Place, PlaceSelector, Program, StatementKind,
+    Type, Unit, Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
 /// Declares a constant with the name of what is planted, at the end of a unit's variables.
 pub(super) fn declare(
-    plot: &mut Plot<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_, '_>,
     unit: Unit,
     ty: Type,
-    initial: Initial,
+    initial: Initializer,
 ) -> Option<VariableId> {
-    let variables = unit.variables_mut(&mut plot.program)?;
+    let variables = unit.variables_mut(&mut fault.program)?;
     variables.push(Variable {
         name: PLANTED.to_owned(),
         ty,
-        section: Section::Constant,
+        section: VariableSection::Constant,
         initial: Some(initial),
     });
     Some(VariableId(variables.len() - 1))
@@ -30,11 +30,11 @@ pub(super) fn declare(
 /// A constant, assigned.
 ///
 /// Basis: language/diagnostics-calls.st.
-pub(super) fn assigned(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    plot.insert_text(|plot, unit| {
-        let ty = plot.choose(types(plot.original.dialect).filter(|ty| !ty.is_text()).collect())?;
-        let value = Initial::Expression(literal(ty));
-        declare(plot, unit, Type::Elementary(ty), value)?;
+pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    fault.insert_text(|fault, unit| {
+        let ty = fault.choose(types(fault.original.dialect).filter(|ty| !ty.is_text()).collect())?;
+        let value = Initializer::Expression(literal(ty));
+        declare(fault, unit, Type::Elementary(ty), value)?;
         Some(format!("{PLANTED} := {};", literal_text(ty)))
     })
 }
@@ -42,90 +42,90 @@ pub(super) fn assigned(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// A part of a constant, assigned: a field or an element, a part of such a part, or a bit of one or of the whole.
 ///
 /// Basis: language/diagnostics-beside-a-subscript.st; bit-access/constant-parts-are-not-written.st.
-pub(super) fn part_assigned(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
-    plot.insert(
+pub(super) fn part_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
+    fault.insert(
         |_, _| true,
-        |plot, unit| {
+        |fault, unit| {
             let sorts = [structures(original), arrays(original), with_bits(original)];
             let sorts = sorts.into_iter().filter(|constants| !constants.is_empty());
-            let constants = plot.choose(sorts.collect())?;
-            let (ty, initial) = plot.choose(constants)?;
-            let constant = declare(plot, unit, ty, initial)?;
-            let targets = places(&plot.program, unit)
+            let constants = fault.choose(sorts.collect())?;
+            let (ty, initial) = fault.choose(constants)?;
+            let constant = declare(fault, unit, ty, initial)?;
+            let targets = places(&fault.program, unit)
                 .into_iter()
                 .filter(|named| named.place.variable == constant)
                 .flat_map(|named| targets(original, &named.place));
-            let (target, ty) = plot.choose(targets.collect())?;
-            plot.mark = Some(beginning(&target));
+            let (target, ty) = fault.choose(targets.collect())?;
+            fault.mark = Some(beginning(&target));
             Some(StatementKind::Assign(target, literal(ty)))
         },
     )
 }
 
 /// Constants of the structures of which a field has an elementary type, with a value for that field.
-fn structures(program: &Program) -> Vec<(Type, Initial)> {
+fn structures(program: &Program) -> Vec<(Type, Initializer)> {
     let declared = program.types.iter().enumerate();
     let constants = declared.filter_map(|(number, declaration)| {
-        let Declared::Structure(fields) = &declaration.kind else {
+        let DeclaredKind::Structure(fields) = &declaration.kind else {
             return None;
         };
         let mut fields = fields.iter().enumerate();
         let value = fields.find_map(|(field, (_, ty, _))| Some((field, literal(elementary(program, ty)?))));
-        Some((Type::Declared(number), Initial::Structure(vec![value?])))
+        Some((Type::Declared(number), Initializer::Structure(vec![value?])))
     });
     constants.collect()
 }
 
 /// Constants that are arrays, of each elementary type but texts.
-fn arrays(program: &Program) -> Vec<(Type, Initial)> {
+fn arrays(program: &Program) -> Vec<(Type, Initializer)> {
     let constant = |ty| {
         let array = ArrayType {
             dimensions: vec![(1, 2)],
             element: Type::Elementary(ty),
         };
         let values = vec![literal(ty), literal(ty)];
-        (Type::Array(Box::new(array)), Initial::Array(values))
+        (Type::Array(Box::new(array)), Initializer::Array(values))
     };
     let elements = types(program.dialect).filter(|ty| !ty.is_text());
     elements.map(constant).collect()
 }
 
 /// Constants that have bits, where the dialect has access to them.
-fn with_bits(program: &Program) -> Vec<(Type, Initial)> {
+fn with_bits(program: &Program) -> Vec<(Type, Initializer)> {
     let has_bits = has_bits(program.dialect);
     let constants = types(program.dialect)
-        .map(|ty| (Type::Elementary(ty), Initial::Expression(literal(ty))))
+        .map(|ty| (Type::Elementary(ty), Initializer::Expression(literal(ty))))
         .filter(|(ty, _)| has_bits && bits(program, ty).is_some());
     constants.collect()
 }
 
 /// What of a place of a constant is a part of it that can be assigned, with the type of the value.
-fn targets(program: &Program, place: &Place) -> Vec<(Target, ElementaryType)> {
+fn targets(program: &Program, place: &Place) -> Vec<(AssignmentTarget, ElementaryType)> {
     let mut found = Vec::new();
     let ty = elementary(program, &place.ty).filter(|ty| !ty.is_text());
     if let Some(ty) = ty
         && !place.path.is_empty()
     {
-        found.push((Target::Place(place.clone()), ty));
+        found.push((AssignmentTarget::Place(place.clone()), ty));
     }
     if let Some(width) = bits(program, &place.ty)
         && has_bits(program.dialect)
     {
-        let bit = |number| (Target::Bit(place.clone(), number), ElementaryType::Bool);
+        let bit = |number| (AssignmentTarget::Bit(place.clone(), number), ElementaryType::Bool);
         found.extend([0, width - 1].map(bit));
     }
     found
 }
 
 /// How the text of a part of what is planted begins; the declaration does not say that.
-fn beginning(target: &Target) -> String {
+fn beginning(target: &AssignmentTarget) -> String {
     let first = match target {
-        Target::Place(place) | Target::Bit(place, _) => place.path.first(),
-        Target::Result => None,
+        AssignmentTarget::Place(place) | AssignmentTarget::Bit(place, _) => place.path.first(),
+        AssignmentTarget::Result => None,
     };
     match first {
-        Some(Selector::Index(_)) => format!("{PLANTED}["),
+        Some(PlaceSelector::Index(_)) => format!("{PLANTED}["),
         _ => format!("{PLANTED}."),
     }
 }

@@ -1,21 +1,21 @@
 //! Declarations of what cannot be.
 
-use super::super::plot::{PLANTED, Plot};
+use super::super::fault_site::{FaultSite, PLANTED};
 use crate::dialect::has_third_edition;
-use crate::model::{Section, Unit};
+use crate::model::{Unit, VariableSection};
 
 /// Declares one of these, of a name of its own.
-fn declared(plot: &mut Plot<'_, '_, '_>, section: Section, texts: &[&str]) -> Option<()> {
-    let unit = plot.unit()?;
-    let text = plot.choose(texts.to_vec())?;
-    plot.declare_text(unit, &format!("{PLANTED}_one {text}"), section)
+fn declared(fault: &mut FaultSite<'_, '_, '_>, section: VariableSection, texts: &[&str]) -> Option<()> {
+    let unit = fault.unit()?;
+    let text = fault.choose(texts.to_vec())?;
+    fault.declare_text(unit, &format!("{PLANTED}_one {text}"), section)
 }
 
 /// A type of the third edition, where the dialect has the second.
 ///
 /// Basis: language/third-edition-types.st.
-pub(super) fn third_edition(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    if has_third_edition(plot.original.dialect) {
+pub(super) fn third_edition(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    if has_third_edition(fault.original.dialect) {
         return None;
     }
     let types = [
@@ -27,23 +27,27 @@ pub(super) fn third_edition(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
         ": WCHAR",
         ": ARRAY[0..1] OF LTIME",
     ];
-    declared(plot, Section::Local, &types)
+    declared(fault, VariableSection::Local, &types)
 }
 
 /// A declaration without its colon.
 ///
 /// Basis: language/syntax-recovery.st.
-pub(super) fn no_colon(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    declared(plot, Section::Local, &["BOOL", "INT := 5", ":= 5", ": INT := "])
+pub(super) fn no_colon(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    declared(
+        fault,
+        VariableSection::Local,
+        &["BOOL", "INT := 5", ":= 5", ": INT := "],
+    )
 }
 
 /// An array whose limits descend.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn limits_descend(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn limits_descend(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     declared(
-        plot,
-        Section::Local,
+        fault,
+        VariableSection::Local,
         &[": ARRAY[3..1] OF INT", ": ARRAY[0..1, 0..-1] OF BOOL"],
     )
 }
@@ -51,24 +55,28 @@ pub(super) fn limits_descend(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// An array that is larger than any memory.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn too_large(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    declared(plot, Section::Local, &[": ARRAY[1..100000, 1..100000] OF INT"])
+pub(super) fn too_large(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    declared(
+        fault,
+        VariableSection::Local,
+        &[": ARRAY[1..100000, 1..100000] OF INT"],
+    )
 }
 
 /// A subrange that descends.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn subrange_descends(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    declared(plot, Section::Local, &[": INT(9..1)", ": DINT(0..-1)"])
+pub(super) fn subrange_descends(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    declared(fault, VariableSection::Local, &[": INT(9..1)", ": DINT(0..-1)"])
 }
 
 /// A subrange beyond its base type.
 ///
 /// Basis: ironplc-problem-codes: P2016.
-pub(super) fn subrange_outside(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn subrange_outside(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     declared(
-        plot,
-        Section::Local,
+        fault,
+        VariableSection::Local,
         &[": SINT(0..128)", ": USINT(-1..1)", ": INT(-40000..0)"],
     )
 }
@@ -76,24 +84,28 @@ pub(super) fn subrange_outside(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// A subrange of what is no integer.
 ///
 /// Basis: ironplc-problem-codes: P2015.
-pub(super) fn subrange_of_no_integer(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    declared(plot, Section::Local, &[": REAL(0..1)", ": BOOL(0..1)"])
+pub(super) fn subrange_of_no_integer(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    declared(fault, VariableSection::Local, &[": REAL(0..1)", ": BOOL(0..1)"])
 }
 
 /// A string that is longer than strings are.
 ///
 /// Basis: ironplc-problem-codes: P2041.
-pub(super) fn too_long(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    declared(plot, Section::Local, &[": STRING[70000]", ": WSTRING[70000]"])
+pub(super) fn too_long(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    declared(
+        fault,
+        VariableSection::Local,
+        &[": STRING[70000]", ": WSTRING[70000]"],
+    )
 }
 
 /// A constant without a value.
 ///
 /// Basis: ironplc-problem-codes: P4008.
-pub(super) fn no_value(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn no_value(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     declared(
-        plot,
-        Section::Constant,
+        fault,
+        VariableSection::Constant,
         &[": INT", ": BOOL", ": STRING", ": ARRAY[0..1] OF INT"],
     )
 }
@@ -101,18 +113,18 @@ pub(super) fn no_value(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// An instance of a function block that is constant.
 ///
 /// Basis: ironplc-problem-codes: P4009.
-pub(super) fn constant_instance(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let block = plot.choose(plot.original.blocks.iter().collect())?;
+pub(super) fn constant_instance(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let block = fault.choose(fault.original.blocks.iter().collect())?;
     let text = format!("{PLANTED}_one : {}", block.name);
-    plot.declare_text(Unit::Main, &text, Section::Constant)
+    fault.declare_text(Unit::Main, &text, VariableSection::Constant)
 }
 
 /// An instance of a function block in a function.
 ///
 /// Basis: ironplc-problem-codes: P4054.
-pub(super) fn instance_in_function(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let number = plot.choose((0..plot.original.functions.len()).collect())?;
-    let block = plot.choose(plot.original.blocks.iter().collect())?;
+pub(super) fn instance_in_function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let number = fault.choose((0..fault.original.functions.len()).collect())?;
+    let block = fault.choose(fault.original.blocks.iter().collect())?;
     let text = format!("{PLANTED}_one : {}", block.name);
-    plot.declare_text(Unit::Function(number), &text, Section::Local)
+    fault.declare_text(Unit::Function(number), &text, VariableSection::Local)
 }

@@ -3,54 +3,57 @@
 //! Basis: stickler-design: §7 (*which code where*), §8; the documents on implicit conversion, as `stickler_exact::implicit` has
 //! them.
 
-use super::super::plot::Plot;
+use super::super::fault_site::FaultSite;
 use super::super::scope::written;
-use super::super::walk::Context;
+use super::super::walk::ExpressionContext;
 use super::misfits::{converts, never};
 use super::operands::calculates;
 use crate::model::{Expression, ExpressionKind};
 
 /// A conversion left out where a value is assigned.
-pub(super) fn conversion_left_out_of_assignment(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let assigned = |context| matches!(context, Context::Assigned | Context::Result);
-    left_out(plot, assigned, |argument| !is_call(argument))?;
-    plot.suggested = true;
+pub(super) fn conversion_left_out_of_assignment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let assigned = |context| matches!(context, ExpressionContext::Assigned | ExpressionContext::Result);
+    left_out(fault, assigned, |argument| !is_call(argument))?;
+    fault.suggested = true;
     Some(())
 }
 
 /// A conversion left out of an argument.
-pub(super) fn conversion_left_out_of_argument(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let argument = |context| matches!(context, Context::Argument | Context::Input);
-    left_out(plot, argument, |_| true)?;
-    plot.suggested = true;
+pub(super) fn conversion_left_out_of_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let argument = |context| matches!(context, ExpressionContext::Argument | ExpressionContext::Input);
+    left_out(fault, argument, |_| true)?;
+    fault.suggested = true;
     Some(())
 }
 
 /// A conversion left out of a condition.
-pub(super) fn conversion_left_out_of_condition(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn conversion_left_out_of_condition(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let condition = |context| {
         matches!(
             context,
-            Context::If | Context::ElsIf | Context::While | Context::Until
+            ExpressionContext::If
+                | ExpressionContext::ElsIf
+                | ExpressionContext::While
+                | ExpressionContext::Until
         )
     };
-    left_out(plot, condition, |_| true)
+    left_out(fault, condition, |_| true)
 }
 
 /// A conversion left out of an operand.
-pub(super) fn conversion_left_out_of_operand(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let operand = |context| matches!(context, Context::Operand(_, Some(_)));
-    left_out(plot, operand, |_| true)
+pub(super) fn conversion_left_out_of_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let operand = |context| matches!(context, ExpressionContext::Operand(_, Some(_)));
+    left_out(fault, operand, |_| true)
 }
 
 /// Puts the argument of a conversion function where its call stands.
 fn left_out(
-    plot: &mut Plot<'_, '_, '_>,
-    context: fn(Context) -> bool,
+    fault: &mut FaultSite<'_, '_, '_>,
+    context: fn(ExpressionContext) -> bool,
     argument_fits: fn(&Expression) -> bool,
 ) -> Option<()> {
-    let dialect = plot.original.dialect;
-    let (number, _, expression) = plot.site(|site, expression| {
+    let dialect = fault.original.dialect;
+    let (number, _, expression) = fault.pick_expression(|site, expression| {
         let ExpressionKind::Convert(signature, argument) = &expression.kind else {
             return false;
         };
@@ -58,7 +61,7 @@ fn left_out(
             return false;
         };
         let (into, free) = match site.context {
-            Context::Operand(operator, Some(other)) => (
+            ExpressionContext::Operand(operator, Some(other)) => (
                 other,
                 never(other, from, dialect) && !calculates(operator, from, other),
             ),
@@ -73,7 +76,7 @@ fn left_out(
     let ExpressionKind::Convert(_, argument) = expression.kind else {
         return None;
     };
-    plot.change(number, |place| *place = *argument);
+    fault.change(number, |place| *place = *argument);
     Some(())
 }
 

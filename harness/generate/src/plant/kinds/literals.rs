@@ -1,8 +1,8 @@
 //! Literals and constant expressions that their types do not hold.
 
-use super::super::plot::Plot;
+use super::super::fault_site::FaultSite;
 use super::super::scope::elementary;
-use super::super::walk::{Context, Site};
+use super::super::walk::{ExpressionContext, ExpressionSite};
 use super::operands::stands_for_any_value;
 use crate::model::{Expression, ExpressionKind, Type};
 use stickler_types::{DialectName, ElementaryType};
@@ -10,46 +10,53 @@ use stickler_types::{DialectName, ElementaryType};
 /// An untyped integer literal beyond the type of its target, or one below it.
 ///
 /// Basis: stickler-design: §7 (*a literal that does not fit its type: P2026*; the sign belongs to it).
-pub(super) fn integer_for_target(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
-    too_large(plot, |site, expression| {
+pub(super) fn integer_for_target(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
+    too_large(fault, |site, expression| {
         let with_target = matches!(
             site.context,
-            Context::Assigned | Context::Result | Context::Argument | Context::Input | Context::Initial
+            ExpressionContext::Assigned
+                | ExpressionContext::Result
+                | ExpressionContext::Argument
+                | ExpressionContext::Input
+                | ExpressionContext::Initial
         );
         elementary(original, &expression.ty).filter(|_| with_target)
     })
 }
 
 /// The same where the other operand gives the type.
-pub(super) fn integer_for_operand(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    too_large(plot, |site, expression| match site.context {
+pub(super) fn integer_for_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    too_large(fault, |site, expression| match site.context {
         // Beside a narrower operand that widens, the literal would make the whole narrower, and other literals with it wrong.
-        Context::Operand(_, other) => other.filter(|&other| expression.ty == Type::Elementary(other)),
+        ExpressionContext::Operand(_, other) => {
+            other.filter(|&other| expression.ty == Type::Elementary(other))
+        }
         _ => None,
     })
 }
 
 /// The same for a label, whose selector gives the type.
-pub(super) fn integer_for_label(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
-    too_large(plot, |site, expression| {
-        let label = site.context == Context::Label;
+pub(super) fn integer_for_label(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
+    too_large(fault, |site, expression| {
+        let label = site.context == ExpressionContext::Label;
         elementary(original, &expression.ty).filter(|_| label)
     })
 }
 
 /// Puts an untyped integer literal in a place whose type, which the function gives, does not hold it.
 fn too_large(
-    plot: &mut Plot<'_, '_, '_>,
-    expected: impl Fn(Site, &Expression) -> Option<ElementaryType>,
+    fault: &mut FaultSite<'_, '_, '_>,
+    expected: impl Fn(ExpressionSite, &Expression) -> Option<ElementaryType>,
 ) -> Option<()> {
     let range = |site, expression: &Expression| expected(site, expression).and_then(range_of_integer);
-    let (number, site, expression) = plot.site(|site, expression| range(site, expression).is_some())?;
+    let (number, site, expression) =
+        fault.pick_expression(|site, expression| range(site, expression).is_some())?;
     let (low, high) = range(site, &expression)?;
     let beyond = vec![high + 1, low - 1, high * 3, i128::from(u64::MAX) * 1000];
-    let value = plot.choose(beyond)?;
-    plot.replace(number, ExpressionKind::Raw(value.to_string()));
+    let value = fault.choose(beyond)?;
+    fault.replace(number, ExpressionKind::Raw(value.to_string()));
     Some(())
 }
 
@@ -61,60 +68,68 @@ fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
 /// A based literal with more bits than its bit string has, where the dialect takes one.
 ///
 /// Basis: stickler-design: §8; widening/literal-too-long-for-a-bit-string.toml.
-pub(super) fn bits_for_target(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     let everywhere = matches!(original.dialect, DialectName::IronplcRusty | DialectName::Matiec);
     if original.dialect == DialectName::Plcnext {
         return None;
     }
     let bits = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_bit_string());
-    let (number, _, expression) = plot.site(|site, expression| {
+    let (number, _, expression) = fault.pick_expression(|site, expression| {
         let taken = match site.context {
-            Context::Initial => true,
-            Context::Assigned | Context::Result | Context::Argument | Context::Input => everywhere,
+            ExpressionContext::Initial => true,
+            ExpressionContext::Assigned
+            | ExpressionContext::Result
+            | ExpressionContext::Argument
+            | ExpressionContext::Input => everywhere,
             _ => false,
         };
         taken && bits(expression).is_some()
     })?;
     let digits = usize::try_from(bits(&expression)?.bits() / 4).ok()?;
-    plot.replace(number, ExpressionKind::Raw(format!("16#1{}", "0".repeat(digits))));
+    fault.replace(number, ExpressionKind::Raw(format!("16#1{}", "0".repeat(digits))));
     Some(())
 }
 
 /// A literal with its type in front of it, which does not hold it.
 ///
 /// Basis: language/literals-outside.toml; widening/typed-literal-that-does-not-fit.toml.
-pub(super) fn typed_integer(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let (number, ty) = integer_site(plot)?;
+pub(super) fn typed_integer(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let (number, ty) = integer_site(fault)?;
     let (low, high) = ty.integer_range()?;
     let mut beyond = vec![high + 1];
     if low < 0 {
         beyond.push(low - 1);
     }
-    let value = plot.choose(beyond)?;
-    plot.replace(number, ExpressionKind::Raw(format!("{ty}#{value}")));
+    let value = fault.choose(beyond)?;
+    fault.replace(number, ExpressionKind::Raw(format!("{ty}#{value}")));
     Some(())
 }
 
 /// A place for a value of an integer type that is its own, by no implicit conversion.
-fn integer_site(plot: &mut Plot<'_, '_, '_>) -> Option<(usize, ElementaryType)> {
-    let original = plot.original;
+fn integer_site(fault: &mut FaultSite<'_, '_, '_>) -> Option<(usize, ElementaryType)> {
+    let original = fault.original;
     let integer = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_integer());
-    let (number, _, expression) = plot
-        .site(|site, expression| stands_for_any_value(site, expression) && integer(expression).is_some())?;
+    let (number, _, expression) = fault.pick_expression(|site, expression| {
+        stands_for_any_value(site, expression) && integer(expression).is_some()
+    })?;
     Some((number, integer(&expression)?))
 }
 
 /// A real literal beyond its type.
 ///
 /// Basis: language/literals-outside.toml.
-pub(super) fn real(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn real(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     let real = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_real());
-    let (number, _, expression) = plot.site(|site, expression| {
+    let (number, _, expression) = fault.pick_expression(|site, expression| {
         let with_target = matches!(
             site.context,
-            Context::Assigned | Context::Result | Context::Argument | Context::Input | Context::Initial
+            ExpressionContext::Assigned
+                | ExpressionContext::Result
+                | ExpressionContext::Argument
+                | ExpressionContext::Input
+                | ExpressionContext::Initial
         );
         with_target && real(expression).is_some()
     })?;
@@ -125,18 +140,18 @@ pub(super) fn real(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
         "1.0E309"
     };
     let texts = vec![beyond.to_owned(), format!("-{beyond}"), format!("{ty}#{beyond}")];
-    let text = plot.choose(texts)?;
-    plot.replace(number, ExpressionKind::Raw(text));
+    let text = fault.choose(texts)?;
+    fault.replace(number, ExpressionKind::Raw(text));
     Some(())
 }
 
 /// A day that the calendar does not have.
 ///
 /// Basis: language/literals-outside.toml.
-pub(super) fn date(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    moment(plot, ElementaryType::Date, &["D#2023-02-29", "D#2024-13-01"]).or_else(|| {
+pub(super) fn date(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    moment(fault, ElementaryType::Date, &["D#2023-02-29", "D#2024-13-01"]).or_else(|| {
         moment(
-            plot,
+            fault,
             ElementaryType::Dt,
             &["DT#2024-02-30-00:00:00", "DT#2023-02-29-12:00:00"],
         )
@@ -146,102 +161,107 @@ pub(super) fn date(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// A duration that is longer than durations are.
 ///
 /// Basis: language/literals-outside.toml.
-pub(super) fn duration(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    moment(plot, ElementaryType::Time, &["T#9999999999999d"])
+pub(super) fn duration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    moment(fault, ElementaryType::Time, &["T#9999999999999d"])
 }
 
 /// Puts one of the texts in a place for a value of the type.
-fn moment(plot: &mut Plot<'_, '_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
-    let original = plot.original;
-    let (number, ..) = plot.site(|site, expression| {
-        !matches!(site.context, Context::InOut) && elementary(original, &expression.ty) == Some(ty)
+fn moment(fault: &mut FaultSite<'_, '_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
+    let original = fault.original;
+    let (number, ..) = fault.pick_expression(|site, expression| {
+        !matches!(site.context, ExpressionContext::InOut) && elementary(original, &expression.ty) == Some(ty)
     })?;
-    let text = plot.choose(texts.to_vec())?;
-    plot.replace(number, ExpressionKind::Raw(text.to_owned()));
+    let text = fault.choose(texts.to_vec())?;
+    fault.replace(number, ExpressionKind::Raw(text.to_owned()));
     Some(())
 }
 
 /// A constant division by zero.
 ///
 /// Basis: language/diagnostics-constants.st.
-pub(super) fn division_by_zero(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let (number, ty) = integer_site(plot)?;
+pub(super) fn division_by_zero(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let (number, ty) = integer_site(fault)?;
     let texts = vec![
         format!("({ty}#5 / {ty}#0)"),
         format!("({ty}#5 MOD {ty}#0)"),
         format!("({ty}#5 / ({ty}#1 - {ty}#1))"),
     ];
-    let text = plot.choose(texts)?;
-    plot.replace(number, ExpressionKind::Raw(text));
+    let text = fault.choose(texts)?;
+    fault.replace(number, ExpressionKind::Raw(text));
     Some(())
 }
 
 /// A constant sum beyond its type.
 ///
 /// Basis: language/diagnostics-constants.st.
-pub(super) fn overflow(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let (number, ty) = integer_site(plot)?;
+pub(super) fn overflow(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let (number, ty) = integer_site(fault)?;
     let (low, high) = ty.integer_range()?;
     let texts = vec![
         format!("({ty}#{high} + {ty}#1)"),
         format!("({ty}#{low} - {ty}#1)"),
         format!("({ty}#{high} * {ty}#2)"),
     ];
-    let text = plot.choose(texts)?;
-    plot.replace(number, ExpressionKind::Raw(text));
+    let text = fault.choose(texts)?;
+    fault.replace(number, ExpressionKind::Raw(text));
     Some(())
 }
 
 /// A constant sum of untyped literals beyond the type of its target.
 ///
 /// Basis: language/diagnostics-constants.st.
-pub(super) fn untyped_overflow(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn untyped_overflow(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     let range = |expression: &Expression| elementary(original, &expression.ty).and_then(range_of_integer);
-    let (number, _, expression) = plot.site(|site, expression| {
+    let (number, _, expression) = fault.pick_expression(|site, expression| {
         let with_target = matches!(
             site.context,
-            Context::Assigned | Context::Result | Context::Argument | Context::Input
+            ExpressionContext::Assigned
+                | ExpressionContext::Result
+                | ExpressionContext::Argument
+                | ExpressionContext::Input
         );
         with_target && range(expression).is_some()
     })?;
     let (_, high) = range(&expression)?;
-    plot.replace(number, ExpressionKind::Raw(format!("{high} + 1")));
+    fault.replace(number, ExpressionKind::Raw(format!("{high} + 1")));
     Some(())
 }
 
 /// A constant subscript outside the array.
 ///
 /// Basis: language/diagnostics-constants.st.
-pub(super) fn subscript(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let (number, site, _) = plot.site(|site, _| matches!(site.context, Context::Subscript(..)))?;
-    let Context::Subscript(low, high) = site.context else {
+pub(super) fn subscript(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let (number, site, _) =
+        fault.pick_expression(|site, _| matches!(site.context, ExpressionContext::Subscript(..)))?;
+    let ExpressionContext::Subscript(low, high) = site.context else {
         return None;
     };
-    let value = plot.choose(vec![high.checked_add(1)?, low.checked_sub(1)?])?;
-    plot.replace(number, ExpressionKind::Raw(value.to_string()));
+    let value = fault.choose(vec![high.checked_add(1)?, low.checked_sub(1)?])?;
+    fault.replace(number, ExpressionKind::Raw(value.to_string()));
     Some(())
 }
 
 /// A character that a STRING does not have.
 ///
 /// Basis: ironplc-problem-codes: P4052.
-pub(super) fn character(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    text(plot, "'a€'")
+pub(super) fn character(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    text(fault, "'a€'")
 }
 
 /// An escape that does not exist.
 ///
 /// Basis: ironplc-problem-codes: P0012.
-pub(super) fn escape(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    text(plot, "'a$q'")
+pub(super) fn escape(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    text(fault, "'a$q'")
 }
 
-fn text(plot: &mut Plot<'_, '_, '_>, text: &str) -> Option<()> {
-    let original = plot.original;
-    let (number, ..) = plot.site(|site, expression| {
-        site.context != Context::InOut && elementary(original, &expression.ty) == Some(ElementaryType::String)
+fn text(fault: &mut FaultSite<'_, '_, '_>, text: &str) -> Option<()> {
+    let original = fault.original;
+    let (number, ..) = fault.pick_expression(|site, expression| {
+        site.context != ExpressionContext::InOut
+            && elementary(original, &expression.ty) == Some(ElementaryType::String)
     })?;
-    plot.replace(number, ExpressionKind::Raw(text.to_owned()));
+    fault.replace(number, ExpressionKind::Raw(text.to_owned()));
     Some(())
 }

@@ -3,75 +3,115 @@
 //! Basis of all codes here: stickler-design: §7 (*which code where*), and for what is neither an initial value, nor an argument,
 //! nor the bare result of a call: *all else P4035*, widening/contexts.toml.
 
-use super::super::plot::{Plot, literal};
+use super::super::fault_site::{FaultSite, literal};
 use super::super::scope::{elementary, types};
-use super::super::walk::{Context, Site};
+use super::super::walk::{ExpressionContext, ExpressionSite};
 use crate::model::{Expression, ExpressionKind, Program, StandardFunction, Unit};
 use stickler_exact::{implicit, signatures};
 use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
 /// A value of a type that does not convert to the target's.
-pub(super) fn assigned(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    misfit(plot, |context| context == Context::Assigned, SHAPES)
+pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    misfit(
+        fault,
+        |context| context == ExpressionContext::Assigned,
+        MISFIT_FORMS,
+    )
 }
 
 /// The same for the result of a function, in its body.
-pub(super) fn result(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    misfit(plot, |context| context == Context::Result, SHAPES)
+pub(super) fn result(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    misfit(
+        fault,
+        |context| context == ExpressionContext::Result,
+        MISFIT_FORMS,
+    )
 }
 
 /// Nothing but a call, assigned.
-pub(super) fn call_assigned(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    misfit(plot, |context| context == Context::Assigned, &[Shape::Call])
+pub(super) fn call_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    misfit(
+        fault,
+        |context| context == ExpressionContext::Assigned,
+        &[MisfitForm::Call],
+    )
 }
 
 /// An initial value, also of an element or a field.
-pub(super) fn initial(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn initial(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
-        plot,
-        |context| context == Context::Initial,
-        &[Shape::Literal, Shape::Foreign],
+        fault,
+        |context| context == ExpressionContext::Initial,
+        &[MisfitForm::Literal, MisfitForm::Foreign],
     )
 }
 
 /// An argument of a function.
-pub(super) fn argument(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    misfit(plot, |context| context == Context::Argument, ALL_SHAPES)
+pub(super) fn argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    misfit(
+        fault,
+        |context| context == ExpressionContext::Argument,
+        ALL_MISFIT_FORMS,
+    )
 }
 
 /// An input of a function block.
-pub(super) fn input(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    misfit(plot, |context| context == Context::Input, ALL_SHAPES)
+pub(super) fn input(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    misfit(
+        fault,
+        |context| context == ExpressionContext::Input,
+        ALL_MISFIT_FORMS,
+    )
 }
 
 /// The argument of a conversion function whose name says from which type it converts.
-pub(super) fn converted(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    misfit(plot, |context| context == Context::Converted, ALL_SHAPES)
+pub(super) fn converted(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    misfit(
+        fault,
+        |context| context == ExpressionContext::Converted,
+        ALL_MISFIT_FORMS,
+    )
 }
 
 /// The condition of IF.
-pub(super) fn condition_of_if(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    misfit(plot, |context| context == Context::If, ALL_SHAPES)
+pub(super) fn condition_of_if(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    misfit(
+        fault,
+        |context| context == ExpressionContext::If,
+        ALL_MISFIT_FORMS,
+    )
 }
 
 /// The condition of ELSIF.
-pub(super) fn condition_of_elsif(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    misfit(plot, |context| context == Context::ElsIf, ALL_SHAPES)
+pub(super) fn condition_of_elsif(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    misfit(
+        fault,
+        |context| context == ExpressionContext::ElsIf,
+        ALL_MISFIT_FORMS,
+    )
 }
 
 /// The condition of WHILE.
-pub(super) fn condition_of_while(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    misfit(plot, |context| context == Context::While, ALL_SHAPES)
+pub(super) fn condition_of_while(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    misfit(
+        fault,
+        |context| context == ExpressionContext::While,
+        ALL_MISFIT_FORMS,
+    )
 }
 
 /// The condition of REPEAT.
-pub(super) fn condition_of_repeat(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    misfit(plot, |context| context == Context::Until, ALL_SHAPES)
+pub(super) fn condition_of_repeat(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    misfit(
+        fault,
+        |context| context == ExpressionContext::Until,
+        ALL_MISFIT_FORMS,
+    )
 }
 
 /// What makes a value of a type.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shape {
+pub(super) enum MisfitForm {
     /// A variable, an element, a field or an output.
     Variable,
     /// A literal with its type in front of it.
@@ -84,42 +124,55 @@ pub(super) enum Shape {
     Foreign,
 }
 
-const SHAPES: &[Shape] = &[Shape::Variable, Shape::Literal, Shape::Operation, Shape::Foreign];
-pub(super) const ALL_SHAPES: &[Shape] = &[
-    Shape::Variable,
-    Shape::Literal,
-    Shape::Operation,
-    Shape::Foreign,
-    Shape::Call,
+const MISFIT_FORMS: &[MisfitForm] = &[
+    MisfitForm::Variable,
+    MisfitForm::Literal,
+    MisfitForm::Operation,
+    MisfitForm::Foreign,
+];
+pub(super) const ALL_MISFIT_FORMS: &[MisfitForm] = &[
+    MisfitForm::Variable,
+    MisfitForm::Literal,
+    MisfitForm::Operation,
+    MisfitForm::Foreign,
+    MisfitForm::Call,
 ];
 
 /// Puts a value of a type that does not convert to the expected one in a place of one of these contexts, which expect the
 /// type that the value there has.
-fn misfit(plot: &mut Plot<'_, '_, '_>, context: fn(Context) -> bool, shapes: &[Shape]) -> Option<()> {
-    let original = plot.original;
+fn misfit(
+    fault: &mut FaultSite<'_, '_, '_>,
+    context: fn(ExpressionContext) -> bool,
+    shapes: &[MisfitForm],
+) -> Option<()> {
+    let original = fault.original;
     let dialect = original.dialect;
-    let (number, site, expression) = plot
-        .site(|site, expression| context(site.context) && elementary(original, &expression.ty).is_some())?;
+    let (number, site, expression) = fault.pick_expression(|site, expression| {
+        context(site.context) && elementary(original, &expression.ty).is_some()
+    })?;
     let target = elementary(original, &expression.ty)?;
-    let shape = plot.choose(shapes.to_vec())?;
-    if shape == Shape::Foreign {
-        let kind = foreign(plot, |from| never(from, target, dialect))?;
-        plot.replace(number, kind);
+    let shape = fault.choose(shapes.to_vec())?;
+    if shape == MisfitForm::Foreign {
+        let kind = foreign(fault, |from| never(from, target, dialect))?;
+        fault.replace(number, kind);
         return Some(());
     }
     let wrong = types(dialect)
         .filter(|&from| never(from, target, dialect))
         .collect();
-    let from = plot.choose(wrong)?;
-    let kind = value(plot, site.unit, from, shape)?;
-    plot.replace(number, kind);
+    let from = fault.choose(wrong)?;
+    let kind = value(fault, site.unit, from, shape)?;
+    fault.replace(number, kind);
     // A literal of a text is untyped, so that no conversion function is meant.
-    let typed = shape != Shape::Literal || !from.is_text();
+    let typed = shape != MisfitForm::Literal || !from.is_text();
     let suggests = matches!(
         site.context,
-        Context::Assigned | Context::Result | Context::Argument | Context::Input
+        ExpressionContext::Assigned
+            | ExpressionContext::Result
+            | ExpressionContext::Argument
+            | ExpressionContext::Input
     );
-    plot.suggested = suggests && typed && converts(from, target, dialect);
+    fault.suggested = suggests && typed && converts(from, target, dialect);
     Some(())
 }
 
@@ -133,19 +186,19 @@ pub(super) fn converts(from: ElementaryType, into: ElementaryType, dialect: Dial
     !signatures(&format!("{from}_TO_{into}"), dialect).is_empty()
 }
 
-/// A value of a type in a unit, of a shape other than [`Shape::Foreign`]; where nothing is declared, a literal.
+/// A value of a type in a unit, of a shape other than [`MisfitForm::Foreign`]; where nothing is declared, a literal.
 pub(super) fn value(
-    plot: &mut Plot<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_, '_>,
     unit: Unit,
     ty: ElementaryType,
-    shape: Shape,
+    shape: MisfitForm,
 ) -> Option<ExpressionKind> {
     match shape {
         _ if unit == Unit::Types => Some(literal(ty).kind),
-        Shape::Literal | Shape::Foreign => Some(literal(ty).kind),
-        Shape::Variable => plot.variable(unit, ty),
-        Shape::Operation => plot.operation(unit, ty),
-        Shape::Call => plot.call(unit, ty),
+        MisfitForm::Literal | MisfitForm::Foreign => Some(literal(ty).kind),
+        MisfitForm::Variable => fault.variable(unit, ty),
+        MisfitForm::Operation => fault.operation(unit, ty),
+        MisfitForm::Call => fault.call(unit, ty),
     }
 }
 
@@ -153,7 +206,7 @@ pub(super) fn value(
 ///
 /// Basis: widening/literal-of-another-kind.toml.
 pub(super) fn foreign(
-    plot: &mut Plot<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_, '_>,
     never: impl Fn(ElementaryType) -> bool,
 ) -> Option<ExpressionKind> {
     use ElementaryType as E;
@@ -168,45 +221,50 @@ pub(super) fn foreign(
         .filter(|(_, types)| types.iter().all(|&ty| never(ty)))
         .map(|(text, _)| text)
         .collect();
-    plot.choose(texts)
+    fault
+        .choose(texts)
         .map(|text: &str| ExpressionKind::Raw(text.to_owned()))
 }
 
 /// A subscript that is no integer.
-pub(super) fn subscript(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let in_place = |context| matches!(context, Context::Subscript(..));
-    no_integer(plot, in_place, converts_to_no_integer)
+pub(super) fn subscript(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let in_place = |context| matches!(context, ExpressionContext::Subscript(..));
+    no_integer(fault, in_place, converts_to_no_integer)
 }
 
 /// A first or last value of FOR that is no integer.
-pub(super) fn bound(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    no_integer(plot, |context| context == Context::Bound, converts_to_no_integer)
+pub(super) fn bound(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    no_integer(
+        fault,
+        |context| context == ExpressionContext::Bound,
+        converts_to_no_integer,
+    )
 }
 
 /// A selector of CASE that is neither an integer nor an enumeration, whatever converts to an integer elsewhere.
 ///
 /// Basis: ironplc-problem-codes: P4053; widening/any-integer.toml (nothing widens in the place of a selector).
-pub(super) fn selector(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let in_place = |context| context == Context::Selector;
+pub(super) fn selector(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let in_place = |context| context == ExpressionContext::Selector;
     // What converts to an integer elsewhere is the error that is easiest to overlook.
-    let tempting = plot.input.ratio(1, 2).unwrap_or(true);
+    let tempting = fault.input.ratio(1, 2).unwrap_or(true);
     let wrong =
         |ty: ElementaryType, _| !ty.is_integer() && (!tempting || ty.is_bit_string() || ty.is_duration());
-    no_integer(plot, in_place, wrong)
+    no_integer(fault, in_place, wrong)
 }
 
 /// Puts a value of one of these types, which are no integers, in a place of one of these contexts.
 fn no_integer(
-    plot: &mut Plot<'_, '_, '_>,
-    context: fn(Context) -> bool,
+    fault: &mut FaultSite<'_, '_, '_>,
+    context: fn(ExpressionContext) -> bool,
     wrong: impl Fn(ElementaryType, DialectName) -> bool,
 ) -> Option<()> {
-    let dialect = plot.original.dialect;
-    let (number, site, _) = plot.site(|site, _| context(site.context))?;
-    let from = plot.choose(types(dialect).filter(|&ty| wrong(ty, dialect)).collect())?;
-    let shape = plot.choose(vec![Shape::Variable, Shape::Operation])?;
-    let kind = value(plot, site.unit, from, shape)?;
-    plot.replace(number, kind);
+    let dialect = fault.original.dialect;
+    let (number, site, _) = fault.pick_expression(|site, _| context(site.context))?;
+    let from = fault.choose(types(dialect).filter(|&ty| wrong(ty, dialect)).collect())?;
+    let shape = fault.choose(vec![MisfitForm::Variable, MisfitForm::Operation])?;
+    let kind = value(fault, site.unit, from, shape)?;
+    fault.replace(number, kind);
     Some(())
 }
 
@@ -220,25 +278,29 @@ fn converts_to_no_integer(ty: ElementaryType, dialect: DialectName) -> bool {
 /// An argument of a standard function that its parameter does not take.
 ///
 /// Basis: iec-61131-3: Tables 28 to 34 (the generic types of the parameters).
-pub(super) fn standard(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let dialect = plot.original.dialect;
-    let (number, site, _) = plot.site(|site, _| takes(site.context, ElementaryType::Date) == Some(false))?;
+pub(super) fn standard(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let dialect = fault.original.dialect;
+    let (number, site, _) =
+        fault.pick_expression(|site, _| takes(site.context, ElementaryType::Date) == Some(false))?;
     let wrong = types(dialect).filter(|&ty| takes(site.context, ty) == Some(false));
-    let from = plot.choose(wrong.collect())?;
-    let kind = plot.variable(site.unit, from)?;
-    plot.replace(number, kind);
+    let from = fault.choose(wrong.collect())?;
+    let kind = fault.variable(site.unit, from)?;
+    fault.replace(number, kind);
     Some(())
 }
 
 /// The same where the call is all that is assigned or passed: then the type that is wanted of it is known, and with that the
 /// conversion to suggest.
-pub(super) fn of_call_alone(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn of_call_alone(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     let dialect = original.dialect;
-    let alone = |site: Site, call: &Expression| {
+    let alone = |site: ExpressionSite, call: &Expression| {
         let wanted = matches!(
             site.context,
-            Context::Assigned | Context::Result | Context::Argument | Context::Input
+            ExpressionContext::Assigned
+                | ExpressionContext::Result
+                | ExpressionContext::Argument
+                | ExpressionContext::Input
         );
         match &call.kind {
             ExpressionKind::Standard(function, arguments) if wanted => {
@@ -247,22 +309,23 @@ pub(super) fn of_call_alone(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
             _ => Vec::new(),
         }
     };
-    let (number, site, call) = plot.site(|site, expression| !alone(site, expression).is_empty())?;
-    let (context, target) = plot.choose(alone(site, &call))?;
-    let Context::Standard(_, place) = context else {
+    let (number, site, call) =
+        fault.pick_expression(|site, expression| !alone(site, expression).is_empty())?;
+    let (context, target) = fault.choose(alone(site, &call))?;
+    let ExpressionContext::Standard(_, place) = context else {
         return None;
     };
     let wrong = types(dialect).filter(|&ty| takes(context, ty) == Some(false));
-    let from = plot.choose(wrong.collect())?;
-    let kind = plot.variable(site.unit, from)?;
-    plot.change(number, |call| {
+    let from = fault.choose(wrong.collect())?;
+    let kind = fault.variable(site.unit, from)?;
+    fault.change(number, |call| {
         if let ExpressionKind::Standard(_, arguments) = &mut call.kind
             && let Some(argument) = arguments.get_mut(place)
         {
             argument.kind = kind;
         }
     });
-    plot.suggested = converts(from, target, dialect);
+    fault.suggested = converts(from, target, dialect);
     Some(())
 }
 
@@ -272,8 +335,8 @@ fn of_one_type(
     program: &Program,
     function: StandardFunction,
     arguments: &[Expression],
-) -> Vec<(Context, ElementaryType)> {
-    let contexts = (0..arguments.len()).map(|number| Context::Standard(function, number));
+) -> Vec<(ExpressionContext, ElementaryType)> {
+    let contexts = (0..arguments.len()).map(|number| ExpressionContext::Standard(function, number));
     let types = arguments.iter().map(|argument| elementary(program, &argument.ty));
     let found = contexts
         .zip(types)
@@ -284,15 +347,15 @@ fn of_one_type(
 }
 
 /// Whether it is the selector of MUX, or by how much is shifted.
-fn counts(context: Context, ty: ElementaryType) -> bool {
-    matches!(context, Context::Standard(function, _) if function != StandardFunction::Abs && ty.is_integer())
+fn counts(context: ExpressionContext, ty: ElementaryType) -> bool {
+    matches!(context, ExpressionContext::Standard(function, _) if function != StandardFunction::Abs && ty.is_integer())
 }
 
 /// Whether a parameter of a standard function takes a type; nothing where the type has to be that of another argument, or
 /// where a dialect might convert it.
-fn takes(context: Context, ty: ElementaryType) -> Option<bool> {
+fn takes(context: ExpressionContext, ty: ElementaryType) -> Option<bool> {
     use StandardFunction as S;
-    let Context::Standard(function, number) = context else {
+    let ExpressionContext::Standard(function, number) = context else {
         return None;
     };
     match (function, number) {

@@ -1,34 +1,36 @@
 //! Names that nothing has, that two things have, or that stand for something else.
 
-use super::super::plot::{PLANTED, Plot};
+use super::super::fault_site::{FaultSite, PLANTED};
 use super::super::scope::elementary;
-use super::super::walk::Context;
+use super::super::walk::ExpressionContext;
 use super::operands::stands_for_any_value;
-use crate::model::{Declared, Expression, ExpressionKind, Program, Section, Type, TypeDeclaration, Unit};
+use crate::model::{
+    DeclaredKind, Expression, ExpressionKind, Program, Type, TypeDeclaration, Unit, VariableSection,
+};
 use stickler_types::ElementaryType;
 
 /// A variable that is not declared, somewhere in the place of a value.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn variable_read(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn variable_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     // In the place of an enumerated value the name could be that of a value, too.
-    let (number, ..) = plot.site(|site, expression| {
-        let in_out = site.context == Context::InOut;
+    let (number, ..) = fault.pick_expression(|site, expression| {
+        let in_out = site.context == ExpressionContext::InOut;
         (in_out || stands_for_any_value(site, expression))
             && original.enumerated_values(&expression.ty).is_none()
     })?;
-    plot.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
+    fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
     Some(())
 }
 
 /// A variable that is not declared, assigned.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn variable_assigned(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    plot.insert_text(|plot, _| {
+pub(super) fn variable_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    fault.insert_text(|fault, _| {
         let values = ["1", "TRUE", "1.5", "INT#7 + INT#8", "NOT FALSE"];
-        let value = plot.choose(values.to_vec())?;
+        let value = fault.choose(values.to_vec())?;
         Some(format!("{PLANTED} := {value};"))
     })
 }
@@ -36,9 +38,9 @@ pub(super) fn variable_assigned(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// A field that the structure does not have, or a variable that is no output of the function block.
 ///
 /// Basis: ironplc-problem-codes: P4007.
-pub(super) fn field(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
-    let (number, site, _) = plot.site(|site, expression| {
+pub(super) fn field(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
+    let (number, site, _) = fault.pick_expression(|site, expression| {
         stands_for_any_value(site, expression)
             && original.enumerated_values(&expression.ty).is_none()
             && site
@@ -52,8 +54,8 @@ pub(super) fn field(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
         .filter(|variable| has_fields(original, &variable.ty))
         .map(|variable| &variable.name)
         .collect();
-    let name = plot.choose(names)?;
-    plot.replace(number, ExpressionKind::Raw(format!("{name}.{PLANTED}")));
+    let name = fault.choose(names)?;
+    fault.replace(number, ExpressionKind::Raw(format!("{name}.{PLANTED}")));
     Some(())
 }
 
@@ -64,24 +66,24 @@ fn has_fields(program: &Program, ty: &Type) -> bool {
 /// A function that is not declared, somewhere in the place of a value.
 ///
 /// Basis: language/diagnostics-names.st; conversion/bad-name.toml.
-pub(super) fn function(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let (number, ..) = plot.site(stands_for_any_value)?;
+pub(super) fn function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let (number, ..) = fault.pick_expression(stands_for_any_value)?;
     let names = ["PLANTED", "INT_TO_DNIT", "TO_DIMT", "BDC_TO_INT", "ITN_TO_REAL"];
-    let name = plot.choose(names.to_vec())?;
-    let arguments = plot.choose(vec!["INT#1", "BOOL#TRUE", "INT#1, DINT#2", "(INT#3 + INT#4)"])?;
-    plot.replace(number, ExpressionKind::Raw(format!("{name}({arguments})")));
+    let name = fault.choose(names.to_vec())?;
+    let arguments = fault.choose(vec!["INT#1", "BOOL#TRUE", "INT#1, DINT#2", "(INT#3 + INT#4)"])?;
+    fault.replace(number, ExpressionKind::Raw(format!("{name}({arguments})")));
     Some(())
 }
 
 /// A call of a variable that is no instance of a function block.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn no_instance(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    plot.insert_text(|plot, unit| {
+pub(super) fn no_instance(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    fault.insert_text(|fault, unit| {
         let types = [ElementaryType::Int, ElementaryType::Bool, ElementaryType::Real];
-        let ty = plot.choose(types.to_vec())?;
-        let name = plot.variable_text(unit, ty)?;
-        let arguments = plot.choose(vec!["", "x := 1"])?;
+        let ty = fault.choose(types.to_vec())?;
+        let name = fault.variable_text(unit, ty)?;
+        let arguments = fault.choose(vec!["", "x := 1"])?;
         Some(format!("{name}({arguments});"))
     })
 }
@@ -89,14 +91,15 @@ pub(super) fn no_instance(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// A value that the enumeration does not have, with the enumeration's name in front of it.
 ///
 /// Basis: ironplc-problem-codes: P2006.
-pub(super) fn enumerated_value(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
-    let (number, _, expression) = plot.site(|_, expression| is_enumerated(original, expression))?;
+pub(super) fn enumerated_value(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
+    let (number, _, expression) =
+        fault.pick_expression(|_, expression| is_enumerated(original, expression))?;
     let Type::Declared(declared) = expression.ty else {
         return None;
     };
     let name = &original.types.get(declared)?.name;
-    plot.replace(number, ExpressionKind::Raw(format!("{name}#{PLANTED}")));
+    fault.replace(number, ExpressionKind::Raw(format!("{name}#{PLANTED}")));
     Some(())
 }
 
@@ -108,64 +111,64 @@ fn is_enumerated(program: &Program, expression: &Expression) -> bool {
 /// A value of another enumeration.
 ///
 /// Basis: widening/user-defined.toml.
-pub(super) fn other_enumeration(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn other_enumeration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     let others = |expression: &Expression| {
         let declared = original.types.iter().enumerate();
         declared
             .filter(|(number, declaration)| {
-                matches!(declaration.kind, Declared::Enumeration(_))
+                matches!(declaration.kind, DeclaredKind::Enumeration(_))
                     && expression.ty != Type::Declared(*number)
             })
             .map(|(_, declaration)| declaration)
             .collect::<Vec<_>>()
     };
-    let (number, _, expression) = plot.site(|site, expression| {
-        site.context == Context::Assigned
+    let (number, _, expression) = fault.pick_expression(|site, expression| {
+        site.context == ExpressionContext::Assigned
             && original.enumerated_values(&expression.ty).is_some()
             && !others(expression).is_empty()
     })?;
     let TypeDeclaration {
         name,
-        kind: Declared::Enumeration(values),
-    } = plot.choose(others(&expression))?
+        kind: DeclaredKind::Enumeration(values),
+    } = fault.choose(others(&expression))?
     else {
         return None;
     };
-    let value = plot.choose(values.iter().collect())?;
-    plot.replace(number, ExpressionKind::Raw(format!("{name}#{value}")));
+    let value = fault.choose(values.iter().collect())?;
+    fault.replace(number, ExpressionKind::Raw(format!("{name}#{value}")));
     Some(())
 }
 
 /// A literal whose prefix is no enumeration.
 ///
 /// Basis: ironplc-problem-codes: P2004.
-pub(super) fn enumeration(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let (number, ..) = plot.site(stands_for_any_value)?;
-    plot.replace(number, ExpressionKind::Raw(format!("{PLANTED}#Red")));
+pub(super) fn enumeration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let (number, ..) = fault.pick_expression(stands_for_any_value)?;
+    fault.replace(number, ExpressionKind::Raw(format!("{PLANTED}#Red")));
     Some(())
 }
 
 /// A type that is not declared.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn type_name(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let unit = plot.unit()?;
+pub(super) fn type_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let unit = fault.unit()?;
     let types = ["NO_SUCH_TYPE", "ARRAY[1..2] OF NO_SUCH_TYPE"];
-    let ty = plot.choose(types.to_vec())?;
-    plot.declare_text(unit, &format!("{PLANTED}_type : {ty}"), Section::Local)
+    let ty = fault.choose(types.to_vec())?;
+    fault.declare_text(unit, &format!("{PLANTED}_type : {ty}"), VariableSection::Local)
 }
 
 /// A variable that is declared twice.
 ///
 /// Basis: language/diagnostics-names.st (the second declaration, whatever its case and type).
-pub(super) fn variable_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let unit = plot.unit()?;
-    let variables = unit.variables(plot.original).iter().collect();
-    let variable = plot.choose(variables)?;
+pub(super) fn variable_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let unit = fault.unit()?;
+    let variables = unit.variables(fault.original).iter().collect();
+    let variable = fault.choose(variables)?;
     let name = other_case(&variable.name)?;
-    let ty = plot.choose(vec!["INT", "BOOL", "REAL"])?;
-    plot.declare_text(unit, &format!("{name} : {ty}"), Section::Local)
+    let ty = fault.choose(vec!["INT", "BOOL", "REAL"])?;
+    fault.declare_text(unit, &format!("{name} : {ty}"), VariableSection::Local)
 }
 
 /// The same name in another case, so that the second declaration is not the first one's text.
@@ -177,57 +180,57 @@ fn other_case(name: &str) -> Option<String> {
 /// A function that is declared twice.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn function_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let mut function = plot.choose(plot.original.functions.iter().collect())?.clone();
+pub(super) fn function_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let mut function = fault.choose(fault.original.functions.iter().collect())?.clone();
     function.name = other_case(&function.name)?;
-    plot.mark = Some(format!(" {} : ", function.name));
-    plot.program.functions.push(function);
+    fault.mark = Some(format!(" {} : ", function.name));
+    fault.program.functions.push(function);
     Some(())
 }
 
 /// A function block that is declared twice.
 ///
 /// Basis: ironplc-problem-codes: P4013.
-pub(super) fn block_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let mut block = plot.choose(plot.original.blocks.iter().collect())?.clone();
+pub(super) fn block_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let mut block = fault.choose(fault.original.blocks.iter().collect())?.clone();
     block.name = other_case(&block.name)?;
-    plot.mark = Some(format!(" {}", block.name));
-    plot.program.blocks.push(block);
+    fault.mark = Some(format!(" {}", block.name));
+    fault.program.blocks.push(block);
     Some(())
 }
 
 /// A function with the name of a type, or a function block with that of a function.
 ///
 /// Basis: ironplc-problem-codes: P4011.
-pub(super) fn two_kinds_of_one_name(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
+pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
     if let Some(block) = original.blocks.last()
-        && let Some(function) = plot.choose(original.functions.iter().collect())
+        && let Some(function) = fault.choose(original.functions.iter().collect())
     {
         let mut block = block.clone();
         block.name = other_case(&function.name)?;
-        plot.mark = Some(format!(" {}", block.name));
-        plot.program.blocks.push(block);
+        fault.mark = Some(format!(" {}", block.name));
+        fault.program.blocks.push(block);
         return Some(());
     }
     let mut function = original.functions.last()?.clone();
-    let declaration = plot.choose(original.types.iter().collect())?;
+    let declaration = fault.choose(original.types.iter().collect())?;
     function.name = other_case(&declaration.name)?;
-    plot.mark = Some(format!(" {} : ", function.name));
-    plot.program.functions.push(function);
+    fault.mark = Some(format!(" {} : ", function.name));
+    fault.program.functions.push(function);
     Some(())
 }
 
 /// A type that is declared twice.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn type_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let declaration = plot.choose(plot.original.types.iter().collect())?;
+pub(super) fn type_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let declaration = fault.choose(fault.original.types.iter().collect())?;
     let name = other_case(&declaration.name)?;
-    plot.mark = Some(format!("{name} : "));
-    plot.program.types.push(TypeDeclaration {
+    fault.mark = Some(format!("{name} : "));
+    fault.program.types.push(TypeDeclaration {
         name,
-        kind: Declared::Alias(Type::Elementary(ElementaryType::Int)),
+        kind: DeclaredKind::Alias(Type::Elementary(ElementaryType::Int)),
     });
     Some(())
 }
@@ -235,9 +238,9 @@ pub(super) fn type_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// A field that is declared twice.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn field_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    declared_twice(plot, |kind, mark| {
-        let Declared::Structure(fields) = kind else {
+pub(super) fn field_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    declared_twice(fault, |kind, mark| {
+        let DeclaredKind::Structure(fields) = kind else {
             return None;
         };
         let name = other_case(&fields.last()?.0)?;
@@ -250,9 +253,9 @@ pub(super) fn field_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
 /// An enumerated value that is declared twice.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn enumerated_value_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    declared_twice(plot, |kind, mark| {
-        let Declared::Enumeration(values) = kind else {
+pub(super) fn enumerated_value_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    declared_twice(fault, |kind, mark| {
+        let DeclaredKind::Enumeration(values) = kind else {
             return None;
         };
         let name = other_case(values.first()?)?;
@@ -264,28 +267,28 @@ pub(super) fn enumerated_value_twice(plot: &mut Plot<'_, '_, '_>) -> Option<()> 
 
 /// Changes one of the declared types that can be changed.
 fn declared_twice(
-    plot: &mut Plot<'_, '_, '_>,
-    change: impl Fn(&mut Declared, &mut Option<String>) -> Option<()>,
+    fault: &mut FaultSite<'_, '_, '_>,
+    change: impl Fn(&mut DeclaredKind, &mut Option<String>) -> Option<()>,
 ) -> Option<()> {
-    let numbers = 0..plot.original.types.len();
+    let numbers = 0..fault.original.types.len();
     let possible = numbers.filter(|&number| {
-        let mut tried = plot.original.types[number].kind.clone();
+        let mut tried = fault.original.types[number].kind.clone();
         change(&mut tried, &mut None).is_some()
     });
-    let number = plot.choose(possible.collect())?;
-    change(&mut plot.program.types.get_mut(number)?.kind, &mut plot.mark)
+    let number = fault.choose(possible.collect())?;
+    change(&mut fault.program.types.get_mut(number)?.kind, &mut fault.mark)
 }
 
 /// An initial value that names what is not declared.
 ///
 /// Basis: ironplc-problem-codes: P4007.
-pub(super) fn initial(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
-    let (number, ..) = plot.site(|site, expression| {
-        site.context == Context::Initial
+pub(super) fn initial(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
+    let (number, ..) = fault.pick_expression(|site, expression| {
+        site.context == ExpressionContext::Initial
             && site.unit != Unit::Types
             && elementary(original, &expression.ty).is_some()
     })?;
-    plot.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
+    fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
     Some(())
 }

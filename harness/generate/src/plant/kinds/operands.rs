@@ -2,31 +2,32 @@
 //!
 //! Basis: ironplc-problem-codes: P4049; stickler-design: §8 (*mixed operands*).
 
-use super::super::plot::Plot;
+use super::super::fault_site::FaultSite;
 use super::super::scope::types;
-use super::super::walk::{Context, Site};
-use super::misfits::{ALL_SHAPES, Shape, foreign, never, value};
+use super::super::walk::{ExpressionContext, ExpressionSite};
+use super::misfits::{ALL_MISFIT_FORMS, MisfitForm, foreign, never, value};
 use crate::model::{BinaryOperator, Expression, ExpressionKind, Type, UnaryOperator, Unit};
 use stickler_types::{ElementaryType, Family};
 
 /// An operand of a type that has nothing in common with the other's.
-pub(super) fn operand(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let dialect = plot.original.dialect;
-    let (number, site, _) = plot.site(|site, _| matches!(site.context, Context::Operand(_, Some(_))))?;
-    let Context::Operand(operator, Some(other)) = site.context else {
+pub(super) fn operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let dialect = fault.original.dialect;
+    let (number, site, _) =
+        fault.pick_expression(|site, _| matches!(site.context, ExpressionContext::Operand(_, Some(_))))?;
+    let ExpressionContext::Operand(operator, Some(other)) = site.context else {
         return None;
     };
     let strange = |from| {
         never(from, other, dialect) && never(other, from, dialect) && !calculates(operator, from, other)
     };
-    let shape = plot.choose(ALL_SHAPES.to_vec())?;
-    let kind = if shape == Shape::Foreign {
-        foreign(plot, strange)?
+    let shape = fault.choose(ALL_MISFIT_FORMS.to_vec())?;
+    let kind = if shape == MisfitForm::Foreign {
+        foreign(fault, strange)?
     } else {
-        let from = plot.choose(types(dialect).filter(|&from| strange(from)).collect())?;
-        value(plot, site.unit, from, shape)?
+        let from = fault.choose(types(dialect).filter(|&from| strange(from)).collect())?;
+        value(fault, site.unit, from, shape)?
     };
-    plot.replace(number, kind);
+    fault.replace(number, kind);
     Some(())
 }
 
@@ -47,15 +48,16 @@ pub(super) fn calculates(operator: BinaryOperator, one: ElementaryType, other: E
 }
 
 /// The operand of an operator with one, which is not defined for its type.
-pub(super) fn only_operand(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let dialect = plot.original.dialect;
-    let (number, site, _) = plot.site(|site, _| matches!(site.context, Context::UnaryOperand(_)))?;
-    let Context::UnaryOperand(operator) = site.context else {
+pub(super) fn only_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let dialect = fault.original.dialect;
+    let (number, site, _) =
+        fault.pick_expression(|site, _| matches!(site.context, ExpressionContext::UnaryOperand(_)))?;
+    let ExpressionContext::UnaryOperand(operator) = site.context else {
         return None;
     };
-    let from = plot.choose(types(dialect).filter(|&ty| undefined(operator, ty)).collect())?;
-    let kind = plot.variable(site.unit, from)?;
-    plot.replace(number, kind);
+    let from = fault.choose(types(dialect).filter(|&ty| undefined(operator, ty)).collect())?;
+    let kind = fault.variable(site.unit, from)?;
+    fault.replace(number, kind);
     Some(())
 }
 
@@ -70,10 +72,10 @@ fn undefined(operator: UnaryOperator, ty: ElementaryType) -> bool {
 }
 
 /// An operation that its operands' type does not have, somewhere in the place of a value.
-pub(super) fn undefined_operation(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn undefined_operation(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     use BinaryOperator as B;
-    let dialect = plot.original.dialect;
-    let (number, site, _) = plot.site(stands_for_any_value)?;
+    let dialect = fault.original.dialect;
+    let (number, site, _) = fault.pick_expression(stands_for_any_value)?;
     let operators = vec![
         B::Add,
         B::Subtract,
@@ -84,7 +86,7 @@ pub(super) fn undefined_operation(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
         B::Or,
         B::Xor,
     ];
-    let operator = plot.choose(operators)?;
+    let operator = fault.choose(operators)?;
     let without = |ty: &ElementaryType| match operator {
         B::Modulo => ty.is_real() || *ty == ElementaryType::Bool || ty.is_text(),
         B::And | B::Or | B::Xor => ty.is_integer() || ty.is_real() || ty.is_text() || ty.is_duration(),
@@ -96,28 +98,31 @@ pub(super) fn undefined_operation(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
         }
         _ => matches!(ty.family(), Family::Boolean | Family::BitString) || ty.is_text(),
     };
-    let ty = plot.choose(types(dialect).filter(without).collect())?;
-    let kind = plot.variable(site.unit, ty)?;
+    let ty = fault.choose(types(dialect).filter(without).collect())?;
+    let kind = fault.variable(site.unit, ty)?;
     let operand = || Box::new(Expression::elementary(ty, kind.clone()));
-    plot.replace(number, ExpressionKind::Binary(operator, operand(), operand()));
+    fault.replace(number, ExpressionKind::Binary(operator, operand(), operand()));
     Some(())
 }
 
 /// Whether any expression may stand there, with an error of its own and no other: neither a constant, nor a variable, nor a
 /// label is wanted.
-pub(super) fn stands_for_any_value(site: Site, _: &Expression) -> bool {
+pub(super) fn stands_for_any_value(site: ExpressionSite, _: &Expression) -> bool {
     site.unit != Unit::Types
         && !matches!(
             site.context,
-            Context::Initial | Context::InOut | Context::Label | Context::Step
+            ExpressionContext::Initial
+                | ExpressionContext::InOut
+                | ExpressionContext::Label
+                | ExpressionContext::Step
         )
 }
 
 /// Aggregates where an operator wants elementary values: structures and arrays do not even compare.
-pub(super) fn compared_aggregates(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    let original = plot.original;
-    let (number, site, _) = plot.site(stands_for_any_value)?;
-    let place = plot.place(site.unit, |place, _| {
+pub(super) fn compared_aggregates(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    let original = fault.original;
+    let (number, site, _) = fault.pick_expression(stands_for_any_value)?;
+    let place = fault.place(site.unit, |place, _| {
         original.fields(&place.ty).is_some() || matches!(original.unaliased(&place.ty), Type::Array(_))
     })?;
     let operand = || {
@@ -127,6 +132,6 @@ pub(super) fn compared_aggregates(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
         })
     };
     let kind = ExpressionKind::Binary(BinaryOperator::Equal, operand(), operand());
-    plot.replace(number, kind);
+    fault.replace(number, kind);
     Some(())
 }

@@ -1,25 +1,25 @@
 //! Statements that stand where they mean nothing, labels that hold nothing, and texts that are no statements.
 
-use super::super::plot::Plot;
+use super::super::fault_site::FaultSite;
 use crate::model::{CaseLabel, Expression, ExpressionKind, LiteralForm, StatementKind};
 use stickler_types::{DialectName, ElementaryType, Value};
 
 /// EXIT outside a loop.
 ///
 /// Basis: language/diagnostics-statements.st.
-pub(super) fn exit(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    outside_loops(plot, "EXIT;")
+pub(super) fn exit(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    outside_loops(fault, "EXIT;")
 }
 
 /// CONTINUE outside a loop.
 ///
 /// Basis: language/diagnostics-statements.st.
-pub(super) fn continue_(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    outside_loops(plot, "CONTINUE;")
+pub(super) fn continue_(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    outside_loops(fault, "CONTINUE;")
 }
 
-fn outside_loops(plot: &mut Plot<'_, '_, '_>, text: &str) -> Option<()> {
-    plot.insert(
+fn outside_loops(fault: &mut FaultSite<'_, '_, '_>, text: &str) -> Option<()> {
+    fault.insert(
         |_, in_loop| !in_loop,
         |_, _| Some(StatementKind::Raw(text.to_owned())),
     )
@@ -28,7 +28,7 @@ fn outside_loops(plot: &mut Plot<'_, '_, '_>, text: &str) -> Option<()> {
 /// A range of labels that descends.
 ///
 /// Basis: language/diagnostics-statements.st.
-pub(super) fn descending_labels(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn descending_labels(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let has_integers = |_, kind: &StatementKind| match kind {
         StatementKind::Case(_, branches, _) => branches
             .iter()
@@ -36,7 +36,7 @@ pub(super) fn descending_labels(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
             .any(|label| descending(label).is_some()),
         _ => false,
     };
-    plot.change_statement(has_integers, |plot, _, kind| {
+    fault.change_statement(has_integers, |fault, _, kind| {
         let StatementKind::Case(_, branches, _) = kind else {
             return None;
         };
@@ -45,7 +45,7 @@ pub(super) fn descending_labels(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
             .flat_map(|branch| &mut branch.labels)
             .filter(|label| descending(label).is_some())
             .collect();
-        let which = plot.choose((0..labels.len()).collect())?;
+        let which = fault.choose((0..labels.len()).collect())?;
         let label = labels.get_mut(which)?;
         **label = descending(label)?;
         Some(())
@@ -92,23 +92,23 @@ fn value(expression: &Expression) -> Option<i128> {
 /// A comment that is not closed. Nothing that follows it can be said to be wrong.
 ///
 /// Basis: ironplc-problem-codes: P0001; the line: stickler-design: §3.1.
-pub(super) fn open_comment(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    plot.insert_text(|plot, _| {
+pub(super) fn open_comment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    fault.insert_text(|fault, _| {
         let texts = [
             "(* never closed",
             "; (* never closed",
             "; (* closed *) (* not closed *",
         ];
-        plot.choose(texts.to_vec()).map(str::to_owned)
+        fault.choose(texts.to_vec()).map(str::to_owned)
     })
 }
 
 /// A statement that is none. Each begins as one, and ends before the next does.
 ///
 /// Basis: language/syntax-recovery.st.
-pub(super) fn no_statement(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    plot.insert_text(|plot, unit| {
-        let name = plot.variable_text(unit, ElementaryType::Int)?;
+pub(super) fn no_statement(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    fault.insert_text(|fault, unit| {
+        let name = fault.variable_text(unit, ElementaryType::Int)?;
         let texts = [
             format!("{name} := ;"),
             format!("{name} := ({name} + 1;"),
@@ -121,40 +121,40 @@ pub(super) fn no_statement(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
             format!("FOR {name} = 1 TO 2 DO ; END_FOR;"),
             format!("REPEAT {name} := 2; UNTIL END_REPEAT;"),
         ];
-        plot.choose(texts.to_vec())
+        fault.choose(texts.to_vec())
     })
 }
 
 /// Characters that are no part of the language.
 ///
 /// Basis: ironplc-problem-codes: P0003.
-pub(super) fn no_token(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
-    plot.insert_text(|plot, unit| {
-        let name = plot.variable_text(unit, ElementaryType::Int)?;
+pub(super) fn no_token(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+    fault.insert_text(|fault, unit| {
+        let name = fault.variable_text(unit, ElementaryType::Int)?;
         let texts = [
             format!("{name} := {name} ? 3;"),
             format!("{name} := {name} ! 3;"),
             format!("{name} := 1 \\ 2;"),
             format!("{name} := {name} ~ 1;"),
         ];
-        plot.choose(texts.to_vec())
+        fault.choose(texts.to_vec())
     })
 }
 
 /// A comment to the end of the line, where the dialect does not have it.
 ///
 /// Basis: language/comments.st.
-pub(super) fn line_comment(plot: &mut Plot<'_, '_, '_>) -> Option<()> {
+pub(super) fn line_comment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let without = [
         DialectName::IronplcEd2,
         DialectName::IronplcEd3,
         DialectName::Matiec,
     ];
-    if !without.contains(&plot.original.dialect) {
+    if !without.contains(&fault.original.dialect) {
         return None;
     }
-    plot.insert_text(|plot, _| {
+    fault.insert_text(|fault, _| {
         let texts = ["// over there", "; // it's 5 o'clock (* or 6", "; // a := ;"];
-        plot.choose(texts.to_vec()).map(str::to_owned)
+        fault.choose(texts.to_vec()).map(str::to_owned)
     })
 }

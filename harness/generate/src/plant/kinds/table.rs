@@ -1,32 +1,32 @@
 //! The table of kinds.
 
-use super::super::plot::Plot;
+use super::super::fault_site::FaultSite;
 use super::{
     bits, blocks, calls, constants, declarations, left_out, literals, misfits, names, operands, statements,
 };
 use stickler_types::Code;
 
 /// A kind of error.
-pub(in super::super) struct Kind {
+pub(in super::super) struct FaultKind {
     /// What is wrong, in a few words.
     pub name: &'static str,
     /// The code of the diagnostic.
     pub code: Code,
-    /// Plants it; nothing where the program has no place for it, and then the plot is of no use any more.
-    pub plant: fn(&mut Plot<'_, '_, '_>) -> Option<()>,
+    /// Plants it; nothing where the program has no place for it, and then the fault is of no use any more.
+    pub plant: fn(&mut FaultSite<'_, '_, '_>) -> Option<()>,
 }
 
 /// Writes a row as one line.
 macro_rules! kinds {
     ($($code:ident $name:literal $room:ident::$plant:ident;)*) => {
-        &[$(Kind { name: $name, code: Code::$code, plant: $room::$plant },)*]
+        &[$(FaultKind { name: $name, code: Code::$code, plant: $room::$plant },)*]
     };
 }
 
 /// Every kind, in the order of what is wrong: types, operators, literals, names, calls, bits, statements, texts, declarations.
 ///
 /// Basis: stickler-design: §7; each function names the rest.
-pub(in super::super) const KINDS: &[Kind] = kinds! {
+pub(in super::super) const KINDS: &[FaultKind] = kinds! {
     AssignmentTypeMismatch "a value of another type assigned" misfits::assigned;
     AssignmentTypeMismatch "a value of another type for a result" misfits::result;
     FunctionCallReturnTypeMismatch "a call of another type assigned" misfits::call_assigned;

@@ -1,26 +1,26 @@
 //! Declarations dropped.
 
 use super::removal::keep_only;
-use super::usage::Usage;
-use crate::model::{Program, Section};
+use super::usage::DeclarationUsage;
+use crate::model::{Program, VariableSection};
 use crate::reduce::Sites;
 
 /// Drops types, functions, function blocks, variables and parameters that nothing refers to. A function keeps one input, for
 /// the second edition of the standard knows no call without arguments.
 pub(super) fn drop_unused(program: &mut Program, sites: &mut Sites) {
-    let mut usage = Usage::of(program);
+    let mut usage = DeclarationUsage::of(program);
     for (function, used) in program.functions.iter().zip(&mut usage.of_functions) {
         let inputs = function
             .variables
             .iter()
             .zip(used.iter_mut())
-            .filter(|(variable, _)| variable.section == Section::Input);
+            .filter(|(variable, _)| variable.section == VariableSection::Input);
         let mut inputs: Vec<_> = inputs.map(|(_, used)| used).collect();
         if let (false, Some(first)) = (inputs.iter().any(|used| **used), inputs.first_mut()) {
             **first = true;
         }
     }
-    let Usage {
+    let DeclarationUsage {
         functions,
         blocks,
         types,
@@ -40,14 +40,14 @@ pub(super) fn drop_unused(program: &mut Program, sites: &mut Sites) {
 /// A variable that nothing writes any more has the default value of its type, and what that is may be open, as of a date:
 /// so statements and the variable that they wrote can only go together.
 pub(super) fn with_variables(program: &mut Program, sites: &mut Sites, edit: fn(&mut Program, &mut Sites)) {
-    let before = Usage::of(program);
+    let before = DeclarationUsage::of(program);
     edit(program, sites);
-    let now = Usage::of(program);
+    let now = DeclarationUsage::of(program);
     let keep = |before: &[bool], now: &[bool]| -> Vec<bool> {
         let both = before.iter().zip(now);
         both.map(|(before, now)| *now || !*before).collect()
     };
-    let mut kept = Usage::uniform(program, true);
+    let mut kept = DeclarationUsage::uniform(program, true);
     kept.main = keep(&before.main, &now.main);
     for (block, kept) in kept.of_blocks.iter_mut().enumerate() {
         if let (Some(before), Some(now)) = (before.of_blocks.get(block), now.of_blocks.get(block)) {

@@ -1,14 +1,14 @@
 //! Expressions replaced by plainer ones of the same type.
 
-use super::plain::{Step, literal_kind, plainest};
+use super::plain::{Simplification, literal_kind, plainest};
 use super::usage::instance_of;
 use crate::model::visit::operands;
 use crate::model::visit_mut::{
     VisitorMut, walk_expression, walk_place, walk_program, walk_statement, walk_variable,
 };
 use crate::model::{
-    Argument, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Statement,
-    StatementKind, Target, Type, Unit, Variable, VariableId,
+    Argument, AssignmentTarget, Expression, ExpressionKind, Initializer, LiteralForm, Place, Program,
+    Statement, StatementKind, Type, Unit, Variable, VariableId, VariableSection,
 };
 use crate::reduce::Sites;
 use stickler_types::Value;
@@ -124,45 +124,45 @@ pub(super) fn walk_input(
 pub(super) fn is_in_out(program: &Program, unit: Unit, instance: VariableId, parameter: VariableId) -> bool {
     instance_of(program, unit, instance)
         .and_then(|block| program.blocks.get(block)?.variables.get(parameter.0))
-        .is_some_and(|variable| variable.section == Section::InOut)
+        .is_some_and(|variable| variable.section == VariableSection::InOut)
 }
 
 /// Makes literals 0, FALSE or empty.
 pub(super) fn literals_to_zero(program: &mut Program, sites: &mut Sites) {
-    literals(program, sites, Step::Zero);
+    literals(program, sites, Simplification::Zero);
 }
 
 /// Makes literals 1 or one character long.
 pub(super) fn literals_to_one(program: &mut Program, sites: &mut Sites) {
-    literals(program, sites, Step::One);
+    literals(program, sites, Simplification::One);
 }
 
 /// Halves literals.
 pub(super) fn halve_literals(program: &mut Program, sites: &mut Sites) {
-    literals(program, sites, Step::Half);
+    literals(program, sites, Simplification::Half);
 }
 
 /// Takes a tenth off literals, and makes texts of one character.
 pub(super) fn trim_literals(program: &mut Program, sites: &mut Sites) {
-    literals(program, sites, Step::Tenth);
+    literals(program, sites, Simplification::Tenth);
 }
 
 /// Makes literals the power of two below, for many limits are such powers.
 pub(super) fn literals_to_powers(program: &mut Program, sites: &mut Sites) {
-    literals(program, sites, Step::Power);
+    literals(program, sites, Simplification::Power);
 }
 
 /// Makes literals one more than the power of two below: just outside of many limits.
 pub(super) fn literals_above_powers(program: &mut Program, sites: &mut Sites) {
-    literals(program, sites, Step::AbovePower);
+    literals(program, sites, Simplification::AbovePower);
 }
 
 /// Makes literals one less, or one character shorter.
 pub(super) fn lessen_literals(program: &mut Program, sites: &mut Sites) {
-    literals(program, sites, Step::Less);
+    literals(program, sites, Simplification::Less);
 }
 
-fn literals(program: &mut Program, sites: &mut Sites, step: Step) {
+fn literals(program: &mut Program, sites: &mut Sites, step: Simplification) {
     replace(program, sites, |expression, _| {
         let ExpressionKind::Literal(value, form) = &expression.kind else {
             return None;
@@ -193,8 +193,10 @@ pub(super) fn drop_prefixes(program: &mut Program, sites: &mut Sites) {
     }
     impl VisitorMut for Prefixes<'_> {
         fn statement(&mut self, statement: &mut Statement) {
-            if let StatementKind::Assign(Target::Place(Place { .. }) | Target::Result, value) =
-                &mut statement.kind
+            if let StatementKind::Assign(
+                AssignmentTarget::Place(Place { .. }) | AssignmentTarget::Result,
+                value,
+            ) = &mut statement.kind
             {
                 self.whole(value);
             }
@@ -202,7 +204,7 @@ pub(super) fn drop_prefixes(program: &mut Program, sites: &mut Sites) {
         }
 
         fn variable(&mut self, variable: &mut Variable) {
-            if let Some(Initial::Expression(value)) = &mut variable.initial {
+            if let Some(Initializer::Expression(value)) = &mut variable.initial {
                 self.whole(value);
             }
             walk_variable(self, variable);

@@ -3,9 +3,11 @@
 use super::expressions::is_in_out;
 use super::plain::plainest;
 use super::statements::drop_exits;
-use super::usage::{Usage, instance_of};
+use super::usage::{DeclarationUsage, instance_of};
 use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program, walk_statement, walk_statements};
-use crate::model::{Expression, ExpressionKind, Program, Statement, StatementKind, Target, Unit, VariableId};
+use crate::model::{
+    AssignmentTarget, Expression, ExpressionKind, Program, Statement, StatementKind, Unit, VariableId,
+};
 use crate::reduce::Sites;
 use std::mem;
 
@@ -24,8 +26,8 @@ pub(super) fn forget_functions(program: &mut Program, sites: &mut Sites) {
 /// Forgets variables: statements that write one or hand it to a function block go, and its values are replaced by the
 /// plainest of their type. A statement that reads it as a whole goes as well, where it is no elementary value.
 pub(super) fn forget_variables(program: &mut Program, sites: &mut Sites) {
-    let mut forgotten = Usage::of(program);
-    let Usage {
+    let mut forgotten = DeclarationUsage::of(program);
+    let DeclarationUsage {
         main,
         of_functions,
         of_blocks,
@@ -49,7 +51,7 @@ pub(super) fn forget_variables(program: &mut Program, sites: &mut Sites) {
 
 struct Forget<'p> {
     /// What is forgotten, where a usage says what is used.
-    forgotten: Usage,
+    forgotten: DeclarationUsage,
     before: &'p Program,
     unit: Unit,
     /// Something in the statement under way cannot be replaced.
@@ -61,10 +63,10 @@ impl Forget<'_> {
         self.forgotten.variables(self.unit).get(variable.0) == Some(&true)
     }
 
-    fn forgets_target(&self, target: &Target) -> bool {
+    fn forgets_target(&self, target: &AssignmentTarget) -> bool {
         match target {
-            Target::Place(place) | Target::Bit(place, _) => self.forgets(place.variable),
-            Target::Result => false,
+            AssignmentTarget::Place(place) | AssignmentTarget::Bit(place, _) => self.forgets(place.variable),
+            AssignmentTarget::Result => false,
         }
     }
 

@@ -3,8 +3,8 @@
 use crate::model::visit::{self, Visitor};
 use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{
-    Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement, StatementKind, Target, Type,
-    Unit, Variable, VariableId,
+    AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind,
+    Type, Unit, Variable, VariableId, VariableSection,
 };
 use crate::reduce::Sites;
 use std::collections::BTreeMap;
@@ -40,11 +40,11 @@ impl Hoist<'_> {
         self.variables.push(Variable {
             name: name.unwrap_or_default(),
             ty: value.ty.clone(),
-            section: Section::Local,
+            section: VariableSection::Local,
             initial: None,
         });
         Statement {
-            kind: StatementKind::Assign(Target::Place(place), value),
+            kind: StatementKind::Assign(AssignmentTarget::Place(place), value),
         }
     }
 }
@@ -69,16 +69,16 @@ fn values(statement: &Statement) -> Vec<Expression> {
         StatementKind::While(condition, _) | StatementKind::Repeat(_, condition) => vec![condition],
         _ => Vec::new(),
     };
-    let mut parts = Parts(Vec::new());
+    let mut parts = ComputedParts(Vec::new());
     for head in heads {
         parts.expression(head);
     }
     parts.0
 }
 
-struct Parts(Vec<Expression>);
+struct ComputedParts(Vec<Expression>);
 
-impl Visitor for Parts {
+impl Visitor for ComputedParts {
     fn expression(&mut self, expression: &Expression) {
         let computed = !matches!(
             expression.kind,
@@ -138,7 +138,7 @@ impl Visitor for Assigned {
 
 fn whole_assignment(statement: &Statement) -> Option<(VariableId, &Expression)> {
     match &statement.kind {
-        StatementKind::Assign(Target::Place(place), value) if place.path.is_empty() => {
+        StatementKind::Assign(AssignmentTarget::Place(place), value) if place.path.is_empty() => {
             Some((place.variable, value))
         }
         _ => None,

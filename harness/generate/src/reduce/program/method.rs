@@ -4,10 +4,10 @@ use super::soundness::breaches;
 use super::{declarations, expressions, forget, lift, promote, shapes, statements, unwrap, values, weight};
 use crate::model::Program;
 use crate::reduce::search::pass;
-use crate::reduce::{Answer, Budget, Method, Minimised, minimise};
+use crate::reduce::{Interestingness, Reduction, ReductionBudget, ReductionMethod, minimise};
 
 /// How programs are reduced: first what makes many lines go at once, last what makes one literal nicer.
-const METHOD: Method<Program> = Method {
+const METHOD: ReductionMethod<Program> = ReductionMethod {
     passes: &[
         pass("drop statements of main and what they used", |program, sites| {
             declarations::with_variables(program, sites, statements::drop_of_main);
@@ -71,19 +71,19 @@ const METHOD: Method<Program> = Method {
 
 /// Makes a program as small as it can be while it stays interesting.
 ///
-/// `interesting` is asked about `start` first, and then about each candidate. It should answer [`Answer::Refused`] where the
+/// `interesting` is asked about `start` first, and then about each candidate. It should answer [`Interestingness::Invalid`] where the
 /// evaluator refuses the program or something opens in it, and ask an engine only about the others. The result is the
 /// same for the same answers.
 pub fn program(
     start: &Program,
-    mut interesting: impl FnMut(&Program) -> Answer,
-    budget: &Budget<'_>,
-) -> Minimised<Program> {
+    mut interesting: impl FnMut(&Program) -> Interestingness,
+    budget: &ReductionBudget<'_>,
+) -> Reduction<Program> {
     // Where the start breaks a rule of spelling, that may be what shows.
     let most = breaches(start);
     let mut ask = |candidate: &Program| {
         if breaches(candidate) > most {
-            Answer::Refused
+            Interestingness::Invalid
         } else {
             interesting(candidate)
         }

@@ -51,7 +51,7 @@ fn elementary(value: &Value) -> Option<ElementaryType> {
 
 /// How a value can be made plainer; from the boldest way to the most careful.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Step {
+pub(super) enum Simplification {
     /// Nothing is left: 0, or the empty text.
     Zero,
     /// 1, or one character.
@@ -68,7 +68,7 @@ pub(super) enum Step {
     Tenth,
 }
 
-impl Step {
+impl Simplification {
     /// The value after this step; nothing where there is none that differs.
     pub fn of(self, value: &Value) -> Option<Value> {
         let plainer = match value {
@@ -92,13 +92,13 @@ impl Step {
     fn of_text(self, units: &[u16]) -> Vec<u16> {
         let length = units.len();
         let kept = match self {
-            Step::Zero => 0,
-            Step::One => 1,
-            Step::Half => length / 2,
-            Step::Less if length > SMALL as usize => length,
-            Step::Less => length.saturating_sub(1),
-            Step::Power | Step::AbovePower => length,
-            Step::Tenth => return units.iter().map(|_| u16::from(b'a')).collect(),
+            Simplification::Zero => 0,
+            Simplification::One => 1,
+            Simplification::Half => length / 2,
+            Simplification::Less if length > SMALL as usize => length,
+            Simplification::Less => length.saturating_sub(1),
+            Simplification::Power | Simplification::AbovePower => length,
+            Simplification::Tenth => return units.iter().map(|_| u16::from(b'a')).collect(),
         };
         units.iter().take(kept).copied().collect()
     }
@@ -108,26 +108,26 @@ impl Step {
             return None;
         }
         Some(match self {
-            Step::Zero => 0.0,
-            Step::One => 1.0,
-            Step::Half => number.trunc(),
-            Step::Less | Step::Power | Step::AbovePower => number.abs(),
-            Step::Tenth => (number * 10.0).trunc() / 10.0,
+            Simplification::Zero => 0.0,
+            Simplification::One => 1.0,
+            Simplification::Half => number.trunc(),
+            Simplification::Less | Simplification::Power | Simplification::AbovePower => number.abs(),
+            Simplification::Tenth => (number * 10.0).trunc() / 10.0,
         })
     }
 
     /// Of an integer, or of a duration or moment that is counted in units of its own.
     fn of_number(self, number: i128, unit: i128) -> i128 {
         match self {
-            Step::Zero => 0,
-            Step::One => unit,
-            Step::Half => number / 2 / unit * unit,
-            Step::Less if number.abs() / unit > SMALL => number,
-            Step::Less => number - unit * number.signum(),
-            Step::Power => power_below(number),
-            Step::AbovePower if number.abs() > 2 => power_below(number) + number.signum(),
-            Step::AbovePower => number,
-            Step::Tenth => (number - number / 10) / unit * unit,
+            Simplification::Zero => 0,
+            Simplification::One => unit,
+            Simplification::Half => number / 2 / unit * unit,
+            Simplification::Less if number.abs() / unit > SMALL => number,
+            Simplification::Less => number - unit * number.signum(),
+            Simplification::Power => power_below(number),
+            Simplification::AbovePower if number.abs() > 2 => power_below(number) + number.signum(),
+            Simplification::AbovePower => number,
+            Simplification::Tenth => (number - number / 10) / unit * unit,
         }
     }
 }
@@ -163,45 +163,69 @@ fn number_as_raw(ty: ElementaryType, number: i128) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::Step;
+    use super::Simplification;
     use stickler_types::Value;
 
-    fn after(step: Step, literal: &str) -> Option<String> {
+    fn after(step: Simplification, literal: &str) -> Option<String> {
         let value = Value::parse(literal).expect("a typed literal");
         step.of(&value).map(|value| value.to_string())
     }
 
     #[test]
     fn numbers_come_nearer_to_nothing() {
-        assert_eq!(after(Step::Zero, "INT#-300").as_deref(), Some("INT#0"));
-        assert_eq!(after(Step::Half, "INT#-300").as_deref(), Some("INT#-150"));
-        assert_eq!(after(Step::Less, "SINT#-16").as_deref(), Some("SINT#-15"));
-        assert_eq!(after(Step::Less, "INT#300"), None);
-        assert_eq!(after(Step::Power, "INT#-300").as_deref(), Some("INT#-256"));
-        assert_eq!(after(Step::AbovePower, "INT#300").as_deref(), Some("INT#257"));
+        assert_eq!(after(Simplification::Zero, "INT#-300").as_deref(), Some("INT#0"));
         assert_eq!(
-            after(Step::Power, "ULINT#18446744073709551615").as_deref(),
+            after(Simplification::Half, "INT#-300").as_deref(),
+            Some("INT#-150")
+        );
+        assert_eq!(
+            after(Simplification::Less, "SINT#-16").as_deref(),
+            Some("SINT#-15")
+        );
+        assert_eq!(after(Simplification::Less, "INT#300"), None);
+        assert_eq!(
+            after(Simplification::Power, "INT#-300").as_deref(),
+            Some("INT#-256")
+        );
+        assert_eq!(
+            after(Simplification::AbovePower, "INT#300").as_deref(),
+            Some("INT#257")
+        );
+        assert_eq!(
+            after(Simplification::Power, "ULINT#18446744073709551615").as_deref(),
             Some("ULINT#9223372036854775808")
         );
-        assert_eq!(after(Step::Less, "SINT#0"), None);
-        assert_eq!(after(Step::Half, "REAL#-2.75").as_deref(), Some("REAL#-2.0"));
-        assert_eq!(after(Step::Zero, "REAL#-0.0").as_deref(), Some("REAL#0.0"));
-        assert_eq!(after(Step::Zero, "REAL#NaN"), None);
+        assert_eq!(after(Simplification::Less, "SINT#0"), None);
+        assert_eq!(
+            after(Simplification::Half, "REAL#-2.75").as_deref(),
+            Some("REAL#-2.0")
+        );
+        assert_eq!(
+            after(Simplification::Zero, "REAL#-0.0").as_deref(),
+            Some("REAL#0.0")
+        );
+        assert_eq!(after(Simplification::Zero, "REAL#NaN"), None);
     }
 
     #[test]
     fn durations_stay_whole_milliseconds() {
-        assert_eq!(after(Step::Half, "TIME#1001ms").as_deref(), Some("TIME#500ms"));
-        assert_eq!(after(Step::One, "TIME#7h").as_deref(), Some("TIME#1ms"));
+        assert_eq!(
+            after(Simplification::Half, "TIME#1001ms").as_deref(),
+            Some("TIME#500ms")
+        );
+        assert_eq!(after(Simplification::One, "TIME#7h").as_deref(), Some("TIME#1ms"));
     }
 
     #[test]
     fn texts_get_shorter_and_then_duller() {
-        assert_eq!(after(Step::Half, "STRING#'abcd'").as_deref(), Some("STRING#'ab'"));
         assert_eq!(
-            after(Step::Tenth, "STRING#'xyz'").as_deref(),
+            after(Simplification::Half, "STRING#'abcd'").as_deref(),
+            Some("STRING#'ab'")
+        );
+        assert_eq!(
+            after(Simplification::Tenth, "STRING#'xyz'").as_deref(),
             Some("STRING#'aaa'")
         );
-        assert_eq!(after(Step::Less, "STRING#''"), None);
+        assert_eq!(after(Simplification::Less, "STRING#''"), None);
     }
 }

@@ -1,12 +1,12 @@
 //! Functions and function blocks put in the place of `PROGRAM main`, and enumerations made numbers.
 
 use super::removal::keep_only;
-use super::usage::Usage;
+use super::usage::DeclarationUsage;
 use crate::model::visit::{self, Visitor};
 use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{
-    Argument, Declared, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Statement,
-    StatementKind, Target, Type, Variable, VariableId,
+    Argument, AssignmentTarget, DeclaredKind, Expression, ExpressionKind, Initializer, LiteralForm, Place,
+    Program, Statement, StatementKind, Type, Variable, VariableId, VariableSection,
 };
 use crate::reduce::Sites;
 use stickler_types::{ElementaryType, Value};
@@ -33,8 +33,8 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
             }
         };
         for variable in &mut variables {
-            if variable.section != Section::Constant {
-                variable.section = Section::Local;
+            if variable.section != VariableSection::Constant {
+                variable.section = VariableSection::Local;
             }
         }
         let mut calls = Calls {
@@ -51,7 +51,7 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
         calls.statements(&program.main.body);
         for argument in calls.arguments {
             if let Some(variable) = variables.get_mut(argument.parameter.0) {
-                variable.initial = Some(Initial::Expression(argument.value));
+                variable.initial = Some(Initializer::Expression(argument.value));
             }
         }
         program.main.body = body;
@@ -60,16 +60,16 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
             variables.push(Variable {
                 name,
                 ty,
-                section: Section::Local,
+                section: VariableSection::Local,
                 initial: None,
             });
-            let mut results = Results(place);
+            let mut results = ResultReplacer(place);
             results.statements(&mut program.main.body);
         }
         program.main.variables = variables;
         // What is called by another unit has to stay.
-        let now = Usage::of(program);
-        let mut keep = Usage::uniform(program, true);
+        let now = DeclarationUsage::of(program);
+        let mut keep = DeclarationUsage::uniform(program, true);
         let (kept, used) = match unit.checked_sub(functions) {
             None => (keep.functions.get_mut(unit), now.functions.get(unit)),
             Some(block) => (keep.blocks.get_mut(block), now.blocks.get(block)),
@@ -129,14 +129,14 @@ fn free_name(variables: &[Variable]) -> Option<String> {
 }
 
 /// Assigns what was the result of a function to a variable.
-struct Results(Place);
+struct ResultReplacer(Place);
 
-impl VisitorMut for Results {
+impl VisitorMut for ResultReplacer {
     fn statement(&mut self, statement: &mut Statement) {
         if let StatementKind::Assign(target, _) = &mut statement.kind
-            && *target == Target::Result
+            && *target == AssignmentTarget::Result
         {
-            *target = Target::Place(self.0.clone());
+            *target = AssignmentTarget::Place(self.0.clone());
         }
         visit_mut::walk_statement(self, statement);
     }
@@ -150,7 +150,7 @@ pub(super) fn enumerations_to_numbers(program: &mut Program, sites: &mut Sites) 
     let chosen: Vec<bool> = program
         .types
         .iter()
-        .map(|declaration| matches!(declaration.kind, Declared::Enumeration(_)) && sites.here())
+        .map(|declaration| matches!(declaration.kind, DeclaredKind::Enumeration(_)) && sites.here())
         .collect();
     if chosen.contains(&true) {
         visit_mut::walk_program(&mut Numbers(chosen), program);

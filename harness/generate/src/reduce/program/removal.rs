@@ -1,17 +1,17 @@
 //! Declarations taken out of a program, and every reference to those behind them renumbered.
 
-use super::usage::{Usage, instance_of};
+use super::usage::{DeclarationUsage, instance_of};
 use crate::model::visit_mut::{
     VisitorMut, walk_expression, walk_place, walk_program, walk_statement, walk_type,
 };
 use crate::model::{
-    Argument, Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type, Unit,
-    VariableId,
+    Argument, Expression, ExpressionKind, Place, PlaceSelector, Program, Statement, StatementKind, Type,
+    Unit, VariableId,
 };
 
 /// Takes out of `program` whatever `keep` does not keep; the arguments of parameters that go, go with them. Nothing that stays
 /// may refer to anything that goes.
-pub(super) fn keep_only(program: &mut Program, keep: &Usage) {
+pub(super) fn keep_only(program: &mut Program, keep: &DeclarationUsage) {
     let before = program.clone();
     walk_program(
         &mut Renumber {
@@ -44,7 +44,7 @@ fn renumbered(index: usize, keep: &[bool]) -> usize {
 }
 
 struct Renumber<'p> {
-    keep: &'p Usage,
+    keep: &'p DeclarationUsage,
     /// The program as it was.
     program: &'p Program,
     unit: Unit,
@@ -100,7 +100,7 @@ impl VisitorMut for Renumber<'_> {
     }
 
     fn place(&mut self, place: &mut Place) {
-        if let Some(Selector::Output(output)) = place.path.first_mut()
+        if let Some(PlaceSelector::Output(output)) = place.path.first_mut()
             && let Some(block) = instance_of(self.program, self.unit, place.variable)
         {
             self.renumber(Unit::Block(block), output);

@@ -1,10 +1,10 @@
 //! Declarations made plainer: initial values dropped, aliases resolved, arrays shortened.
 
 use super::removal::keep_only;
-use super::usage::Usage;
+use super::usage::DeclarationUsage;
 use crate::model::visit::{self, Visitor};
 use crate::model::visit_mut::{self, VisitorMut};
-use crate::model::{ArrayType, Declared, Initial, Program, Section, Type, Variable};
+use crate::model::{ArrayType, DeclaredKind, Initializer, Program, Type, Variable, VariableSection};
 use crate::reduce::Sites;
 
 /// Drops initial values of variables and fields, and makes variables of constants.
@@ -12,17 +12,18 @@ pub(super) fn drop_initials(program: &mut Program, sites: &mut Sites) {
     struct Initials<'s>(&'s mut Sites);
     impl VisitorMut for Initials<'_> {
         fn variable(&mut self, variable: &mut Variable) {
-            if (variable.initial.is_some() || variable.section == Section::Constant) && self.0.here() {
+            if (variable.initial.is_some() || variable.section == VariableSection::Constant) && self.0.here()
+            {
                 variable.initial = None;
-                if variable.section == Section::Constant {
-                    variable.section = Section::Local;
+                if variable.section == VariableSection::Constant {
+                    variable.section = VariableSection::Local;
                 }
             }
         }
     }
     visit_mut::walk_program(&mut Initials(sites), program);
     for declaration in &mut program.types {
-        if let Declared::Structure(fields) = &mut declaration.kind {
+        if let DeclaredKind::Structure(fields) = &mut declaration.kind {
             for (_, _, initial) in fields.iter_mut().filter(|(.., initial)| initial.is_some()) {
                 if sites.here() {
                     *initial = None;
@@ -37,8 +38,8 @@ pub(super) fn constants_to_variables(program: &mut Program, sites: &mut Sites) {
     struct Constants<'s>(&'s mut Sites);
     impl VisitorMut for Constants<'_> {
         fn variable(&mut self, variable: &mut Variable) {
-            if variable.section == Section::Constant && self.0.here() {
-                variable.section = Section::Local;
+            if variable.section == VariableSection::Constant && self.0.here() {
+                variable.section = VariableSection::Local;
             }
         }
     }
@@ -59,12 +60,12 @@ pub(super) fn resolve_aliases(program: &mut Program, sites: &mut Sites) {
         }
     }
     let targets = program.types.iter().map(|declaration| match &declaration.kind {
-        Declared::Alias(target) if sites.here() => Some(target.clone()),
+        DeclaredKind::Alias(target) if sites.here() => Some(target.clone()),
         _ => None,
     });
     let mut aliases = Aliases(targets.collect());
     visit_mut::walk_program(&mut aliases, program);
-    let mut keep = Usage::uniform(program, true);
+    let mut keep = DeclarationUsage::uniform(program, true);
     for (kept, target) in keep.types.iter_mut().zip(&aliases.0) {
         *kept = target.is_none();
     }
@@ -130,7 +131,8 @@ impl VisitorMut for Shrink {
 
     fn variable(&mut self, variable: &mut Variable) {
         visit_mut::walk_variable(self, variable);
-        if let (Type::Array(array), Some(Initial::Array(values))) = (&variable.ty, &mut variable.initial) {
+        if let (Type::Array(array), Some(Initializer::Array(values))) = (&variable.ty, &mut variable.initial)
+        {
             values.truncate(elements(array));
         }
     }

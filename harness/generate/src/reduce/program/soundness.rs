@@ -10,14 +10,14 @@
 use super::usage::{variable_of, variable_type};
 use crate::model::visit::{Visitor, walk_expression, walk_place, walk_program, walk_statement};
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, Initial, LiteralForm, Place, Program, Section, Selector,
-    Statement, StatementKind, Type, UnaryOperator, Unit, VariableId,
+    BinaryOperator, Expression, ExpressionKind, Initializer, LiteralForm, Place, PlaceSelector, Program,
+    Statement, StatementKind, Type, UnaryOperator, Unit, VariableId, VariableSection,
 };
 use stickler_types::{Family, Value};
 
 /// How often a program breaks these rules; one of the generator's breaks none.
 pub(super) fn breaches(program: &Program) -> usize {
-    let mut counter = Counter {
+    let mut counter = BreachCounter {
         program,
         unit: Unit::Main,
         breaches: 0,
@@ -26,13 +26,13 @@ pub(super) fn breaches(program: &Program) -> usize {
     counter.breaches
 }
 
-struct Counter<'p> {
+struct BreachCounter<'p> {
     program: &'p Program,
     unit: Unit,
     breaches: usize,
 }
 
-impl Counter<'_> {
+impl BreachCounter<'_> {
     fn count(&mut self, breach: bool) {
         self.breaches += usize::from(breach);
     }
@@ -69,7 +69,9 @@ impl Counter<'_> {
     fn named_constant(&self, variable: VariableId) -> Option<i128> {
         let variable = variable_of(self.program, self.unit, variable)?;
         match &variable.initial {
-            Some(Initial::Expression(value)) if variable.section == Section::Constant => self.constant(value),
+            Some(Initializer::Expression(value)) if variable.section == VariableSection::Constant => {
+                self.constant(value)
+            }
             _ => None,
         }
     }
@@ -148,7 +150,7 @@ fn is_bare(expression: &Expression) -> bool {
     }
 }
 
-impl Visitor for Counter<'_> {
+impl Visitor for BreachCounter<'_> {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
     }
@@ -195,7 +197,7 @@ impl Visitor for Counter<'_> {
         let mut ty = variable_type(self.program, self.unit, place.variable);
         for selector in &place.path {
             let Some(outer) = ty else { break };
-            if let (Selector::Index(subscripts), Type::Array(array)) =
+            if let (PlaceSelector::Index(subscripts), Type::Array(array)) =
                 (selector, self.program.unaliased(outer))
             {
                 for (subscript, (low, high)) in subscripts.iter().zip(&array.dimensions) {

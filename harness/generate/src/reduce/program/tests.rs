@@ -4,11 +4,11 @@ use crate::evaluate::evaluate;
 use crate::generator::{GeneratorSettings, program as generate};
 use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program, walk_statement, walk_variable};
 use crate::model::{
-    BinaryOperator, CaseLabel, Declared, Expression, ExpressionKind, Initial, LiteralForm, Program, Section,
-    StandardFunction, Statement, StatementKind, Target, Type, Variable,
+    AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, Initializer,
+    LiteralForm, Program, StandardFunction, Statement, StatementKind, Type, Variable, VariableSection,
 };
 use crate::random::bytes;
-use crate::reduce::{Answer, Budget, Ended, Minimised, Symptom, program};
+use crate::reduce::{Interestingness, Reduction, ReductionBudget, StopReason, Symptom, program};
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
 use std::ops::Range;
@@ -181,7 +181,7 @@ const BUGS: [(&str, Bug); 16] = [
         "the last initial value of an array is lost",
         Bug::Runs(|program| {
             variables(program, |variable| {
-                if let Some(Initial::Array(values)) = &mut variable.initial {
+                if let Some(Initializer::Array(values)) = &mut variable.initial {
                     values.truncate(values.len().saturating_sub(1).max(1));
                 }
             });
@@ -213,7 +213,7 @@ const BUGS: [(&str, Bug); 16] = [
         "initial values of inner variables are lost",
         Bug::Runs(|program| {
             for variable in program.blocks.iter_mut().flat_map(|block| &mut block.variables) {
-                if variable.section != Section::Constant {
+                if variable.section != VariableSection::Constant {
                     variable.initial = None;
                 }
             }
@@ -223,7 +223,7 @@ const BUGS: [(&str, Bug); 16] = [
         "initial values of fields are lost",
         Bug::Runs(|program| {
             for declaration in &mut program.types {
-                if let Declared::Structure(fields) = &mut declaration.kind {
+                if let DeclaredKind::Structure(fields) = &mut declaration.kind {
                     fields.iter_mut().for_each(|(_, _, initial)| *initial = None);
                 }
             }
@@ -246,7 +246,7 @@ const BUGS: [(&str, Bug); 16] = [
         "a write to a bit goes to its neighbour",
         Bug::Runs(|program| {
             statements(program, |statement| {
-                if let StatementKind::Assign(Target::Bit(_, bit), _) = &mut statement.kind {
+                if let StatementKind::Assign(AssignmentTarget::Bit(_, bit), _) = &mut statement.kind {
                     *bit ^= 1;
                 }
             });
@@ -319,7 +319,7 @@ fn shown(bug: &Bug, seeds: Range<u64>) -> Option<(Program, Symptom)> {
     })
 }
 
-fn reduced(bug: &Bug, start: &Program, symptom: &Symptom) -> Minimised<Program> {
+fn reduced(bug: &Bug, start: &Program, symptom: &Symptom) -> Reduction<Program> {
     let interesting = |candidate: &Program| match expected(candidate) {
         Some(expected) => {
             let text = write(candidate, &Style::default()).text;
@@ -328,11 +328,11 @@ fn reduced(bug: &Bug, start: &Program, symptom: &Symptom) -> Minimised<Program> 
                 diagnostics.is_empty(),
                 "no candidate is ill-formed: {diagnostics:?}\n{text}"
             );
-            Answer::from(symptom.shows(&expected, &outcome(bug, candidate)))
+            Interestingness::from(symptom.shows(&expected, &outcome(bug, candidate)))
         }
-        None => Answer::Refused,
+        None => Interestingness::Invalid,
     };
-    program(start, interesting, &Budget::default())
+    program(start, interesting, &ReductionBudget::default())
 }
 
 fn lines(program: &Program) -> usize {
@@ -366,7 +366,7 @@ fn each_bug_is_reduced_to_fifteen_lines(seeds: &Range<u64>) {
                 reduced.tries,
                 reduced.refused,
             );
-            assert_eq!(reduced.ended, Ended::Smallest, "{name}");
+            assert_eq!(reduced.ended, StopReason::Smallest, "{name}");
             if lines(&reduced.value) > 15 {
                 long.push(format!("{name}:\n{text}"));
             }

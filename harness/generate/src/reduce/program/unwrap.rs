@@ -4,8 +4,8 @@ use super::usage::variable_type;
 use crate::model::visit::{self, Visitor};
 use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{
-    Declared, Initial, Place, Program, Section, Selector, Statement, StatementKind, Type, Unit, Variable,
-    VariableId,
+    DeclaredKind, Initializer, Place, PlaceSelector, Program, Statement, StatementKind, Type, Unit, Variable,
+    VariableId, VariableSection,
 };
 use crate::reduce::Sites;
 use std::collections::{HashMap, HashSet};
@@ -25,7 +25,10 @@ pub(super) fn unwrap_variables(program: &mut Program, sites: &mut Sites) {
     for unit in units {
         for (index, variable) in unit.variables(program).iter().enumerate() {
             let at = (unit, VariableId(index));
-            let local = matches!(variable.section, Section::Local | Section::Constant);
+            let local = matches!(
+                variable.section,
+                VariableSection::Local | VariableSection::Constant
+            );
             if let (true, Some(head)) = (local, heads.heads.get(&at))
                 && let Some(ty) = inside(program, &variable.ty, *head)
                 && sites.here()
@@ -49,17 +52,19 @@ pub(super) fn unwrap_variables(program: &mut Program, sites: &mut Sites) {
 /// Gives a variable the type of its part, and the part of its initial value; `meant` is what that type stands for.
 fn unwrap(variable: &mut Variable, head: Head, ty: Type, meant: &Type) {
     let part = match (variable.initial.take(), head) {
-        (Some(Initial::Array(values)), _) => values.into_iter().next(),
-        (Some(Initial::Structure(fields)), Head::Field(field)) => fields
+        (Some(Initializer::Array(values)), _) => values.into_iter().next(),
+        (Some(Initializer::Structure(fields)), Head::Field(field)) => fields
             .into_iter()
             .find(|(which, _)| *which == field)
             .map(|(_, value)| value),
         _ => None,
     };
     // What is no single value any more, as an array in an array, starts as its type does.
-    variable.initial = part.filter(|value| value.ty == *meant).map(Initial::Expression);
+    variable.initial = part
+        .filter(|value| value.ty == *meant)
+        .map(Initializer::Expression);
     if variable.initial.is_none() {
-        variable.section = Section::Local;
+        variable.section = VariableSection::Local;
     }
     variable.ty = ty;
 }
@@ -103,9 +108,9 @@ impl Visitor for Heads {
 
     fn place(&mut self, place: &Place) {
         let head = match place.path.first() {
-            Some(Selector::Index(_)) => Head::Index,
-            Some(Selector::Field(field)) => Head::Field(*field),
-            Some(Selector::Output(_)) | None => Head::Mixed,
+            Some(PlaceSelector::Index(_)) => Head::Index,
+            Some(PlaceSelector::Field(field)) => Head::Field(*field),
+            Some(PlaceSelector::Output(_)) | None => Head::Mixed,
         };
         let known = self.heads.entry((self.unit, place.variable)).or_insert(head);
         if *known != head {
@@ -142,7 +147,7 @@ pub(super) fn drop_fields(program: &mut Program, sites: &mut Sites) {
         .iter()
         .map(|one| vec![false; field_count(&one.kind)])
         .collect();
-    let mut fields = Fields {
+    let mut fields = FieldVisitor {
         program: &before,
         unit: Unit::Main,
         each: &mut |structure, field| {
@@ -159,7 +164,7 @@ pub(super) fn drop_fields(program: &mut Program, sites: &mut Sites) {
             left -= usize::from(!*kept);
         }
     }
-    let mut renumber = Fields {
+    let mut renumber = FieldVisitor {
         program: &before,
         unit: Unit::Main,
         each: &mut |structure, field| {
@@ -169,28 +174,28 @@ pub(super) fn drop_fields(program: &mut Program, sites: &mut Sites) {
     };
     visit_mut::walk_program(&mut renumber, program);
     for (declaration, kept) in program.types.iter_mut().zip(&kept) {
-        if let Declared::Structure(fields) = &mut declaration.kind {
+        if let DeclaredKind::Structure(fields) = &mut declaration.kind {
             let mut kept = kept.iter();
             fields.retain(|_| kept.next().copied().unwrap_or(true));
         }
     }
 }
 
-fn field_count(declared: &Declared) -> usize {
+fn field_count(declared: &DeclaredKind) -> usize {
     match declared {
-        Declared::Structure(fields) => fields.len(),
-        Declared::Enumeration(_) | Declared::Alias(_) => 0,
+        DeclaredKind::Structure(fields) => fields.len(),
+        DeclaredKind::Enumeration(_) | DeclaredKind::Alias(_) => 0,
     }
 }
 
 /// Comes by each place at which a field is named by its number, with the place of its structure among the types.
-struct Fields<'p> {
+struct FieldVisitor<'p> {
     program: &'p Program,
     unit: Unit,
     each: &'p mut dyn FnMut(usize, &mut usize),
 }
 
-impl Fields<'_> {
+impl FieldVisitor<'_> {
     fn structure(&self, ty: &Type) -> Option<usize> {
         match self.program.unaliased(ty) {
             Type::Declared(index) => Some(*index),
@@ -199,13 +204,13 @@ impl Fields<'_> {
     }
 }
 
-impl VisitorMut for Fields<'_> {
+impl VisitorMut for FieldVisitor<'_> {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
     }
 
     fn variable(&mut self, variable: &mut Variable) {
-        if let Some(Initial::Structure(fields)) = &mut variable.initial
+        if let Some(Initializer::Structure(fields)) = &mut variable.initial
             && let Some(structure) = self.structure(&variable.ty)
         {
             for (field, _) in fields {
@@ -221,7 +226,7 @@ impl VisitorMut for Fields<'_> {
             let Some(outer) = ty else { break };
             // The field's type has to be looked up before the field is renumbered.
             ty = self.program.selected_type(outer, selector);
-            if let (Selector::Field(field), Some(structure)) = (selector, self.structure(outer)) {
+            if let (PlaceSelector::Field(field), Some(structure)) = (selector, self.structure(outer)) {
                 (self.each)(structure, field);
             }
         }

@@ -2,13 +2,13 @@
 
 use crate::model::visit::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
 use crate::model::{
-    Expression, ExpressionKind, Place, Program, Selector, Statement, StatementKind, Type, Unit, Variable,
-    VariableId,
+    Expression, ExpressionKind, Place, PlaceSelector, Program, Statement, StatementKind, Type, Unit,
+    Variable, VariableId,
 };
 
 /// For each declaration whether anything refers to it. An argument of a call is no use of its parameter.
 #[derive(Clone, Debug)]
-pub(super) struct Usage {
+pub(super) struct DeclarationUsage {
     pub functions: Vec<bool>,
     pub blocks: Vec<bool>,
     pub types: Vec<bool>,
@@ -19,11 +19,11 @@ pub(super) struct Usage {
     pub of_blocks: Vec<Vec<bool>>,
 }
 
-impl Usage {
+impl DeclarationUsage {
     /// What a program uses.
-    pub fn of(program: &Program) -> Usage {
+    pub fn of(program: &Program) -> DeclarationUsage {
         let mut gatherer = Gatherer {
-            usage: Usage::uniform(program, false),
+            usage: DeclarationUsage::uniform(program, false),
             program,
             unit: Unit::Main,
         };
@@ -32,8 +32,8 @@ impl Usage {
     }
 
     /// The same said of every declaration of a program.
-    pub fn uniform(program: &Program, used: bool) -> Usage {
-        Usage {
+    pub fn uniform(program: &Program, used: bool) -> DeclarationUsage {
+        DeclarationUsage {
             functions: vec![used; program.functions.len()],
             blocks: vec![used; program.blocks.len()],
             types: vec![used; program.types.len()],
@@ -88,7 +88,7 @@ pub(super) fn instance_of(program: &Program, unit: Unit, variable: VariableId) -
 }
 
 struct Gatherer<'p> {
-    usage: Usage,
+    usage: DeclarationUsage,
     program: &'p Program,
     unit: Unit,
 }
@@ -140,7 +140,7 @@ impl Visitor for Gatherer<'_> {
 
     fn place(&mut self, place: &Place) {
         self.mark(self.unit, place.variable);
-        if let Some(Selector::Output(output)) = place.path.first() {
+        if let Some(PlaceSelector::Output(output)) = place.path.first() {
             self.mark_output(place.variable, *output);
         }
         walk_place(self, place);

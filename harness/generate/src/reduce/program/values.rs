@@ -8,8 +8,8 @@ use super::plain::literal_kind;
 use crate::evaluate::evaluate;
 use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program};
 use crate::model::{
-    Argument, Expression, ExpressionKind, Place, Program, Section, Statement, StatementKind, Target, Type,
-    Unit, Variable, VariableId,
+    Argument, AssignmentTarget, Expression, ExpressionKind, Place, Program, Statement, StatementKind, Type,
+    Unit, Variable, VariableId, VariableSection,
 };
 use crate::reduce::Sites;
 use std::mem;
@@ -21,7 +21,7 @@ pub(super) fn to_value(program: &mut Program, sites: &mut Sites) {
     let before = program.clone();
     let mut probed = program.clone();
     let mut probes = Vec::new();
-    Walk::over(&mut probed, &before, sites, Work::Probe(&mut probes));
+    ValueReplacer::over(&mut probed, &before, sites, Work::Probe(&mut probes));
     if probes.is_empty() {
         return;
     }
@@ -34,7 +34,7 @@ pub(super) fn to_value(program: &mut Program, sites: &mut Sites) {
     let own = before.observed().len();
 
     let mut values = values.into_iter().skip(own).map(|(_, value)| value);
-    Walk::over(program, &before, &mut again, Work::Put(&mut values));
+    ValueReplacer::over(program, &before, &mut again, Work::Put(&mut values));
 }
 
 /// What is done with the expressions that are chosen.
@@ -46,7 +46,7 @@ enum Work<'w> {
 }
 
 /// One of two walks that come by the same expressions.
-struct Walk<'w> {
+struct ValueReplacer<'w> {
     before: &'w Program,
     sites: &'w mut Sites,
     work: Work<'w>,
@@ -55,9 +55,9 @@ struct Walk<'w> {
     unit: Unit,
 }
 
-impl<'w> Walk<'w> {
+impl<'w> ValueReplacer<'w> {
     fn over(program: &mut Program, before: &'w Program, sites: &'w mut Sites, work: Work<'w>) {
-        let mut walk = Walk {
+        let mut walk = ValueReplacer {
             before,
             sites,
             work,
@@ -75,11 +75,11 @@ impl<'w> Walk<'w> {
                 probes.push(Variable {
                     name: format!("probe {}", probes.len()),
                     ty: Type::Elementary(ty),
-                    section: Section::Local,
+                    section: VariableSection::Local,
                     initial: None,
                 });
                 self.pending.push(Statement {
-                    kind: StatementKind::Assign(Target::Place(place), expression.clone()),
+                    kind: StatementKind::Assign(AssignmentTarget::Place(place), expression.clone()),
                 });
             }
             Work::Put(values) => {
@@ -91,7 +91,7 @@ impl<'w> Walk<'w> {
     }
 }
 
-impl VisitorMut for Walk<'_> {
+impl VisitorMut for ValueReplacer<'_> {
     fn enter(&mut self, unit: Unit) {
         self.unit = unit;
     }

@@ -5,8 +5,8 @@ use crate::model::visit::{
     Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type, walk_variable,
 };
 use crate::model::{
-    Declared, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Selector, Statement,
-    StatementKind, Type, Variable,
+    DeclaredKind, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, Program, Statement,
+    StatementKind, Type, Variable, VariableSection,
 };
 use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_types::Value;
@@ -19,9 +19,9 @@ pub(super) fn of(program: &Program) -> (u64, u128) {
     scales.parts += 30 * (program.functions.len() + program.blocks.len() + program.types.len()) as u64;
     for declaration in &program.types {
         scales.parts += match &declaration.kind {
-            Declared::Structure(fields) => 10 * fields.len() as u64,
-            Declared::Enumeration(values) => values.len() as u64,
-            Declared::Alias(_) => 1,
+            DeclaredKind::Structure(fields) => 10 * fields.len() as u64,
+            DeclaredKind::Enumeration(values) => values.len() as u64,
+            DeclaredKind::Alias(_) => 1,
         };
     }
     walk_program(&mut scales, program);
@@ -94,14 +94,14 @@ impl Visitor for Scales {
         self.parts += place
             .path
             .iter()
-            .filter(|selector| matches!(selector, Selector::Index(_)))
+            .filter(|selector| matches!(selector, PlaceSelector::Index(_)))
             .count() as u64;
         walk_place(self, place);
     }
 
     fn variable(&mut self, variable: &Variable) {
         // Each section that is not VAR brings two lines of its own.
-        self.parts += if variable.section == Section::Local {
+        self.parts += if variable.section == VariableSection::Local {
             10
         } else {
             12

@@ -3,71 +3,71 @@
 //! For texts that nobody can parse this is all there is. For others it takes what the passes over the tree have no name for;
 //! nearly every such candidate is refused by the reference, which costs no try.
 
-use super::draft::{Change, Draft};
+use super::draft::{TextChange, TextDraft};
 use super::words::{comments, words};
 use crate::reduce::Sites;
 use std::ops::Range;
 
 /// A text that cannot be read is cut into characters only up to this length; beyond, lines and words must do.
-const MOST_CHARACTERS: usize = 2000;
+const MAX_CHARACTERS: usize = 2000;
 
 /// Drops comments.
-pub(super) fn drop_comments(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_comments(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("comments", sites, |draft| {
         comments(&draft.text)
             .into_iter()
-            .map(|at| Change::of(at, " "))
+            .map(|at| TextChange::of(at, " "))
             .collect()
     });
 }
 
 /// Drops lines.
-pub(super) fn drop_lines(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_lines(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("lines", sites, |draft| {
         let mut at = 0;
         let lines = draft.text.split_inclusive('\n').map(|line| {
             at += line.len();
-            Change::drop(at - line.len()..at)
+            TextChange::drop(at - line.len()..at)
         });
         worth_trying(draft, lines.collect())
     });
 }
 
 /// Drops words and signs.
-pub(super) fn drop_words(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_words(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("words", sites, |draft| {
-        let changes = words(&draft.text).into_iter().map(Change::drop);
+        let changes = words(&draft.text).into_iter().map(TextChange::drop);
         worth_trying(draft, changes.collect())
     });
 }
 
 /// Drops characters, of texts that cannot be read.
-pub(super) fn drop_characters(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_characters(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("characters", sites, |draft| {
-        if !draft.began_unreadable() || draft.text.len() > MOST_CHARACTERS {
+        if !draft.began_unreadable() || draft.text.len() > MAX_CHARACTERS {
             return Vec::new();
         }
         let characters = draft.text.char_indices();
         let places = characters.map(|(at, character)| at..at + character.len_utf8());
-        draft.only_allowed(places.map(Change::drop).collect())
+        draft.only_allowed(places.map(TextChange::drop).collect())
     });
 }
 
 /// Drops sections between whose first and last word nothing is left.
-pub(super) fn drop_empty_sections(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_empty_sections(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("empty sections", sites, |draft| {
         let words = words(&draft.text);
         let pairs = words.windows(2).filter_map(|pair| {
             let [open, close] = pair else { return None };
             let is = |at: &Range<usize>, word: &str| draft.text[at.clone()].eq_ignore_ascii_case(word);
-            (is(open, "TYPE") && is(close, "END_TYPE")).then(|| Change::drop(open.start..close.end))
+            (is(open, "TYPE") && is(close, "END_TYPE")).then(|| TextChange::drop(open.start..close.end))
         });
         pairs.collect()
     });
 }
 
 /// Of a text that was accepted, only what can go alone: much together would nearly always be refused.
-fn worth_trying(draft: &Draft, changes: Vec<Change>) -> Vec<Change> {
+fn worth_trying(draft: &TextDraft, changes: Vec<TextChange>) -> Vec<TextChange> {
     if draft.began_accepted() {
         draft.only_allowed(changes)
     } else {

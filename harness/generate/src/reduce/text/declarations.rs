@@ -1,6 +1,6 @@
 //! Declarations dropped and made plainer: program organization units, sections, variables, types, initial values.
 
-use super::draft::{Change, Draft, Edit};
+use super::draft::{TextChange, TextDraft, TextEdit};
 use super::expressions::list_items;
 use super::tree::{behind_blanks, bytes, place, pous, statements, with_semicolon};
 use crate::reduce::Sites;
@@ -12,7 +12,7 @@ use stickler_reference::syntax::tree::{
 };
 
 /// Drops program organization units, configurations and sections of global variables.
-pub(super) fn drop_units(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_units(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop units", sites, |draft| {
         let unit = draft.tree();
         let places = unit
@@ -24,24 +24,24 @@ pub(super) fn drop_units(draft: &mut Draft, sites: &mut Sites) {
                 Declaration::Configuration(configuration) => Some(configuration.span),
                 Declaration::Types(_) => None,
             });
-        let changes = places.map(|place| Change::drop(bytes(place)));
+        let changes = places.map(|place| TextChange::drop(bytes(place)));
         draft.only_allowed(changes.collect())
     });
 }
 
 /// Drops sections of variables.
-pub(super) fn drop_sections(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_sections(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop sections", sites, |draft| {
         let unit = draft.tree();
         let changes = blocks(&unit)
             .into_iter()
-            .map(|block| Change::drop(bytes(block.span)));
+            .map(|block| TextChange::drop(bytes(block.span)));
         draft.only_allowed(changes.collect())
     });
 }
 
 /// Drops declarations that nothing refers to: of variables, fields and types.
-pub(super) fn drop_unused(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_unused(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop unused", sites, |draft| {
         let unit = draft.tree();
         let text = draft.text.as_str();
@@ -51,7 +51,7 @@ pub(super) fn drop_unused(draft: &mut Draft, sites: &mut Sites) {
             if let [group] = block.groups.as_slice()
                 && group.names.len() == 1
             {
-                changes.push(Change::drop(bytes(block.span)));
+                changes.push(TextChange::drop(bytes(block.span)));
             } else {
                 changes.extend(groups(text, &block.groups));
             }
@@ -62,7 +62,7 @@ pub(super) fn drop_unused(draft: &mut Draft, sites: &mut Sites) {
                     let end = end_of(text, &declared.specification, declared.initializer.as_ref());
                     let alone = types.len() == 1;
                     let from = declared.name.span.start as usize;
-                    changes.push(Change::drop(if alone {
+                    changes.push(TextChange::drop(if alone {
                         around_type(text, from, end)
                     } else {
                         from..end
@@ -92,7 +92,7 @@ fn around_type(text: &str, from: usize, end: usize) -> Range<usize> {
 
 /// Drops a variable together with every statement of its unit that names it, outermost of those that are no longer right
 /// without it.
-pub(super) fn forget_variables(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn forget_variables(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("forget variables", sites, |draft| {
         let unit = draft.tree();
         let statements: Vec<Range<usize>> =
@@ -104,8 +104,8 @@ pub(super) fn forget_variables(draft: &mut Draft, sites: &mut Sites) {
                     if let ([name], Some(place)) = (group.names.as_slice(), group_place(&draft.text, group)) {
                         let mut edits = naming(&unit, pou, name, &statements);
                         if !edits.is_empty() {
-                            edits.push(Edit::new(place, ""));
-                            changes.push(Change(edits));
+                            edits.push(TextEdit::new(place, ""));
+                            changes.push(TextChange(edits));
                         }
                     }
                 }
@@ -116,7 +116,12 @@ pub(super) fn forget_variables(draft: &mut Draft, sites: &mut Sites) {
 }
 
 /// The innermost statements of a unit in which a variable is named, replaced by empty ones.
-fn naming(unit: &SourceUnit<'_>, pou: &Pou<'_>, name: &Name<'_>, statements: &[Range<usize>]) -> Vec<Edit> {
+fn naming(
+    unit: &SourceUnit<'_>,
+    pou: &Pou<'_>,
+    name: &Name<'_>,
+    statements: &[Range<usize>],
+) -> Vec<TextEdit> {
     let inside = bytes(pou.span);
     let uses = unit
         .expressions
@@ -127,13 +132,13 @@ fn naming(unit: &SourceUnit<'_>, pou: &Pou<'_>, name: &Name<'_>, statements: &[R
             }
             _ => None,
         });
-    let mut edits: Vec<Edit> = Vec::new();
+    let mut edits: Vec<TextEdit> = Vec::new();
     for used in uses.filter(|used| inside.contains(&used.start)) {
         let around = statements
             .iter()
             .filter(|statement| statement.contains(&used.start));
         if let Some(innermost) = around.min_by_key(|statement| statement.len()) {
-            let edit = Edit::new(innermost.clone(), "");
+            let edit = TextEdit::new(innermost.clone(), "");
             if !edits.contains(&edit) {
                 edits.push(edit);
             }
@@ -143,7 +148,7 @@ fn naming(unit: &SourceUnit<'_>, pou: &Pou<'_>, name: &Name<'_>, statements: &[R
 }
 
 /// Drops initial values, RETAIN and CONSTANT, the lengths of texts and the limits of subranges.
-pub(super) fn drop_initials(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_initials(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop initials", sites, |draft| {
         let unit = draft.tree();
         let mut changes = Vec::new();
@@ -158,13 +163,13 @@ pub(super) fn drop_initials(draft: &mut Draft, sites: &mut Sites) {
                     .unwrap_or_default()
                     .to_ascii_uppercase();
                 if let Some(at) = upper.find(word) {
-                    changes.push(Change::drop(open + at..open + at + word.len()));
+                    changes.push(TextChange::drop(open + at..open + at + word.len()));
                 }
             }
         }
         for (specification, initializer) in specifications(&unit) {
             if let Some(initializer) = initializer {
-                changes.push(Change::drop(bytes(Span {
+                changes.push(TextChange::drop(bytes(Span {
                     start: specification.span.end,
                     end: initializer.span.end,
                 })));
@@ -185,7 +190,7 @@ pub(super) fn drop_initials(draft: &mut Draft, sites: &mut Sites) {
             if let TypeSpecificationKind::Text { name, .. }
             | TypeSpecificationKind::Subrange { base: name, .. } = &specification.kind
             {
-                changes.push(Change::drop(
+                changes.push(TextChange::drop(
                     name.span.end as usize..specification.span.end as usize,
                 ));
             }
@@ -195,7 +200,7 @@ pub(super) fn drop_initials(draft: &mut Draft, sites: &mut Sites) {
 }
 
 /// Makes variables of the elements' type of arrays of which every use has subscripts.
-pub(super) fn unwrap_arrays(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn unwrap_arrays(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("unwrap arrays", sites, |draft| {
         let unit = draft.tree();
         let mut changes = Vec::new();
@@ -211,7 +216,7 @@ pub(super) fn unwrap_arrays(draft: &mut Draft, sites: &mut Sites) {
                     .as_ref()
                     .map_or(group.specification.span.end, |one| one.span.end);
                 let declared = group.specification.span.start as usize..end as usize;
-                let mut edits = vec![Edit::new(declared, element.span.text(&draft.text))];
+                let mut edits = vec![TextEdit::new(declared, element.span.text(&draft.text))];
                 let inside = bytes(pou.span);
                 for expression in &unit.expressions {
                     if let ExpressionKind::Index { base, .. } = &expression.kind
@@ -219,10 +224,10 @@ pub(super) fn unwrap_arrays(draft: &mut Draft, sites: &mut Sites) {
                         && inside.contains(&base.start)
                         && draft.text[base.clone()].eq_ignore_ascii_case(name.text)
                     {
-                        edits.push(Edit::new(base.end..expression.span.end as usize, ""));
+                        edits.push(TextEdit::new(base.end..expression.span.end as usize, ""));
                     }
                 }
-                changes.push(Change(edits));
+                changes.push(TextChange(edits));
             }
         }
         draft.only_allowed(changes)
@@ -230,7 +235,7 @@ pub(super) fn unwrap_arrays(draft: &mut Draft, sites: &mut Sites) {
 }
 
 /// Puts what a declared type stands for where a variable has it.
-pub(super) fn resolve_types(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn resolve_types(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("resolve types", sites, |draft| {
         let unit = draft.tree();
         let declared = unit.declarations.iter().filter_map(|declaration| match declaration {
@@ -243,9 +248,9 @@ pub(super) fn resolve_types(draft: &mut Draft, sites: &mut Sites) {
                 matches!(&one.kind, TypeSpecificationKind::Named(name) if name.text.eq_ignore_ascii_case(declared.name.text))
             });
             let with = declared.specification.span.text(&draft.text);
-            let edits: Vec<Edit> = used.map(|(one, _)| Edit::new(bytes(one.span), with)).collect();
+            let edits: Vec<TextEdit> = used.map(|(one, _)| TextEdit::new(bytes(one.span), with)).collect();
             if !edits.is_empty() {
-                changes.push(Change(edits));
+                changes.push(TextChange(edits));
             }
         }
         draft.only_allowed(changes)
@@ -298,15 +303,17 @@ fn specifications<'t, 's>(
 }
 
 /// Drops declarations of a list, and names of those that declare several.
-fn groups(text: &str, groups: &[VariableGroup<'_>]) -> Vec<Change> {
+fn groups(text: &str, groups: &[VariableGroup<'_>]) -> Vec<TextChange> {
     let mut changes = Vec::new();
     for group in groups {
-        changes.extend(group_place(text, group).map(Change::drop));
+        changes.extend(group_place(text, group).map(TextChange::drop));
         for pair in group.names.windows(2) {
-            changes.push(Change::drop(
+            changes.push(TextChange::drop(
                 pair[0].span.start as usize..pair[1].span.start as usize,
             ));
-            changes.push(Change::drop(pair[0].span.end as usize..pair[1].span.end as usize));
+            changes.push(TextChange::drop(
+                pair[0].span.end as usize..pair[1].span.end as usize,
+            ));
         }
     }
     changes
@@ -325,7 +332,7 @@ fn end_of(text: &str, specification: &TypeSpecification<'_>, initializer: Option
 }
 
 /// Drops values of an enumeration.
-fn enumerators(unit: &SourceUnit<'_>, text: &str, specification: &TypeSpecification<'_>) -> Vec<Change> {
+fn enumerators(unit: &SourceUnit<'_>, text: &str, specification: &TypeSpecification<'_>) -> Vec<TextChange> {
     let TypeSpecificationKind::Enumeration { values, .. } = &specification.kind else {
         return Vec::new();
     };

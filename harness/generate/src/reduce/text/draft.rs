@@ -14,13 +14,13 @@ use stickler_types::{Code, DialectName};
 
 /// A text, and what must hold for every text made from it.
 #[derive(Clone, Debug)]
-pub(super) struct Draft {
+pub(super) struct TextDraft {
     pub text: String,
     pub dialect: DialectName,
     /// What the text may have of what nobody wants: as much as the one that the reduction began with.
     allowed: Rc<Allowed>,
     /// The changes that each pass has found for just this text; finding them takes longer than making them.
-    found: Rc<RefCell<Found>>,
+    found: Rc<RefCell<FoundChanges>>,
 }
 
 /// What the first text had, and so every text made from it may have.
@@ -36,42 +36,42 @@ struct Allowed {
 }
 
 /// Changes by the name of the pass that found them.
-type Found = HashMap<&'static str, Rc<Vec<Change>>>;
+type FoundChanges = HashMap<&'static str, Rc<Vec<TextChange>>>;
 
 /// One thing to do to a text: pieces of it that are replaced, all or none.
 #[derive(Clone, Debug)]
-pub(super) struct Change(pub Vec<Edit>);
+pub(super) struct TextChange(pub Vec<TextEdit>);
 
 /// A piece of a text and what comes in its place.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Edit {
+pub(super) struct TextEdit {
     pub at: Range<usize>,
     pub with: String,
 }
 
-impl Edit {
-    pub fn new(at: Range<usize>, with: impl Into<String>) -> Edit {
-        Edit {
+impl TextEdit {
+    pub fn new(at: Range<usize>, with: impl Into<String>) -> TextEdit {
+        TextEdit {
             at,
             with: with.into(),
         }
     }
 }
 
-impl Change {
-    pub fn of(at: Range<usize>, with: impl Into<String>) -> Change {
-        Change(vec![Edit::new(at, with)])
+impl TextChange {
+    pub fn of(at: Range<usize>, with: impl Into<String>) -> TextChange {
+        TextChange(vec![TextEdit::new(at, with)])
     }
 
-    pub fn drop(at: Range<usize>) -> Change {
-        Change::of(at, "")
+    pub fn drop(at: Range<usize>) -> TextChange {
+        TextChange::of(at, "")
     }
 }
 
-impl Draft {
+impl TextDraft {
     /// The draft that a reduction begins with.
-    pub fn new(text: &str, dialect: DialectName) -> Draft {
-        Draft {
+    pub fn new(text: &str, dialect: DialectName) -> TextDraft {
+        TextDraft {
             text: text.to_owned(),
             dialect,
             allowed: Rc::new(Allowed::by(text, dialect)),
@@ -106,7 +106,7 @@ impl Draft {
         &mut self,
         pass: &'static str,
         sites: &mut Sites,
-        find: impl FnOnce(&Draft) -> Vec<Change>,
+        find: impl FnOnce(&TextDraft) -> Vec<TextChange>,
     ) {
         let known = self.found.borrow().get(pass).cloned();
         let changes = known.unwrap_or_else(|| {
@@ -114,7 +114,7 @@ impl Draft {
             self.found.borrow_mut().insert(pass, Rc::clone(&changes));
             changes
         });
-        let chosen: Vec<&Edit> = changes
+        let chosen: Vec<&TextEdit> = changes
             .iter()
             .filter(|_| sites.here())
             .flat_map(|change| &change.0)
@@ -125,14 +125,14 @@ impl Draft {
     }
 
     /// Those of some changes that leave an allowed text when made alone.
-    pub fn only_allowed(&self, mut changes: Vec<Change>) -> Vec<Change> {
+    pub fn only_allowed(&self, mut changes: Vec<TextChange>) -> Vec<TextChange> {
         changes.retain(|change| self.after(change.0.iter().collect()).is_allowed());
         changes
     }
 
     /// The draft after some edits. Of those that overlap, the one that begins first is made, and of two that begin together
     /// the longer one.
-    fn after(&self, mut edits: Vec<&Edit>) -> Draft {
+    fn after(&self, mut edits: Vec<&TextEdit>) -> TextDraft {
         edits.sort_by_key(|edit| (edit.at.start, usize::MAX - edit.at.end));
         let mut text = String::with_capacity(self.text.len());
         let mut copied = 0;
@@ -148,7 +148,7 @@ impl Draft {
             copied = edit.at.end;
         }
         text.push_str(self.text.get(copied..).unwrap_or_default());
-        Draft {
+        TextDraft {
             text: without_blank_lines(&text),
             dialect: self.dialect,
             allowed: Rc::clone(&self.allowed),
@@ -177,7 +177,7 @@ fn without_blank_lines(text: &str) -> String {
 
 /// First how many words and signs there are, then how many characters stand in them; blanks weigh nothing, literals little,
 /// for a literal is what everything is to become.
-pub(super) fn weight(draft: &Draft) -> (u64, u128) {
+pub(super) fn weight(draft: &TextDraft) -> (u64, u128) {
     let mut parts = 0_u64;
     let mut size = 0_u128;
     for at in words(&draft.text) {
@@ -199,7 +199,7 @@ fn is_literal(word: &str) -> bool {
 }
 
 /// The same for the same text.
-pub(super) fn key(draft: &Draft) -> u64 {
+pub(super) fn key(draft: &TextDraft) -> u64 {
     let mut hasher = DefaultHasher::new();
     draft.text.hash(&mut hasher);
     hasher.finish()

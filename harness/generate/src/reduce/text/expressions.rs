@@ -1,6 +1,6 @@
 //! Expressions replaced by their operands and by literals, and literals made smaller.
 
-use super::draft::{Change, Draft};
+use super::draft::{TextChange, TextDraft};
 use super::tree::{bytes, expression, operands, place, statements};
 use crate::reduce::Sites;
 use std::ops::Range;
@@ -22,7 +22,7 @@ const TYPED: [&str; 8] = [
 ];
 
 /// Replaces expressions by a plain literal that can stand in their place, outermost first; what ends REPEAT, by TRUE.
-pub(super) fn to_literal(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn to_literal(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("to literal", sites, |draft| {
         let unit = draft.tree();
         let ends: Vec<Range<usize>> = statements(&unit)
@@ -38,7 +38,7 @@ pub(super) fn to_literal(draft: &mut Draft, sites: &mut Sites) {
                 let at = bytes(expression.span);
                 let first = ends.contains(&at).then_some(&"TRUE");
                 let all = first.into_iter().chain(&PLAIN);
-                let all = all.map(|plain| Change::of(at.clone(), *plain)).collect();
+                let all = all.map(|plain| TextChange::of(at.clone(), *plain)).collect();
                 changes.extend(draft.only_allowed(all).into_iter().next());
             }
         }
@@ -49,7 +49,7 @@ pub(super) fn to_literal(draft: &mut Draft, sites: &mut Sites) {
 /// Replaces expressions of a text that is not accepted by literals of the types that such texts are about.
 ///
 /// Where the types do not fit one another, an untyped literal fits too well: it takes the type that is wanted.
-pub(super) fn to_typed_literal(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn to_typed_literal(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("to typed literal", sites, |draft| {
         if draft.began_accepted() {
             return Vec::new();
@@ -59,7 +59,7 @@ pub(super) fn to_typed_literal(draft: &mut Draft, sites: &mut Sites) {
         for expression in outermost_first(&unit) {
             if !matches!(expression.kind, ExpressionKind::Literal(_)) {
                 let at = bytes(expression.span);
-                changes.extend(TYPED.iter().map(|typed| Change::of(at.clone(), *typed)));
+                changes.extend(TYPED.iter().map(|typed| TextChange::of(at.clone(), *typed)));
             }
         }
         draft.only_allowed(changes)
@@ -67,33 +67,33 @@ pub(super) fn to_typed_literal(draft: &mut Draft, sites: &mut Sites) {
 }
 
 /// Replaces expressions by their first operand or argument.
-pub(super) fn to_first_operand(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn to_first_operand(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("to first operand", sites, |draft| to_operand(draft, 0));
 }
 
 /// Replaces expressions by their second operand or argument.
-pub(super) fn to_second_operand(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn to_second_operand(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("to second operand", sites, |draft| to_operand(draft, 1));
 }
 
 /// Replaces expressions by their third operand or argument.
-pub(super) fn to_third_operand(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn to_third_operand(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("to third operand", sites, |draft| to_operand(draft, 2));
 }
 
-fn to_operand(draft: &Draft, which: usize) -> Vec<Change> {
+fn to_operand(draft: &TextDraft, which: usize) -> Vec<TextChange> {
     let unit = draft.tree();
     let mut changes = Vec::new();
     for whole in outermost_first(&unit) {
         if let Some(operand) = operands(whole).get(which).and_then(|id| expression(&unit, *id)) {
-            changes.push(Change::of(bytes(whole.span), operand.span.text(&draft.text)));
+            changes.push(TextChange::of(bytes(whole.span), operand.span.text(&draft.text)));
         }
     }
     draft.only_allowed(changes)
 }
 
 /// Drops arguments of calls, and subscripts behind the first.
-pub(super) fn drop_arguments(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_arguments(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop arguments", sites, |draft| {
         let unit = draft.tree();
         let mut changes = Vec::new();
@@ -113,7 +113,7 @@ pub(super) fn drop_arguments(draft: &mut Draft, sites: &mut Sites) {
 }
 
 /// Drops each item of a list in brackets, of which `open` is at or before the opening one, together with one comma.
-pub(super) fn list_items(text: &str, open: usize, ends: &[usize], close: usize) -> Vec<Change> {
+pub(super) fn list_items(text: &str, open: usize, ends: &[usize], close: usize) -> Vec<TextChange> {
     let Some(bracket) = text.get(open..close).and_then(|rest| rest.find(['(', '['])) else {
         return Vec::new();
     };
@@ -128,7 +128,11 @@ pub(super) fn list_items(text: &str, open: usize, ends: &[usize], close: usize) 
                 .get(end..close)
                 .map(|rest| first..end + rest.find(',').map_or(0, |comma| comma + 1)),
         };
-        changes.extend(range.filter(|range| range.start <= range.end).map(Change::drop));
+        changes.extend(
+            range
+                .filter(|range| range.start <= range.end)
+                .map(TextChange::drop),
+        );
     }
     changes
 }
@@ -141,34 +145,34 @@ pub(super) fn outermost_first<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<&'t Expre
 }
 
 /// Makes numbers 0, and empties texts.
-pub(super) fn literals_to_zero(draft: &mut Draft, sites: &mut Sites) {
-    draft.change("zero", sites, |draft| literals(draft, Step::Zero));
+pub(super) fn literals_to_zero(draft: &mut TextDraft, sites: &mut Sites) {
+    draft.change("zero", sites, |draft| literals(draft, LiteralStep::Zero));
 }
 
 /// Makes numbers 1.
-pub(super) fn literals_to_one(draft: &mut Draft, sites: &mut Sites) {
-    draft.change("one", sites, |draft| literals(draft, Step::One));
+pub(super) fn literals_to_one(draft: &mut TextDraft, sites: &mut Sites) {
+    draft.change("one", sites, |draft| literals(draft, LiteralStep::One));
 }
 
 /// Halves numbers and texts.
-pub(super) fn halve_literals(draft: &mut Draft, sites: &mut Sites) {
-    draft.change("half", sites, |draft| literals(draft, Step::Half));
+pub(super) fn halve_literals(draft: &mut TextDraft, sites: &mut Sites) {
+    draft.change("half", sites, |draft| literals(draft, LiteralStep::Half));
 }
 
 /// Makes numbers one less, and texts one character shorter.
-pub(super) fn lessen_literals(draft: &mut Draft, sites: &mut Sites) {
-    draft.change("less", sites, |draft| literals(draft, Step::Less));
+pub(super) fn lessen_literals(draft: &mut TextDraft, sites: &mut Sites) {
+    draft.change("less", sites, |draft| literals(draft, LiteralStep::Less));
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Step {
+enum LiteralStep {
     Zero,
     One,
     Half,
     Less,
 }
 
-fn literals(draft: &Draft, step: Step) -> Vec<Change> {
+fn literals(draft: &TextDraft, step: LiteralStep) -> Vec<TextChange> {
     let unit = draft.tree();
     let mut changes = Vec::new();
     for expression in outermost_first(&unit) {
@@ -177,22 +181,22 @@ fn literals(draft: &Draft, step: Step) -> Vec<Change> {
         };
         if let Some(smaller) = smaller(literal.kind, literal.text(), step) {
             let end = expression.span.end as usize;
-            changes.push(Change::of(end - literal.text().len()..end, smaller));
+            changes.push(TextChange::of(end - literal.text().len()..end, smaller));
         }
     }
     draft.only_allowed(changes)
 }
 
 /// The text of a literal without its prefix, made smaller; nothing where that changes nothing.
-fn smaller(kind: LiteralKind, text: &str, step: Step) -> Option<String> {
+fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
     let smaller = match kind {
         LiteralKind::Integer => {
             let number: i128 = text.replace('_', "").parse().ok()?;
             match step {
-                Step::Zero => 0,
-                Step::One => 1,
-                Step::Half => number / 2,
-                Step::Less => number - number.signum(),
+                LiteralStep::Zero => 0,
+                LiteralStep::One => 1,
+                LiteralStep::Half => number / 2,
+                LiteralStep::Less => number - number.signum(),
             }
             .to_string()
         }
@@ -201,10 +205,10 @@ fn smaller(kind: LiteralKind, text: &str, step: Step) -> Option<String> {
             let base: u32 = base.parse().ok().filter(|base| [2, 8, 16].contains(base))?;
             let number = u128::from_str_radix(&digits.replace('_', ""), base).ok()?;
             let number = match step {
-                Step::Zero => 0,
-                Step::One => 1,
-                Step::Half => number / 2,
-                Step::Less => number.saturating_sub(1),
+                LiteralStep::Zero => 0,
+                LiteralStep::One => 1,
+                LiteralStep::Half => number / 2,
+                LiteralStep::Less => number.saturating_sub(1),
             };
             match base {
                 2 => format!("2#{number:b}"),
@@ -213,27 +217,27 @@ fn smaller(kind: LiteralKind, text: &str, step: Step) -> Option<String> {
             }
         }
         LiteralKind::Real => match step {
-            Step::Zero => "0.0".to_owned(),
-            Step::One => "1.0".to_owned(),
-            Step::Half => format!("{}.0", text.split('.').next()?),
-            Step::Less => {
+            LiteralStep::Zero => "0.0".to_owned(),
+            LiteralStep::One => "1.0".to_owned(),
+            LiteralStep::Half => format!("{}.0", text.split('.').next()?),
+            LiteralStep::Less => {
                 let (before, behind) = text.split_once('.')?;
                 format!("{before}.{}", behind.chars().next()?)
             }
         },
         LiteralKind::Duration => match step {
-            Step::Zero => "0s".to_owned(),
-            Step::One => "1s".to_owned(),
-            Step::Half | Step::Less => return None,
+            LiteralStep::Zero => "0s".to_owned(),
+            LiteralStep::One => "1s".to_owned(),
+            LiteralStep::Half | LiteralStep::Less => return None,
         },
         LiteralKind::SingleByteText | LiteralKind::DoubleByteText => {
             let quote = text.get(..1)?;
             let inner = text.get(1..text.len().checked_sub(1)?)?;
             let kept = match step {
-                Step::Zero => 0,
-                Step::One => 1,
-                Step::Half => inner.chars().count() / 2,
-                Step::Less => inner.chars().count().saturating_sub(1),
+                LiteralStep::Zero => 0,
+                LiteralStep::One => 1,
+                LiteralStep::Half => inner.chars().count() / 2,
+                LiteralStep::Less => inner.chars().count().saturating_sub(1),
             };
             let kept: String = inner.chars().take(kept).collect();
             format!("{quote}{kept}{quote}")

@@ -1,13 +1,13 @@
 //! The passes over a source text in their order, and the one function that runs them.
 
-use super::draft::{self, Draft};
+use super::draft::{self, TextDraft};
 use super::{chunks, declarations, expressions, statements, values};
 use crate::reduce::search::pass;
-use crate::reduce::{Answer, Budget, Ended, Method, Minimised, minimise};
+use crate::reduce::{Interestingness, Reduction, ReductionBudget, ReductionMethod, StopReason, minimise};
 use stickler_types::DialectName;
 
 /// How texts are reduced: first what makes many lines go at once, last what makes one literal nicer.
-const METHOD: Method<Draft> = Method {
+const METHOD: ReductionMethod<TextDraft> = ReductionMethod {
     passes: &[
         pass("drop comments", chunks::drop_comments),
         pass("drop statements", statements::drop_statements),
@@ -67,27 +67,27 @@ const METHOD: Method<Draft> = Method {
 pub fn text(
     start: &str,
     dialect: DialectName,
-    mut interesting: impl FnMut(&str) -> Answer,
-    budget: &Budget<'_>,
-) -> Minimised<String> {
-    let mut ask = |draft: &Draft| {
+    mut interesting: impl FnMut(&str) -> Interestingness,
+    budget: &ReductionBudget<'_>,
+) -> Reduction<String> {
+    let mut ask = |draft: &TextDraft| {
         if draft.is_allowed() {
             interesting(&draft.text)
         } else {
-            Answer::Refused
+            Interestingness::Invalid
         }
     };
-    let mut found = minimise(Draft::new(start, dialect), &METHOD, &mut ask, budget);
-    if found.ended == Ended::Smallest
+    let mut found = minimise(TextDraft::new(start, dialect), &METHOD, &mut ask, budget);
+    if found.ended == StopReason::Smallest
         && let Ok(rendered) = stickler_reference::render(&found.value.text, dialect)
         && rendered != found.value.text
     {
         found.tries += 1;
-        if interesting(&rendered) == Answer::Interesting {
+        if interesting(&rendered) == Interestingness::Interesting {
             found.value.text = rendered;
         }
     }
-    Minimised {
+    Reduction {
         value: found.value.text,
         tries: found.tries,
         refused: found.refused,

@@ -1,25 +1,25 @@
 //! Statements dropped, replaced by what they guard, and relieved of branches.
 
-use super::draft::{Change, Draft};
+use super::draft::{TextChange, TextDraft};
 use super::tree::{behind_blanks, bodies, bytes, extent, label, lists, place, statements, with_semicolon};
 use crate::reduce::Sites;
 use std::ops::Range;
 use stickler_reference::syntax::tree::{Statement, StatementKind};
 
 /// Drops statements, whole with what they guard; those of the last program first.
-pub(super) fn drop_statements(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_statements(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop statements", sites, |draft| {
         let unit = draft.tree();
         let places = statements(&unit)
             .into_iter()
             .map(|statement| whole(&draft.text, statement));
-        places.map(|place| Change::of(place, ";")).collect()
+        places.map(|place| TextChange::of(place, ";")).collect()
     });
 }
 
 /// Drops the semicolons that stand where statements stood; the last one of a list stays, for the standard demands a
 /// statement there, and a compiler may do so too.
-pub(super) fn drop_empty_statements(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_empty_statements(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop empty statements", sites, |draft| {
         let unit = draft.tree();
         let is_empty = |statement: &&Statement| matches!(statement.kind, StatementKind::Empty);
@@ -28,7 +28,7 @@ pub(super) fn drop_empty_statements(draft: &mut Draft, sites: &mut Sites) {
             let empty: Vec<&Statement> = list.iter().filter(is_empty).collect();
             let stays = usize::from(empty.len() == list.len());
             let go = empty.into_iter().skip(stays);
-            changes.extend(go.map(|statement| Change::drop(whole(&draft.text, statement))));
+            changes.extend(go.map(|statement| TextChange::drop(whole(&draft.text, statement))));
         }
         draft.only_allowed(changes)
     });
@@ -45,14 +45,14 @@ fn whole(text: &str, statement: &Statement) -> Range<usize> {
 }
 
 /// Puts one of the bodies of a statement in its place.
-pub(super) fn splice(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn splice(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("splice", sites, |draft| {
         let unit = draft.tree();
         let mut changes = Vec::new();
         for statement in statements(&unit) {
             for body in bodies(statement) {
                 if let Some(inner) = extent(&draft.text, body) {
-                    changes.push(Change::of(whole(&draft.text, statement), &draft.text[inner]));
+                    changes.push(TextChange::of(whole(&draft.text, statement), &draft.text[inner]));
                 }
             }
         }
@@ -61,7 +61,7 @@ pub(super) fn splice(draft: &mut Draft, sites: &mut Sites) {
 }
 
 /// Drops branches of IF and CASE, ELSE, labels of CASE, and BY.
-pub(super) fn drop_branches(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn drop_branches(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop branches", sites, |draft| {
         let unit = draft.tree();
         let text = draft.text.as_str();
@@ -72,7 +72,7 @@ pub(super) fn drop_branches(draft: &mut Draft, sites: &mut Sites) {
                     // From a condition to the next: what remains is one keyword, one condition, one body.
                     for pair in branches.windows(2) {
                         let (from, to) = (place(&unit, pair[0].0).start, place(&unit, pair[1].0).start);
-                        changes.push(Change::drop(from..to));
+                        changes.push(TextChange::drop(from..to));
                     }
                     if let [.., (_, before), (_, last)] = branches.as_slice() {
                         changes.extend(between_bodies(text, before, last));
@@ -87,11 +87,11 @@ pub(super) fn drop_branches(draft: &mut Draft, sites: &mut Sites) {
                     for branch in branches {
                         let first = branch.labels.first().map(|first| label(&unit, first).start);
                         let end = extent(text, &branch.body).map(|body| body.end);
-                        changes.extend(first.zip(end).map(|(from, to)| Change::drop(from..to)));
+                        changes.extend(first.zip(end).map(|(from, to)| TextChange::drop(from..to)));
                         for pair in branch.labels.windows(2) {
                             let (one, next) = (label(&unit, &pair[0]), label(&unit, &pair[1]));
-                            changes.push(Change::drop(one.start..next.start));
-                            changes.push(Change::drop(one.end..next.end));
+                            changes.push(TextChange::drop(one.start..next.start));
+                            changes.push(TextChange::drop(one.end..next.end));
                         }
                     }
                     if let (Some(before), Some(otherwise)) = (branches.last(), otherwise) {
@@ -99,7 +99,7 @@ pub(super) fn drop_branches(draft: &mut Draft, sites: &mut Sites) {
                     }
                 }
                 StatementKind::For { to, by: Some(by), .. } => {
-                    changes.push(Change::drop(place(&unit, *to).end..place(&unit, *by).end));
+                    changes.push(TextChange::drop(place(&unit, *to).end..place(&unit, *by).end));
                 }
                 _ => {}
             }
@@ -109,12 +109,12 @@ pub(super) fn drop_branches(draft: &mut Draft, sites: &mut Sites) {
 }
 
 /// Drops all from the end of one body to the end of the next: `ELSIF … THEN` or `ELSE` and what it guards.
-fn between_bodies(text: &str, before: &[Statement], next: &[Statement]) -> Option<Change> {
+fn between_bodies(text: &str, before: &[Statement], next: &[Statement]) -> Option<TextChange> {
     let from = extent(text, before)?.end;
     let to = match extent(text, next) {
         Some(next) => next.end,
         // ELSE with nothing behind it: up to the end of the word.
         None => behind_blanks(text, from) + "ELSE".len(),
     };
-    Some(Change::drop(from..to))
+    Some(TextChange::drop(from..to))
 }

@@ -1,7 +1,7 @@
 //! What comes out when texts are reduced: small, well-formed, and with the symptom that they had.
 
 use super::text;
-use crate::reduce::{Answer, Budget, Ended, Minimised};
+use crate::reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
 use stickler_types::DialectName;
 
 /// A text in which there is one of everything.
@@ -79,9 +79,9 @@ END_PROGRAM
 ";
 
 /// Reduces while the text has all of these words.
-fn reduce(start: &str, words: &[&str]) -> Minimised<String> {
-    let has = |text: &str| Answer::from(words.iter().all(|word| text.contains(word)));
-    text(start, DialectName::IronplcEd3, has, &Budget::default())
+fn reduce(start: &str, words: &[&str]) -> Reduction<String> {
+    let has = |text: &str| Interestingness::from(words.iter().all(|word| text.contains(word)));
+    text(start, DialectName::IronplcEd3, has, &ReductionBudget::default())
 }
 
 fn accepted(text: &str) {
@@ -106,7 +106,7 @@ fn what_remains_of_a_program_is_what_the_symptom_needs() {
         let found = reduce(MACHINE, words);
         accepted(&found.value);
         let lines = found.value.lines().count();
-        assert_eq!(found.ended, Ended::Smallest);
+        assert_eq!(found.ended, StopReason::Smallest);
         assert!(lines <= most, "{words:?}: {lines} lines\n{}", found.value);
     }
 }
@@ -136,9 +136,9 @@ fn a_rejected_text_gets_no_new_faults() {
     let same = |text: &str| {
         let now = codes(text);
         all.extend(now.clone());
-        Answer::from(now.contains(&before[0]))
+        Interestingness::from(now.contains(&before[0]))
     };
-    let found = text(&start, DialectName::IronplcEd3, same, &Budget::default());
+    let found = text(&start, DialectName::IronplcEd3, same, &ReductionBudget::default());
     assert!(all.iter().all(|code| before.contains(code)), "{all:?}");
     assert!(found.value.lines().count() <= 8, "{}", found.value);
 }

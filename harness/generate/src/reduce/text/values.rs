@@ -3,7 +3,7 @@
 //! That cuts a program off from all that led to a value, as the evaluator does for programs of the model. Which value a
 //! variable has where it is read is not known here; that of the start and that of the end are good guesses.
 
-use super::draft::{Change, Draft};
+use super::draft::{TextChange, TextDraft};
 use super::expressions::outermost_first;
 use super::tree::bytes;
 use crate::reduce::Sites;
@@ -13,19 +13,19 @@ use stickler_reference::{Limits, Observation, Outcome, Request, run, variables};
 use stickler_types::Value;
 
 /// How many variables are looked at.
-const MOST: usize = 300;
+const MAX_STATEMENTS: usize = 300;
 
 /// Replaces variables by their values at the end.
-pub(super) fn to_final_value(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn to_final_value(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("final values", sites, |draft| to_value(draft, 1));
 }
 
 /// Replaces variables by their initial values.
-pub(super) fn to_initial_value(draft: &mut Draft, sites: &mut Sites) {
+pub(super) fn to_initial_value(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("initial values", sites, |draft| to_value(draft, 0));
 }
 
-fn to_value(draft: &Draft, scans: u32) -> Vec<Change> {
+fn to_value(draft: &TextDraft, scans: u32) -> Vec<TextChange> {
     let values = values(draft, scans);
     let unit = draft.tree();
     let mut changes = Vec::new();
@@ -36,15 +36,15 @@ fn to_value(draft: &Draft, scans: u32) -> Vec<Change> {
         );
         let name = expression.span.text(&draft.text).to_ascii_lowercase();
         if let (true, Some(value)) = (is_read, values.get(&name)) {
-            changes.push(Change::of(bytes(expression.span), value.as_str()));
+            changes.push(TextChange::of(bytes(expression.span), value.as_str()));
         }
     }
     draft.only_allowed(changes)
 }
 
 /// The values of the variables after some scans, as literals, by their names in lower case.
-fn values(draft: &Draft, scans: u32) -> HashMap<String, String> {
-    let names = variables(&draft.text, draft.dialect, MOST);
+fn values(draft: &TextDraft, scans: u32) -> HashMap<String, String> {
+    let names = variables(&draft.text, draft.dialect, MAX_STATEMENTS);
     let observe: Vec<Observation<'_>> = names
         .iter()
         .map(|name| Observation { name, after: None })

@@ -1,29 +1,29 @@
 //! The state of an evaluation, and its course: start, scan by scan, and the values at the end.
 
-use super::cell::Cell;
+use super::cell::MemoryCell;
 use super::layout::{Layout, Offsets};
-use super::{Evaluation, Opened, Question, Refusal};
+use super::{Evaluation, EvaluationError, OpenPoint, OpenQuestion};
 use crate::model::{Program, Type, Variable};
 use std::rc::Rc;
 use stickler_types::ElementaryType;
 
 /// The most statements and expressions that an evaluation takes, its start included.
-pub const MOST_STEPS: u64 = 1_000_000;
+pub const MAX_STEPS: u64 = 1_000_000;
 
 /// The most calls, statements and operators inside one another.
-const MOST_DEPTH: u32 = 400;
+const MAX_DEPTH: u32 = 400;
 
 /// What a program gives after some scans, by the documents, or why it gives nothing.
 ///
 /// Takes any model, well-formed or not, and as many scans as wanted; 0 gives the initial values.
 ///
 /// # Errors
-/// A [`Refusal`]: the program stops with a fault, takes too long, or is none.
+/// A [`EvaluationError`]: the program stops with a fault, takes too long, or is none.
 ///
 /// Basis: stickler-design: §8 (arithmetic rules); iec-61131-3: 6.6 and 7.3 (calls and statements); `stickler_exact` for conversions.
-pub fn evaluate(program: &Program, scans: u32) -> Result<Evaluation, Refusal> {
+pub fn evaluate(program: &Program, scans: u32) -> Result<Evaluation, EvaluationError> {
     let layout = Layout::new(program)?;
-    let mut machine = Machine {
+    let mut evaluator = Evaluator {
         program,
         layout: &layout,
         memory: Vec::with_capacity(layout.main.size + 64),
@@ -32,41 +32,41 @@ pub fn evaluate(program: &Program, scans: u32) -> Result<Evaluation, Refusal> {
         steps: 0,
         depth: 0,
     };
-    let main = Unit {
+    let main = Activation {
         name: "main",
         variables: &program.main.variables,
         offsets: &layout.main,
         base: 0,
         result: None,
     };
-    machine.start(main)?;
+    evaluator.start(main)?;
     for _ in 0..scans {
-        machine.statements(main, &program.main.body)?;
+        evaluator.statements(main, &program.main.body)?;
     }
-    let values = machine.values(main)?;
+    let values = evaluator.values(main)?;
     Ok(Evaluation {
         values,
-        opened: machine.opened,
-        steps: machine.steps,
+        opened: evaluator.opened,
+        steps: evaluator.steps,
     })
 }
 
 /// An evaluation under way.
-pub(super) struct Machine<'p> {
+pub(super) struct Evaluator<'p> {
     pub program: &'p Program,
     pub layout: &'p Layout,
     /// The main program's variables with its instances, and behind them those of the functions under way.
-    pub memory: Vec<Cell>,
+    pub memory: Vec<MemoryCell>,
     /// The cells of each function at the start of a call, once it has been called.
-    pub images: Vec<Option<Rc<[Cell]>>>,
-    pub opened: Vec<Opened>,
+    pub images: Vec<Option<Rc<[MemoryCell]>>>,
+    pub opened: Vec<OpenPoint>,
     pub steps: u64,
     pub depth: u32,
 }
 
 /// One activation of a program organization unit: its variables and where they are.
 #[derive(Clone, Copy)]
-pub(super) struct Unit<'p> {
+pub(super) struct Activation<'p> {
     pub name: &'p str,
     pub variables: &'p [Variable],
     pub offsets: &'p Offsets,
@@ -76,20 +76,23 @@ pub(super) struct Unit<'p> {
     pub result: Option<(usize, &'p Type)>,
 }
 
-impl<'p> Machine<'p> {
+impl<'p> Evaluator<'p> {
     /// Counts one statement or expression.
-    pub fn step(&mut self) -> Result<(), Refusal> {
+    pub fn step(&mut self) -> Result<(), EvaluationError> {
         self.steps += 1;
-        if self.steps > MOST_STEPS {
-            return Err(Refusal::StepLimit);
+        if self.steps > MAX_STEPS {
+            return Err(EvaluationError::StepLimit);
         }
         Ok(())
     }
 
     /// Does something that may do the like inside itself, and refuses where that goes on and on.
-    pub fn deeper<T>(&mut self, inside: impl FnOnce(&mut Self) -> Result<T, Refusal>) -> Result<T, Refusal> {
-        if self.depth >= MOST_DEPTH {
-            return Err(Refusal::IllFormed("a program nested too deeply"));
+    pub fn deeper<T>(
+        &mut self,
+        inside: impl FnOnce(&mut Self) -> Result<T, EvaluationError>,
+    ) -> Result<T, EvaluationError> {
+        if self.depth >= MAX_DEPTH {
+            return Err(EvaluationError::IllFormed("a program nested too deeply"));
         }
         self.depth += 1;
         let result = inside(self);
@@ -98,9 +101,9 @@ impl<'p> Machine<'p> {
     }
 
     /// Notes that no document settles what happens here; each question is noted once.
-    pub fn open(&mut self, question: Question, unit: Unit<'_>, what: impl FnOnce() -> String) {
+    pub fn open(&mut self, question: OpenQuestion, unit: Activation<'_>, what: impl FnOnce() -> String) {
         if self.opened.iter().all(|opened| opened.question != question) {
-            self.opened.push(Opened {
+            self.opened.push(OpenPoint {
                 question,
                 at: format!("{}: {}", unit.name, what()),
             });
@@ -112,7 +115,7 @@ impl<'p> Machine<'p> {
         // A name stands for no other name, so that this ends; a model that says otherwise is cut off.
         for _ in 0..=self.program.types.len() {
             let Type::Declared(index) = ty else { break };
-            let Some(crate::model::Declared::Alias(named)) = self
+            let Some(crate::model::DeclaredKind::Alias(named)) = self
                 .program
                 .types
                 .get(*index)
@@ -126,10 +129,10 @@ impl<'p> Machine<'p> {
     }
 
     /// The elementary type that a type is or stands for.
-    pub fn elementary(&self, ty: &'p Type) -> Result<ElementaryType, Refusal> {
+    pub fn elementary(&self, ty: &'p Type) -> Result<ElementaryType, EvaluationError> {
         match self.resolved(ty) {
             Type::Elementary(elementary) => Ok(*elementary),
-            _ => Err(Refusal::IllFormed(
+            _ => Err(EvaluationError::IllFormed(
                 "an operation on something that is not elementary",
             )),
         }

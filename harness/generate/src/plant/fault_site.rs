@@ -1,10 +1,10 @@
 //! The piece of ground on which a kind plants its error: a program, a copy to change, and the bytes that choose.
 
 use super::scope::{elementary, places};
-use super::walk::{self, Site};
+use super::walk::{self, ExpressionSite};
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Section, Statement,
-    StatementKind, Type, UnaryOperator, Unit, Variable,
+    BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind, Type,
+    UnaryOperator, Unit, Variable, VariableSection,
 };
 use arbitrary::Unstructured;
 use stickler_exact::signatures;
@@ -14,7 +14,7 @@ use stickler_types::{ElementaryType, Family, Value};
 pub(super) const PLANTED: &str = "planted";
 
 /// What a kind works on.
-pub(super) struct Plot<'p, 'b, 'd> {
+pub(super) struct FaultSite<'p, 'b, 'd> {
     /// The program as it was.
     pub original: &'p Program,
     /// The program to change.
@@ -27,10 +27,10 @@ pub(super) struct Plot<'p, 'b, 'd> {
     pub suggested: bool,
 }
 
-impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
-    /// A plot where nothing is planted yet.
-    pub fn new(original: &'p Program, input: &'b mut Unstructured<'d>) -> Plot<'p, 'b, 'd> {
-        Plot {
+impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
+    /// A fault where nothing is planted yet.
+    pub fn new(original: &'p Program, input: &'b mut Unstructured<'d>) -> FaultSite<'p, 'b, 'd> {
+        FaultSite {
             original,
             program: original.clone(),
             input,
@@ -48,10 +48,10 @@ impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
     }
 
     /// One of the expressions that a test lets pass: its number in the walk, its place, and itself.
-    pub fn site(
+    pub fn pick_expression(
         &mut self,
-        eligible: impl Fn(Site, &Expression) -> bool,
-    ) -> Option<(usize, Site, Expression)> {
+        eligible: impl Fn(ExpressionSite, &Expression) -> bool,
+    ) -> Option<(usize, ExpressionSite, Expression)> {
         let mut found = Vec::new();
         let mut number = 0;
         let original = self.original;
@@ -109,7 +109,10 @@ impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
 
     /// Puts a statement that is only text somewhere into any list.
     pub fn insert_text(&mut self, make: impl FnOnce(&mut Self, Unit) -> Option<String>) -> Option<()> {
-        self.insert(|_, _| true, |plot, unit| make(plot, unit).map(StatementKind::Raw))
+        self.insert(
+            |_, _| true,
+            |fault, unit| make(fault, unit).map(StatementKind::Raw),
+        )
     }
 
     /// Changes one of the statements that a test lets pass.
@@ -154,7 +157,7 @@ impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
     }
 
     /// Declares a variable at the end of a unit's, which leaves every other its number.
-    pub fn declare(&mut self, unit: Unit, name: &str, ty: Type, section: Section) -> Option<()> {
+    pub fn declare(&mut self, unit: Unit, name: &str, ty: Type, section: VariableSection) -> Option<()> {
         unit.variables_mut(&mut self.program)?.push(Variable {
             name: name.to_owned(),
             ty,
@@ -166,7 +169,7 @@ impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
 
     /// Declares what only a text can say: the name of a variable takes the text with it. The text stands on a line of its own,
     /// which is that of the error; its last declaration is an INT.
-    pub fn declare_text(&mut self, unit: Unit, text: &str, section: Section) -> Option<()> {
+    pub fn declare_text(&mut self, unit: Unit, text: &str, section: VariableSection) -> Option<()> {
         self.mark = Some(text.to_owned());
         let last = if text.is_empty() {
             PLANTED.to_owned()
@@ -175,9 +178,9 @@ impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
         };
         let int = ElementaryType::Int;
         self.declare(unit, &last, Type::Elementary(int), section)?;
-        if section == Section::Constant {
+        if section == VariableSection::Constant {
             let declared = unit.variables_mut(&mut self.program)?.last_mut()?;
-            declared.initial = Some(crate::model::Initial::Expression(literal(int)));
+            declared.initial = Some(crate::model::Initializer::Expression(literal(int)));
         }
         Some(())
     }
@@ -202,7 +205,8 @@ impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
             .variables(original)
             .iter()
             .filter(|variable| {
-                variable.section != Section::Constant && elementary(original, &variable.ty) == Some(ty)
+                variable.section != VariableSection::Constant
+                    && elementary(original, &variable.ty) == Some(ty)
             })
             .map(|variable| variable.name.clone())
             .collect();
@@ -216,7 +220,7 @@ impl<'p, 'b, 'd> Plot<'p, 'b, 'd> {
     fn declare_variable(&mut self, unit: Unit, ty: ElementaryType) -> Option<String> {
         let variables = unit.variables_mut(&mut self.program)?;
         let name = format!("{PLANTED}_{}", variables.len());
-        self.declare(unit, &name, Type::Elementary(ty), Section::Local)?;
+        self.declare(unit, &name, Type::Elementary(ty), VariableSection::Local)?;
         Some(name)
     }
 
