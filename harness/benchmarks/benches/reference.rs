@@ -5,8 +5,8 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use std::hint::black_box;
 use std::time::Duration;
 use stickler_reference::conversion::{Conversion, Parameter, function};
-use stickler_reference::{Dialect, Observation, Outcome, Request, check, run, syntax};
-use stickler_types::DialectName;
+use stickler_reference::{Dialect, Limits, check, run, syntax};
+use stickler_types::{DialectName, Observation, Outcome, RunRequest};
 
 const DIALECT: DialectName = DialectName::IronplcEd3;
 
@@ -61,15 +61,10 @@ fn large_source() -> String {
         .collect()
 }
 
-fn request(source: &str) -> Request<'_> {
-    Request::once(
-        DIALECT,
-        source,
-        &[Observation {
-            name: "into",
-            after: None,
-        }],
-    )
+/// What one small case costs end to end.
+fn execute(source: &str, observe: &[Observation]) -> Outcome {
+    let request = RunRequest::once(DIALECT, black_box(source), observe);
+    run(&request, Limits::default()).expect("`into` is a variable")
 }
 
 fn stages(criterion: &mut Criterion) {
@@ -99,27 +94,25 @@ fn stages(criterion: &mut Criterion) {
 }
 
 fn small_case(criterion: &mut Criterion) {
+    let into = [Observation::last("into", "")];
     let (widens, narrows) = (case("INT", "DINT"), case("DINT", "INT"));
-    assert!(matches!(run(&request(&widens)), Ok(Outcome::Executed { .. })));
-    assert!(matches!(run(&request(&narrows)), Ok(Outcome::Rejected(_))));
+    assert!(matches!(execute(&widens, &into), Outcome::Executed { .. }));
+    assert!(matches!(execute(&narrows, &into), Outcome::Rejected { .. }));
     let mut group = criterion.benchmark_group("small case");
-    group.bench_function("executed", |bencher| {
-        bencher.iter(|| run(black_box(&request(&widens))))
-    });
-    group.bench_function("rejected", |bencher| {
-        bencher.iter(|| run(black_box(&request(&narrows))))
-    });
+    group.bench_function("executed", |bencher| bencher.iter(|| execute(&widens, &into)));
+    group.bench_function("rejected", |bencher| bencher.iter(|| execute(&narrows, &into)));
     group.finish();
 }
 
 fn steps(criterion: &mut Criterion) {
+    let into = [Observation::last("into", "")];
     let source = "PROGRAM main VAR i : DINT; into : DINT; END_VAR
         FOR i := 1 TO 100000 DO into := into + i MOD 7; END_FOR; END_PROGRAM";
-    assert!(matches!(run(&request(source)), Ok(Outcome::Executed { .. })));
+    assert!(matches!(execute(source, &into), Outcome::Executed { .. }));
     let mut group = criterion.benchmark_group("steps");
     group.throughput(Throughput::Elements(100_000)).sample_size(20);
     group.bench_function("turns of a loop", |bencher| {
-        bencher.iter(|| run(black_box(&request(source))))
+        bencher.iter(|| execute(source, &into))
     });
     group.finish();
 }

@@ -3,7 +3,7 @@
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Patch, Renderer, Report, Snippet};
 use std::io::{self, Write};
 use std::ops::Range;
-use stickler_reference::LocatedDiagnostic;
+use stickler_types::Diagnostic;
 
 /// How many diagnostics are shown; a broken file has more than anyone reads.
 const MOST: usize = 200;
@@ -18,12 +18,7 @@ const MOST_LINES: usize = 6;
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(
-    diagnostics: &[LocatedDiagnostic],
-    text: &str,
-    path: &str,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+pub fn write(diagnostics: &[Diagnostic], text: &str, path: &str, out: &mut dyn Write) -> io::Result<()> {
     let lines: Vec<&str> = text.split('\n').collect();
     let renderer = Renderer::styled();
     for diagnostic in diagnostics.iter().take(MOST) {
@@ -34,7 +29,8 @@ pub fn write(
     if number > MOST {
         writeln!(out, "... and {} more diagnostics\n", number - MOST)?;
     }
-    let code = diagnostics.first().map_or("P4035", |first| first.code.as_str());
+    let first = diagnostics.first().and_then(|first| first.code.as_deref());
+    let code = first.unwrap_or("P4035");
     let found = if number == 1 {
         "1 diagnostic".to_owned()
     } else {
@@ -43,25 +39,26 @@ pub fn write(
     writeln!(out, "{found}; `stickler explain {code}` says more about a code.")
 }
 
-fn groups<'a>(diagnostic: &'a LocatedDiagnostic, lines: &[&str], path: &'a str) -> Vec<Group<'a>> {
+fn groups<'a>(diagnostic: &'a Diagnostic, lines: &[&str], path: &'a str) -> Vec<Group<'a>> {
     let title = Level::ERROR
         .primary_title(&diagnostic.message)
-        .id(diagnostic.code.as_str());
+        .id(diagnostic.code.as_deref().unwrap_or_default());
+    let line = diagnostic.line.unwrap_or_default() as usize;
     let Some(excerpt) = Excerpt::of(diagnostic, lines) else {
         let origin = Origin::path(path)
-            .line(diagnostic.line as usize)
-            .char_column(diagnostic.column as usize);
+            .line(line)
+            .char_column(diagnostic.column.unwrap_or_default() as usize);
         return vec![title.element(origin)];
     };
     let place = AnnotationKind::Primary.span(excerpt.span.clone());
     let snippet = Snippet::source(excerpt.text.clone())
-        .line_start(diagnostic.line as usize)
+        .line_start(line)
         .path(path)
         .annotation(place);
     let mut groups = vec![title.element(snippet)];
     if let Some(suggestion) = &diagnostic.suggestion {
         let patched = Snippet::source(excerpt.text)
-            .line_start(diagnostic.line as usize)
+            .line_start(line)
             .path(path)
             .patch(Patch::new(excerpt.span, suggestion));
         groups.push(
@@ -81,17 +78,17 @@ struct Excerpt {
 
 impl Excerpt {
     /// `None` where the place is not in the text, or its lines are too many or too long to be shown.
-    fn of(diagnostic: &LocatedDiagnostic, lines: &[&str]) -> Option<Excerpt> {
-        let first = (diagnostic.line as usize).checked_sub(1)?;
-        let last = (diagnostic.end_line as usize).checked_sub(1)?.max(first);
+    fn of(diagnostic: &Diagnostic, lines: &[&str]) -> Option<Excerpt> {
+        let first = (diagnostic.line? as usize).checked_sub(1)?;
+        let last = (diagnostic.end_line? as usize).checked_sub(1)?.max(first);
         let shown = lines.get(first..=last)?;
         if shown.len() > MOST_LINES || shown.iter().any(|line| line.len() > LONGEST_LINE) {
             return None;
         }
         let text = shown.join("\n");
-        let start = byte_of_column(shown.first()?, diagnostic.column);
+        let start = byte_of_column(shown.first()?, diagnostic.column?);
         let before_last: usize = shown[..shown.len() - 1].iter().map(|line| line.len() + 1).sum();
-        let end = before_last + byte_of_column(shown.last()?, diagnostic.end_column);
+        let end = before_last + byte_of_column(shown.last()?, diagnostic.end_column?);
         Some(Excerpt {
             text,
             span: start..end.max(start),

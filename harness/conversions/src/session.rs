@@ -104,7 +104,7 @@ impl<'e> FunctionSession<'e> {
     /// # Errors
     /// What the engine did instead.
     pub fn run(&mut self, dialect: DialectName, program: &Program) -> Result<Vec<Value>, Refusal> {
-        let observe: Vec<Observation<'_>> = program
+        let observe: Vec<Observation> = program
             .observed
             .iter()
             .map(|name| Observation::last(name, program.ty.name()))
@@ -159,9 +159,7 @@ fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
         }
         Outcome::Faulted { fault, .. } => (Faulted, fault.as_str().to_owned()),
         Outcome::Crashed { reason } => (Crashed, reason),
-        Outcome::TimedOut { after_ms } => {
-            (TimedOut, format!("no answer within {}", Outcome::limit(after_ms)))
-        }
+        Outcome::TimedOut { .. } => (TimedOut, outcome.to_string()),
         Outcome::Error { message } => (Nonsense, message),
         Outcome::Rendered { .. } => (Nonsense, "it rendered what it was to run".to_owned()),
     };

@@ -1,10 +1,10 @@
 //! What an engine is: an identity, and sessions that answer requests.
 
-use crate::{Grade, Outcome};
+use crate::Grade;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
-use stickler_types::{DialectName, Value};
+use stickler_types::{DialectName, Outcome, RunRequest};
 
 /// Something that can run programs: the reference, or a real compiler behind an adapter.
 ///
@@ -119,7 +119,8 @@ pub enum Ability {
     Execute,
     /// It gives normalised source back.
     Render,
-    /// It executes several scans, with a clock and inputs set between them, and observes after each.
+    /// It executes several scans, with a clock and inputs set between them, and observes after each; see
+    /// [`RunRequest::needs_scans`].
     Scans,
 }
 
@@ -132,115 +133,6 @@ impl fmt::Display for Ability {
             Ability::Scans => "scans",
         })
     }
-}
-
-/// A program to execute and what to observe of it. It carries no expectation (design, section 2, rule 1).
-#[derive(Clone, Copy, Debug)]
-pub struct RunRequest<'a> {
-    /// The language rules to follow.
-    pub dialect: DialectName,
-    /// The whole source text.
-    pub source: &'a str,
-    /// How many scans to run; 0 runs the start-up only.
-    pub scans: u32,
-    /// The variables whose values are wanted.
-    pub observe: &'a [Observation<'a>],
-    /// Simulated time since the start, by scan; ascending.
-    pub clock: &'a [ClockStep],
-    /// Variables written between scans.
-    pub set: &'a [Setting<'a>],
-}
-
-impl<'a> RunRequest<'a> {
-    /// A program that runs one scan, to which nothing happens from outside.
-    #[must_use]
-    pub const fn once(
-        dialect: DialectName,
-        source: &'a str,
-        observe: &'a [Observation<'a>],
-    ) -> RunRequest<'a> {
-        RunRequest {
-            dialect,
-            source,
-            scans: 1,
-            observe,
-            clock: &[],
-            set: &[],
-        }
-    }
-
-    /// Whether answering this needs the ability [`Ability::Scans`].
-    #[must_use]
-    pub fn needs_scans(&self) -> bool {
-        self.scans != 1
-            || !self.clock.is_empty()
-            || !self.set.is_empty()
-            || self.observe.iter().any(|observation| observation.after.is_some())
-    }
-}
-
-/// One variable to observe.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Observation<'a> {
-    /// The variable, or a path to an elementary value: `a[1]`, `rec.field[2].x`.
-    pub name: &'a str,
-    /// Its type's name, for engines that must be told; empty where nobody said.
-    pub type_name: &'a str,
-    /// The scan (from 1) after which to look; `None` is after the last.
-    pub after: Option<u32>,
-}
-
-impl<'a> Observation<'a> {
-    /// A variable that is looked at after the last scan.
-    #[must_use]
-    pub const fn last(name: &'a str, type_name: &'a str) -> Observation<'a> {
-        Observation {
-            name,
-            type_name,
-            after: None,
-        }
-    }
-
-    /// The name under which the value comes back: `q`, or `q@3` where it was asked for after the third scan.
-    #[must_use]
-    pub fn key(&self) -> String {
-        match self.after {
-            Some(scan) => format!("{}@{scan}", self.name),
-            None => self.name.to_owned(),
-        }
-    }
-
-    /// Whether `key` is what [`Observation::key`] would give, without building it.
-    #[must_use]
-    pub fn is_key(&self, key: &str) -> bool {
-        match (self.after, key.strip_prefix(self.name)) {
-            (None, Some(rest)) => rest.is_empty(),
-            (Some(scan), Some(rest)) => rest
-                .strip_prefix('@')
-                .is_some_and(|digits| digits == scan.to_string()),
-            (_, None) => false,
-        }
-    }
-}
-
-/// Where the clock stands before a scan.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct ClockStep {
-    /// The scan (from 1).
-    pub before: u32,
-    /// Nanoseconds since the start of the program.
-    pub nanoseconds: i64,
-}
-
-/// A variable written before a scan.
-#[derive(Clone, Copy, Debug)]
-pub struct Setting<'a> {
-    /// The scan (from 1).
-    pub before: u32,
-    /// The variable or path.
-    pub name: &'a str,
-    /// What it becomes.
-    pub value: &'a Value,
 }
 
 /// An engine that cannot be used at all. Exit code 3 of the command line.

@@ -9,7 +9,6 @@ mod digest;
 mod engine;
 mod grade;
 mod guard;
-mod outcome;
 mod process;
 pub mod protocol;
 mod reference;
@@ -18,12 +17,10 @@ mod validate;
 pub use adapters::{Compiler, DescribedEngine, Description, FoundBy, Located, Place, Places, Sought};
 pub use adapters::{Token, Tokens, Word, declared, tokens};
 pub use digest::Digest;
-pub use engine::{
-    Ability, ClockStep, Engine, EngineError, Identity, Observation, Packed, RunRequest, Session, Setting,
-};
+pub use engine::{Ability, Engine, EngineError, Identity, Packed, Session};
 pub use grade::Grade;
 pub use guard::{guard, guarded};
-pub use outcome::{Diagnostic, NamedValue, Outcome};
 pub use process::{ProcessEngine, ProcessLimits, kill_all_processes, stop_all_processes};
 pub use reference::Reference;
+pub use stickler_types::{ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Setting};
 pub use validate::{Check, Judgement, Validation, validate};

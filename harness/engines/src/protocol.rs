@@ -11,7 +11,7 @@ mod request;
 mod schema;
 mod server;
 
-pub use reply::{DiagnosticMessage, ErrorReply, ExecutedReply, FaultedReply, HelloReply, IdReply};
+pub use reply::{ErrorReply, ExecutedReply, FaultedReply, HelloReply, IdReply};
 pub use reply::{RejectedReply, RenderedReply, Reply, UnsupportedReply};
 pub use request::{
     ClockMessage, HelloRequest, ObserveMessage, ProgramRequest, Request, RunMessage, SetMessage,

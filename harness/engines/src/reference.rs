@@ -1,6 +1,6 @@
 //! The reference implementation as an engine.
 
-use crate::{Ability, Diagnostic, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
+use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
 use stickler_reference as reference;
 use stickler_types::DialectName;
 
@@ -68,52 +68,9 @@ struct ReferenceSession {
 
 impl Session for ReferenceSession {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        let observe: Vec<_> = request
-            .observe
-            .iter()
-            .map(|asked| reference::Observation {
-                name: asked.name,
-                after: asked.after,
-            })
-            .collect();
-        let clock: Vec<_> = request
-            .clock
-            .iter()
-            .map(|step| reference::ClockSetting {
-                before: step.before,
-                nanoseconds: step.nanoseconds,
-            })
-            .collect();
-        let set: Vec<_> = request
-            .set
-            .iter()
-            .map(|setting| reference::ValueSetting {
-                before: setting.before,
-                name: setting.name,
-                value: setting.value,
-            })
-            .collect();
-        let answer = reference::run(&reference::Request {
-            dialect: request.dialect,
-            source: request.source,
-            scans: request.scans,
-            observe: &observe,
-            clock: &clock,
-            set: &set,
-            limits: self.limits,
-        });
-        match answer {
-            Ok(reference::Outcome::Executed { values }) => Outcome::Executed { values },
-            Ok(reference::Outcome::Rejected(diagnostics)) => rejected(diagnostics),
-            Ok(reference::Outcome::Faulted { fault, line, values }) => Outcome::Faulted {
-                fault,
-                line: Some(line),
-                values,
-            },
-            Err(error) => Outcome::Error {
-                message: error.to_string(),
-            },
-        }
+        reference::run(request, self.limits).unwrap_or_else(|error| Outcome::Error {
+            message: error.to_string(),
+        })
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
@@ -121,34 +78,14 @@ impl Session for ReferenceSession {
         if diagnostics.is_empty() {
             Outcome::Accepted
         } else {
-            rejected(diagnostics)
+            Outcome::Rejected { diagnostics }
         }
     }
 
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
         match reference::render(source, dialect) {
             Ok(text) => Outcome::Rendered { text },
-            Err(diagnostics) => rejected(diagnostics),
-        }
-    }
-}
-
-fn rejected(diagnostics: Vec<reference::LocatedDiagnostic>) -> Outcome {
-    Outcome::Rejected {
-        diagnostics: diagnostics.into_iter().map(Diagnostic::from).collect(),
-    }
-}
-
-impl From<reference::LocatedDiagnostic> for Diagnostic {
-    fn from(located: reference::LocatedDiagnostic) -> Diagnostic {
-        Diagnostic {
-            code: Some(located.code.as_str().to_owned()),
-            line: Some(located.line),
-            column: Some(located.column),
-            end_line: Some(located.end_line),
-            end_column: Some(located.end_column),
-            message: located.message,
-            suggestion: located.suggestion,
+            Err(diagnostics) => Outcome::Rejected { diagnostics },
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::page::{MAGIC, literal};
 use crate::paste::Array;
 use crate::ready::expected;
 use std::collections::BTreeMap;
-use stickler_engines::{NamedValue, Observation, Outcome};
+use stickler_engines::{NamedValue, Outcome};
 use stickler_suite::Case;
 
 /// The elements of each page that were pasted, by the page's place in the manifest.
@@ -211,7 +211,7 @@ impl Reading {
             0 if !comparable => None,
             _ => return Err(strange(step.place + 1, compared)),
         };
-        let look = Look::of(&observe.ty);
+        let look = Look::of(&observe.type_name);
         let numbers: Vec<i32> = (0..look.pieces())
             .map(|piece| element(step.place + 2 + piece))
             .collect::<Result<_, Told>>()?;
@@ -219,12 +219,7 @@ impl Reading {
             Look::Numbers(ty) => look::value(ty, &numbers),
             Look::Compared => Seen::Untold,
         };
-        let observation = Observation {
-            name: &observe.name,
-            type_name: &observe.ty,
-            after: observe.after,
-        };
-        let key = observation.key();
+        let key = observe.key().to_string();
         match (seen, equal, must_be) {
             (Seen::Nonsense, ..) => {
                 return Err(Told::Nonsense(format!(

@@ -135,7 +135,7 @@ fn refuse(case: &Case) -> Result<(), Reason> {
 fn looks(case: &Case) -> Result<Vec<(usize, Look)>, Reason> {
     let mut looks = Vec::with_capacity(case.observe.len());
     for (number, observe) in case.observe.iter().enumerate() {
-        let look = Look::of(&observe.ty);
+        let look = Look::of(&observe.type_name);
         if look != Look::Compared || expected(case, number).is_some() {
             looks.push((number, look));
         }

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Observe};
-use stickler_types::{Code, DialectName, Value};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue};
+use stickler_types::{Code, DialectName, Observation, Value};
 
 /// A case. Its program is that of the suite, not that of a page.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
@@ -64,7 +64,7 @@ impl CaseRecord {
         });
         let observe = case.observe.iter().map(|observe| ObserveRecord {
             name: observe.name.to_string(),
-            type_name: observe.ty.to_string(),
+            type_name: observe.type_name.to_string(),
             after: observe.after,
         });
         let diagnostics = expectation.diagnostics.iter();
@@ -105,15 +105,15 @@ impl CaseRecord {
             })
         });
         let diagnostics = self.diagnostics.iter().map(|(line, code)| {
-            let known = Code::ALL.iter().copied().find(|known| known.as_str() == code);
+            let known = code.parse::<Code>();
             Ok(ExpectedDiagnostic {
                 line: *line,
-                code: known.ok_or_else(|| format!("`{code}` of {} is no code", self.id))?,
+                code: known.map_err(|_| format!("`{code}` of {} is no code", self.id))?,
             })
         });
-        let observe = self.observe.iter().map(|record| Observe {
+        let observe = self.observe.iter().map(|record| Observation {
             name: record.name.as_str().into(),
-            ty: record.type_name.as_str().into(),
+            type_name: record.type_name.as_str().into(),
             after: record.after,
         });
         Ok(Case {

@@ -5,7 +5,8 @@
 
 use std::collections::HashMap;
 use stickler_mutants_judge::prepared::{self, Acceptance, Expectation};
-use stickler_suite::{Case, ExpectedValue, Observe};
+use stickler_suite::{Case, ExpectedValue};
+use stickler_types::Observation;
 
 /// The file of all cases.
 #[must_use]
@@ -25,11 +26,7 @@ struct Texts {
 
 impl Texts {
     fn of(case: &Case) -> Texts {
-        let value = |expected: &ExpectedValue| {
-            let after = expected.after.map(|after| format!("@{after}"));
-            let key = format!("{}{}", expected.name, after.unwrap_or_default());
-            (key, expected.value.to_string())
-        };
+        let value = |expected: &ExpectedValue| (expected.key().to_string(), expected.value.to_string());
         Texts {
             key: case.key(),
             set: case.set.iter().map(|setting| setting.value.to_string()).collect(),
@@ -38,7 +35,7 @@ impl Texts {
     }
 
     fn case<'a>(&'a self, case: &'a Case) -> prepared::Case<'a> {
-        let observe = |observe: &'a Observe| (&*observe.name, observe.after.unwrap_or_default());
+        let observe = |observe: &'a Observation| (&*observe.name, observe.after.unwrap_or_default());
         let set = case.set.iter().zip(&self.set);
         prepared::Case {
             key: &self.key,

@@ -8,22 +8,16 @@
 //! [`check`], [`run`] and [`render`] go through the rooms in order:
 //!
 //! ```
-//! use stickler_reference::{Limits, Observation, Outcome, Request, run};
-//! use stickler_types::{DialectName, Value};
+//! use stickler_reference::{Limits, run};
+//! use stickler_types::{DialectName, Observation, Outcome, RunRequest, Value};
 //!
 //! let source = "PROGRAM main VAR big : DINT := 100000; small : INT; END_VAR
 //!     small := DINT_TO_INT(big); END_PROGRAM";
-//! let outcome = run(&Request {
-//!     dialect: DialectName::Matiec,
-//!     source,
-//!     scans: 1,
-//!     observe: &[Observation { name: "small", after: None }],
-//!     clock: &[],
-//!     set: &[],
-//!     limits: Limits::default(),
-//! });
+//! let observe = [Observation::last("small", "INT")];
+//! let request = RunRequest::once(DialectName::Matiec, source, &observe);
 //! let small = Value::parse("INT#-31072").expect("a typed literal");
-//! assert_eq!(outcome, Ok(Outcome::Executed { values: vec![("small".to_owned(), small)] }));
+//! let values = vec![("small".to_owned(), small)];
+//! assert_eq!(run(&request, Limits::default()), Ok(Outcome::Executed { values }));
 //! ```
 //!
 //! Architecture Invariant: this crate knows no files, no threads, no cases and no engines.
@@ -40,7 +34,4 @@ pub mod source;
 pub mod syntax;
 
 pub use dialect::{COMMON_CHOICES, Dialect};
-pub use face::{
-    ClockSetting, Limits, LocatedDiagnostic, Observation, Outcome, Request, RequestError, ValueSetting,
-    check, check_bytes, render, run, variables,
-};
+pub use face::{Limits, RequestError, check, check_bytes, render, run, variables};

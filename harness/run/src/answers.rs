@@ -1,11 +1,7 @@
 //! Asking an engine all that a case needs.
 
-use stickler_engines::{
-    ClockStep, Engine, EngineError, Observation, Outcome, Packed, RunRequest, Session, Setting, guard,
-    guarded,
-};
-use stickler_suite::{Case, ClockSetting};
-use stickler_types::Value;
+use stickler_engines::{Engine, EngineError, Outcome, Packed, RunRequest, Session, guard, guarded};
+use stickler_suite::Case;
 
 /// All that an engine answered about one case.
 #[derive(Clone, PartialEq, Debug)]
@@ -75,7 +71,7 @@ impl<'e> Desk<'e> {
     /// # Errors
     /// Where no session can be opened. A panic of the engine is no error but [`Outcome::Crashed`].
     pub fn ask(&mut self, case: &Case) -> Result<Answers, EngineError> {
-        let answers = ask_session(self.session()?, &Question::of(case));
+        let answers = ask_session(self.session()?, case);
         if answers.crashed() {
             self.session = None;
         }
@@ -87,8 +83,7 @@ impl<'e> Desk<'e> {
     /// # Errors
     /// As [`Desk::ask`]. An engine that panics has told nothing about any of them.
     pub(crate) fn ask_pack(&mut self, cases: &[&Case]) -> Result<Vec<Packed>, EngineError> {
-        let questions: Vec<Question<'_>> = cases.iter().map(|case| Question::of(case)).collect();
-        let requests: Vec<RunRequest<'_>> = questions.iter().map(Question::request).collect();
+        let requests: Vec<RunRequest<'_>> = cases.iter().map(|case| case.request()).collect();
         let session = self.session()?;
         let mut packed = match guarded(|| session.run_pack(&requests)) {
             Ok(packed) => packed,
@@ -111,51 +106,10 @@ impl<'e> Desk<'e> {
     }
 }
 
-/// What an engine is asked about a case, in its own words.
-struct Question<'c> {
-    case: &'c Case,
-    observe: Vec<Observation<'c>>,
-    clock: Vec<ClockStep>,
-    set: Vec<Setting<'c>>,
-}
-
-impl<'c> Question<'c> {
-    fn of(case: &'c Case) -> Question<'c> {
-        let observe = case.observe.iter().map(|asked| Observation {
-            name: &asked.name,
-            type_name: &asked.ty,
-            after: asked.after,
-        });
-        let set = case.set.iter().map(|setting| Setting {
-            before: setting.before,
-            name: &setting.name,
-            value: &setting.value,
-        });
-        Question {
-            case,
-            observe: observe.collect(),
-            clock: case.clock.iter().map(clock_step).collect(),
-            set: set.collect(),
-        }
-    }
-
-    fn request(&self) -> RunRequest<'_> {
-        RunRequest {
-            dialect: self.case.dialect,
-            source: &self.case.source,
-            scans: self.case.scans,
-            observe: &self.observe,
-            clock: &self.clock,
-            set: &self.set,
-        }
-    }
-}
-
-fn ask_session(session: &mut dyn Session, question: &Question<'_>) -> Answers {
-    let request = question.request();
+fn ask_session(session: &mut dyn Session, case: &Case) -> Answers {
+    let request = case.request();
     let run = guard(|| session.run(&request));
-    let wants_rendering =
-        question.case.expectation.rendered.is_some() && !matches!(run, Outcome::Crashed { .. });
+    let wants_rendering = case.expectation.rendered.is_some() && !matches!(run, Outcome::Crashed { .. });
     let rendering = wants_rendering.then(|| ask_rendering(session, &request));
     Answers { run, rendering }
 }
@@ -187,16 +141,5 @@ fn ask_rendering(session: &mut dyn Session, request: &RunRequest<'_>) -> Renderi
         again: Some(again),
         rerun: Some(rerun),
         first,
-    }
-}
-
-fn clock_step(setting: &ClockSetting) -> ClockStep {
-    let nanoseconds = match setting.value {
-        Value::Plain { raw, .. } => raw.cast_signed(),
-        Value::Text { .. } | Value::Enumerated { .. } => 0,
-    };
-    ClockStep {
-        before: setting.before,
-        nanoseconds,
     }
 }

@@ -5,7 +5,6 @@
 
 use crate::answers::{Answers, Rendering};
 use serde::{Deserialize, Serialize};
-use stickler_engines::protocol::DiagnosticMessage;
 use stickler_engines::{Diagnostic, Digest, NamedValue, Outcome};
 use stickler_suite::Case;
 use stickler_types::{Fault, Value};
@@ -28,12 +27,13 @@ pub(crate) fn question(case: &Case) -> String {
     digest.number(case.scans.into());
     digest.number(case.observe.len() as u64);
     for asked in &*case.observe {
-        digest.text(&asked.name).text(&asked.ty);
+        digest.text(&asked.name).text(&asked.type_name);
         digest.number(asked.after.map_or(0, u64::from));
     }
     digest.number(case.clock.len() as u64);
     for step in &*case.clock {
-        digest.number(step.before.into()).text(&step.value.to_string());
+        digest.number(step.before.into());
+        digest.number(step.nanoseconds.cast_unsigned());
     }
     digest.number(case.set.len() as u64);
     for setting in &*case.set {
@@ -80,7 +80,7 @@ struct Rendered {
 enum Done {
     Accepted,
     Executed(Vec<(String, String)>),
-    Rejected(Vec<DiagnosticMessage>),
+    Rejected(Vec<Diagnostic>),
     Faulted(String, Option<u32>, Vec<(String, String)>),
     Rendered(String),
     Unsupported(String),
@@ -142,9 +142,7 @@ impl Done {
         Some(match outcome {
             Outcome::Accepted => Done::Accepted,
             Outcome::Executed { values } => Done::Executed(literals(values)),
-            Outcome::Rejected { diagnostics } => {
-                Done::Rejected(diagnostics.iter().cloned().map(DiagnosticMessage::from).collect())
-            }
+            Outcome::Rejected { diagnostics } => Done::Rejected(diagnostics.clone()),
             Outcome::Faulted { fault, line, values } => {
                 Done::Faulted(fault.to_string(), *line, literals(values))
             }
@@ -161,9 +159,7 @@ impl Done {
             Done::Executed(literals) => Outcome::Executed {
                 values: values(literals)?,
             },
-            Done::Rejected(messages) => Outcome::Rejected {
-                diagnostics: messages.into_iter().map(Diagnostic::from).collect(),
-            },
+            Done::Rejected(diagnostics) => Outcome::Rejected { diagnostics },
             Done::Faulted(fault, line, literals) => Outcome::Faulted {
                 fault: fault.parse::<Fault>().ok()?,
                 line,

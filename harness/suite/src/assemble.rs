@@ -2,23 +2,22 @@
 
 use std::sync::Arc;
 
-use stickler_types::Value;
+use stickler_types::{ClockSetting, Observation, Setting, Value};
 
 use crate::assembly::{Assembly, AssemblyMistake, TypeNames, contradiction, shared};
 use crate::mark::{Claim, Mark, ValueLine};
-use crate::model::{
-    Acceptance, ClockSetting, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue,
-    Observe, VariableSetting,
-};
+use crate::model::{Acceptance, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue};
 use crate::observed;
 
 /// Collects what the marks of one expansion claim.
 #[derive(Debug)]
 pub(crate) struct Assembler<'n> {
     expectation: Expectation,
-    recorded: Vec<Observe>,
-    set: Vec<VariableSetting>,
+    recorded: Vec<Observation>,
+    set: Vec<Setting>,
     clock: Vec<ClockSetting>,
+    /// The first value to which the clock was set and that is no time.
+    no_time: Option<Value>,
     acceptance_observed: bool,
     /// The line of the last mark, for mistakes that no mark alone makes.
     line: u32,
@@ -33,6 +32,7 @@ impl<'n> Assembler<'n> {
             recorded: Vec::new(),
             set: Vec::new(),
             clock: Vec::new(),
+            no_time: None,
             acceptance_observed: false,
             line: 0,
             names,
@@ -120,28 +120,24 @@ impl<'n> Assembler<'n> {
                 }
             }
             Claim::Observe { name, ty, after } => {
-                let (name, ty) = (name.fill(scratch, texts), ty.fill(scratch, texts));
-                self.recorded.push(Observe {
-                    name,
-                    ty,
+                self.recorded.push(Observation {
+                    name: name.fill(scratch, texts),
+                    type_name: ty.fill(scratch, texts),
                     after: *after,
                 });
             }
             Claim::ObserveAcceptance => self.acceptance_observed = true,
             Claim::Set { name, value, before } => {
                 let (name, value) = (name.fill(scratch, texts), value.get(scratch, texts)?);
-                self.set.push(VariableSetting {
+                self.set.push(Setting {
                     before: *before,
                     name,
                     value,
                 });
             }
             Claim::Clock { value, before } => {
-                let value = value.get(scratch, texts)?;
-                self.clock.push(ClockSetting {
-                    before: *before,
-                    value,
-                });
+                let time = value.get(scratch, texts)?;
+                self.clock(*before, time);
             }
         }
         Ok(())
@@ -160,10 +156,10 @@ impl<'n> Assembler<'n> {
     }
 
     /// Adds a variable whose value is recorded.
-    pub(crate) fn observe(&mut self, name: Arc<str>, ty: Arc<str>) {
-        self.recorded.push(Observe {
+    pub(crate) fn observe(&mut self, name: Arc<str>, type_name: Arc<str>) {
+        self.recorded.push(Observation {
             name,
-            ty,
+            type_name,
             after: None,
         });
     }
@@ -174,9 +170,19 @@ impl<'n> Assembler<'n> {
     }
 
     /// Adds settings that do not come from a mark.
-    pub(crate) fn settings(&mut self, set: &[VariableSetting], clock: &[ClockSetting]) {
+    pub(crate) fn settings(&mut self, set: &[Setting], clock: &[(u32, Value)]) {
         self.set.extend_from_slice(set);
-        self.clock.extend_from_slice(clock);
+        for (before, time) in clock {
+            self.clock(*before, time.clone());
+        }
+    }
+
+    /// Sets the clock before a scan.
+    fn clock(&mut self, before: u32, time: Value) {
+        match ClockSetting::at(before, &time) {
+            Some(setting) => self.clock.push(setting),
+            None => self.no_time = self.no_time.take().or(Some(time)),
+        }
     }
 
     /// The expectation, if what was said makes sense together.
@@ -220,18 +226,11 @@ impl<'n> Assembler<'n> {
         {
             return Err(format!("scan {late} never comes, for `scans` is {scans}"));
         }
-        match self.clock.iter().find(|clock| !is_duration(&clock.value)) {
-            Some(clock) => Err(format!(
-                "the clock is set to a TIME or LTIME, not to `{}`",
-                clock.value
-            )),
+        match &self.no_time {
+            Some(value) => Err(format!("the clock is set to a TIME or LTIME, not to `{value}`")),
             None => Ok(()),
         }
     }
-}
-
-fn is_duration(value: &Value) -> bool {
-    matches!(value, Value::Plain { ty, .. } if ty.is_duration())
 }
 
 /// The trimmed lines of a text, without empty ones at its start and end.

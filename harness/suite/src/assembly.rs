@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ClockSetting, ElementaryType, Observation, Setting, Value};
 
-use crate::model::{Acceptance, ClockSetting, Expectation, Observe, VariableSetting};
+use crate::model::{Acceptance, Expectation};
 
 /// All that marks say about a case.
 #[derive(Clone, Debug)]
 pub(crate) struct Assembly {
     pub(crate) expectation: Arc<Expectation>,
-    pub(crate) observe: Arc<[Observe]>,
-    pub(crate) set: Arc<[VariableSetting]>,
+    pub(crate) observe: Arc<[Observation]>,
+    pub(crate) set: Arc<[Setting]>,
     pub(crate) clock: Arc<[ClockSetting]>,
 }
 

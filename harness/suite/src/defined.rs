@@ -6,11 +6,11 @@ mod call;
 
 use crate::arrival::Arrival;
 use crate::assembly::TypeNames;
-use crate::model::{Acceptance, Case, Expectation, ExpectedValue, Observe};
+use crate::model::{Acceptance, Case, Expectation, ExpectedValue};
 use call::Call;
 use std::sync::Arc;
 use stickler_exact::{expected, is_overridden, signatures};
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, Observation, Value};
 
 /// What arrives where a pair of types converts because a definition states so: what `<FROM>_TO_<TO>` gives, as far as
 /// somebody says what that is.
@@ -63,9 +63,9 @@ pub(crate) fn restate(case: &mut Case, names: &TypeNames) {
         None => expectation.accepted = Acceptance::Observed,
     }
     case.expectation = Arc::new(expectation);
-    case.observe = [Observe {
+    case.observe = [Observation {
         name: call.into.into(),
-        ty: names.elementary(call.result),
+        type_name: names.elementary(call.result),
         after: None,
     }]
     .into();

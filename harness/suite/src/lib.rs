@@ -37,8 +37,8 @@ pub use dialects::{DialectEntry, Dialects};
 pub use error::CaseFileError;
 pub use lint::{Finding, Severity, lint};
 pub use model::{
-    Acceptance, Case, ClockSetting, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText,
-    ExpectedValue, MatrixCell, Observe, VariableSetting, WithdrawnCase,
+    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue,
+    MatrixCell, WithdrawnCase,
 };
 pub use suite::{Suite, load_file, read_case_file};
 pub use table::Generate;

@@ -4,7 +4,10 @@
 
 use std::sync::Arc;
 
-use stickler_types::{Code, DialectName, Fault, MatrixWord, Value};
+use stickler_types::{
+    ClockSetting, Code, DialectName, Fault, MatrixWord, Observation, ObservationKey, RunRequest, Setting,
+    Value,
+};
 
 /// One program in one dialect, with one expectation.
 ///
@@ -38,11 +41,11 @@ pub struct Case {
     /// The simulated time before certain scans, ordered by scan.
     pub clock: Arc<[ClockSetting]>,
     /// Variables that are written before certain scans, ordered by scan.
-    pub set: Arc<[VariableSetting]>,
+    pub set: Arc<[Setting]>,
     /// What must happen.
     pub expectation: Arc<Expectation>,
     /// All variables whose values an engine has to give back, each once: those asserted and those only recorded.
-    pub observe: Arc<[Observe]>,
+    pub observe: Arc<[Observation]>,
     /// The cell of the matrix, for a case that comes from one.
     pub cell: Option<Arc<MatrixCell>>,
 }
@@ -51,6 +54,18 @@ impl Case {
     /// The key of results: `id@dialect`.
     pub fn key(&self) -> String {
         format!("{}@{}", self.id, self.dialect)
+    }
+
+    /// Returns what an engine is asked about the case: the program and what to observe of it, never the expectation.
+    pub fn request(&self) -> RunRequest<'_> {
+        RunRequest {
+            dialect: self.dialect,
+            source: &self.source,
+            scans: self.scans,
+            observe: &self.observe,
+            clock: &self.clock,
+            set: &self.set,
+        }
     }
 
     /// Whether what must happen is what the definition of the case's dialect states, and not what a document says of the
@@ -114,6 +129,16 @@ pub struct ExpectedValue {
     pub line: u32,
 }
 
+impl ExpectedValue {
+    /// Returns the name under which the value comes back.
+    pub fn key(&self) -> ObservationKey<'_> {
+        ObservationKey {
+            name: &self.name,
+            after: self.after,
+        }
+    }
+}
+
 /// The fault that must end the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ExpectedFault {
@@ -130,37 +155,6 @@ pub struct ExpectedText {
     pub lines: Vec<Box<str>>,
     /// The 1-based line of the program on which the mark stands.
     pub line: u32,
-}
-
-/// A variable whose value an engine has to give back.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Observe {
-    /// The variable or path.
-    pub name: Arc<str>,
-    /// The name of its type: `INT`, `STRING`, `COLOR`.
-    pub ty: Arc<str>,
-    /// The 1-based scan after which it is read; the last one where there is none.
-    pub after: Option<u32>,
-}
-
-/// A variable that is written before a scan.
-#[derive(Clone, Debug, PartialEq)]
-pub struct VariableSetting {
-    /// The 1-based scan.
-    pub before: u32,
-    /// The variable or path.
-    pub name: Arc<str>,
-    /// What it is set to.
-    pub value: Value,
-}
-
-/// The simulated time before a scan.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ClockSetting {
-    /// The 1-based scan.
-    pub before: u32,
-    /// The time since the start, a `TIME` or `LTIME`.
-    pub value: Value,
 }
 
 /// The cell of a matrix that a case comes from.

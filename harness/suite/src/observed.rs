@@ -5,7 +5,8 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 
 use crate::assembly::TypeNames;
-use crate::model::{ExpectedValue, Observe};
+use crate::model::ExpectedValue;
+use stickler_types::Observation;
 
 /// The variables of the asserted values, and those that are only recorded.
 ///
@@ -13,16 +14,16 @@ use crate::model::{ExpectedValue, Observe};
 /// A message, where a value is asserted twice, or a variable has two types.
 pub(crate) fn all(
     values: &[ExpectedValue],
-    recorded: Vec<Observe>,
+    recorded: Vec<Observation>,
     names: &TypeNames,
-) -> Result<Vec<Observe>, String> {
+) -> Result<Vec<Observation>, String> {
     let mut directory = Directory::with_capacity(values.len() + recorded.len());
     for value in values {
-        let (name, ty) = (Arc::clone(&value.name), names.of(&value.value));
+        let (name, type_name) = (Arc::clone(&value.name), names.of(&value.value));
         if directory
-            .find_or_add(Observe {
+            .find_or_add(Observation {
                 name,
-                ty,
+                type_name,
                 after: value.after,
             })
             .is_some()
@@ -31,7 +32,7 @@ pub(crate) fn all(
         }
     }
     for observe in recorded {
-        let (name, ty) = (Arc::clone(&observe.name), Arc::clone(&observe.ty));
+        let (name, ty) = (Arc::clone(&observe.name), Arc::clone(&observe.type_name));
         if let Some(known) = directory.find_or_add(observe)
             && !known.eq_ignore_ascii_case(&ty)
         {
@@ -43,7 +44,7 @@ pub(crate) fn all(
 
 /// Variables in order, each once.
 struct Directory {
-    list: Vec<Observe>,
+    list: Vec<Observation>,
     /// Filled only where there are many: most cases observe one variable.
     index: FxHashMap<(Arc<str>, Option<u32>), usize>,
 }
@@ -57,7 +58,7 @@ impl Directory {
     }
 
     /// The type of the variable if it is there already; else it is added.
-    fn find_or_add(&mut self, observe: Observe) -> Option<Arc<str>> {
+    fn find_or_add(&mut self, observe: Observation) -> Option<Arc<str>> {
         const FEW: usize = 8;
         let found = match self.list.len() {
             0..FEW => self
@@ -67,7 +68,7 @@ impl Directory {
             _ => self.look_up(&observe),
         };
         match found {
-            Some(at) => Some(Arc::clone(&self.list[at].ty)),
+            Some(at) => Some(Arc::clone(&self.list[at].type_name)),
             None => {
                 self.list.push(observe);
                 None
@@ -75,7 +76,7 @@ impl Directory {
         }
     }
 
-    fn look_up(&mut self, observe: &Observe) -> Option<usize> {
+    fn look_up(&mut self, observe: &Observation) -> Option<usize> {
         for (at, known) in self.list.iter().enumerate().skip(self.index.len()) {
             self.index.insert((Arc::clone(&known.name), known.after), at);
         }
@@ -89,11 +90,10 @@ impl Directory {
 mod tests {
     use super::*;
 
-    fn observe(name: &str, ty: &str, after: Option<u32>) -> Observe {
-        Observe {
-            name: name.into(),
-            ty: ty.into(),
+    fn observe(name: &str, type_name: &str, after: Option<u32>) -> Observation {
+        Observation {
             after,
+            ..Observation::last(name, type_name)
         }
     }
 
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn many_variables_are_found_like_few() {
         let names = TypeNames::default();
-        let mut recorded: Vec<Observe> = (0..100)
+        let mut recorded: Vec<Observation> = (0..100)
             .map(|at| observe(&format!("v{at}"), "INT", None))
             .collect();
         recorded.extend(recorded.clone());

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use stickler_types::Value;
+use stickler_types::{Setting, Value};
 use toml::Spanned;
 
 use crate::assemble::Assembler;
@@ -16,7 +16,6 @@ use crate::header::{self, Header};
 use crate::ident;
 use crate::mark::Word;
 use crate::mark_reader::MarkReader;
-use crate::model::{ClockSetting, VariableSetting};
 use crate::place::TextPlace;
 use crate::program::{Program, Remarks};
 use crate::scan::{RawMark, scan};
@@ -168,7 +167,7 @@ fn settings(
     context: &FileContext<'_>,
     header: &Header,
     mistakes: &mut Vec<Mistake>,
-) -> (Vec<VariableSetting>, Vec<ClockSetting>) {
+) -> (Vec<Setting>, Vec<(u32, Value)>) {
     let mut read = |key: &str, before: &Spanned<u32>, value: &Spanned<String>| -> Option<(u32, Value)> {
         let mut wrong = |at: usize, message: String| {
             mistakes.push(Mistake::new(context.lines.line(at), message).key(key));
@@ -181,17 +180,17 @@ fn settings(
     };
     let set = header.set.iter().filter_map(|key| {
         let (before, value) = read("set", &key.before, &key.value)?;
-        Some(VariableSetting {
+        Some(Setting {
             before,
             name: key.name.as_str().into(),
             value,
         })
     });
     let set = set.collect();
-    let clock = header.clock.iter().filter_map(|key| {
-        let (before, value) = read("clock", &key.before, &key.value)?;
-        Some(ClockSetting { before, value })
-    });
+    let clock = header
+        .clock
+        .iter()
+        .filter_map(|key| read("clock", &key.before, &key.value));
     (set, clock.collect())
 }
 

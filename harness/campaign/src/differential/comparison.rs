@@ -79,10 +79,7 @@ pub(crate) fn compare(question: Question<'_>, outcome: &Outcome) -> Agreement {
             Agreement::disagrees(Symptom::Error, "answered `rendered` where it was to run")
         }
         Outcome::Crashed { reason } => Agreement::disagrees(Symptom::Crash, format!("died: {reason}")),
-        Outcome::TimedOut { after_ms } => Agreement::disagrees(
-            Symptom::Hang,
-            format!("gave no answer within {}", Outcome::limit(*after_ms)),
-        ),
+        Outcome::TimedOut { .. } => Agreement::disagrees(Symptom::Hang, outcome.to_string()),
         Outcome::Error { message } => Agreement::disagrees(Symptom::Error, message.as_str()),
     }
 }

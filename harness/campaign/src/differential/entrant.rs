@@ -35,7 +35,7 @@ impl Entrant<'_> {
 
 /// Runs a program for one scan and observes all of it.
 pub(crate) fn ask(session: &mut dyn Session, question: Question<'_>) -> Outcome {
-    let observe: Vec<Observation<'_>> = question
+    let observe: Vec<Observation> = question
         .values
         .iter()
         .map(|(name, value)| Observation::last(name, value.type_name()))

@@ -30,7 +30,7 @@ pub(crate) fn told(engine: Asked, outcome: &Outcome) -> Said {
         Outcome::Rendered { .. } => ("rendered", Vec::new()),
         Outcome::Unsupported { reason } => ("unsupported", vec![reason.clone()]),
         Outcome::Crashed { reason } => ("crashed", vec![reason.clone()]),
-        Outcome::TimedOut { after_ms } => ("timed out", vec![format!("after {}", Outcome::limit(*after_ms))]),
+        Outcome::TimedOut { .. } => ("timed out", vec![outcome.to_string()]),
         Outcome::Error { message } => ("error", vec![message.clone()]),
     };
     Said {

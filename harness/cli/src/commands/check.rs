@@ -5,8 +5,7 @@ use crate::exit::Exit;
 use crate::{snippet, source_file};
 use std::io::{self, Write};
 use stickler_engines::protocol::Reply;
-use stickler_engines::{Diagnostic, Outcome};
-use stickler_reference::LocatedDiagnostic;
+use stickler_types::{Diagnostic, Outcome};
 
 /// Shows the diagnostics; a program without any gets one line that says so.
 ///
@@ -30,8 +29,7 @@ pub fn execute(arguments: &CheckArguments, out: &mut dyn Write) -> anyhow::Resul
 }
 
 /// The reply of the wire protocol.
-fn write_json(diagnostics: Vec<LocatedDiagnostic>, out: &mut dyn Write) -> io::Result<()> {
-    let diagnostics: Vec<Diagnostic> = diagnostics.into_iter().map(Diagnostic::from).collect();
+fn write_json(diagnostics: Vec<Diagnostic>, out: &mut dyn Write) -> io::Result<()> {
     let outcome = if diagnostics.is_empty() {
         Outcome::Accepted
     } else {

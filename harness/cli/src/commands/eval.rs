@@ -5,8 +5,8 @@ use crate::exit::Exit;
 use crate::{output, snippet, source_file};
 use anyhow::bail;
 use std::io::{self, Write};
-use stickler_reference::{Observation, Outcome, Request};
-use stickler_types::Value;
+use stickler_reference::Limits;
+use stickler_types::{Observation, Outcome, RunRequest, Value};
 
 /// How many values are shown where none is asked for.
 const MOST: usize = 1000;
@@ -25,15 +25,12 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
         return Ok(Exit::Failures);
     }
     let names = names(arguments, &text);
-    let observe: Vec<Observation<'_>> = names
-        .iter()
-        .map(|name| Observation { name, after: None })
-        .collect();
-    let request = Request {
+    let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
+    let request = RunRequest {
         scans: arguments.scans,
-        ..Request::once(dialect, &text, &observe)
+        ..RunRequest::once(dialect, &text, &observe)
     };
-    match stickler_reference::run(&request) {
+    match stickler_reference::run(&request, Limits::default()) {
         Ok(Outcome::Executed { values }) => {
             write_values(&values, out)?;
             Ok(Exit::AsExpected)
@@ -41,15 +38,17 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
         Ok(Outcome::Faulted { fault, line, values }) => {
             write_values(&values, out)?;
             out.flush()?;
+            let line = line.unwrap_or_default();
             output::complain(&anyhow::anyhow!(
                 "{path}:{line}: the program stops with the fault {fault}"
             ));
             Ok(Exit::Failures)
         }
-        Ok(Outcome::Rejected(diagnostics)) => {
+        Ok(Outcome::Rejected { diagnostics }) => {
             snippet::write(&diagnostics, &text, &path, &mut output::stderr())?;
             Ok(Exit::Failures)
         }
+        Ok(other) => bail!("the reference answered {other}"),
         Err(error) => bail!(error),
     }
 }

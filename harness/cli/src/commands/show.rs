@@ -140,7 +140,7 @@ fn write_expectation(case: &Case, out: &mut dyn Write) -> io::Result<()> {
         writeln!(
             out,
             "  {} : {} is recorded and not judged",
-            observed.name, observed.ty
+            observed.name, observed.type_name
         )?;
     }
     Ok(())

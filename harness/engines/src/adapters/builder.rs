@@ -1,7 +1,7 @@
 //! A C or C++ compiler: it builds what a compiler under test wrote, together with a driver.
 
 use super::fingerprint::Fingerprint;
-use super::locate::{self, call, failed, first_error};
+use super::locate::{call, failed, first_error};
 use super::places::{Place, Search};
 use crate::Outcome;
 use crate::process::{Ended, Folder};
@@ -121,7 +121,7 @@ impl Builder {
         let compiled = format!("{}.gch", words.header);
         let arguments = builder.arguments(&["-x", words.header_kind, words.header, "-o", &compiled]);
         let ended = call(&builder.compiler, &arguments, &builder.prepared)
-            .map_err(|outcome| format!("the {} compiler {}", words.name, locate::reason(&outcome)))?;
+            .map_err(|outcome| format!("the {} compiler: {outcome}", words.name))?;
         if ended.status.success() {
             return Ok(builder);
         }

@@ -92,12 +92,9 @@ impl DescribedEngine {
         };
         let ended = call
             .run(&template.0, 0)
-            .map_err(|outcome| format!("`version`: {}", locate::reason(&outcome)))?;
+            .map_err(|outcome| format!("`version`: {outcome}"))?;
         if !ended.status.success() {
-            return Err(match ended.crashed() {
-                Outcome::Crashed { reason } => format!("`version`: {reason}"),
-                other => locate::reason(&other),
-            });
+            return Err(format!("`version`: {}", ended.crashed()));
         }
         let said = locate::said(&ended).ok_or("`version` prints nothing")?;
         let said = without_colours(&said);
@@ -328,7 +325,7 @@ impl DescribedSession<'_> {
                 .ok_or("there was no such scan".to_owned())
                 .and_then(|printed| printed.value(copies.variable(asked), asked, request.source));
             match (shown, fault) {
-                (Ok(value), _) => values.push((asked.key(), value)),
+                (Ok(value), _) => values.push((asked.key().to_string(), value)),
                 (Err(reason), None) => return Err(Outcome::Unsupported { reason }),
                 // A fault may have come before it.
                 (Err(_), Some(_)) => {}

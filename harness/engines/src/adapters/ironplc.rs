@@ -240,7 +240,7 @@ impl Scans<'_> {
             };
             match earlier.as_ref().unwrap_or(&last) {
                 Execution::ToTheEnd(text) => match sights.value(asked, &Dump::read(text)) {
-                    Ok(value) => values.push((asked.key(), value)),
+                    Ok(value) => values.push((asked.key().to_string(), value)),
                     Err(Blind::Again(experienced)) => return Ok(Look::Again(experienced)),
                     Err(Blind::Unsupported(reason)) => return Err(Outcome::Unsupported { reason }),
                 },
@@ -249,7 +249,7 @@ impl Scans<'_> {
                     values.extend(
                         sights
                             .simple(asked, &Dump::read(text))
-                            .map(|value| (asked.key(), value)),
+                            .map(|value| (asked.key().to_string(), value)),
                     );
                 }
             }

@@ -13,7 +13,7 @@ use std::time::Duration;
 /// A fragment that says why it did not.
 pub(super) fn version(program: &Path, arguments: &[&str], folder: &Folder) -> Result<String, String> {
     let ended = process::run_tool(program, arguments, folder.path(), &ToolLimits::default())
-        .map_err(|outcome| format!("`{}` {}", program.display(), reason(&outcome)))?;
+        .map_err(|outcome| format!("`{}`: {outcome}", program.display()))?;
     said(&ended).ok_or_else(|| format!("`{}` does not say its version", program.display()))
 }
 
@@ -40,28 +40,6 @@ pub(super) fn session_folder(engine: &Identity) -> Result<Folder, EngineError> {
 /// The outcome of an adapter that could not do its work.
 pub(super) fn failed(message: String) -> Outcome {
     Outcome::Error { message }
-}
-
-/// Why a program did not do what it was started for; a fragment.
-pub(super) fn reason(outcome: &Outcome) -> String {
-    match outcome {
-        Outcome::TimedOut { after_ms } => format!("did not end within {}", Outcome::limit(*after_ms)),
-        Outcome::Crashed { reason } => format!("crashed: {reason}"),
-        Outcome::Error { message } => message.clone(),
-        other => format!("answered {other:?}"),
-    }
-}
-
-/// Why a compiler did not accept a program; a fragment.
-pub(super) fn told(outcome: &Outcome) -> String {
-    match outcome {
-        Outcome::Rejected { diagnostics } => {
-            let first = diagnostics.first().map(|first| first.message.as_str());
-            first.unwrap_or("it does not say why").to_owned()
-        }
-        Outcome::Unsupported { reason } => reason.clone(),
-        other => reason(other),
-    }
 }
 
 /// Those of so many programs, by their numbers, that are to be asked about alone after a compiler did not come to an end of its

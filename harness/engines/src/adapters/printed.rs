@@ -33,20 +33,20 @@ pub(super) fn kinds<'r>(
     request: &RunRequest<'r>,
     has: fn(ElementaryType) -> bool,
 ) -> Result<Vec<Kind<'r>>, String> {
-    let kind = |asked: &Observation<'r>| kind(asked, request.source, has);
+    let kind = |asked: &'r Observation| kind(asked, request.source, has);
     request.observe.iter().map(kind).collect()
 }
 
 fn kind<'r>(
-    asked: &Observation<'r>,
+    asked: &'r Observation,
     source: &str,
     has: fn(ElementaryType) -> bool,
 ) -> Result<Kind<'r>, String> {
-    match ElementaryType::from_name(asked.type_name) {
+    match ElementaryType::from_name(&asked.type_name) {
         Some(ty) if has(ty) => Ok(Kind::Elementary(ty)),
         Some(ty) => Err(format!("it has no values of {ty}")),
-        None => match enumeration(source, asked.type_name) {
-            Some(values) => Ok(Kind::Enumerated(asked.type_name, values)),
+        None => match enumeration(source, &asked.type_name) {
+            Some(values) => Ok(Kind::Enumerated(&asked.type_name, values)),
             None if asked.type_name.is_empty() => Err(format!("the type of {} was not told", asked.name)),
             None => Err(format!("values of {} cannot be shown", asked.type_name)),
         },
@@ -82,9 +82,9 @@ pub(super) fn values(
         };
         values[number] = Some(read(kind, shown).ok_or_else(no_value)?);
     }
-    let named = |(asked, value): (&Observation<'_>, Option<Value>)| {
+    let named = |(asked, value): (&Observation, Option<Value>)| {
         let missing = || format!("its driver did not print {}", asked.key());
-        Ok((asked.key(), value.ok_or_else(missing)?))
+        Ok((asked.key().to_string(), value.ok_or_else(missing)?))
     };
     request.observe.iter().zip(values).map(named).collect()
 }

@@ -1,6 +1,5 @@
 //! Variables that an adapter adds to a program, so that a compiler shows what it would not show otherwise.
 
-use super::locate::told;
 use super::source::MainProgram;
 use crate::{Observation, Outcome, RunRequest};
 use std::fmt::Write;
@@ -45,7 +44,7 @@ pub(super) fn translate_with<T>(
     } else {
         match translate(&with_witnesses(request.source, main, witnesses)) {
             Ok(translated) => return Ok(translated),
-            Err(outcome) => format!("the copies of its values are not accepted: {}", told(&outcome)),
+            Err(outcome) => format!("with copies of its values: {outcome}"),
         }
     };
     translate(request.source)?;
@@ -82,12 +81,12 @@ impl Copies {
             witnesses: Vec::new(),
         };
         for asked in request.observe {
-            if is_path(asked.name) && copies.copy(asked.name).is_none() {
-                let ty = ElementaryType::from_name(asked.type_name);
+            if is_path(&asked.name) && copies.copy(&asked.name).is_none() {
+                let ty = ElementaryType::from_name(&asked.type_name);
                 copies.witnesses.push(Witness {
                     name: Witness::name(copies.witnesses.len()),
-                    type_name: ty.map_or(asked.type_name, |ty| ty.name()).to_owned(),
-                    expression: asked.name.to_owned(),
+                    type_name: ty.map_or(&*asked.type_name, |ty| ty.name()).to_owned(),
+                    expression: asked.name.to_string(),
                 });
             }
         }
@@ -100,8 +99,8 @@ impl Copies {
     }
 
     /// The name of the variable in which a value is to be seen.
-    pub(super) fn variable<'v>(&'v self, asked: &Observation<'v>) -> &'v str {
-        self.copy(asked.name).unwrap_or(asked.name)
+    pub(super) fn variable<'v>(&'v self, asked: &'v Observation) -> &'v str {
+        self.copy(&asked.name).unwrap_or(&asked.name)
     }
 
     fn copy(&self, path: &str) -> Option<&str> {

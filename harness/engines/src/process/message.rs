@@ -1,8 +1,8 @@
 //! Requests as the wire has them, and replies as what an engine did.
 
-use crate::protocol::{ClockMessage, DiagnosticMessage, ObserveMessage, ProgramRequest, Reply};
+use crate::protocol::{ClockMessage, ObserveMessage, ProgramRequest, Reply};
 use crate::protocol::{Request, RunMessage, SetMessage};
-use crate::{Diagnostic, NamedValue, Observation, Outcome, RunRequest};
+use crate::{NamedValue, Observation, Outcome, RunRequest};
 use std::collections::BTreeMap;
 use stickler_types::{DialectName, ElementaryType, Fault, Value};
 
@@ -34,9 +34,9 @@ pub(super) fn line(request: &Request) -> Vec<u8> {
 
 /// The message of `run`.
 pub(super) fn run(id: u64, request: &RunRequest<'_>) -> Request {
-    let observe = |asked: &Observation<'_>| ObserveMessage {
-        name: asked.name.to_owned(),
-        type_name: asked.type_name.to_owned(),
+    let observe = |asked: &Observation| ObserveMessage {
+        name: asked.name.to_string(),
+        type_name: asked.type_name.to_string(),
         after: asked.after,
     };
     let clock = request.clock.iter().map(|step| ClockMessage {
@@ -45,7 +45,7 @@ pub(super) fn run(id: u64, request: &RunRequest<'_>) -> Request {
     });
     let set = request.set.iter().map(|setting| SetMessage {
         before: setting.before,
-        name: setting.name.to_owned(),
+        name: setting.name.to_string(),
         value: setting.value.to_string(),
     });
     Request::Run(RunMessage {
@@ -72,12 +72,7 @@ pub(super) fn program(id: u64, dialect: DialectName, source: &str) -> ProgramReq
 ///
 /// # Errors
 /// A fragment that says why the line is no answer to this request. Then the conversation is out of step.
-pub(super) fn outcome(
-    line: &[u8],
-    id: u64,
-    verb: Verb,
-    observe: &[Observation<'_>],
-) -> Result<Outcome, String> {
+pub(super) fn outcome(line: &[u8], id: u64, verb: Verb, observe: &[Observation]) -> Result<Outcome, String> {
     let reply: Reply = serde_json::from_slice(line)
         .map_err(|error| format!("it answered {}, which is no reply: {error}", excerpt(line)))?;
     let (answered, word) = (reply.id(), reply.word());
@@ -97,7 +92,7 @@ pub(super) fn outcome(
         }),
         (Reply::Rendered(reply), Verb::Render) => Ok(Outcome::Rendered { text: reply.text }),
         (Reply::Rejected(reply), _) => Ok(Outcome::Rejected {
-            diagnostics: reply.diagnostics.into_iter().map(Diagnostic::from).collect(),
+            diagnostics: reply.diagnostics,
         }),
         (Reply::Unsupported(reply), _) => Ok(Outcome::Unsupported { reason: reply.reason }),
         (Reply::Error(reply), _) => Ok(Outcome::Error {
@@ -112,13 +107,10 @@ pub(super) fn outcome(
 
 /// The values in the order in which they were asked for. One that is missing is left out, since a fault may have come
 /// before it; one that nobody asked for is passed over.
-fn values(
-    mut told: BTreeMap<String, String>,
-    observe: &[Observation<'_>],
-) -> Result<Vec<NamedValue>, String> {
+fn values(mut told: BTreeMap<String, String>, observe: &[Observation]) -> Result<Vec<NamedValue>, String> {
     let mut values = Vec::with_capacity(observe.len());
     for asked in observe {
-        let key = asked.key();
+        let key = asked.key().to_string();
         if let Some(literal) = told.remove(&key) {
             let value = Value::parse(&literal)
                 .map_err(|error| format!("its value `{literal}` of `{key}` is no typed literal: {error}"))?;
@@ -143,34 +135,11 @@ pub(crate) fn excerpt(line: &[u8]) -> String {
     format!("`{beginning}{more}`")
 }
 
-impl From<DiagnosticMessage> for Diagnostic {
-    fn from(message: DiagnosticMessage) -> Diagnostic {
-        let DiagnosticMessage {
-            code,
-            line,
-            column,
-            end_line,
-            end_column,
-            message,
-            suggestion,
-        } = message;
-        Diagnostic {
-            code,
-            line,
-            column,
-            end_line,
-            end_column,
-            message,
-            suggestion,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn observation(name: &str) -> Observation<'_> {
+    fn observation(name: &str) -> Observation {
         Observation::last(name, "INT")
     }
 

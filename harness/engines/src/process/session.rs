@@ -47,7 +47,7 @@ impl<'e> ProcessSession<'e> {
         self.id
     }
 
-    fn ask(&mut self, request: &Request, verb: Verb, observe: &[Observation<'_>]) -> Outcome {
+    fn ask(&mut self, request: &Request, verb: Verb, observe: &[Observation]) -> Outcome {
         let mut connection = match self.connection.take() {
             Some(connection) => connection,
             None => match self.command.greet(self.limits) {

@@ -2,9 +2,9 @@
 
 use super::{ClockMessage, HelloReply, HelloRequest, ObserveMessage, PROTOCOL, ProgramRequest, Reply};
 use super::{RunMessage, SetMessage};
-use crate::{ClockStep, Identity, Observation, Outcome, RunRequest, Session, Setting};
+use crate::{ClockSetting, Identity, Observation, Outcome, RunRequest, Session, Setting};
 use std::str::FromStr;
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, Value};
 
 /// Answers `hello`.
 pub(super) fn hello(identity: &Identity, request: &HelloRequest) -> Reply {
@@ -40,14 +40,14 @@ pub(super) fn program(
 /// Answers `run`; the error is about this request alone.
 pub(super) fn run(session: &mut dyn Session, request: &RunMessage) -> Result<Outcome, String> {
     let dialect = dialect(&request.dialect)?;
-    let clock = clock(&request.clock, request.scans)?;
-    let values = setting_values(&request.set)?;
-    let set = settings(&request.set, &values, request.scans)?;
-    let observe = observations(request)?;
+    let scans = request.scans;
+    let clock = each(&request.clock, |step| clock_setting(step, scans))?;
+    let set = each(&request.set, |message| setting(message, scans))?;
+    let observe = each(&request.observe, |asked| observation(asked, scans))?;
     Ok(session.run(&RunRequest {
         dialect,
         source: &request.source,
-        scans: request.scans,
+        scans,
         observe: &observe,
         clock: &clock,
         set: &set,
@@ -58,62 +58,38 @@ fn dialect(name: &str) -> Result<DialectName, String> {
     DialectName::from_str(name).map_err(|error| error.to_string())
 }
 
-fn observations(request: &RunMessage) -> Result<Vec<Observation<'_>>, String> {
-    request
-        .observe
-        .iter()
-        .map(|asked| observation(asked, request.scans))
-        .collect()
-}
-
-fn observation(asked: &ObserveMessage, scans: u32) -> Result<Observation<'_>, String> {
+fn observation(asked: &ObserveMessage, scans: u32) -> Result<Observation, String> {
     if let Some(after) = asked.after {
         within(after, scans, || format!("observe {}", asked.name))?;
     }
     Ok(Observation {
-        name: &asked.name,
-        type_name: &asked.type_name,
+        name: asked.name.as_str().into(),
+        type_name: asked.type_name.as_str().into(),
         after: asked.after,
     })
 }
 
-fn clock(steps: &[ClockMessage], scans: u32) -> Result<Vec<ClockStep>, String> {
-    steps.iter().map(|step| clock_step(step, scans)).collect()
-}
-
-fn clock_step(step: &ClockMessage, scans: u32) -> Result<ClockStep, String> {
+fn clock_setting(step: &ClockMessage, scans: u32) -> Result<ClockSetting, String> {
     within(step.before, scans, || "clock".to_owned())?;
-    let value = Value::parse(&step.value).map_err(|error| format!("clock: {}: {error}", step.value))?;
-    match value {
-        Value::Plain {
-            ty: ElementaryType::Time | ElementaryType::Ltime,
-            raw,
-        } => Ok(ClockStep {
-            before: step.before,
-            nanoseconds: raw.cast_signed(),
-        }),
-        _ => Err(format!("clock: {} is neither TIME nor LTIME", step.value)),
-    }
+    let time = Value::parse(&step.value).map_err(|error| format!("clock: {}: {error}", step.value))?;
+    ClockSetting::at(step.before, &time)
+        .ok_or_else(|| format!("clock: {} is neither TIME nor LTIME", step.value))
 }
 
-fn setting_values(set: &[SetMessage]) -> Result<Vec<Value>, String> {
-    let parse = |setting: &SetMessage| {
-        Value::parse(&setting.value)
-            .map_err(|error| format!("set {}: {}: {error}", setting.name, setting.value))
-    };
-    set.iter().map(parse).collect()
+fn setting(message: &SetMessage, scans: u32) -> Result<Setting, String> {
+    let SetMessage { before, name, value } = message;
+    let value = Value::parse(value).map_err(|error| format!("set {name}: {value}: {error}"))?;
+    within(*before, scans, || format!("set {name}"))?;
+    Ok(Setting {
+        before: *before,
+        name: name.as_str().into(),
+        value,
+    })
 }
 
-fn settings<'a>(set: &'a [SetMessage], values: &'a [Value], scans: u32) -> Result<Vec<Setting<'a>>, String> {
-    let borrow = |(setting, value): (&'a SetMessage, &'a Value)| {
-        within(setting.before, scans, || format!("set {}", setting.name))?;
-        Ok(Setting {
-            before: setting.before,
-            name: &setting.name,
-            value,
-        })
-    };
-    set.iter().zip(values).map(borrow).collect()
+/// Reads each message of a list, or gives the error of the first that cannot be read.
+fn each<M, T>(messages: &[M], read: impl Fn(&M) -> Result<T, String>) -> Result<Vec<T>, String> {
+    messages.iter().map(read).collect()
 }
 
 fn within(scan: u32, scans: u32, what: impl FnOnce() -> String) -> Result<(), String> {

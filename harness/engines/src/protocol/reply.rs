@@ -68,37 +68,7 @@ pub struct RejectedReply {
     /// The request's id.
     pub id: u64,
     /// Sorted by line, column, code; everything that a person would want at once.
-    pub diagnostics: Vec<DiagnosticMessage>,
-}
-
-/// Something wrong with a program. A foreign engine leaves out what it does not know.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize, JsonSchema)]
-pub struct DiagnosticMessage {
-    /// A code of Stickler's registry, or the engine's own.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub code: Option<String>,
-    /// The line, from 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 1))]
-    pub line: Option<u32>,
-    /// The column, from 1, in Unicode scalar values.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 1))]
-    pub column: Option<u32>,
-    /// The line on which it ends.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 1))]
-    pub end_line: Option<u32>,
-    /// The column after its last character.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 1))]
-    pub end_column: Option<u32>,
-    /// What is wrong, for a person.
-    #[serde(default)]
-    pub message: String,
-    /// Text that replaces exactly the span and makes the program acceptable.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub suggestion: Option<String>,
+    pub diagnostics: Vec<Diagnostic>,
 }
 
 /// A run-time fault.
@@ -195,10 +165,7 @@ impl Reply {
                 id,
                 values: literals(values),
             }),
-            Outcome::Rejected { diagnostics } => {
-                let diagnostics = diagnostics.into_iter().map(DiagnosticMessage::from).collect();
-                Reply::Rejected(RejectedReply { id, diagnostics })
-            }
+            Outcome::Rejected { diagnostics } => Reply::Rejected(RejectedReply { id, diagnostics }),
             Outcome::Faulted { fault, line, values } => Reply::Faulted(FaultedReply {
                 id,
                 fault: fault.as_str().to_owned(),
@@ -208,33 +175,8 @@ impl Reply {
             Outcome::Rendered { text } => Reply::Rendered(RenderedReply { id, text }),
             Outcome::Unsupported { reason } => Reply::Unsupported(UnsupportedReply { id, reason }),
             Outcome::Crashed { reason } => Reply::error(Some(id), format!("the engine crashed: {reason}")),
-            Outcome::TimedOut { after_ms } => {
-                Reply::error(Some(id), format!("no answer within {}", Outcome::limit(after_ms)))
-            }
+            Outcome::TimedOut { .. } => Reply::error(Some(id), outcome.to_string()),
             Outcome::Error { message } => Reply::error(Some(id), message),
-        }
-    }
-}
-
-impl From<Diagnostic> for DiagnosticMessage {
-    fn from(diagnostic: Diagnostic) -> DiagnosticMessage {
-        let Diagnostic {
-            code,
-            line,
-            column,
-            end_line,
-            end_column,
-            message,
-            suggestion,
-        } = diagnostic;
-        DiagnosticMessage {
-            code,
-            line,
-            column,
-            end_line,
-            end_column,
-            message,
-            suggestion,
         }
     }
 }

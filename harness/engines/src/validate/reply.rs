@@ -2,9 +2,9 @@
 
 use super::Judgement;
 use super::smoke::Expect;
-use crate::Grade;
 use crate::process::excerpt;
-use crate::protocol::{DiagnosticMessage, Reply};
+use crate::protocol::Reply;
+use crate::{Diagnostic, Grade};
 use serde_json::Value as Json;
 use stickler_types::{ElementaryType, Fault, Value};
 
@@ -26,7 +26,7 @@ pub(super) fn read(line: &[u8]) -> Result<Reply, String> {
     Ok(reply)
 }
 
-fn numbers(told: &DiagnosticMessage) -> Result<(), String> {
+fn numbers(told: &Diagnostic) -> Result<(), String> {
     from_one("line", told.line)?;
     from_one("column", told.column)?;
     from_one("end_line", told.end_line)?;
@@ -138,11 +138,7 @@ pub(super) fn judge(
 }
 
 /// What a rejection tells, as far as the adapter claims to tell it.
-fn rejected(
-    diagnostics: &[DiagnosticMessage],
-    line: Option<u32>,
-    grade: Grade,
-) -> (Judgement, Option<String>) {
+fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (Judgement, Option<String>) {
     let broken = |words: String| (Judgement::Broken, Some(words));
     if diagnostics.is_empty() {
         return broken("it rejects the program without a diagnostic".to_owned());

@@ -19,12 +19,11 @@ fn here(compiler: Compiler) -> Option<Box<dyn Engine>> {
 }
 
 fn ask(engine: &dyn Engine, source: &str, observe: &[(&str, &str, Option<u32>)], scans: u32) -> Outcome {
-    let observe: Vec<Observation<'_>> = observe
+    let observe: Vec<Observation> = observe
         .iter()
         .map(|&(name, type_name, after)| Observation {
-            name,
-            type_name,
             after,
+            ..Observation::last(name, type_name)
         })
         .collect();
     engine.session().unwrap().run(&RunRequest {

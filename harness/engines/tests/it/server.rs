@@ -42,7 +42,7 @@ impl Session for Perch {
             request
                 .observe
                 .iter()
-                .map(|asked| (asked.key(), text(asked.type_name.to_owned()))),
+                .map(|asked| (asked.key().to_string(), text(asked.type_name.to_string()))),
         );
         match request.source {
             "fault" => Outcome::Faulted {

@@ -78,14 +78,7 @@ fn engine() -> Identity {
 /// A page's array as the reference leaves it.
 fn array(page: &str, dialect: DialectName, elements: usize, scans: usize) -> Vec<i32> {
     let names: Vec<String> = (0..elements).map(|index| format!("results[{index}]")).collect();
-    let observe: Vec<Observation<'_>> = names
-        .iter()
-        .map(|name| Observation {
-            name,
-            type_name: "DINT",
-            after: None,
-        })
-        .collect();
+    let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "DINT")).collect();
     let reference = Reference::new();
     let mut session = reference.session().expect("a session");
     let outcome = session.run(&RunRequest {

@@ -7,8 +7,7 @@ use crate::model::Program;
 use crate::plant::{Planted, plant};
 use crate::writer::{Keywords, LineEnds, Style, write};
 use arbitrary::Unstructured;
-use stickler_reference::LocatedDiagnostic;
-use stickler_types::DialectName;
+use stickler_types::{Diagnostic, DialectName};
 
 /// How many bytes choose the style and the error; the others choose the program.
 const OF_THE_ERROR: usize = 48;
@@ -93,8 +92,8 @@ pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), OracleFa
     match stickler_reference::check(text, dialect).first() {
         None => Ok(()),
         Some(said) => {
-            let symptom = format!("rejected:{}", said.code);
-            let message = format!("a sound program of {dialect} is rejected: {}", shown(said));
+            let symptom = format!("rejected:{}", code_of(said));
+            let message = format!("a sound program of {dialect} is rejected: {said}");
             Err(OracleFailure::new(symptom, message).of_program(text))
         }
     }
@@ -120,24 +119,25 @@ pub fn judge_planted_text(planted: &Planted, text: &str, line: u32) -> Result<()
 type Wrong = (String, String);
 
 /// The one diagnostic, if there is exactly one and it is the planted one.
-fn one_error<'d>(
-    planted: &Planted,
-    line: u32,
-    said: &'d [LocatedDiagnostic],
-) -> Result<&'d LocatedDiagnostic, Wrong> {
+fn one_error<'d>(planted: &Planted, line: u32, said: &'d [Diagnostic]) -> Result<&'d Diagnostic, Wrong> {
     let code = planted.code;
-    let Some(right) = said.iter().find(|said| said.code == code && said.line == line) else {
+    let Some(right) = said
+        .iter()
+        .find(|said| said.registered_code() == Some(code) && said.line == Some(line))
+    else {
         return Err(match said {
             [] => (
                 format!("not-rejected:{code}"),
                 "the program is accepted".to_owned(),
             ),
-            [first, ..] if first.code == code => (format!("other-line:{code}"), listed(said)),
-            [first, ..] => (format!("other-code:{code}:{}", first.code), listed(said)),
+            [first, ..] if first.registered_code() == Some(code) => {
+                (format!("other-line:{code}"), listed(said))
+            }
+            [first, ..] => (format!("other-code:{code}:{}", code_of(first)), listed(said)),
         });
     };
     match said.iter().find(|other| !std::ptr::eq(*other, right)) {
-        Some(other) => Err((format!("more:{code}:{}", other.code), listed(said))),
+        Some(other) => Err((format!("more:{code}:{}", code_of(other)), listed(said))),
         None => Ok(right),
     }
 }
@@ -145,7 +145,7 @@ fn one_error<'d>(
 /// Whether there is a suggestion where there must be, and it makes the program acceptable.
 fn suggestion_helps(
     planted: &Planted,
-    said: &LocatedDiagnostic,
+    said: &Diagnostic,
     text: &str,
     dialect: DialectName,
 ) -> Result<(), Wrong> {
@@ -153,29 +153,29 @@ fn suggestion_helps(
     let Some(suggestion) = &said.suggestion else {
         return if planted.suggested {
             let symptom = format!("no-suggestion:{code}");
-            Err((symptom, format!("no conversion is suggested: {}", shown(said))))
+            Err((symptom, format!("no conversion is suggested: {said}")))
         } else {
             Ok(())
         };
     };
     let Some(mended) = mended(text, said, suggestion) else {
         let symptom = format!("span:{code}");
-        return Err((symptom, format!("the span is not in the text: {}", shown(said))));
+        return Err((symptom, format!("the span is not in the text: {said}")));
     };
     match stickler_reference::check(&mended, dialect).first() {
         None => Ok(()),
         Some(still) => {
-            let symptom = format!("suggestion:{code}:{}", still.code);
-            let message = format!("with `{suggestion}` in its place there is still {}", shown(still));
+            let symptom = format!("suggestion:{code}:{}", code_of(still));
+            let message = format!("with `{suggestion}` in its place there is still {still}");
             Err((symptom, message))
         }
     }
 }
 
 /// The text with a suggestion in the place of the diagnostic's span; nothing where the span is not in the text.
-fn mended(text: &str, said: &LocatedDiagnostic, suggestion: &str) -> Option<String> {
-    let start = offset(text, said.line, said.column)?;
-    let end = offset(text, said.end_line, said.end_column)?;
+fn mended(text: &str, said: &Diagnostic, suggestion: &str) -> Option<String> {
+    let start = offset(text, said.line?, said.column?)?;
+    let end = offset(text, said.end_line?, said.end_column?)?;
     Some([text.get(..start)?, suggestion, text.get(end..)?].concat())
 }
 
@@ -191,16 +191,14 @@ fn offset(text: &str, line: u32, column: u32) -> Option<usize> {
     offsets.nth(characters).map(|within| start + within)
 }
 
-fn listed(said: &[LocatedDiagnostic]) -> String {
-    let shown: Vec<String> = said.iter().map(shown).collect();
+fn listed(said: &[Diagnostic]) -> String {
+    let shown: Vec<String> = said.iter().map(Diagnostic::to_string).collect();
     format!("the reference says {}", shown.join("; "))
 }
 
-fn shown(said: &LocatedDiagnostic) -> String {
-    format!(
-        "{} on line {}, column {}: {}",
-        said.code, said.line, said.column, said.message
-    )
+/// The code of a diagnostic; empty where it has none.
+fn code_of(said: &Diagnostic) -> &str {
+    said.code.as_deref().unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -288,7 +286,7 @@ mod tests {
         let text = "PROGRAM main\r\n    missing := 1;\r\nEND_PROGRAM\r\n";
         let said = stickler_reference::check(text, DialectName::Matiec).remove(0);
         let with = |suggestion: &str| {
-            let said = LocatedDiagnostic {
+            let said = Diagnostic {
                 suggestion: Some(suggestion.to_owned()),
                 ..said.clone()
             };

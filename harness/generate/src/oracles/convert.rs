@@ -5,8 +5,8 @@ use super::{InputOutcome, OracleFailure};
 use arbitrary::Unstructured;
 use std::sync::LazyLock;
 use stickler_exact::{Signature, expected, functions, signatures};
-use stickler_reference::{Limits, Observation, Outcome, Request, RequestError, ValueSetting, run};
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_reference::{Limits, RequestError, run};
+use stickler_types::{DialectName, ElementaryType, Observation, Outcome, RunRequest, Setting, Value};
 
 /// Every conversion of each dialect, in the order of [`DialectName::ALL`].
 static CONVERSIONS: LazyLock<[Vec<Signature>; DialectName::ALL.len()]> = LazyLock::new(|| {
@@ -73,37 +73,32 @@ fn hold(
     operands: &[Value],
     source: &str,
 ) -> Result<(), OracleFailure> {
-    let set: Vec<ValueSetting> = ["a", "b"]
+    let set: Vec<Setting> = ["a", "b"]
         .into_iter()
         .zip(operands)
-        .map(|(name, value)| ValueSetting {
+        .map(|(name, value)| Setting {
             before: 1,
-            name,
-            value,
+            name: name.into(),
+            value: value.clone(),
         })
         .collect();
-    let answer = run(&Request {
-        dialect,
-        source,
-        scans: 1,
-        observe: &[Observation {
-            name: "r",
-            after: None,
-        }],
-        clock: &[],
+    let observe = [Observation::last("r", signature.result.name())];
+    let request = RunRequest {
         set: &set,
-        limits: Limits::default(),
-    });
+        ..RunRequest::once(dialect, source, &observe)
+    };
+    let answer = run(&request, Limits::default());
     let call = || {
         let operands: Vec<String> = operands.iter().map(Value::to_string).collect();
         format!("{}({}) in {dialect}", signature.function, operands.join(", "))
     };
     let got = match answer {
         Ok(Outcome::Executed { values }) => values.into_iter().map(|(_, value)| value).next(),
-        Ok(Outcome::Rejected(said)) => {
+        Ok(Outcome::Rejected { diagnostics: said }) => {
             let first = said
                 .first()
-                .map_or_else(String::new, |first| first.code.as_str().to_owned());
+                .and_then(|first| first.code.clone())
+                .unwrap_or_default();
             let message = format!("{} is rejected: {said:?}", call());
             return Err(OracleFailure::new(format!("rejected:{first}"), message));
         }
@@ -111,6 +106,7 @@ fn hold(
             let message = format!("{} faults: {fault}", call());
             return Err(OracleFailure::new(format!("fault:{fault}"), message));
         }
+        Ok(other) => return Err(OracleFailure::new("request", format!("{}: {other}", call()))),
         Err(RequestError::Internal(reason)) => {
             return Err(OracleFailure::new(
                 "internal-error",

@@ -105,7 +105,7 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOut
     }
     let text = write(program, &Style::default()).text;
     let observed = program.observed();
-    let observe: Vec<Observation<'_>> = observed
+    let observe: Vec<Observation> = observed
         .iter()
         .map(|(name, ty)| Observation::last(name, ty.name()))
         .collect();

@@ -9,8 +9,8 @@ use crate::random::{Random, bytes};
 use crate::variants::Variant;
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
-use stickler_reference::{Observation, Outcome, Request, RequestError, run};
-use stickler_types::{DialectName, Value};
+use stickler_reference::{Limits, RequestError, run};
+use stickler_types::{Diagnostic, DialectName, Observation, Outcome, RunRequest, Value};
 
 /// How many variants of a program are tried; which, the input says.
 const VARIANTS_TRIED: usize = 3;
@@ -70,7 +70,8 @@ fn judge_fault(
         Ok(Outcome::Faulted { fault: given, .. }) if given == fault => return Ok(InputOutcome::Checked),
         Ok(Outcome::Faulted { fault: given, .. }) => format!("fault:{given}"),
         Ok(Outcome::Executed { .. }) => format!("not-fault:{fault}"),
-        Ok(Outcome::Rejected(diagnostics)) => rejected(&diagnostics).symptom,
+        Ok(Outcome::Rejected { diagnostics }) => rejected(&diagnostics).symptom,
+        Ok(_) => "not-run".to_owned(),
         Err(error) => broken(&error).symptom,
     };
     let message =
@@ -125,12 +126,19 @@ fn values_of(program: &Program, text: &str) -> Result<Vec<(String, Value)>, Orac
     let observed = program.observed();
     match reference(program.dialect, text, &observed) {
         Ok(Outcome::Executed { values }) => Ok(values),
-        Ok(Outcome::Rejected(diagnostics)) => Err(rejected(&diagnostics)),
-        Ok(Outcome::Faulted { fault, line, .. }) => Err(OracleFailure::new(
-            format!("fault:{fault}"),
-            format!(
-                "the reference stops with the fault {fault} on line {line}, and nothing in the program does that"
-            ),
+        Ok(Outcome::Rejected { diagnostics }) => Err(rejected(&diagnostics)),
+        Ok(Outcome::Faulted { fault, line, .. }) => {
+            let line = line.unwrap_or_default();
+            Err(OracleFailure::new(
+                format!("fault:{fault}"),
+                format!(
+                    "the reference stops with the fault {fault} on line {line}, and nothing in the program does that"
+                ),
+            ))
+        }
+        Ok(other) => Err(OracleFailure::new(
+            "not-run",
+            format!("the reference answers: {other}"),
         )),
         Err(error) => Err(broken(&error)),
     }
@@ -142,24 +150,18 @@ fn reference(
     source: &str,
     observed: &[(String, stickler_types::ElementaryType)],
 ) -> Result<Outcome, RequestError> {
-    let observe: Vec<Observation<'_>> = observed
+    let observe: Vec<Observation> = observed
         .iter()
-        .map(|(name, _)| Observation { name, after: None })
+        .map(|(name, ty)| Observation::last(name, ty.name()))
         .collect();
-    run(&Request::once(dialect, source, &observe))
+    run(&RunRequest::once(dialect, source, &observe), Limits::default())
 }
 
-fn rejected(diagnostics: &[stickler_reference::LocatedDiagnostic]) -> OracleFailure {
-    let code = diagnostics.first().map_or("nothing", |first| first.code.as_str());
-    let told: Vec<String> = diagnostics
-        .iter()
-        .map(|diagnostic| {
-            let place = format!("{}:{}", diagnostic.line, diagnostic.column);
-            format!("{place} {} {}", diagnostic.code, diagnostic.message)
-        })
-        .collect();
+fn rejected(diagnostics: &[Diagnostic]) -> OracleFailure {
+    let code = diagnostics.first().and_then(|first| first.code.as_deref());
+    let told: Vec<String> = diagnostics.iter().map(Diagnostic::to_string).collect();
     let message = format!("the reference rejects a well-typed program: {}", told.join("; "));
-    OracleFailure::new(format!("rejected:{code}"), message)
+    OracleFailure::new(format!("rejected:{}", code.unwrap_or("nothing")), message)
 }
 
 fn broken(error: &RequestError) -> OracleFailure {

@@ -5,8 +5,8 @@ use serde_json::Value as Json;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 use stickler_engines::Reference;
-use stickler_engines::protocol::{DiagnosticMessage, Reply, serve};
-use stickler_types::{Code, Value};
+use stickler_engines::protocol::{Reply, serve};
+use stickler_types::{Diagnostic, Value};
 
 /// The reference, with few steps for each run: what matters here is that there is an answer.
 static ENGINE: LazyLock<Reference> = LazyLock::new(|| Reference::with_step_limit(20_000));
@@ -167,22 +167,20 @@ fn hold_values(
 /// There is a diagnostic; each has a code, a message and a place in the text, and they are sorted.
 fn hold_diagnostics(
     request: &serde_json::Map<String, Json>,
-    diagnostics: &[DiagnosticMessage],
+    diagnostics: &[Diagnostic],
 ) -> Result<(), OracleFailure> {
     let source = request.get("source").and_then(Json::as_str).unwrap_or_default();
     let lines = source.bytes().filter(|byte| *byte == b'\n').count() + 1;
-    let sound = |said: &DiagnosticMessage| {
+    let sound = |said: &Diagnostic| {
         let (start, end) = ((said.line, said.column), (said.end_line, said.end_column));
-        said.code
-            .as_deref()
-            .is_some_and(|code| code.parse::<Code>().is_ok())
+        said.registered_code().is_some()
             && !said.message.is_empty()
             && start >= (Some(1), Some(1))
             && said.column >= Some(1)
             && end >= start
             && said.end_line <= u32::try_from(lines).ok()
     };
-    let order = |said: &DiagnosticMessage| (said.line, said.column, said.code.clone());
+    let order = |said: &Diagnostic| (said.line, said.column, said.code.clone());
     if !diagnostics.is_empty() && diagnostics.iter().all(sound) && diagnostics.is_sorted_by_key(order) {
         return Ok(());
     }

@@ -188,10 +188,7 @@ fn rendered(program: &Program, random: &mut Random<'_, '_>) -> String {
     };
     let text = write(program, &style).text;
     render(&text, program.dialect).unwrap_or_else(|diagnostics| {
-        let told: Vec<String> = diagnostics
-            .iter()
-            .map(|diagnostic| format!("{} {}", diagnostic.code, diagnostic.message))
-            .collect();
+        let told: Vec<String> = diagnostics.iter().map(ToString::to_string).collect();
         format!("(* the renderer refuses the text: {} *)", told.join("; "))
     })
 }

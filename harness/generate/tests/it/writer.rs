@@ -77,11 +77,14 @@ fn run(program: &Program, text: &str) -> Result<Vec<(String, Value)>, String> {
     let observed = program.observed();
     let names: Vec<_> = observed
         .iter()
-        .map(|(name, _)| stickler_reference::Observation { name, after: None })
+        .map(|(name, _)| stickler_types::Observation::last(name, ""))
         .collect();
-    let outcome = stickler_reference::run(&stickler_reference::Request::once(program.dialect, text, &names));
+    let outcome = stickler_reference::run(
+        &stickler_types::RunRequest::once(program.dialect, text, &names),
+        stickler_reference::Limits::default(),
+    );
     match outcome {
-        Ok(stickler_reference::Outcome::Executed { values }) => Ok(values),
+        Ok(stickler_types::Outcome::Executed { values }) => Ok(values),
         other => Err(format!("{other:?}\n{text}")),
     }
 }

@@ -7,10 +7,8 @@ mod bodies;
 
 use crate::prepared::{Acceptance, Case, Expectation};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use stickler_reference::{
-    Limits, LocatedDiagnostic, Observation, Outcome, Request, RequestError, ValueSetting, render, run,
-};
-use stickler_types::{DialectName, Value};
+use stickler_reference::{Limits, render, run};
+use stickler_types::{Diagnostic, DialectName, Observation, Outcome, RunRequest, Setting, Value};
 
 /// What is to be said of the reference's answer to a case; `None` where it is right. A panic is a wrong answer.
 #[must_use]
@@ -25,11 +23,13 @@ fn wrong(case: &Case<'_>) -> Option<String> {
     };
     let expectation = &case.expectation;
     let told = match &answer {
-        Outcome::Rejected(diagnostics) => rejected(expectation, diagnostics),
+        Outcome::Rejected { diagnostics } => rejected(expectation, diagnostics),
         Outcome::Faulted { fault, line, values } => {
-            faulted(expectation, (*line, fault.as_str())).or_else(|| values_differ(expectation, values))
+            let found = (line.unwrap_or_default(), fault.as_str());
+            faulted(expectation, found).or_else(|| values_differ(expectation, values))
         }
         Outcome::Executed { values } => executed(expectation).or_else(|| values_differ(expectation, values)),
+        other => Some(other.to_string()),
     };
     told.or_else(|| {
         let wanted = expectation.rendered.as_ref()?;
@@ -45,37 +45,34 @@ fn answer(case: &Case<'_>, source: &str) -> Result<Outcome, String> {
         .iter()
         .map(|&(name, after)| observation(name, after))
         .collect();
-    let values = case.set.iter().map(|&(_, _, literal)| Value::parse(literal));
-    let values = values
-        .collect::<Result<Vec<_>, _>>()
-        .map_err(|error| error.to_string())?;
-    let set = case.set.iter().zip(&values);
-    let set: Vec<_> = set
-        .map(|(&(before, name, _), value)| ValueSetting { before, name, value })
-        .collect();
-    let request = Request {
-        dialect,
-        source,
-        scans: case.scans,
-        observe: &observe,
-        clock: &[],
-        set: &set,
-        limits: Limits::default(),
+    let setting = |&(before, name, literal): &(u32, &str, &str)| {
+        let value = Value::parse(literal).map_err(|error| error.to_string())?;
+        Ok::<_, String>(Setting {
+            before,
+            name: name.into(),
+            value,
+        })
     };
-    run(&request).map_err(|error: RequestError| error.to_string())
+    let set = case.set.iter().map(setting).collect::<Result<Vec<_>, _>>()?;
+    let request = RunRequest {
+        scans: case.scans,
+        set: &set,
+        ..RunRequest::once(dialect, source, &observe)
+    };
+    run(&request, Limits::default()).map_err(|error| error.to_string())
 }
 
-fn observation(name: &str, after: u32) -> Observation<'_> {
+fn observation(name: &str, after: u32) -> Observation {
     Observation {
-        name,
         after: (after > 0).then_some(after),
+        ..Observation::last(name, "")
     }
 }
 
-fn rejected(expectation: &Expectation<'_>, diagnostics: &[LocatedDiagnostic]) -> Option<String> {
+fn rejected(expectation: &Expectation<'_>, diagnostics: &[Diagnostic]) -> Option<String> {
     let mut found: Vec<(u32, &str)> = diagnostics
         .iter()
-        .map(|found| (found.line, found.code.as_str()))
+        .filter_map(|found| Some((found.line?, found.code.as_deref()?)))
         .collect();
     found.sort_unstable();
     let on_clean_line = found
@@ -149,7 +146,7 @@ fn means_the_same(first: &Outcome, again: &Outcome) -> bool {
                 ..
             },
         ) => fault == fault_again && values == values_again,
-        (Outcome::Rejected(_), Outcome::Rejected(_)) => true,
+        (Outcome::Rejected { .. }, Outcome::Rejected { .. }) => true,
         _ => first == again,
     }
 }

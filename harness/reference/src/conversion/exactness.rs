@@ -104,7 +104,7 @@ fn integers_become_reals_with_one_rounding() {
     let twice = (1 << 60) + (1 << 36) + 1;
     assert_eq!(
         convert(Lint, Real, twice),
-        ((1_u64 << 60) as f32 + (1_u64 << 37) as f32).to_bits().into()
+        u64::from(((1_u64 << 60) as f32 + (1_u64 << 37) as f32).to_bits())
     );
 }
 
@@ -123,7 +123,7 @@ fn long_reals_become_reals_with_one_rounding() {
     let too_big = f64::from(f32::MAX) * 2.0;
     assert_eq!(
         convert(Lreal, Real, too_big.to_bits()),
-        f32::INFINITY.to_bits().into()
+        u64::from(f32::INFINITY.to_bits())
     );
 }
 
@@ -305,7 +305,7 @@ fn only_zero_is_false() {
     let real = |value: f64| convert(Lreal, Bool, value.to_bits());
     assert_eq!([0.0, -0.0, f64::MIN_POSITIVE, f64::NAN].map(real), [0, 0, 1, 1]);
     assert_eq!(convert(Real, Bool, (-0.0_f32).to_bits().into()), 0);
-    assert_eq!(convert(Bool, Real, 1), 1.0_f32.to_bits().into());
+    assert_eq!(convert(Bool, Real, 1), u64::from(1.0_f32.to_bits()));
     assert_eq!(convert(Bool, Byte, 1), 1);
 }
 
@@ -362,7 +362,7 @@ fn durations_become_reals_with_one_rounding() {
         }
     }
     assert_eq!(convert(Time, Lreal, 0), 0);
-    assert_eq!(convert(Time, Real, 1_500_000), 1.5_f32.to_bits().into());
+    assert_eq!(convert(Time, Real, 1_500_000), u64::from(1.5_f32.to_bits()));
 }
 
 #[test]

@@ -237,7 +237,10 @@ mod tests {
     fn reals_are_rounded_once_to_their_own_width() {
         // Half a unit above 1.0 in REAL, and a little more: by way of LREAL it would round to even, down.
         let above_half = "1.000000059604644775390626";
-        assert_eq!(whole(above_half, Real), (1.0_f32 + f32::EPSILON).to_bits().into());
+        assert_eq!(
+            whole(above_half, Real),
+            u64::from((1.0_f32 + f32::EPSILON).to_bits())
+        );
         assert_eq!(whole("5", Lreal), 5.0_f64.to_bits());
         assert_eq!(whole("1e3", Lreal), 1000.0_f64.to_bits());
         assert_eq!(whole("-0.0", Lreal), (-0.0_f64).to_bits());

@@ -1,19 +1,19 @@
 //! Checking and rendering: all that can be said about a source text without running it.
 
-use super::located::{LocatedDiagnostic, locate};
-use crate::diagnostic::Diagnostic;
+use super::located::locate;
+use crate::diagnostic::Diagnostic as SpannedDiagnostic;
 use crate::dialect::Dialect;
 use crate::semantics::{self, CheckedProgram};
 use crate::source::{self, LineIndex};
 use crate::syntax;
-use stickler_types::{Code, DialectName};
+use stickler_types::{Code, Diagnostic, DialectName};
 
 /// A source text after all stages but the last.
 pub(super) struct Checked {
     /// What can be run; `None` where the text has an error or no PROGRAM.
     pub program: Option<CheckedProgram>,
     /// What is wrong with the text.
-    pub diagnostics: Vec<Diagnostic>,
+    pub diagnostics: Vec<SpannedDiagnostic>,
     /// Lines and columns of the text.
     pub lines: LineIndex,
 }
@@ -35,7 +35,7 @@ impl Checked {
 /// Checks a source text: gives everything that is wrong with it, sorted by line, column and code; nothing
 /// where the dialect accepts it. A text without a PROGRAM is acceptable.
 #[must_use]
-pub fn check(source: &str, dialect: DialectName) -> Vec<LocatedDiagnostic> {
+pub fn check(source: &str, dialect: DialectName) -> Vec<Diagnostic> {
     let checked = Checked::new(source, &Dialect::of(dialect));
     locate(checked.diagnostics, source, &checked.lines)
 }
@@ -43,7 +43,7 @@ pub fn check(source: &str, dialect: DialectName) -> Vec<LocatedDiagnostic> {
 /// Checks a source text that may be no text: gives it as it was read (see [`source::decode`]), which is
 /// what the positions refer to, and everything that is wrong with it.
 #[must_use]
-pub fn check_bytes(bytes: &[u8], dialect: DialectName) -> (String, Vec<LocatedDiagnostic>) {
+pub fn check_bytes(bytes: &[u8], dialect: DialectName) -> (String, Vec<Diagnostic>) {
     let (text, mut diagnostics) = source::decode(bytes);
     let checked = Checked::new(&text, &Dialect::of(dialect));
     diagnostics.extend(checked.diagnostics);
@@ -67,7 +67,7 @@ pub fn variables(source: &str, dialect: DialectName, most: usize) -> Vec<String>
 ///
 /// # Errors
 /// The diagnostics where the text cannot be read, or uses what its dialect does not enable.
-pub fn render(source: &str, dialect: DialectName) -> Result<String, Vec<LocatedDiagnostic>> {
+pub fn render(source: &str, dialect: DialectName) -> Result<String, Vec<Diagnostic>> {
     let dialect = Dialect::of(dialect);
     let lines = LineIndex::new(source);
     let (unit, mut diagnostics) = syntax::parse(source, &dialect);
@@ -85,7 +85,7 @@ pub fn render(source: &str, dialect: DialectName) -> Result<String, Vec<LocatedD
 }
 
 /// What is said of a text that is acceptable and has nothing to run; it belongs to the last token.
-pub(super) fn nothing_to_run(source: &str, dialect: &Dialect) -> Diagnostic {
+pub(super) fn nothing_to_run(source: &str, dialect: &Dialect) -> SpannedDiagnostic {
     let span = syntax::last_token(source, dialect);
-    Diagnostic::new(Code::NoProgramDeclaration, span, "there is no PROGRAM to run")
+    SpannedDiagnostic::new(Code::NoProgramDeclaration, span, "there is no PROGRAM to run")
 }

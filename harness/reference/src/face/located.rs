@@ -3,36 +3,16 @@
 //! Basis: stickler-design: §4 (order, positions; a code that says a construct is not enabled suppresses every
 //! other diagnostic about that construct).
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Diagnostic as SpannedDiagnostic;
 use crate::source::{LineIndex, Span};
-use stickler_types::Code;
-
-/// Something wrong with a source text, and where. Lines and columns count from 1, columns in Unicode scalar
-/// values; the end is exclusive.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct LocatedDiagnostic {
-    /// What kind of thing is wrong.
-    pub code: Code,
-    /// The line on which the place begins.
-    pub line: u32,
-    /// The column of its first character.
-    pub column: u32,
-    /// The line on which the place ends.
-    pub end_line: u32,
-    /// The column behind its last character.
-    pub end_column: u32,
-    /// What is wrong here, as a lower-case fragment without a full stop.
-    pub message: String,
-    /// Text that replaces exactly this place and makes the program acceptable.
-    pub suggestion: Option<String>,
-}
+use stickler_types::Diagnostic;
 
 /// Drops what is suppressed, finds lines and columns, sorts by line, column and code, and says nothing twice.
 pub(super) fn locate(
-    mut diagnostics: Vec<Diagnostic>,
+    mut diagnostics: Vec<SpannedDiagnostic>,
     text: &str,
     lines: &LineIndex,
-) -> Vec<LocatedDiagnostic> {
+) -> Vec<Diagnostic> {
     suppress(&mut diagnostics);
     let mut located: Vec<_> = diagnostics
         .into_iter()
@@ -43,10 +23,18 @@ pub(super) fn locate(
     located
 }
 
-type Order<'a> = (u32, u32, &'static str, u32, u32, &'a str);
+/// What diagnostics are sorted by.
+type Order<'a> = (
+    Option<u32>,
+    Option<u32>,
+    &'a Option<String>,
+    Option<u32>,
+    Option<u32>,
+    &'a str,
+);
 
-fn order(diagnostic: &LocatedDiagnostic) -> Order<'_> {
-    let LocatedDiagnostic {
+fn order(diagnostic: &Diagnostic) -> Order<'_> {
+    let Diagnostic {
         code,
         line,
         column,
@@ -55,25 +43,25 @@ fn order(diagnostic: &LocatedDiagnostic) -> Order<'_> {
         message,
         ..
     } = diagnostic;
-    (*line, *column, code.as_str(), *end_line, *end_column, message)
+    (*line, *column, code, *end_line, *end_column, message)
 }
 
-fn at_position(diagnostic: Diagnostic, text: &str, lines: &LineIndex) -> LocatedDiagnostic {
+fn at_position(diagnostic: SpannedDiagnostic, text: &str, lines: &LineIndex) -> Diagnostic {
     let start = lines.position(text, diagnostic.span.start);
     let end = lines.position(text, diagnostic.span.end.max(diagnostic.span.start));
-    LocatedDiagnostic {
-        code: diagnostic.code,
-        line: start.line,
-        column: start.column,
-        end_line: end.line,
-        end_column: end.column,
+    Diagnostic {
+        code: Some(diagnostic.code.as_str().to_owned()),
+        line: Some(start.line),
+        column: Some(start.column),
+        end_line: Some(end.line),
+        end_column: Some(end.column),
         message: diagnostic.message,
         suggestion: diagnostic.suggestion,
     }
 }
 
 /// Drops whatever is said about a construct that is not enabled, except that.
-fn suppress(diagnostics: &mut Vec<Diagnostic>) {
+fn suppress(diagnostics: &mut Vec<SpannedDiagnostic>) {
     let not_enabled = diagnostics
         .iter()
         .filter(|diagnostic| diagnostic.code.not_enabled());
@@ -114,17 +102,18 @@ fn overlaps(constructs: &[(u32, u32)], (start, end): (u32, u32)) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::Code;
 
     const TEXT: &str = "é := x.%X3;\nb := 5;\n";
 
     fn codes(diagnostics: &[(Code, u32, u32)]) -> Vec<(Code, u32, u32)> {
         let diagnostics = diagnostics
             .iter()
-            .map(|&(code, start, end)| Diagnostic::new(code, Span { start, end }, code.as_str()));
+            .map(|&(code, start, end)| SpannedDiagnostic::new(code, Span { start, end }, code.as_str()));
         let located = locate(diagnostics.collect(), TEXT, &LineIndex::new(TEXT));
         located
             .iter()
-            .map(|diagnostic| (diagnostic.code, diagnostic.line, diagnostic.column))
+            .filter_map(|found| Some((found.registered_code()?, found.line?, found.column?)))
             .collect()
     }
 

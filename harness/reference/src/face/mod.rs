@@ -8,6 +8,5 @@ mod run;
 mod settings;
 
 pub use diagnose::{check, check_bytes, render, variables};
-pub use located::LocatedDiagnostic;
-pub use request::{ClockSetting, Limits, Observation, Outcome, Request, RequestError, ValueSetting};
+pub use request::{Limits, RequestError};
 pub use run::run;

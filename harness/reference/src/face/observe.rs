@@ -1,9 +1,9 @@
 //! The values that a request asks for, taken from the machine by their names.
 
-use super::request::{Observation, RequestError};
+use super::request::RequestError;
 use crate::execution::Machine;
 use crate::semantics::{CheckedProgram, Observed, ObservedType};
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, NamedValue, Observation, Value};
 
 /// The values that a request asks for.
 pub(super) struct Observer<'a> {
@@ -15,7 +15,7 @@ pub(super) struct Observer<'a> {
 }
 
 struct Wanted<'a> {
-    observation: Observation<'a>,
+    observation: &'a Observation,
     place: Observed,
     value: Option<Value>,
 }
@@ -24,14 +24,14 @@ impl<'a> Observer<'a> {
     /// Finds each value's place.
     pub fn new(
         program: &CheckedProgram,
-        observe: &[Observation<'a>],
+        observe: &'a [Observation],
         scans: u32,
     ) -> Result<Observer<'a>, RequestError> {
-        let find = |observation: &Observation<'a>| {
-            check_scan(observation.name, observation.after.unwrap_or(0), scans)?;
+        let find = |observation: &'a Observation| {
+            check_scan(&observation.name, observation.after.unwrap_or(0), scans)?;
             Ok(Wanted {
-                observation: *observation,
-                place: resolve(program, observation.name)?,
+                observation,
+                place: resolve(program, &observation.name)?,
                 value: None,
             })
         };
@@ -59,7 +59,7 @@ impl<'a> Observer<'a> {
     }
 
     /// Takes down what is wanted after the last scan, and gives everything.
-    pub fn finish(mut self, machine: &Machine<'_>) -> Vec<(String, Value)> {
+    pub fn finish(mut self, machine: &Machine<'_>) -> Vec<NamedValue> {
         for wanted in self
             .wanted
             .iter_mut()
@@ -69,15 +69,8 @@ impl<'a> Observer<'a> {
         }
         self.wanted
             .into_iter()
-            .filter_map(|wanted| Some((key(wanted.observation), wanted.value?)))
+            .filter_map(|wanted| Some((wanted.observation.key().to_string(), wanted.value?)))
             .collect()
-    }
-}
-
-fn key(observation: Observation<'_>) -> String {
-    match observation.after {
-        Some(scan) => format!("{}@{scan}", observation.name),
-        None => observation.name.to_owned(),
     }
 }
 

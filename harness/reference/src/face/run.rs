@@ -3,37 +3,44 @@
 use super::diagnose::{Checked, nothing_to_run};
 use super::located::locate;
 use super::observe::Observer;
-use super::request::{Outcome, Request, RequestError};
+use super::request::{Limits, RequestError};
 use super::settings::Settings;
 use crate::dialect::Dialect;
 use crate::execution::{Machine, Stop};
 use crate::semantics::CheckedProgram;
+use stickler_types::{Outcome, RunRequest};
 
-/// Runs a program and gives the values asked for.
+/// Runs a program within limits and gives the values asked for, each by its [key](stickler_types::Observation::key), in the order
+/// in which they were asked for.
+///
+/// Where the program faults, values after scans that were not finished are left out, and those after the last scan are the
+/// values at the fault. No function of the reference reads the clock yet.
 ///
 /// # Errors
 /// [`RequestError`] where the request does not fit the program; a program that is not acceptable, or that faults,
 /// is an [`Outcome`].
-pub fn run(request: &Request<'_>) -> Result<Outcome, RequestError> {
+pub fn run(request: &RunRequest<'_>, limits: Limits) -> Result<Outcome, RequestError> {
     let dialect = Dialect::of(request.dialect);
     let mut checked = Checked::new(request.source, &dialect);
     if checked.diagnostics.is_empty() {
         if let Some(program) = &checked.program {
-            return execute(program, request);
+            return execute(program, request, limits);
         }
         checked.diagnostics.push(nothing_to_run(request.source, &dialect));
     }
-    Ok(Outcome::Rejected(locate(
-        checked.diagnostics,
-        request.source,
-        &checked.lines,
-    )))
+    Ok(Outcome::Rejected {
+        diagnostics: locate(checked.diagnostics, request.source, &checked.lines),
+    })
 }
 
-fn execute(program: &CheckedProgram, request: &Request<'_>) -> Result<Outcome, RequestError> {
+fn execute(
+    program: &CheckedProgram,
+    request: &RunRequest<'_>,
+    limits: Limits,
+) -> Result<Outcome, RequestError> {
     let mut observer = Observer::new(program, request.observe, request.scans)?;
     let mut settings = Settings::new(program, request.set, request.scans)?;
-    let mut machine = Machine::new(&program.program, request.limits.steps);
+    let mut machine = Machine::new(&program.program, limits.steps);
     match scan_all(&mut machine, &mut observer, &mut settings, request.scans) {
         Ok(()) => Ok(Outcome::Executed {
             values: observer.finish(&machine),
@@ -42,7 +49,7 @@ fn execute(program: &CheckedProgram, request: &Request<'_>) -> Result<Outcome, R
             let values = observer.finish(&machine);
             Ok(Outcome::Faulted {
                 fault: fault.kind,
-                line: fault.line,
+                line: Some(fault.line),
                 values,
             })
         }

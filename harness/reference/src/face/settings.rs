@@ -1,20 +1,21 @@
 //! The variables that a request sets between scans.
 
 use super::observe::{check_scan, resolve};
-use super::request::{RequestError, ValueSetting};
+use super::request::RequestError;
 use crate::execution::Machine;
 use crate::semantics::{CheckedProgram, ObservedType};
-use stickler_types::Value;
+use stickler_types::{Setting, Value};
 
 /// The variables to set, in the form that the machine takes.
 pub(super) struct Settings<'a> {
     /// By scan, and for one scan in the order of the request.
-    list: Vec<Setting<'a>>,
+    list: Vec<ResolvedSetting<'a>>,
     /// How many have been applied.
     applied: usize,
 }
 
-struct Setting<'a> {
+/// A variable to set whose place is known.
+struct ResolvedSetting<'a> {
     before: u32,
     address: u32,
     value: SettingValue<'a>,
@@ -30,12 +31,12 @@ impl<'a> Settings<'a> {
     /// Finds each variable's place, and holds the value against its type.
     pub fn new(
         program: &CheckedProgram,
-        set: &[ValueSetting<'a>],
+        set: &'a [Setting],
         scans: u32,
     ) -> Result<Settings<'a>, RequestError> {
         let mut list = set
             .iter()
-            .map(|setting| Setting::new(program, setting, scans))
+            .map(|setting| ResolvedSetting::new(program, setting, scans))
             .collect::<Result<Vec<_>, _>>()?;
         list.sort_by_key(|setting| setting.before);
         Ok(Settings { list, applied: 0 })
@@ -58,26 +59,26 @@ impl<'a> Settings<'a> {
     }
 }
 
-impl<'a> Setting<'a> {
+impl<'a> ResolvedSetting<'a> {
     fn new(
         program: &CheckedProgram,
-        setting: &ValueSetting<'a>,
+        setting: &'a Setting,
         scans: u32,
-    ) -> Result<Setting<'a>, RequestError> {
+    ) -> Result<ResolvedSetting<'a>, RequestError> {
         if setting.before == 0 {
             return Err(RequestError::NoSuchScan {
-                name: setting.name.to_owned(),
+                name: setting.name.to_string(),
                 scan: 0,
             });
         }
-        check_scan(setting.name, setting.before, scans)?;
-        let place = resolve(program, setting.name)?;
-        let value = matching(&place.ty, setting.value).ok_or_else(|| RequestError::WrongType {
-            name: setting.name.to_owned(),
+        check_scan(&setting.name, setting.before, scans)?;
+        let place = resolve(program, &setting.name)?;
+        let value = matching(&place.ty, &setting.value).ok_or_else(|| RequestError::WrongType {
+            name: setting.name.to_string(),
             expected: type_name(&place.ty).to_owned(),
             value: setting.value.to_string(),
         })?;
-        Ok(Setting {
+        Ok(ResolvedSetting {
             before: setting.before,
             address: place.address,
             value,

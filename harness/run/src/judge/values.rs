@@ -2,44 +2,9 @@
 
 use super::findings::Findings;
 use crate::{Fact, Observed};
-use std::fmt;
 use stickler_engines::NamedValue;
 use stickler_suite::{Case, ExpectedValue};
-use stickler_types::Value;
-
-/// The name of a value as the protocol writes it: `q`, or `q@3` after the third scan.
-#[derive(Clone, Copy)]
-struct Key<'a> {
-    name: &'a str,
-    after: Option<u32>,
-}
-
-impl fmt::Display for Key<'_> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(self.name)?;
-        self.after.map_or(Ok(()), |after| write!(formatter, "@{after}"))
-    }
-}
-
-impl Key<'_> {
-    fn is(&self, text: &str) -> bool {
-        stickler_engines::Observation {
-            name: self.name,
-            type_name: "",
-            after: self.after,
-        }
-        .is_key(text)
-    }
-}
-
-impl<'a> From<&'a ExpectedValue> for Key<'a> {
-    fn from(expected: &'a ExpectedValue) -> Key<'a> {
-        Key {
-            name: &expected.name,
-            after: expected.after,
-        }
-    }
-}
+use stickler_types::{ObservationKey, Value};
 
 /// Finds values by key. Engines answer in the order in which they were asked, so the search goes on where the
 /// last one ended and is linear in all.
@@ -53,7 +18,7 @@ impl<'a> Finder<'a> {
         Finder { values, next: 0 }
     }
 
-    fn find(&mut self, key: Key<'_>) -> Option<&'a Value> {
+    fn find(&mut self, key: ObservationKey<'_>) -> Option<&'a Value> {
         let (before, after) = self.values.split_at(self.next);
         let at = after.iter().chain(before).position(|(name, _)| key.is(name))?;
         let at = (self.next + at) % self.values.len();
@@ -65,7 +30,7 @@ impl<'a> Finder<'a> {
 /// Returns an expected value as a fact.
 pub(super) fn expected(expected: &ExpectedValue) -> Fact {
     Fact::Value {
-        name: Key::from(expected).to_string(),
+        name: expected.key().to_string(),
         value: expected.value.clone(),
     }
 }
@@ -74,7 +39,7 @@ pub(super) fn expected(expected: &ExpectedValue) -> Fact {
 pub(super) fn compare(expected: &[ExpectedValue], values: &[NamedValue], findings: &mut Findings) {
     let mut finder = Finder::new(values);
     for expected in expected {
-        let key = Key::from(expected);
+        let key = expected.key();
         let name = key.to_string();
         let found = finder.find(key);
         findings.require(found == Some(&expected.value));
@@ -87,16 +52,10 @@ pub(super) fn compare(expected: &[ExpectedValue], values: &[NamedValue], finding
 
 /// Adds the values that the case wants recorded and does not assert.
 pub(super) fn unasserted(case: &Case, values: &[NamedValue], observations: &mut Vec<Observed>) {
-    let asserted = |key: Key<'_>| {
-        let same = |value: &ExpectedValue| *value.name == *key.name && value.after == key.after;
-        case.expectation.values.iter().any(same)
-    };
+    let asserted = |key| case.expectation.values.iter().any(|value| value.key() == key);
     let mut finder = Finder::new(values);
     for observe in case.observe.iter() {
-        let key = Key {
-            name: &observe.name,
-            after: observe.after,
-        };
+        let key = observe.key();
         if asserted(key) {
             continue;
         }

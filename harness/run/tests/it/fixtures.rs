@@ -7,9 +7,9 @@ use stickler_engines::{
 };
 use stickler_run::{Event, Memory, Plan, Summary, run_with};
 use stickler_suite::{
-    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue, Observe, Suite,
+    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue, Suite,
 };
-use stickler_types::{DialectName, Value};
+use stickler_types::{DialectName, Observation, Value};
 
 /// The events of a run, without what the clock says.
 pub fn timeless_events(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> Vec<Event> {
@@ -62,12 +62,12 @@ pub fn case(id: &str) -> Case {
 
 /// A case with this expectation, which observes all the values that it asserts.
 pub fn expecting(expectation: Expectation) -> Case {
-    let observe = |value: &ExpectedValue| Observe {
+    let observe = |value: &ExpectedValue| Observation {
         name: value.name.clone(),
-        ty: value.value.type_name().into(),
+        type_name: value.value.type_name().into(),
         after: value.after,
     };
-    let observe: Arc<[Observe]> = expectation.values.iter().map(observe).collect();
+    let observe: Arc<[Observation]> = expectation.values.iter().map(observe).collect();
     Case {
         observe,
         expectation: Arc::new(expectation),

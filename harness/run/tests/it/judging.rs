@@ -4,8 +4,8 @@ use crate::fixtures::{executed, expecting, fault, named, rejected, rejection, va
 use std::sync::Arc;
 use stickler_engines::Outcome;
 use stickler_run::{Answers, Fact, Grade, Judgement, Observed, Verdict, is_open, judge};
-use stickler_suite::{Acceptance, Case, Expectation, Observe};
-use stickler_types::Fault;
+use stickler_suite::{Acceptance, Case, Expectation};
+use stickler_types::{Fault, Observation};
 
 fn judged(expectation: Expectation, run: Outcome) -> Judgement {
     judge(&expecting(expectation), &Answers::of_run(run), Grade::Code)
@@ -214,10 +214,9 @@ fn where_acceptance_is_open_values_hold_if_it_is_accepted() {
 
 #[test]
 fn what_is_observed_and_not_asserted_is_recorded() {
-    let observe = |name: &str, after| Observe {
-        name: name.into(),
-        ty: "INT".into(),
+    let observe = |name: &str, after| Observation {
         after,
+        ..Observation::last(name, "INT")
     };
     let mut case: Case = expecting(values(&["x = INT#1"]));
     case.observe = Arc::new([
@@ -292,11 +291,7 @@ fn crash_timeout_unsupported_and_nonsense_have_verdicts_of_their_own() {
 #[test]
 fn a_case_is_open_that_records_and_asserts_nothing_but_acceptance() {
     let observing = |expectation: Expectation| Case {
-        observe: Arc::new([Observe {
-            name: "x".into(),
-            ty: "INT".into(),
-            after: None,
-        }]),
+        observe: Arc::new([Observation::last("x", "INT")]),
         ..expecting(expectation)
     };
     assert!(is_open(&observing(Expectation::default())));

@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use stickler_engines::{Engine, Outcome, RunRequest};
 use stickler_run::{Event, Memory, Plan, Summary, run_with};
-use stickler_suite::{Case, ClockSetting, Observe, Suite, VariableSetting};
-use stickler_types::{DialectName, Value};
+use stickler_suite::{Case, Suite};
+use stickler_types::{ClockSetting, DialectName, Observation, Setting, Value};
 
 /// A memory that lasts as long as the test.
 #[derive(Default)]
@@ -149,13 +149,11 @@ fn what_is_remembered_does_not_wait_for_a_run_that_stops() {
 
 #[test]
 fn whatever_an_engine_is_handed_is_part_of_the_question_and_nothing_else() {
-    let observe = |name: &str, ty: &str, after| Observe {
-        name: name.into(),
-        ty: ty.into(),
+    let observe = |name: &str, type_name: &str, after| Observation {
         after,
+        ..Observation::last(name, type_name)
     };
-    let time = || Value::parse("TIME#1s").unwrap();
-    let set = |before, literal: &str| VariableSetting {
+    let set = |before, literal: &str| Setting {
         before,
         name: "in".into(),
         value: Value::parse(literal).unwrap(),
@@ -187,7 +185,7 @@ fn whatever_an_engine_is_handed_is_part_of_the_question_and_nothing_else() {
         different.push(Case {
             clock: Arc::new([ClockSetting {
                 before,
-                value: time(),
+                nanoseconds: 1_000_000_000,
             }]),
             ..plain.clone()
         });

@@ -50,7 +50,10 @@ fn a_cell_becomes_a_case_for_each_value_and_dialect() {
         "PROGRAM main\nVAR\nfrom : BOOL := TRUE;\ninto : WORD;\nEND_VAR\ninto := from; (*! error P4035 if no *)\nEND_PROGRAM\n"
     );
     assert_eq!(expected(last), [("into", "WORD#16#0001".to_owned())]);
-    assert_eq!((&*last.observe[0].name, &*last.observe[0].ty), ("into", "WORD"));
+    assert_eq!(
+        (&*last.observe[0].name, &*last.observe[0].type_name),
+        ("into", "WORD")
+    );
     assert_eq!((last.line, &*last.title), (6, "t BOOL"));
     let cell = last.cell.as_ref().unwrap();
     assert_eq!(
@@ -83,7 +86,7 @@ fn an_open_cell_records_acceptance_and_the_value() {
     assert_eq!(cases[0].expectation.accepted, Acceptance::Observed);
     assert!(cases[0].expectation.values.is_empty());
     assert_eq!(
-        (&*cases[0].observe[0].name, &*cases[0].observe[0].ty),
+        (&*cases[0].observe[0].name, &*cases[0].observe[0].type_name),
         ("into", "WORD")
     );
 }
@@ -250,7 +253,7 @@ fn declared_types_have_their_own_values() {
         expected(of("COLOR,COLOR,GREEN")),
         [("into", "COLOR#GREEN".to_owned())]
     );
-    assert_eq!(&*of("COLOR,COLOR,GREEN").observe[0].ty, "COLOR");
+    assert_eq!(&*of("COLOR,COLOR,GREEN").observe[0].type_name, "COLOR");
     assert!(
         of("COLOR,COLOR,RED")
             .source
@@ -286,7 +289,7 @@ fn a_time_that_no_number_holds_is_recorded() {
     let of = |value: &str| cases.iter().find(|case| case.id.contains(value)).unwrap();
     assert_eq!(expected(of("TIME#1ms")), [("into", "UDINT#1".to_owned())]);
     assert!(expected(of("TIME#-1ms")).is_empty());
-    assert_eq!(&*of("TIME#-1ms").observe[0].ty, "UDINT");
+    assert_eq!(&*of("TIME#-1ms").observe[0].type_name, "UDINT");
     assert_eq!(of("TIME#-1ms").expectation.accepted, Acceptance::Required);
 }
 

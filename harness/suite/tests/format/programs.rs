@@ -96,7 +96,11 @@ fn values_are_expected_after_their_scan() {
             ("small", Some(2), value("INT#1"), 13),
         ]
     );
-    let observed: Vec<_> = case.observe.iter().map(|o| (&*o.name, &*o.ty, o.after)).collect();
+    let observed: Vec<_> = case
+        .observe
+        .iter()
+        .map(|o| (&*o.name, &*o.type_name, o.after))
+        .collect();
     assert_eq!(
         observed,
         [
@@ -122,7 +126,10 @@ fn faults_renderings_and_observations_are_read() {
         rendered.lines.iter().map(|line| &**line).collect::<Vec<_>>(),
         ["x := 1;", "", "y;"]
     );
-    assert_eq!((&*case.observe[0].name, &*case.observe[0].ty), ("c", "COLOR"));
+    assert_eq!(
+        (&*case.observe[0].name, &*case.observe[0].type_name),
+        ("c", "COLOR")
+    );
 }
 
 #[test]
@@ -154,9 +161,9 @@ fn settings_come_from_marks_and_from_the_header() {
     let clock: Vec<_> = case
         .clock
         .iter()
-        .map(|clock| (clock.before, clock.value.clone()))
+        .map(|clock| (clock.before, clock.nanoseconds))
         .collect();
-    assert_eq!(clock, [(1, value("LTIME#1s")), (2, value("TIME#150ms"))]);
+    assert_eq!(clock, [(1, 1_000_000_000), (2, 150_000_000)]);
 }
 
 #[test]

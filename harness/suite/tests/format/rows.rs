@@ -75,7 +75,10 @@ fn words_expect_rejection_faults_and_nothing() {
         Some(Fault::Subrange)
     );
     assert!(fault.observe.is_empty() && ok.observe.is_empty());
-    assert_eq!((&*open.observe[0].name, &*open.observe[0].ty), ("x", "INT"));
+    assert_eq!(
+        (&*open.observe[0].name, &*open.observe[0].type_name),
+        ("x", "INT")
+    );
 }
 
 #[test]

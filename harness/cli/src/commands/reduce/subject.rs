@@ -82,9 +82,9 @@ impl<'e> Subject<'e> {
     /// What the reference does: the values of all variables of an elementary type.
     fn expected(&self, dialect: DialectName, source: &str) -> Result<Outcome, EngineError> {
         let names = stickler_reference::variables(source, dialect, MOST);
-        let observe: Vec<Observation<'_>> = names.iter().map(|name| Observation::last(name, "")).collect();
+        let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
         let mut session = self.reference.session()?;
-        let outcome = guard(|| session.run(&request(dialect, source, &observe)));
+        let outcome = guard(|| session.run(&RunRequest::once(dialect, source, &observe)));
         Ok(match outcome {
             Outcome::Executed { mut values } => {
                 values.retain(|(_, value)| !matches!(value, Value::Enumerated { .. }));
@@ -105,7 +105,7 @@ impl<'e> Subject<'e> {
             Outcome::Executed { values } => values,
             _ => &[],
         };
-        let observe: Vec<Observation<'_>> = values
+        let observe: Vec<Observation> = values
             .iter()
             .map(|(name, value)| Observation::last(name, value.type_name()))
             .collect();
@@ -113,7 +113,7 @@ impl<'e> Subject<'e> {
         let outcome = if rejected && self.identity().can(Ability::Check) {
             guard(|| self.session.check(dialect, source))
         } else {
-            guard(|| self.session.run(&request(dialect, source, &observe)))
+            guard(|| self.session.run(&RunRequest::once(dialect, source, &observe)))
         };
         if matches!(outcome, Outcome::Crashed { .. }) {
             // What a panic has left behind must not be used again.
@@ -121,8 +121,4 @@ impl<'e> Subject<'e> {
         }
         Ok(outcome)
     }
-}
-
-fn request<'a>(dialect: DialectName, source: &'a str, observe: &'a [Observation<'a>]) -> RunRequest<'a> {
-    RunRequest::once(dialect, source, observe)
 }

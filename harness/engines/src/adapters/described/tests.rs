@@ -24,12 +24,11 @@ fn please(engine: &dyn Engine, what: &str) -> Outcome {
 }
 
 fn ask(engine: &dyn Engine, what: &str, observe: &[(&str, &str, Option<u32>)], scans: u32) -> Outcome {
-    let observe: Vec<Observation<'_>> = observe
+    let observe: Vec<Observation> = observe
         .iter()
         .map(|&(name, type_name, after)| Observation {
-            name,
-            type_name,
             after,
+            ..Observation::last(name, type_name)
         })
         .collect();
     let source = format!("PROGRAM main\n(* please: {what} *)\nEND_PROGRAM\n");

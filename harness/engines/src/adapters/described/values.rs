@@ -28,16 +28,11 @@ impl<'t> Printed<'t> {
     ///
     /// # Errors
     /// A fragment that says why it is not to be seen.
-    pub(super) fn value(
-        &self,
-        variable: &str,
-        asked: &Observation<'_>,
-        source: &str,
-    ) -> Result<Value, String> {
+    pub(super) fn value(&self, variable: &str, asked: &Observation, source: &str) -> Result<Value, String> {
         match self.0.get(&variable.to_lowercase()) {
             None => Err(format!("it does not show {}", asked.name)),
             Some(None) => Err(format!("it shows several values of {}", asked.name)),
-            Some(Some(shown)) => value(shown, asked.type_name, source)
+            Some(Some(shown)) => value(shown, &asked.type_name, source)
                 .ok_or_else(|| format!("it shows `{shown}` as {} {}", asked.type_name, asked.name)),
         }
     }
@@ -83,7 +78,7 @@ fn real(ty: ElementaryType, shown: &str) -> Option<Value> {
 mod tests {
     use super::*;
 
-    fn asked<'a>(name: &'a str, type_name: &'a str) -> Observation<'a> {
+    fn asked(name: &str, type_name: &str) -> Observation {
         Observation::last(name, type_name)
     }
 

@@ -73,9 +73,9 @@ impl Sights {
                 .unwrap_or_default(),
         };
         for asked in request.observe {
-            if !sights.sights.contains_key(asked.name) {
+            if !sights.sights.contains_key(&*asked.name) {
                 let sight = sights.sight(asked, request.source);
-                sights.sights.insert(asked.name.to_owned(), sight);
+                sights.sights.insert(asked.name.to_string(), sight);
             }
         }
         sights
@@ -86,12 +86,12 @@ impl Sights {
         &self.witnesses
     }
 
-    fn sight(&mut self, asked: &Observation<'_>, source: &str) -> Sight {
-        let by_name = !asked.name.contains(['.', '[']) && !self.experience.ambiguous.contains(asked.name);
-        let Some(ty) = ElementaryType::from_name(asked.type_name) else {
-            return match enumeration(source, asked.type_name) {
-                Some(values) if by_name => Sight::Enumerated(asked.name.to_owned(), values),
-                Some(values) => Sight::Enumerated(self.copy(asked.name, asked.type_name), values),
+    fn sight(&mut self, asked: &Observation, source: &str) -> Sight {
+        let by_name = !asked.name.contains(['.', '[']) && !self.experience.ambiguous.contains(&*asked.name);
+        let Some(ty) = ElementaryType::from_name(&asked.type_name) else {
+            return match enumeration(source, &asked.type_name) {
+                Some(values) if by_name => Sight::Enumerated(asked.name.to_string(), values),
+                Some(values) => Sight::Enumerated(self.copy(&asked.name, &asked.type_name), values),
                 None if asked.type_name.is_empty() => {
                     Sight::Blind(format!("the type of {} was not told", asked.name))
                 }
@@ -99,12 +99,12 @@ impl Sights {
             };
         };
         match ty {
-            _ if ty.is_text() => self.text(asked.name, ty),
+            _ if ty.is_text() => self.text(&asked.name, ty),
             ElementaryType::Ldate | ElementaryType::Ltod | ElementaryType::Ldt => {
                 Sight::Blind(format!("of a value of {ty} only one half is shown"))
             }
             _ if by_name => Sight::Simple(ty),
-            _ => Sight::Copy(self.copy(asked.name, ty.name()), ty),
+            _ => Sight::Copy(self.copy(&asked.name, ty.name()), ty),
         }
     }
 
@@ -146,16 +146,16 @@ impl Sights {
     ///
     /// # Errors
     /// [`Blind`] where it shows none.
-    pub(super) fn value(&self, asked: &Observation<'_>, dump: &Dump<'_>) -> Result<Value, Blind> {
-        match self.sights.get(asked.name) {
+    pub(super) fn value(&self, asked: &Observation, dump: &Dump<'_>) -> Result<Value, Blind> {
+        match self.sights.get(&*asked.name) {
             Some(Sight::Simple(ty)) => {
-                dump::value(*ty, self.shown(asked.name, asked.name, dump)?).map_err(Blind::Unsupported)
+                dump::value(*ty, self.shown(&asked.name, &asked.name, dump)?).map_err(Blind::Unsupported)
             }
             Some(Sight::Copy(name, ty)) => {
-                dump::value(*ty, self.shown(asked.name, name, dump)?).map_err(Blind::Unsupported)
+                dump::value(*ty, self.shown(&asked.name, name, dump)?).map_err(Blind::Unsupported)
             }
             Some(Sight::Enumerated(name, values)) => {
-                let shown = self.shown(asked.name, name, dump)?;
+                let shown = self.shown(&asked.name, name, dump)?;
                 let value = shown
                     .trim()
                     .parse::<usize>()
@@ -164,21 +164,21 @@ impl Sights {
                 let value = value.ok_or_else(|| {
                     Blind::Unsupported(format!("it shows `{shown}` as {}", asked.type_name))
                 })?;
-                Ok(Value::enumerated(asked.type_name, value))
+                Ok(Value::enumerated(&*asked.type_name, value))
             }
             Some(Sight::Text {
                 ty,
                 length,
                 characters,
-            }) => self.read_text(asked.name, *ty, length, characters, dump),
+            }) => self.read_text(&asked.name, *ty, length, characters, dump),
             Some(Sight::Blind(reason)) => Err(Blind::Unsupported(reason.clone())),
             None => Err(Blind::Unsupported(format!("nobody looked at {}", asked.name))),
         }
     }
 
     /// The value of what needs no witness, if that is so and the dump shows it.
-    pub(super) fn simple(&self, asked: &Observation<'_>, dump: &Dump<'_>) -> Option<Value> {
-        match (self.sights.get(asked.name)?, dump.find(asked.name)) {
+    pub(super) fn simple(&self, asked: &Observation, dump: &Dump<'_>) -> Option<Value> {
+        match (self.sights.get(&*asked.name)?, dump.find(&asked.name)) {
             (Sight::Simple(ty), Shown::Value(shown)) => dump::value(*ty, shown).ok(),
             _ => None,
         }
@@ -255,15 +255,15 @@ mod tests {
 
     const SOURCE: &str = "TYPE COLOR : (RED, GREEN); END_TYPE PROGRAM main END_PROGRAM";
 
-    fn observation<'a>(name: &'a str, type_name: &'a str) -> Observation<'a> {
+    fn observation(name: &str, type_name: &str) -> Observation {
         Observation::last(name, type_name)
     }
 
-    fn request<'a>(observe: &'a [Observation<'a>]) -> RunRequest<'a> {
+    fn request(observe: &[Observation]) -> RunRequest<'_> {
         RunRequest::once(DialectName::IronplcEd2, SOURCE, observe)
     }
 
-    fn seen(sights: &Sights, asked: &Observation<'_>, dump: &str) -> String {
+    fn seen(sights: &Sights, asked: &Observation, dump: &str) -> String {
         match sights.value(asked, &Dump::read(dump)) {
             Ok(value) => value.to_string(),
             Err(Blind::Unsupported(reason)) => reason,

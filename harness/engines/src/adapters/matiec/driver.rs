@@ -144,15 +144,15 @@ fn write_before(text: &mut String, number: usize, request: &RunRequest<'_>) -> R
 }
 
 /// The statement that writes a variable.
-fn written(number: usize, setting: &Setting<'_>) -> Result<String, String> {
+fn written(number: usize, setting: &Setting) -> Result<String, String> {
     let cannot = || format!("its driver cannot write {}", setting.name);
-    let Value::Plain { ty, raw } = *setting.value else {
+    let Value::Plain { ty, raw } = setting.value else {
         return Err(cannot());
     };
     if setting.name.contains(['.', '[']) {
         return Err(cannot());
     }
-    let variable = place(number, setting.name);
+    let variable = place(number, &setting.name);
     Ok(if is_time(ty) {
         let (seconds, rest) = split(raw.cast_signed());
         format!("{variable} = (TIME){{{seconds}, {rest}}};")
@@ -199,10 +199,10 @@ fn text(digits: &str) -> Option<Vec<u16>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ClockStep, Observation};
+    use crate::{ClockSetting, Observation};
     use stickler_types::DialectName;
 
-    fn observation<'a>(name: &'a str, type_name: &'a str) -> Observation<'a> {
+    fn observation(name: &str, type_name: &str) -> Observation {
         Observation::last(name, type_name)
     }
 
@@ -215,7 +215,7 @@ mod tests {
         }])
     }
 
-    fn request<'a>(observe: &'a [Observation<'a>]) -> RunRequest<'a> {
+    fn request(observe: &[Observation]) -> RunRequest<'_> {
         RunRequest {
             scans: 3,
             ..RunRequest::once(
@@ -280,16 +280,15 @@ mod tests {
             observation("a[1]", "INT"),
             observation("r.f", "BYTE"),
         ];
-        let value = Value::parse("INT#-2").unwrap();
         let request = RunRequest {
-            clock: &[ClockStep {
+            clock: &[ClockSetting {
                 before: 2,
                 nanoseconds: 1_500_000_000,
             }],
             set: &[Setting {
                 before: 3,
-                name: "in",
-                value: &value,
+                name: "in".into(),
+                value: Value::parse("INT#-2").unwrap(),
             }],
             ..request(&observe)
         };

@@ -36,8 +36,8 @@ impl<'r> Member<'r> {
         // Such a program may be asked about more than once.
         let copied_for_nothing = !copies.witnesses().is_empty() && (main.returns || request.scans == 0);
         // The driver looks for variables under the names that they have.
-        let seen = request.observe.iter().map(|asked| asked.name);
-        let set = request.set.iter().map(|setting| setting.name);
+        let seen = request.observe.iter().map(|asked| &asked.name);
+        let set = request.set.iter().map(|setting| &setting.name);
         let renamed = seen.chain(set).any(|path| names.contains(&base(path)));
         let fits = !(copied_for_nothing || renamed || request.source.to_ascii_lowercase().contains(SUFFIX));
         fits.then_some(Member {
@@ -268,11 +268,11 @@ mod tests {
         "PROGRAM main\nVAR n : SINT; f : INT; END_VAR\n  n := f;\nEND_PROGRAM",
     ];
 
-    fn request<'a>(source: &'a str, observe: &'a [Observation<'a>]) -> RunRequest<'a> {
+    fn request<'a>(source: &'a str, observe: &'a [Observation]) -> RunRequest<'a> {
         RunRequest::once(DialectName::Matiec, source, observe)
     }
 
-    fn members<'r>(programs: &[&'r str], observe: &'r [Observation<'r>]) -> Vec<Member<'r>> {
+    fn members<'r>(programs: &[&'r str], observe: &'r [Observation]) -> Vec<Member<'r>> {
         let taken = HashSet::new();
         let numbered = programs.iter().enumerate();
         numbered

@@ -112,7 +112,7 @@ impl<'r> Program<'r> {
                 .request
                 .observe
                 .iter()
-                .map(|asked| renamed(asked.name))
+                .map(|asked| renamed(&asked.name))
                 .collect(),
         }
     }

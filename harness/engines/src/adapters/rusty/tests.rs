@@ -8,6 +8,7 @@ use crate::{Diagnostic, Observation};
 use std::io::Write;
 use std::os::unix::process::ExitStatusExt;
 use std::process::ExitStatus;
+use std::sync::LazyLock;
 
 /// What a build of April 2025 says of programs in which such mistakes were planted, with other names of the files.
 const SAID: &str = "program_0.st:3:7:{3:7-3:8}: warning[E067]: Implicit downcast from 'LREAL' to 'REAL'.\n\
@@ -84,15 +85,18 @@ fn stand_in() -> Option<(Rusty, Folder)> {
 }
 
 /// What the programs of these tests are asked for.
-const OBSERVED: [Observation<'static>; 4] = [
-    Observation::last("x", "INT"),
-    Observation {
+static OBSERVED: LazyLock<[Observation; 4]> = LazyLock::new(|| {
+    let early = Observation {
         after: Some(2),
         ..Observation::last("a[1]", "INT")
-    },
-    Observation::last("t", "TIME"),
-    Observation::last("s", "STRING"),
-];
+    };
+    [
+        Observation::last("x", "INT"),
+        early,
+        Observation::last("t", "TIME"),
+        Observation::last("s", "STRING"),
+    ]
+});
 
 fn source(what: &str) -> String {
     format!("PROGRAM main\n(* please: {what} *)\nEND_PROGRAM\n")
@@ -101,7 +105,7 @@ fn source(what: &str) -> String {
 fn request(source: &str, scans: u32) -> RunRequest<'_> {
     RunRequest {
         scans,
-        ..RunRequest::once(DialectName::IronplcRusty, source, &OBSERVED)
+        ..RunRequest::once(DialectName::IronplcRusty, source, &*OBSERVED)
     }
 }
 

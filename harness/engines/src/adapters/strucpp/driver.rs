@@ -173,7 +173,7 @@ fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ClockStep, Observation};
+    use crate::{ClockSetting, Observation};
     use stickler_types::DialectName;
 
     #[test]
@@ -196,7 +196,7 @@ mod tests {
             source: "",
             scans: 2,
             observe: &observe,
-            clock: &[ClockStep {
+            clock: &[ClockSetting {
                 before: 2,
                 nanoseconds: 5,
             }],

@@ -36,7 +36,7 @@ fn outcome(bug: &Bug, given: &Program) -> Outcome {
     }
     let source = write(&run, &Style::default()).text;
     let observed = given.observed();
-    let observe: Vec<Observation<'_>> = observed
+    let observe: Vec<Observation> = observed
         .iter()
         .map(|(name, ty)| Observation::last(name, ty.name()))
         .collect();

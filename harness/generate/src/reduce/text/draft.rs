@@ -10,7 +10,7 @@ use std::ops::Range;
 use std::rc::Rc;
 use stickler_reference::syntax::tree::SourceUnit;
 use stickler_reference::{Dialect, syntax};
-use stickler_types::{Code, DialectName};
+use stickler_types::{Code, Diagnostic, DialectName};
 
 /// A text, and what must hold for every text made from it.
 #[derive(Clone, Debug)]
@@ -162,7 +162,7 @@ impl Allowed {
         let found = stickler_reference::check(text, dialect);
         let (unit, diagnostics) = syntax::parse(text, &Dialect::of(dialect));
         Allowed {
-            codes: found.into_iter().map(|diagnostic| diagnostic.code).collect(),
+            codes: found.iter().filter_map(Diagnostic::registered_code).collect(),
             unreadable: !diagnostics.is_empty(),
             empty_lists: lists(&unit).into_iter().filter(|list| list.is_empty()).count(),
         }

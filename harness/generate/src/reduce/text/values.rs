@@ -9,8 +9,8 @@ use super::tree::bytes;
 use crate::reduce::Sites;
 use std::collections::HashMap;
 use stickler_reference::syntax::tree::ExpressionKind;
-use stickler_reference::{Limits, Observation, Outcome, Request, run, variables};
-use stickler_types::Value;
+use stickler_reference::{Limits, run, variables};
+use stickler_types::{Observation, Outcome, RunRequest, Value};
 
 /// How many variables are looked at.
 const MAX_STATEMENTS: usize = 300;
@@ -45,16 +45,12 @@ fn to_value(draft: &TextDraft, scans: u32) -> Vec<TextChange> {
 /// The values of the variables after some scans, as literals, by their names in lower case.
 fn values(draft: &TextDraft, scans: u32) -> HashMap<String, String> {
     let names = variables(&draft.text, draft.dialect, MAX_STATEMENTS);
-    let observe: Vec<Observation<'_>> = names
-        .iter()
-        .map(|name| Observation { name, after: None })
-        .collect();
-    let outcome = run(&Request {
+    let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
+    let request = RunRequest {
         scans,
-        limits: Limits { steps: 100_000 },
-        ..Request::once(draft.dialect, &draft.text, &observe)
-    });
-    let values = match outcome {
+        ..RunRequest::once(draft.dialect, &draft.text, &observe)
+    };
+    let values = match run(&request, Limits { steps: 100_000 }) {
         Ok(Outcome::Executed { values } | Outcome::Faulted { values, .. }) => values,
         _ => Vec::new(),
     };

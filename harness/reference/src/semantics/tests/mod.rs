@@ -17,8 +17,8 @@ use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::semantics::check;
 use crate::source::LineIndex;
-use crate::{Observation, Outcome, Request, run};
-use stickler_types::{DialectName, Value};
+use crate::{Limits, run};
+use stickler_types::{DialectName, Observation, Outcome, RunRequest, Value};
 
 pub(super) const ED2: DialectName = DialectName::IronplcEd2;
 pub(super) const ED3: DialectName = DialectName::IronplcEd3;
@@ -87,11 +87,12 @@ pub(super) fn gives_in(dialect: DialectName, text: &str, scans: u32, expected: &
         .collect();
     let observe: Vec<_> = expected
         .iter()
-        .map(|(name, _)| Observation { name, after: None })
+        .map(|(name, _)| Observation::last(name, ""))
         .collect();
-    let outcome = run(&Request {
+    let request = RunRequest {
         scans,
-        ..Request::once(dialect, text, &observe)
-    });
+        ..RunRequest::once(dialect, text, &observe)
+    };
+    let outcome = run(&request, Limits::default());
     assert_eq!(outcome, Ok(Outcome::Executed { values: expected }), "{text}");
 }

@@ -160,7 +160,7 @@ fn a_text_of_the_greatest_length_is_read() {
     assert_eq!(read("STRING_TO_INT", &format!("{zeros}7")), 7);
     assert_eq!(
         read("STRING_TO_REAL", &format!("{}7.5", &zeros[2..])),
-        7.5_f32.to_bits().into()
+        u64::from(7.5_f32.to_bits())
     );
     assert_eq!(
         read("STRING_TO_TIME", &format!("T#{}1ms", &zeros[4..])),

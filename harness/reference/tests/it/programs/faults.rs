@@ -33,9 +33,9 @@ fn an_endless_loop_ends() {
     let outcome = super::support::attempt(super::support::DIALECT, &source, &[]);
     let ended = matches!(
         outcome,
-        Ok(stickler_reference::Outcome::Faulted {
+        Ok(stickler_types::Outcome::Faulted {
             fault: Fault::StepLimit,
-            line: 5..=7,
+            line: Some(5..=7),
             ..
         })
     );

@@ -1,8 +1,8 @@
 //! Input that nobody would write: diagnostics, never a panic, a hang or memory without bound.
 
-use super::support::{DIALECT, attempt, program};
-use stickler_reference::{Observation, Outcome, Request, check, check_bytes, render, run};
-use stickler_types::{Code, DialectName, Fault, Value};
+use super::support::{DIALECT, attempt, code, code_and_line, program};
+use stickler_reference::{Limits, check, check_bytes, render, run};
+use stickler_types::{Code, DialectName, Fault, Observation, Outcome, RunRequest, Value};
 
 /// Everything that can be asked about a source text; gives its codes in the ordinary dialect.
 fn codes(source: &str) -> Vec<Code> {
@@ -12,14 +12,16 @@ fn codes(source: &str) -> Vec<Code> {
     let outcome = attempt(DIALECT, source, &["x"]);
     let found = check(source, DIALECT);
     assert!(
-        found.iter().all(|found| found.line > 0 && found.column > 0),
+        found
+            .iter()
+            .all(|found| found.line > Some(0) && found.column > Some(0)),
         "{found:?}"
     );
     assert!(
-        found.is_empty() || matches!(outcome, Ok(Outcome::Rejected(_))),
+        found.is_empty() || matches!(outcome, Ok(Outcome::Rejected { .. })),
         "{outcome:?}"
     );
-    found.into_iter().map(|found| found.code).collect()
+    found.iter().map(code).collect()
 }
 
 #[test]
@@ -131,9 +133,9 @@ fn a_line_of_a_megabyte_has_its_columns() {
     let found = check(&source, DIALECT);
     let places: Vec<_> = found
         .iter()
-        .map(|found| (found.code, found.line, found.column))
+        .map(|found| (code_and_line(found), found.column))
         .collect();
-    assert_eq!(places, [(Code::VariableUndefined, 5, (1 << 20) + 6)]);
+    assert_eq!(places, [((Code::VariableUndefined, 5), Some((1 << 20) + 6))]);
 }
 
 #[test]
@@ -161,7 +163,7 @@ fn texts_that_grow_meet_the_step_limit() {
                 fault: Fault::StepLimit,
                 ..
             }
-            | Outcome::Rejected(_),
+            | Outcome::Rejected { .. },
         ) => {}
         other => panic!("{other:?}"),
     }
@@ -194,11 +196,8 @@ fn the_longest_texts_are_converted_in_constants_and_as_the_program_runs() {
         ("a[12]", "INT#1"),
     ];
     for dialect in DialectName::ALL {
-        let outcome = run(&Request::once(
-            dialect,
-            &source,
-            &expected.map(|(name, _)| Observation { name, after: None }),
-        ));
+        let observe = expected.map(|(name, _)| Observation::last(name, ""));
+        let outcome = run(&RunRequest::once(dialect, &source, &observe), Limits::default());
         let values = expected.map(|(name, value)| {
             let value = Value::parse(value).expect("a typed literal");
             (name.to_owned(), value)

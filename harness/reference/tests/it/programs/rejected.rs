@@ -1,8 +1,10 @@
 //! Programs that are not acceptable: codes, lines, places and suggestions.
 
-use super::support::{DIALECT, assert_diagnostics, assert_diagnostics_in, attempt, place, program};
-use stickler_reference::{Outcome, check, check_bytes, render};
-use stickler_types::{Code, DialectName};
+use super::support::{
+    DIALECT, assert_diagnostics, assert_diagnostics_in, attempt, code, code_and_line, place, program,
+};
+use stickler_reference::{check, check_bytes, render};
+use stickler_types::{Code, DialectName, Outcome};
 
 #[test]
 fn a_suggestion_replaces_its_place_and_makes_the_program_acceptable() {
@@ -12,7 +14,7 @@ fn a_suggestion_replaces_its_place_and_makes_the_program_acceptable() {
         panic!("{found:#?}")
     };
     assert_eq!(
-        (mismatch.code, place(&source, mismatch)),
+        (code(mismatch), place(&source, mismatch)),
         (Code::AssignmentTypeMismatch, "d")
     );
     assert_eq!(mismatch.suggestion.as_deref(), Some("DINT_TO_INT(d)"));
@@ -54,13 +56,9 @@ fn all_errors_of_a_source_are_said_at_once() {
     ];
     let found = check(&source, DIALECT);
     assert_eq!(
-        found.iter().map(|found| found.line).collect::<Vec<_>>(),
-        [5, 6, 7],
+        found.iter().map(code_and_line).collect::<Vec<_>>(),
+        expected,
         "{found:#?}"
-    );
-    assert_eq!(
-        found.iter().map(|found| found.code).collect::<Vec<_>>(),
-        expected.map(|(code, _)| code)
     );
 }
 
@@ -77,7 +75,7 @@ fn a_bit_outside_its_type_is_rejected() {
     let expected = [(Code::BitAccessOutOfRange, 6), (Code::BitAccessTypeInvalid, 7)];
     let found = check(&source, DIALECT);
     assert_eq!(
-        found.iter().map(|found| found.code.as_str()).collect::<Vec<_>>(),
+        found.iter().map(|found| code(found).as_str()).collect::<Vec<_>>(),
         ["P4025", "P4069"],
         "{found:#?}"
     );
@@ -89,8 +87,8 @@ fn a_text_without_a_program_is_acceptable_and_cannot_be_run() {
     let source = "FUNCTION F : INT\n    F := 1;\nEND_FUNCTION\n\n(* the end *)\n";
     assert_diagnostics(source, &[]);
     match attempt(DIALECT, source, &["x"]) {
-        Ok(Outcome::Rejected(found)) => {
-            let places: Vec<_> = found.iter().map(|found| (found.code, found.line)).collect();
+        Ok(Outcome::Rejected { diagnostics: found }) => {
+            let places: Vec<_> = found.iter().map(code_and_line).collect();
             assert_eq!(places, [(Code::NoProgramDeclaration, 3)]);
         }
         other => panic!("{other:#?}"),
@@ -104,10 +102,7 @@ fn bytes_that_are_no_text_are_diagnosed() {
         DIALECT,
     );
     assert!(text.starts_with("PROGRAM main"));
-    assert_eq!(
-        found.first().map(|found| (found.code, found.line)),
-        Some((Code::UnexpectedToken, 2))
-    );
+    assert_eq!(found.first().map(code_and_line), Some((Code::UnexpectedToken, 2)));
 }
 
 #[test]
@@ -123,7 +118,7 @@ fn rendering_is_stable_and_refuses_what_cannot_be_read() {
     assert_eq!(
         refused
             .iter()
-            .map(|found| found.code.as_str())
+            .map(|found| code(found).as_str())
             .collect::<Vec<_>>(),
         ["P4033"]
     );

@@ -1,8 +1,8 @@
 //! Several scans: variables stay, the environment writes, and values are observed in between.
 
 use super::support::{DIALECT, attempt_scans, program, spelled};
-use stickler_reference::{Outcome, RequestError};
-use stickler_types::Fault;
+use stickler_reference::RequestError;
+use stickler_types::{Fault, Outcome};
 
 const SOURCE: &str = "
 TYPE COLOR : (RED, GREEN); END_TYPE
@@ -65,7 +65,7 @@ fn a_fault_keeps_what_was_observed_before_it() {
     let observe = [("n", None), ("n", Some(1)), ("n", Some(3)), ("d", Some(2))];
     match attempt_scans(DIALECT, SOURCE, 4, &observe, &[]) {
         Ok(Outcome::Faulted { fault, line, values }) => {
-            assert_eq!((fault, line), (Fault::DivisionByZero, 7));
+            assert_eq!((fault, line), (Fault::DivisionByZero, Some(7)));
             assert_eq!(spelled(&values), ["n = INT#13", "n@1 = INT#11", "d@2 = DINT#1"]);
         }
         other => panic!("no fault: {other:#?}"),
@@ -80,7 +80,7 @@ fn the_step_limit_holds_for_all_scans_together() {
             outcome,
             Ok(Outcome::Faulted {
                 fault: Fault::StepLimit,
-                line: 5,
+                line: Some(5),
                 ..
             })
         ),

@@ -2,8 +2,8 @@
 //! conversion function exists, the suggestion names it and repairs the program.
 
 use stickler_reference::conversion::{conversion_function_name, implicit};
-use stickler_reference::{Dialect, LocatedDiagnostic, check};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_reference::{Dialect, check};
+use stickler_types::{Diagnostic, DialectName, ElementaryType};
 
 /// Programs in which a value of type `FROM` named `a` stands on a line of its own where `INTO` is expected.
 const CONTEXTS: [(&str, &str, &str); 7] = [
@@ -52,9 +52,9 @@ fn written(context: &str, from: ElementaryType, to: ElementaryType) -> String {
 }
 
 /// The source with a diagnostic's place, a line of its own, replaced by the suggestion.
-fn repaired(source: &str, found: &LocatedDiagnostic) -> Option<String> {
+fn repaired(source: &str, found: &Diagnostic) -> Option<String> {
     let mut lines: Vec<_> = source.lines().collect();
-    *lines.get_mut(found.line as usize - 1)? = found.suggestion.as_deref()?;
+    *lines.get_mut(found.line? as usize - 1)? = found.suggestion.as_deref()?;
     Some(lines.join("\n"))
 }
 
@@ -84,8 +84,9 @@ fn contexts_follow_the_one_rule_and_suggestions_repair() {
                 let [only] = &found[..] else {
                     panic!("{about}: {found:#?}")
                 };
-                assert_eq!(only.code.as_str(), code, "{about}");
-                assert_eq!(source.lines().nth(only.line as usize - 1), Some("a"), "{about}");
+                assert_eq!(only.code.as_deref(), Some(code), "{about}");
+                let line = only.line.and_then(|line| source.lines().nth(line as usize - 1));
+                assert_eq!(line, Some("a"), "{about}");
                 match conversion_function_name(from, to, &dialect) {
                     Some(function) => {
                         assert_eq!(only.suggestion, Some(format!("{function}(a)")), "{about}");
@@ -111,7 +112,7 @@ PROGRAM main VAR b : INTO; END_VAR b :=\nF()\n; END_PROGRAM";
             let source = written(template, from, to);
             let codes: Vec<_> = check(&source, name)
                 .into_iter()
-                .map(|found| found.code.as_str())
+                .filter_map(|found| found.code)
                 .collect();
             let expected: &[&str] = if implicit(from, to, &dialect).is_some() {
                 &[]

@@ -1,9 +1,9 @@
 //! Short ways to run a program and to say what must come of it.
 
-use stickler_reference::{
-    Limits, LocatedDiagnostic, Observation, Outcome, Request, RequestError, ValueSetting, check, run,
+use stickler_reference::{Limits, RequestError, check, run};
+use stickler_types::{
+    Code, Diagnostic, DialectName, Fault, Observation, Outcome, RunRequest, Setting, Value,
 };
-use stickler_types::{Code, DialectName, Fault, Value};
 
 /// The dialect of tests that are not about dialects.
 pub const DIALECT: DialectName = DialectName::IronplcEd3;
@@ -29,27 +29,25 @@ pub fn attempt_scans(
 ) -> Result<Outcome, RequestError> {
     let observe: Vec<_> = observe
         .iter()
-        .map(|&(name, after)| Observation { name, after })
-        .collect();
-    let literals: Vec<_> = set
-        .iter()
-        .map(|(_, _, literal)| Value::parse(literal).expect("a typed literal"))
+        .map(|&(name, after)| Observation {
+            after,
+            ..Observation::last(name, "")
+        })
         .collect();
     let set: Vec<_> = set
         .iter()
-        .zip(&literals)
-        .map(|(&(before, name, _), value)| ValueSetting { before, name, value })
+        .map(|&(before, name, literal)| Setting {
+            before,
+            name: name.into(),
+            value: Value::parse(literal).expect("a typed literal"),
+        })
         .collect();
-    let limits = Limits { steps: 100_000 };
-    run(&Request {
-        dialect,
-        source,
+    let request = RunRequest {
         scans,
-        observe: &observe,
-        clock: &[],
         set: &set,
-        limits,
-    })
+        ..RunRequest::once(dialect, source, &observe)
+    };
+    run(&request, Limits { steps: 100_000 })
 }
 
 /// The values in their canonical spelling, each with its name.
@@ -99,7 +97,7 @@ pub fn assert_fault(source: &str, expected: (Fault, u32), values_so_far: &[&str]
         .collect();
     match attempt(DIALECT, source, &names) {
         Ok(Outcome::Faulted { fault, line, values }) => {
-            assert_eq!((fault, line), expected);
+            assert_eq!((fault, line), (expected.0, Some(expected.1)));
             assert_eq!(spelled(&values), values_so_far);
         }
         other => panic!("no fault: {other:#?}"),
@@ -110,11 +108,18 @@ pub fn assert_fault(source: &str, expected: (Fault, u32), values_so_far: &[&str]
 #[track_caller]
 pub fn assert_diagnostics_in(dialect: DialectName, source: &str, expected: &[(Code, u32)]) {
     let found = check(source, dialect);
-    let places: Vec<_> = found
-        .iter()
-        .map(|diagnostic| (diagnostic.code, diagnostic.line))
-        .collect();
+    let places: Vec<_> = found.iter().map(code_and_line).collect();
     assert_eq!(places, expected, "{found:#?}");
+}
+
+/// The code of a diagnostic and the line on which it begins. The reference always gives both.
+pub fn code_and_line(diagnostic: &Diagnostic) -> (Code, u32) {
+    (code(diagnostic), diagnostic.line.expect("a line"))
+}
+
+/// The code of a diagnostic.
+pub fn code(diagnostic: &Diagnostic) -> Code {
+    diagnostic.registered_code().expect("a code of the registry")
 }
 
 /// The same in the ordinary dialect.
@@ -124,14 +129,14 @@ pub fn assert_diagnostics(source: &str, expected: &[(Code, u32)]) {
 }
 
 /// The text that a diagnostic's place covers, on one line.
-pub fn place<'s>(source: &'s str, diagnostic: &LocatedDiagnostic) -> &'s str {
+pub fn place<'s>(source: &'s str, diagnostic: &Diagnostic) -> &'s str {
     let line = source
         .lines()
-        .nth(diagnostic.line as usize - 1)
+        .nth(code_and_line(diagnostic).1 as usize - 1)
         .expect("the line exists");
-    let byte = |column: u32| {
+    let byte = |column: Option<u32>| {
         line.char_indices()
-            .nth(column as usize - 1)
+            .nth(column.expect("a column") as usize - 1)
             .map_or(line.len(), |(at, _)| at)
     };
     &line[byte(diagnostic.column)..byte(diagnostic.end_column)]

@@ -1,0 +1,203 @@
+//! What is answered: what an engine did with a program.
+
+use crate::{Code, Fault, Value};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// A value under the name by which it was asked for (`q`, `a[1]`, `q@3`; see [`Observation::key`](crate::Observation::key)).
+pub type NamedValue = (String, Value);
+
+/// What an engine did with a program. Crashing is not rejecting (design, section 2, rule 3).
+#[derive(Clone, PartialEq, Debug)]
+pub enum Outcome {
+    /// The program was accepted; nothing was executed.
+    Accepted,
+    /// The program ran to the end of its last scan.
+    Executed {
+        /// The observed values, in the order asked for.
+        values: Vec<NamedValue>,
+    },
+    /// The program was rejected.
+    Rejected {
+        /// Why, sorted by line, column, code.
+        diagnostics: Vec<Diagnostic>,
+    },
+    /// The program was accepted and stopped at a run-time fault.
+    Faulted {
+        /// What kind of fault.
+        fault: Fault,
+        /// The line (from 1), where the engine tells it.
+        line: Option<u32>,
+        /// The values observed so far.
+        values: Vec<NamedValue>,
+    },
+    /// The program as normalised source.
+    Rendered {
+        /// The whole source.
+        text: String,
+    },
+    /// The engine cannot answer this request, and says so.
+    Unsupported {
+        /// Why, as a fragment.
+        reason: String,
+    },
+    /// The engine died, or panicked.
+    Crashed {
+        /// What is known about it, as a fragment.
+        reason: String,
+    },
+    /// The engine did not answer in time.
+    TimedOut {
+        /// How long it was waited for, in milliseconds.
+        after_ms: u64,
+    },
+    /// The engine did not understand the request, or answered nonsense.
+    Error {
+        /// What went wrong, as a fragment.
+        message: String,
+    },
+}
+
+impl Outcome {
+    /// Writes a time limit as messages have it: `300 ms`, `60 s`, `1.5 s`.
+    #[must_use]
+    pub fn limit(milliseconds: u64) -> String {
+        match (milliseconds / 1000, milliseconds % 1000) {
+            (0, rest) => format!("{rest} ms"),
+            (seconds, 0) => format!("{seconds} s"),
+            (seconds, rest) => format!("{seconds}.{rest:03}").trim_end_matches('0').to_owned() + " s",
+        }
+    }
+}
+
+impl fmt::Display for Outcome {
+    /// Writes the outcome in one line, without values and rendered text: `accepted`, `no answer within 60 s`,
+    /// `crashed: panicked: out of memory`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Outcome::Accepted => f.write_str("accepted"),
+            Outcome::Executed { .. } => f.write_str("executed"),
+            Outcome::Rejected { diagnostics } => match diagnostics.first() {
+                Some(first) => write!(f, "rejected: {first}"),
+                None => f.write_str("rejected, with no diagnostic"),
+            },
+            Outcome::Faulted { fault, line, .. } => {
+                write!(f, "fault {fault}")?;
+                line.map_or(Ok(()), |line| write!(f, " on line {line}"))
+            }
+            Outcome::Rendered { .. } => f.write_str("rendered"),
+            Outcome::Unsupported { reason } => write!(f, "unsupported: {reason}"),
+            Outcome::Crashed { reason } => write!(f, "crashed: {reason}"),
+            Outcome::TimedOut { after_ms } => write!(f, "no answer within {}", Outcome::limit(*after_ms)),
+            Outcome::Error { message } => write!(f, "error: {message}"),
+        }
+    }
+}
+
+/// Something that an engine finds wrong with a program. Only the message is sure to be there in a foreign engine's answer; the
+/// reference always gives a code of the registry and the whole place.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Diagnostic {
+    /// A code of Stickler's registry, or the engine's own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub code: Option<String>,
+    /// The line, from 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub line: Option<u32>,
+    /// The column, from 1, in Unicode scalar values.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub column: Option<u32>,
+    /// The line on which it ends.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub end_line: Option<u32>,
+    /// The column after its last character.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub end_column: Option<u32>,
+    /// What is wrong, for a person.
+    #[serde(default)]
+    pub message: String,
+    /// Text that replaces exactly the span and makes the program acceptable.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub suggestion: Option<String>,
+}
+
+impl Diagnostic {
+    /// Returns the code, if it is one of the registry.
+    #[must_use]
+    pub fn registered_code(&self) -> Option<Code> {
+        self.code.as_deref()?.parse().ok()
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    /// Writes `P4035 on line 6, column 13: …`, leaving out what is not known; `error` stands in for a missing code.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.code.as_deref().unwrap_or("error"))?;
+        if let Some(line) = self.line {
+            write!(f, " on line {line}")?;
+            if let Some(column) = self.column {
+                write!(f, ", column {column}")?;
+            }
+        }
+        write!(f, ": {}", self.message)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_limit_is_told_in_seconds_where_there_are_any() {
+        for (milliseconds, told) in [
+            (0, "0 ms"),
+            (300, "300 ms"),
+            (1000, "1 s"),
+            (1500, "1.5 s"),
+            (2050, "2.05 s"),
+            (60_000, "60 s"),
+        ] {
+            assert_eq!(Outcome::limit(milliseconds), told);
+        }
+    }
+
+    #[test]
+    fn outcomes_and_diagnostics_are_described_in_one_line() {
+        let first = Diagnostic {
+            code: Some("P4035".to_owned()),
+            line: Some(6),
+            column: Some(13),
+            message: "no INT".to_owned(),
+            ..Diagnostic::default()
+        };
+        assert_eq!(first.registered_code(), Some(Code::AssignmentTypeMismatch));
+        let rejected = |diagnostics: &[Diagnostic]| Outcome::Rejected {
+            diagnostics: diagnostics.to_vec(),
+        };
+        let nameless = Diagnostic {
+            code: None,
+            column: None,
+            ..first.clone()
+        };
+        assert_eq!(nameless.registered_code(), None);
+        let faulted = Outcome::Faulted {
+            fault: Fault::Subrange,
+            line: Some(3),
+            values: Vec::new(),
+        };
+        for (outcome, described) in [
+            (rejected(&[first]), "rejected: P4035 on line 6, column 13: no INT"),
+            (rejected(&[nameless]), "rejected: error on line 6: no INT"),
+            (rejected(&[]), "rejected, with no diagnostic"),
+            (faulted, "fault subrange on line 3"),
+            (Outcome::TimedOut { after_ms: 1500 }, "no answer within 1.5 s"),
+        ] {
+            assert_eq!(outcome.to_string(), described);
+        }
+    }
+}

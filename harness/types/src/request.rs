@@ -1,0 +1,175 @@
+//! What is asked: a program to run, what happens to it from outside, and what to observe of it.
+
+use crate::{DialectName, Value};
+use std::fmt;
+use std::sync::Arc;
+
+/// A program to execute and what to observe of it. It carries no expectation (design, section 2, rule 1).
+#[derive(Clone, Copy, Debug)]
+pub struct RunRequest<'a> {
+    /// The language rules to follow.
+    pub dialect: DialectName,
+    /// The whole source text.
+    pub source: &'a str,
+    /// How many scans to run; 0 runs the start-up only.
+    pub scans: u32,
+    /// The variables whose values are wanted.
+    pub observe: &'a [Observation],
+    /// Simulated time since the start, by scan; ascending.
+    pub clock: &'a [ClockSetting],
+    /// Variables that are written before a scan, in this order.
+    pub set: &'a [Setting],
+}
+
+impl<'a> RunRequest<'a> {
+    /// Builds the request for a program that runs one scan, to which nothing happens from outside.
+    #[must_use]
+    pub const fn once(dialect: DialectName, source: &'a str, observe: &'a [Observation]) -> RunRequest<'a> {
+        RunRequest {
+            dialect,
+            source,
+            scans: 1,
+            observe,
+            clock: &[],
+            set: &[],
+        }
+    }
+
+    /// Tells whether an engine must be able to run several scans, set variables or observe in between to answer this.
+    #[must_use]
+    pub fn needs_scans(&self) -> bool {
+        self.scans != 1
+            || !self.clock.is_empty()
+            || !self.set.is_empty()
+            || self.observe.iter().any(|observation| observation.after.is_some())
+    }
+}
+
+/// A variable whose value is wanted.
+///
+/// The names are shared, because the many cases of one table observe the same variables.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub struct Observation {
+    /// The variable, or a path to an elementary value: `a[1]`, `rec.field[2].x`.
+    pub name: Arc<str>,
+    /// The name of its type (`INT`, `STRING`, `COLOR`), for engines that must be told; empty where nobody said.
+    pub type_name: Arc<str>,
+    /// The scan, counted from 1, after which the value is read, 0 standing for the start; `None` is after the last.
+    pub after: Option<u32>,
+}
+
+impl Observation {
+    /// Builds the observation of a variable after the last scan.
+    #[must_use]
+    pub fn last(name: &str, type_name: &str) -> Observation {
+        Observation {
+            name: name.into(),
+            type_name: type_name.into(),
+            after: None,
+        }
+    }
+
+    /// Returns the name under which the value comes back.
+    #[must_use]
+    pub fn key(&self) -> ObservationKey<'_> {
+        ObservationKey {
+            name: &self.name,
+            after: self.after,
+        }
+    }
+}
+
+/// The name under which an observed value comes back: `q`, or `q@3` where it is read after the third scan.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ObservationKey<'a> {
+    /// The variable or path.
+    pub name: &'a str,
+    /// The scan after which the value is read; `None` is after the last.
+    pub after: Option<u32>,
+}
+
+impl ObservationKey<'_> {
+    /// Tells whether `text` is what `Display` writes, without writing it.
+    #[must_use]
+    pub fn is(&self, text: &str) -> bool {
+        match (self.after, text.strip_prefix(self.name)) {
+            (None, Some(rest)) => rest.is_empty(),
+            (Some(scan), Some(rest)) => rest
+                .strip_prefix('@')
+                .is_some_and(|digits| digits == scan.to_string()),
+            (_, None) => false,
+        }
+    }
+}
+
+impl fmt::Display for ObservationKey<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)?;
+        self.after.map_or(Ok(()), |after| write!(f, "@{after}"))
+    }
+}
+
+/// A variable that is written before a scan.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Setting {
+    /// The scan, counted from 1.
+    pub before: u32,
+    /// The variable, or a path to an elementary value.
+    pub name: Arc<str>,
+    /// The value that it is set to, of exactly the variable's type.
+    pub value: Value,
+}
+
+/// The simulated time at which a scan begins.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ClockSetting {
+    /// The scan, counted from 1.
+    pub before: u32,
+    /// Nanoseconds since the start of the program.
+    pub nanoseconds: i64,
+}
+
+impl ClockSetting {
+    /// Builds the setting from a time literal; `None` where the value is neither a `TIME` nor an `LTIME`.
+    #[must_use]
+    pub fn at(before: u32, time: &Value) -> Option<ClockSetting> {
+        match time {
+            Value::Plain { ty, raw } if ty.is_duration() => Some(ClockSetting {
+                before,
+                nanoseconds: raw.cast_signed(),
+            }),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_is_told_from_every_other_text() {
+        let after = |after| Observation {
+            after,
+            ..Observation::last("q", "BOOL")
+        };
+        let (last, third) = (after(None), after(Some(3)));
+        assert_eq!(
+            (last.key().to_string(), third.key().to_string()),
+            ("q".to_owned(), "q@3".to_owned())
+        );
+        for text in ["q", "q@3", "q@03", "q@", "q2", "p", ""] {
+            assert_eq!(last.key().is(text), text == "q", "{text}");
+            assert_eq!(third.key().is(text), text == "q@3", "{text}");
+        }
+    }
+
+    #[test]
+    fn the_clock_is_set_by_durations_only() {
+        let at = |literal: &str| ClockSetting::at(2, &Value::parse(literal).expect("a literal"));
+        assert_eq!(at("TIME#150ms").map(|step| step.nanoseconds), Some(150_000_000));
+        assert_eq!(at("LTIME#-1ns").map(|step| step.nanoseconds), Some(-1));
+        assert_eq!(at("INT#1"), None);
+        assert_eq!(at("STRING#'1s'"), None);
+    }
+}
