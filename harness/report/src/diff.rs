@@ -1,13 +1,14 @@
 //! Expected beside got, line by line: one comparison that every format shows in its own way.
 
-use similar::{ChangeTag, TextDiff, TextDiffConfig};
-use std::borrow::Cow;
+use similar::algorithms::{Capture, Replace, myers};
+use similar::{DiffOp, DiffTag, group_diff_ops};
 use std::fmt::Write;
-use std::time::Duration;
+use std::ops::Range;
+use std::time::{Duration, Instant};
 
 /// How long a comparison may take before it falls back to a coarser one. Texts come from foreign engines and may be
 /// of any size.
-const PATIENCE: Duration = Duration::from_millis(200);
+const TIMEOUT: Duration = Duration::from_millis(200);
 
 /// How many equal lines stand around a difference.
 const CONTEXT: usize = 3;
@@ -47,12 +48,10 @@ impl Side {
 
 /// Compares two texts line by line; equal texts give no lines.
 pub fn lines(expected: &str, got: &str) -> Vec<DiffLine> {
-    let (expected, got) = (ended(expected), ended(got));
-    let diff: TextDiff<'_, '_, str> = TextDiffConfig::default()
-        .timeout(PATIENCE)
-        .diff_lines(&*expected, &*got);
+    let (expected, got) = (split_lines(expected), split_lines(got));
+    let operations = compare(&expected, &got);
     let mut lines = Vec::new();
-    for (number, group) in diff.grouped_ops(CONTEXT).iter().enumerate() {
+    for (number, group) in group_diff_ops(operations, CONTEXT).iter().enumerate() {
         if number > 0 {
             lines.push(DiffLine {
                 side: Side::Gap,
@@ -60,13 +59,121 @@ pub fn lines(expected: &str, got: &str) -> Vec<DiffLine> {
             });
         }
         for operation in group {
-            lines.extend(diff.iter_inline_changes(operation).map(|change| DiffLine {
-                side: side(change.tag()),
-                pieces: pieces(change.values()),
-            }));
+            let old = &expected[operation.old_range()];
+            let new = &got[operation.new_range()];
+            match operation.tag() {
+                DiffTag::Equal => lines.extend(old.iter().map(|line| plain(Side::Both, line))),
+                DiffTag::Delete => lines.extend(old.iter().map(|line| plain(Side::Expected, line))),
+                DiffTag::Insert => lines.extend(new.iter().map(|line| plain(Side::Got, line))),
+                DiffTag::Replace => lines.extend(replaced(old, new)),
+            }
         }
     }
     lines
+}
+
+/// Compares two sequences by Myers' algorithm, in the one instance of it that this crate compiles: the conveniences of the
+/// library instantiate all of its algorithms for each type they are used with, which took longer to compile than this crate.
+fn compare(expected: &[&str], got: &[&str]) -> Vec<DiffOp> {
+    let mut capture = Replace::new(Capture::new());
+    let deadline = Instant::now().checked_add(TIMEOUT);
+    let (all_expected, all_got) = (0..expected.len(), 0..got.len());
+    let compared = myers::diff_deadline(&mut capture, expected, all_expected, got, all_got, deadline);
+    match compared {
+        Ok(()) => capture.into_inner().into_ops(),
+        Err(never) => match never {},
+    }
+}
+
+/// Splits a text into its lines, without their ends. Whether the last line ends, too, makes no difference.
+fn split_lines(text: &str) -> Vec<&str> {
+    match text.strip_suffix('\n').unwrap_or(text) {
+        "" if text.is_empty() => Vec::new(),
+        text => text.split('\n').collect(),
+    }
+}
+
+/// A line in one piece, of which nothing is marked.
+fn plain(side: Side, line: &str) -> DiffLine {
+    let pieces = std::iter::once((false, line));
+    DiffLine::new(side, pieces)
+}
+
+/// Lines that others stand in place of. The words that differ are marked, unless most of them do.
+fn replaced(expected: &[&str], got: &[&str]) -> Vec<DiffLine> {
+    let (old, new) = (Words::of(expected), Words::of(got));
+    let operations = compare(&old.words, &new.words);
+    let equal: usize = operations
+        .iter()
+        .filter(|operation| operation.tag() == DiffTag::Equal)
+        .map(|operation| operation.old_range().len())
+        .sum();
+    let is_alike = 2 * equal >= old.words.len().max(new.words.len());
+    let marked = |range: &dyn Fn(&DiffOp) -> Range<usize>, count: usize| {
+        let mut differs = vec![is_alike; count];
+        for operation in operations.iter().filter(|operation| operation.tag() == DiffTag::Equal) {
+            differs[range(operation)].fill(false);
+        }
+        differs
+    };
+    let mut lines = old.lines(Side::Expected, &marked(&DiffOp::old_range, old.words.len()));
+    lines.extend(new.lines(Side::Got, &marked(&DiffOp::new_range, new.words.len())));
+    lines
+}
+
+/// The words of some lines and the white space between them, in their order.
+struct Words<'t> {
+    words: Vec<&'t str>,
+    /// Where each line ends in `words`.
+    ends: Vec<usize>,
+}
+
+impl<'t> Words<'t> {
+    /// Splits lines into words.
+    fn of(lines: &[&'t str]) -> Words<'t> {
+        let (mut words, mut ends) = (Vec::new(), Vec::new());
+        for line in lines {
+            let mut rest = *line;
+            while let Some(first) = rest.chars().next() {
+                let end = rest.find(|character: char| character.is_whitespace() != first.is_whitespace());
+                let (word, behind) = rest.split_at(end.unwrap_or(rest.len()));
+                words.push(word);
+                rest = behind;
+            }
+            ends.push(words.len());
+        }
+        Words { words, ends }
+    }
+
+    /// Puts the lines together again, each word marked as `differs` says. Neighbours that are marked alike are one piece.
+    fn lines(&self, side: Side, differs: &[bool]) -> Vec<DiffLine> {
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        let ranges = starts.zip(&self.ends).map(|(start, &end)| start..end);
+        ranges
+            .map(|range| {
+                let words = range.map(|index| (differs[index], self.words[index]));
+                DiffLine::new(side, words)
+            })
+            .collect()
+    }
+}
+
+impl DiffLine {
+    /// A line of these pieces, without the end of line. Empty pieces are left out.
+    fn new<'t>(side: Side, words: impl Iterator<Item = (bool, &'t str)>) -> DiffLine {
+        let mut pieces: Vec<(bool, String)> = Vec::new();
+        for (differs, word) in words {
+            match pieces.last_mut() {
+                Some((marked, piece)) if *marked == differs => piece.push_str(word),
+                _ => pieces.push((differs, word.to_owned())),
+            }
+        }
+        if let Some((_, piece)) = pieces.last_mut() {
+            piece.truncate(piece.trim_end_matches('\r').len());
+        }
+        pieces.retain(|(_, piece)| !piece.is_empty());
+        DiffLine { side, pieces }
+    }
 }
 
 /// The comparison as plain text, a sign before each line: `-` expected, `+` got.
@@ -83,31 +190,6 @@ pub fn text(expected: &str, got: &str) -> String {
         text.push('\n');
     }
     text
-}
-
-/// A text whose last line ends, too: the end of a line is part of what is compared.
-fn ended(text: &str) -> Cow<'_, str> {
-    if text.is_empty() || text.ends_with('\n') {
-        Cow::from(text)
-    } else {
-        Cow::from(format!("{text}\n"))
-    }
-}
-
-fn side(tag: ChangeTag) -> Side {
-    match tag {
-        ChangeTag::Equal => Side::Both,
-        ChangeTag::Delete => Side::Expected,
-        ChangeTag::Insert => Side::Got,
-    }
-}
-
-fn pieces(values: &[(bool, &str)]) -> Vec<(bool, String)> {
-    values
-        .iter()
-        .map(|(differs, piece)| (*differs, piece.trim_end_matches(['\n', '\r']).to_owned()))
-        .filter(|(_, piece)| !piece.is_empty())
-        .collect()
 }
 
 #[cfg(test)]

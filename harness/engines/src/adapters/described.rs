@@ -20,7 +20,7 @@ use crate::{Ability, Engine, EngineError, Grade, Identity, NamedValue, Outcome, 
 use call::{Call, Execution, unsupported};
 pub use description::Description;
 pub(super) use pattern::DiagnosticPattern;
-use regex::Regex;
+use regex_lite::Regex;
 use std::collections::{BTreeMap, BTreeSet};
 use std::env;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! Regular expressions with named groups: how a compiler writes diagnostics and values.
 
 use crate::Diagnostic;
-use regex::{Captures, Regex, RegexBuilder};
+use regex_lite::{Captures, Regex, RegexBuilder};
 use std::str::FromStr;
 
 /// How a compiler writes a diagnostic. Groups: `code`, `line`, `column`, `end_line`, `end_column`, `message` and `file`.
@@ -96,7 +96,7 @@ fn diagnostic(captures: &Captures<'_>, here: bool) -> Diagnostic {
         let number = group(name).filter(|_| here)?.parse().ok();
         number.filter(|&number: &u32| number > 0)
     };
-    let whole = captures.get_match().as_str().trim();
+    let whole = captures.get(0).map_or("", |whole| whole.as_str()).trim();
     Diagnostic {
         code: group("code").map(str::to_owned),
         line: number("line"),

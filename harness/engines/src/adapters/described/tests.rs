@@ -311,7 +311,7 @@ fn what_a_table_leaves_out_or_contradicts_is_told() {
             "file = \"../x\"\n[dialects]\nmatiec = \"\"\n",
             "no name of a file",
         ),
-        ("diagnostic = '('\n[dialects]\nmatiec = \"\"\n", "unclosed"),
+        ("diagnostic = '('\n[dialects]\nmatiec = \"\"\n", "without closing"),
     ] {
         let error = toml::from_str::<Description>(table).unwrap_err().to_string();
         assert!(error.contains(part), "{error}");
