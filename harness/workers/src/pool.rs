@@ -1,13 +1,13 @@
 //! Threads that do tasks, under a supervisor on the caller's thread.
 
 use crate::Reorder;
+use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::any::Any;
-use std::io;
 use std::num::NonZero;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Mutex, PoisonError};
-use std::thread::{self, Builder};
+use std::thread;
 
 /// The stack of a thread: an engine in this process may recurse as deep as its own limits allow, for which the usual two
 /// megabytes are too few.
@@ -39,7 +39,7 @@ pub trait Supervisor<T, R> {
 /// The system gives no thread.
 #[derive(Debug, thiserror::Error)]
 #[error("a worker thread could not be started: {0}")]
-pub struct SpawnError(#[source] io::Error);
+pub struct SpawnError(#[source] ThreadPoolBuildError);
 
 /// What a thread tells the supervisor.
 enum Message<R, E> {
@@ -83,21 +83,20 @@ impl WorkerPool {
         R: Send,
         E: Send + From<SpawnError>,
     {
+        let threads = ThreadPoolBuilder::new()
+            .num_threads(self.threads)
+            .thread_name(|index| format!("worker-{index}"))
+            .stack_size(STACK_SIZE)
+            .build()
+            .map_err(SpawnError)?;
         let (give, tasks) = mpsc::channel::<T>();
         let tasks = Mutex::new(tasks);
         let (send, messages) = mpsc::channel();
-        thread::scope(|scope| {
+        let (open, work, tasks) = (&open, &work, &tasks);
+        threads.in_place_scope(|scope| {
             // The threads end when it is dropped, however this closure ends.
             let give = give;
-            for index in 0..self.threads {
-                let (open, work, tasks, send) = (&open, &work, &tasks, send.clone());
-                Builder::new()
-                    .name(format!("worker-{index}"))
-                    .stack_size(STACK_SIZE)
-                    .spawn_scoped(scope, move || work_until_closed(open, work, tasks, &send))
-                    .map_err(SpawnError)?;
-            }
-            drop(send);
+            scope.spawn_broadcast(move |_, _| work_until_closed(open, work, tasks, &send));
             self.supervise(supervisor, &give, &messages)
         })
     }
