@@ -312,6 +312,7 @@ impl Export {
                 version: engine.version.clone(),
                 dialects: vec![self.dialect.to_string()],
                 strict: plan.strict(engine),
+                rerun: plan.rerun_template(&engine.name),
                 commands: std::collections::BTreeMap::new(),
             }],
             cases: self.cases.iter().map(|cases| cases.len() as u64).sum(),

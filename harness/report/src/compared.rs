@@ -1,13 +1,7 @@
 //! The texts of what was expected and what was got, as they are shown beside each other.
 
 use std::collections::{BTreeMap, BTreeSet};
-use stickler_run::{CaseEvent, EngineHeader, Fact, Grade, ToldDiagnostic};
-
-/// How exact the rejections of an engine had to be. One that the header does not name is held to the code.
-pub(crate) fn strictness(engines: &[EngineHeader], name: &str) -> Grade {
-    let engine = engines.iter().find(|engine| engine.name == name);
-    engine.map_or(Grade::Code, |engine| engine.strict)
-}
+use stickler_run::{CaseEvent, Fact, Grade, ToldDiagnostic};
 
 /// Returns what was expected of a case and what was got, for a comparison line by line.
 ///

@@ -11,13 +11,14 @@ pub use json::write_json;
 pub use page::write;
 
 use crate::LogError;
+use crate::engine;
 use crate::events::{Completeness, Reader};
 use crate::overview::kept;
 use known::{Known, Look};
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeMap, HashMap};
 use std::io::BufRead;
-use stickler_run::{CaseEvent, Event, Fact, Header, Verdict};
+use stickler_run::{CaseEvent, Event, Header, Verdict};
 
 /// How many changes of each kind are kept with all their texts. The rest is kept by name; the logs have them all.
 pub const DETAILED: usize = 1000;
@@ -64,12 +65,17 @@ pub struct Change {
     pub detail: Option<Box<Detail>>,
 }
 
-/// What was said of a case that did not come out alike.
+/// What was said of a case that did not come out alike. Texts have one fact a line.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Detail {
-    /// What the older run got and recorded, one fact a line; `None` where it did what was expected then, and something
-    /// else is expected now.
+    /// What is expected in the newer run; `None` where neither log tells, as of a case that only records.
+    pub expected: Option<String>,
+    /// What the older run got and recorded; `None` where it did what was expected then, and something else is expected now.
     pub old: Option<String>,
+    /// What the newer run got and recorded.
+    pub new: String,
+    /// The command that runs the case again.
+    pub rerun: String,
     /// The case in the newer run, its texts clipped.
     pub case: CaseEvent,
 }
@@ -272,8 +278,12 @@ impl Matching {
             new: case.came(),
             expectation_changed,
             detail: (*detailed <= DETAILED).then(|| {
+                let expected = known.expected_now(&case);
                 Box::new(Detail {
-                    old: known.said(&case),
+                    new: known::said(&case, expected.as_deref()),
+                    old: known.said(expected.as_deref(), expectation_changed),
+                    rerun: engine::rerun(engine::of(&self.found.new.engines, &case), &case),
+                    expected,
                     case: kept(&case),
                 })
             }),
@@ -334,18 +344,18 @@ fn texts<S: Serializer>(detail: &Option<Box<Detail>>, serializer: S) -> Result<S
     struct Texts<'a> {
         title: &'a str,
         basis: &'a str,
-        expected: String,
+        expected: Option<&'a str>,
         old: Option<&'a str>,
-        new: String,
+        new: &'a str,
         rerun: &'a str,
     }
-    let texts = detail.as_deref().map(|Detail { old, case }| Texts {
-        title: &case.title,
-        basis: &case.basis,
-        expected: Fact::text(&case.expected),
-        old: old.as_deref(),
-        new: known::said(case),
-        rerun: &case.rerun,
+    let texts = detail.as_deref().map(|detail| Texts {
+        title: &detail.case.title,
+        basis: &detail.case.basis,
+        expected: detail.expected.as_deref(),
+        old: detail.old.as_deref(),
+        new: &detail.new,
+        rerun: &detail.rerun,
     });
     texts.serialize(serializer)
 }

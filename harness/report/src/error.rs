@@ -61,6 +61,12 @@ pub enum LogError {
         /// What is wrong with it.
         source: serde_json::Error,
     },
+    /// A case names a group that was not described.
+    #[error("line {line} of the event log names a group of cases that no line before it describes")]
+    Group {
+        /// The line, from 1.
+        line: u64,
+    },
     /// Something follows the footer, or a second header.
     #[error("line {line} of the event log stands outside its header and footer")]
     Misplaced {

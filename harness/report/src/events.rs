@@ -1,7 +1,14 @@
 //! `events.jsonl`: the event stream itself, one JSON object a line, written while the run goes on.
+//!
+//! What the cases of a probe have in common is written once, before the first of them; the line of a case names it by a number.
 
+mod record;
+
+use crate::groups::{GroupNumber, Groups};
 use crate::{LogError, ReportError};
-use serde::Deserialize;
+use record::{CaseRecord, Decoder, Frame, GroupRecord};
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::fmt;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
@@ -16,15 +23,53 @@ pub const NAME: &str = "events.jsonl";
 const BATCH: usize = 1 << 16;
 
 /// How long an event waits at most for others: whoever follows the log of a slow engine sees its cases come.
-const PATIENCE: Duration = Duration::from_millis(250);
+const FLUSH_INTERVAL: Duration = Duration::from_millis(250);
 
 /// Writes the log. Only whole lines reach the file, so that a run which is cut short leaves a readable log without
 /// a footer.
 pub struct EventLog {
     path: PathBuf,
     file: File,
-    batch: Vec<u8>,
+    encoder: Encoder,
     written: Instant,
+}
+
+/// Turns events into lines.
+#[derive(Default)]
+struct Encoder {
+    groups: Groups,
+    /// Whole lines that are not written yet.
+    lines: Vec<u8>,
+}
+
+impl Encoder {
+    /// Adds the lines of an event, and returns the group of a case.
+    fn encode(&mut self, event: &Event) -> serde_json::Result<Option<GroupNumber>> {
+        match event {
+            Event::Header(header) => self.line(&Frame::Header(Cow::Borrowed(header)))?,
+            Event::Footer(footer) => self.line(&Frame::Footer(Cow::Borrowed(footer)))?,
+            Event::Case(case) => {
+                let (number, is_new) = self.groups.number(case);
+                if is_new {
+                    let group = &self.groups.all()[number];
+                    push_line(&mut self.lines, &Frame::Group(GroupRecord::new(number, group)))?;
+                }
+                self.line(&CaseRecord::new(case, number))?;
+                return Ok(Some(number));
+            }
+        }
+        Ok(None)
+    }
+
+    fn line(&mut self, record: &impl Serialize) -> serde_json::Result<()> {
+        push_line(&mut self.lines, record)
+    }
+}
+
+fn push_line(lines: &mut Vec<u8>, record: &impl Serialize) -> serde_json::Result<()> {
+    serde_json::to_writer(&mut *lines, record)?;
+    lines.push(b'\n');
+    Ok(())
 }
 
 impl EventLog {
@@ -37,23 +82,35 @@ impl EventLog {
         Ok(EventLog {
             path,
             file,
-            batch: Vec::with_capacity(2 * BATCH),
+            encoder: Encoder::default(),
             written: Instant::now(),
         })
     }
 
-    /// Adds one event, as JSON on one line. The header and the footer reach the file at once, cases in batches.
+    /// Adds one event. The header and the footer reach the file at once, cases in batches.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where it cannot be written.
-    pub fn take(&mut self, event: &Event, json: &[u8]) -> Result<(), ReportError> {
-        self.batch.extend_from_slice(json);
-        self.batch.push(b'\n');
+    /// [`ReportError::Write`] where it cannot be written; [`ReportError::Serialise`].
+    pub fn take(&mut self, event: &Event) -> Result<(), ReportError> {
+        self.take_case(event).map(|_| ())
+    }
+
+    /// Adds one event, and returns the group of a case.
+    pub(crate) fn take_case(&mut self, event: &Event) -> Result<Option<GroupNumber>, ReportError> {
+        let group = self.encoder.encode(event)?;
         let due = match event {
             Event::Header(_) | Event::Footer(_) => true,
-            Event::Case(_) => self.batch.len() >= BATCH || self.written.elapsed() >= PATIENCE,
+            Event::Case(_) => self.encoder.lines.len() >= BATCH || self.written.elapsed() >= FLUSH_INTERVAL,
         };
-        if due { self.flush() } else { Ok(()) }
+        if due {
+            self.flush()?;
+        }
+        Ok(group)
+    }
+
+    /// Returns the groups of all cases so far.
+    pub(crate) const fn groups(&self) -> &Groups {
+        &self.encoder.groups
     }
 
     /// Writes what was gathered.
@@ -62,9 +119,9 @@ impl EventLog {
     /// [`ReportError::Write`] where that fails.
     pub fn flush(&mut self) -> Result<(), ReportError> {
         self.file
-            .write_all(&self.batch)
+            .write_all(&self.encoder.lines)
             .map_err(ReportError::writing(&self.path))?;
-        self.batch.clear();
+        self.encoder.lines.clear();
         self.written = Instant::now();
         Ok(())
     }
@@ -112,6 +169,7 @@ pub fn locate(path: &Path) -> PathBuf {
 pub struct Reader<R> {
     input: R,
     line: Vec<u8>,
+    decoder: Decoder,
     number: u64,
     promised: u64,
     cases: u64,
@@ -131,10 +189,11 @@ impl Reader<BufReader<File>> {
 
 impl<R: BufRead> Reader<R> {
     /// Reads from here on.
-    pub const fn new(input: R) -> Reader<R> {
+    pub fn new(input: R) -> Reader<R> {
         Reader {
             input,
             line: Vec::new(),
+            decoder: Decoder::default(),
             number: 0,
             promised: 0,
             cases: 0,
@@ -163,6 +222,16 @@ impl<R: BufRead> Reader<R> {
     }
 
     fn event(&mut self) -> Result<Option<Event>, LogError> {
+        while let Some(read) = self.read_line()? {
+            if read.is_some() {
+                return Ok(read);
+            }
+        }
+        Ok(None)
+    }
+
+    /// Reads one line; `None` at the end, `Some(None)` where the line is no event.
+    fn read_line(&mut self) -> Result<Option<Option<Event>>, LogError> {
         self.line.clear();
         if self.input.read_until(b'\n', &mut self.line)? == 0 {
             return if self.number == 0 {
@@ -176,13 +245,16 @@ impl<R: BufRead> Reader<R> {
         if line == 1 {
             check_format(&self.line)?;
         }
-        match serde_json::from_slice::<Event>(&self.line) {
+        match self.decoder.event(&self.line, line) {
             Ok(_) if self.complete => Err(LogError::Misplaced { line }),
-            Ok(Event::Header(_)) if line > 1 => Err(LogError::Misplaced { line }),
-            Ok(Event::Case(_) | Event::Footer(_)) | Err(_) if line == 1 => Err(LogError::NoHeader),
-            Ok(event) => self.count(&event).map(|()| Some(event)),
+            Ok(Some(Event::Header(_))) if line > 1 => Err(LogError::Misplaced { line }),
+            Ok(Some(Event::Case(_) | Event::Footer(_)) | None) | Err(_) if line == 1 => {
+                Err(LogError::NoHeader)
+            }
+            Ok(Some(event)) => self.count(&event).map(|()| Some(Some(event))),
+            Ok(None) => Ok(Some(None)),
             Err(_) if !self.line.ends_with(b"\n") => Ok(None),
-            Err(source) => Err(LogError::Line { line, source }),
+            Err(error) => Err(error),
         }
     }
 
@@ -238,6 +310,19 @@ fn check_format(line: &[u8]) -> Result<(), LogError> {
     }
 }
 
+/// Returns what a text is, where it is a report of a run: `the event log of a run, of format 2`. Whoever wants something else can
+/// say so then.
+pub fn recognize(text: &[u8]) -> Option<String> {
+    let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    match (check_format(line), serde_json::from_slice::<Format>(line)) {
+        (Err(LogError::Results { format }), _) => {
+            Some(format!("the results.json of a run, of format {format}"))
+        }
+        (_, Ok(Format { format })) => Some(format!("the event log of a run, of format {format}")),
+        _ => None,
+    }
+}
+
 /// What the headers of all formats have in common.
 #[derive(Deserialize)]
 struct Format {
@@ -256,20 +341,29 @@ pub fn read(input: impl BufRead, sink: &mut dyn FnMut(Event)) -> Result<Complete
     Ok(reader.completeness())
 }
 
+/// Returns the text of a log.
+#[cfg(test)]
+pub(crate) fn log_of(events: &[Event]) -> Vec<u8> {
+    let mut encoder = Encoder::default();
+    for event in events {
+        encoder.encode(event).expect("JSON");
+    }
+    encoder.lines
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Completeness, EventLog, read};
+    use super::{Completeness, EventLog, log_of, read, recognize};
     use crate::{LogError, sample};
     use std::fs;
-    use stickler_run::{Event, FORMAT};
+    use stickler_run::{Event, FORMAT, Verdict};
 
     fn written(events: &[Event]) -> Vec<u8> {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("events.jsonl");
         let mut log = EventLog::create(path.clone()).expect("a log");
         for event in events {
-            log.take(event, &serde_json::to_vec(event).expect("JSON"))
-                .expect("taken");
+            log.take(event).expect("taken");
         }
         log.flush().expect("flushed");
         fs::read(path).expect("the log")
@@ -319,10 +413,36 @@ mod tests {
         assert!(matches!(read_back(b"hello\n"), Err(LogError::NoHeader)));
         let mut bytes = written(&sample::run()[..2]);
         bytes.extend_from_slice(b"{}\n");
-        assert!(matches!(read_back(&bytes), Err(LogError::Line { line: 3, .. })));
+        assert!(matches!(read_back(&bytes), Err(LogError::Line { line: 4, .. })));
         let mut twice = written(&sample::run());
         twice.extend(written(&sample::run()));
         assert!(matches!(read_back(&twice), Err(LogError::Misplaced { .. })));
+    }
+
+    #[test]
+    fn what_cases_have_in_common_is_written_once_and_a_passed_case_on_a_short_line() {
+        let cases = ["a::p(1)", "a::p(2)"].map(|id| sample::case(id, Verdict::Pass));
+        let text = String::from_utf8(log_of(&sample::run_of(cases.to_vec()))).expect("text");
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.len(), 5, "{text}");
+        assert!(
+            lines[1].starts_with(r#"{"type":"group","number":0,"group":{"id":"widening/a::p","#),
+            "{text}"
+        );
+        let passed = r#"{"type":"pass","group":0,"case":"(2)","duration_us":12,"expects":305419896}"#;
+        assert_eq!(lines[3], passed);
+    }
+
+    #[test]
+    fn a_case_whose_group_is_not_described_is_no_case() {
+        let text = String::from_utf8(log_of(&sample::run())).expect("text");
+        let without: String = text
+            .lines()
+            .filter(|line| !line.contains("group\":{"))
+            .map(|l| format!("{l}\n"))
+            .collect();
+        let error = read_back(without.as_bytes()).expect_err("no group");
+        assert!(matches!(error, LogError::Group { line: 2 }), "{error}");
     }
 
     #[test]
@@ -364,6 +484,11 @@ mod tests {
             told.contains("results.json of format 1") && told.contains("run the cases again"),
             "{told}"
         );
+        assert_eq!(
+            recognize(log.as_bytes()).as_deref(),
+            Some("the event log of a run, of format 1")
+        );
+        assert_eq!(recognize(b"results[0] := 5;\n"), None);
         let told = read("{\"format\":2,\n\"stickler\":\"0.1.0\"}\n");
         assert!(
             told.ends_with("name its folder, or the events.jsonl beside it"),

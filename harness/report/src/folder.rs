@@ -20,8 +20,6 @@ pub struct Reports {
     summary: Summary,
     badge: Badge,
     discrepancies: Discrepancies,
-    /// The event at hand as JSON: two files hold it, and it is serialised once.
-    json: Vec<u8>,
 }
 
 impl Reports {
@@ -39,7 +37,6 @@ impl Reports {
             summary: Summary::create(folder.join("summary.md"))?,
             badge: Badge::create(folder.join("badge.json"))?,
             discrepancies: Discrepancies::create(folder)?,
-            json: Vec::new(),
         })
     }
 
@@ -48,11 +45,9 @@ impl Reports {
     /// # Errors
     /// [`ReportError`] where a file cannot be written.
     pub fn take(&mut self, event: &Event) -> Result<(), ReportError> {
-        self.json.clear();
-        serde_json::to_writer(&mut self.json, event)?;
-        self.events.take(event, &self.json)?;
-        self.results.take(event, &self.json)?;
-        self.junit.take(event);
+        let group = self.events.take_case(event)?;
+        self.results.take(event, group)?;
+        self.junit.take(event, group);
         self.discrepancies.take(event);
         Ok(())
     }
@@ -63,8 +58,9 @@ impl Reports {
     /// [`ReportError`] where a file cannot be written.
     pub fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
         self.events.flush()?;
-        self.results.finish(overview)?;
-        self.junit.finish(overview)?;
+        let groups = self.events.groups();
+        self.results.finish(overview, groups)?;
+        self.junit.finish(overview, groups)?;
         self.discrepancies.finish(overview)?;
         self.badge.finish(overview)?;
         self.summary.finish(overview)
@@ -78,7 +74,7 @@ mod tests {
     use crate::{ReportError, sample};
     use std::fs;
     use std::path::Path;
-    use stickler_run::Event;
+    use stickler_run::{CaseEvent, Event, Fact};
 
     fn write(folder: &Path, events: &[Event]) {
         let mut reports = Reports::create(folder).expect("a folder");
@@ -149,7 +145,7 @@ mod tests {
         ] {
             assert_eq!(engine["totals"][verdict], number, "{verdict}");
         }
-        let case = &results["cases"][3];
+        let case = &results["cases"][0];
         for key in [
             "id",
             "dialect",
@@ -165,13 +161,52 @@ mod tests {
         ] {
             assert!(!case[key].is_null(), "{key}");
         }
+        assert_eq!(results["claims"][0]["standing"]["passed"], 2);
+        assert_eq!(results["claims"][0]["standing"]["open"], 1);
+    }
+
+    #[test]
+    fn results_name_what_passed_and_what_was_observed_by_probe() {
+        let in_dialect = |case: CaseEvent, dialect: &str| CaseEvent {
+            dialect: dialect.to_owned(),
+            ..case
+        };
+        let mut cases = Vec::new();
+        for (id, dialects) in [
+            ("a::p(1)", &["d", "e"][..]),
+            ("a::p(2)", &["e"]),
+            ("a::p(3)", &["d", "e"]),
+        ] {
+            cases.extend(
+                dialects
+                    .iter()
+                    .map(|dialect| in_dialect(sample::open_case(id), dialect)),
+            );
+        }
+        cases[4].observations[0].value = "INT#4".to_owned();
+        cases[0].got = vec![Fact::RejectedSilently];
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        write(folder.path(), &sample::run_of(cases));
+        let text = fs::read_to_string(folder.path().join("results.json")).expect("results");
+        let results: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        let passed = &results["passed"];
+        assert_eq!(passed[0]["id"], "widening/a::p");
+        assert_eq!(passed[0]["dialects"], serde_json::json!(["d", "e"]));
+        assert_eq!(
+            passed[0]["duration_us"],
+            serde_json::json!({"(1)": [12, 12], "(3)": [12, 12]})
+        );
+        assert_eq!(
+            passed[0]["got"],
+            serde_json::json!({"(1)": {"d": [{"fact": "rejected-silently"}]}})
+        );
+        assert_eq!(passed[1]["dialects"], serde_json::json!(["e"]));
         assert_eq!(
             results["observations"][0],
             serde_json::json!({
-                "id": "widening/open", "dialect": "ironplc-ed2", "engine": "reference", "name": "r", "value": "INT#3"
+                "id": "widening/a::p", "engine": "reference", "dialects": ["d", "e"], "name": "r",
+                "values": {"(1)": ["INT#3", "INT#3"], "(3)": ["INT#3", "INT#4"]}
             })
         );
-        assert_eq!(results["claims"][0]["standing"]["passed"], 2);
-        assert_eq!(results["claims"][0]["standing"]["open"], 1);
     }
 }

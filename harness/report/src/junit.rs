@@ -1,30 +1,43 @@
 //! `junit.xml`: the run for continuous integration. The first test suite is the claims, one test a claim; where case files
-//! are broken, the next is those, and where entries of baselines are out of date, the next is those; then comes one test suite an engine, dialect and area, one test a case.
+//! are broken, the next is those, and where entries of baselines are out of date, the next is those; then comes one test suite an
+//! engine, dialect and area: a test for each case that did not pass, and for each probe one for all of its cases that did. The
+//! cases of a probe that an engine does not support are one test too, which is skipped.
 //!
 //! The document is quick-junit's, which knows what XML and JUnit's readers take.
 
 mod case;
 mod suite;
+mod tally;
 
 use crate::claims::Claim;
+use crate::groups::{Group, GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::outdated;
-use crate::{ReportError, compared};
+use crate::{ReportError, engine};
 use quick_junit::Report;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
-use stickler_run::{EngineHeader, Event};
+use stickler_run::{CaseEvent, EngineHeader, Event, Verdict};
 use suite::{Kind, Problem, Suite, Test};
+use tally::Tally;
 
 /// Gathers the run: test suites are apart in the file, and their cases are not in the stream of events.
 pub(crate) struct Junit {
     file: PendingFile,
     suites: BTreeMap<String, Suite>,
+    groups: Vec<GroupTally>,
     engines: Vec<EngineHeader>,
+}
+
+/// The cases of a group that are one test.
+#[derive(Default)]
+struct GroupTally {
+    passed: Tally,
+    unsupported: Tally,
 }
 
 impl Junit {
@@ -36,24 +49,64 @@ impl Junit {
         Ok(Junit {
             file: PendingFile::create(path)?,
             suites: BTreeMap::new(),
+            groups: Vec::new(),
             engines: Vec::new(),
         })
     }
 
-    /// Adds one event.
-    pub(crate) fn take(&mut self, event: &Event) {
-        match event {
+    /// Adds one event, with the group of a case.
+    pub(crate) fn take(&mut self, event: &Event, group: Option<GroupNumber>) {
+        match (event, group) {
             // The times of header and footer are taken from the overview, when the document is written.
-            Event::Header(header) => self.engines.clone_from(&header.engines),
-            Event::Footer(_) => {}
-            Event::Case(event) => {
-                let name = format!("{}.{}.{}", event.engine, event.dialect, event.area);
-                let strict = compared::strictness(&self.engines, &event.engine);
-                self.suites
-                    .entry(name)
-                    .or_insert_with_key(|name| Suite::new(name))
-                    .add(case::test(event, strict));
+            (Event::Header(header), _) => self.engines.clone_from(&header.engines),
+            (Event::Case(case), Some(group)) => self.take_case(case, group),
+            (Event::Case(_) | Event::Footer(_), _) => {}
+        }
+    }
+
+    fn take_case(&mut self, case: &CaseEvent, group: GroupNumber) {
+        if self.groups.len() <= group {
+            self.groups.resize_with(group + 1, GroupTally::default);
+        }
+        let tally = &mut self.groups[group];
+        match case.verdict {
+            Verdict::Pass => tally.passed.take(case),
+            Verdict::Unsupported => tally.unsupported.take(case),
+            _ => {
+                let name = suite_name(&case.engine, &case.dialect, &case.area);
+                let test = case::test(case, engine::of(&self.engines, case));
+                suite_of(&mut self.suites, name).add(test);
             }
+        }
+    }
+
+    /// Adds the tests that stand for several cases: one for each probe and dialect, also where its cases are of several groups.
+    fn add_tallies(&mut self, groups: &Groups) {
+        let mut tallies: Vec<(&Group, GroupTally)> = Vec::new();
+        let mut places = HashMap::new();
+        for (group, tally) in groups.all().iter().zip(std::mem::take(&mut self.groups)) {
+            let place = *places
+                .entry((&group.id, &group.dialect, &group.engine))
+                .or_insert(tallies.len());
+            match tallies.get_mut(place) {
+                Some((_, sum)) => {
+                    sum.passed.add(tally.passed);
+                    sum.unsupported.add(tally.unsupported);
+                }
+                None => tallies.push((group, tally)),
+            }
+        }
+        for (group, GroupTally { passed, unsupported }) in &tallies {
+            let suite = suite_of(
+                &mut self.suites,
+                suite_name(&group.engine, &group.dialect, &group.area),
+            );
+            passed
+                .tests(group, Verdict::Pass)
+                .into_iter()
+                .for_each(|test| suite.add(test));
+            let unsupported = unsupported.tests(group, Verdict::Unsupported);
+            unsupported.into_iter().for_each(|test| suite.add(test));
         }
     }
 
@@ -61,10 +114,11 @@ impl Junit {
     ///
     /// # Errors
     /// [`ReportError::Write`] where that fails.
-    pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
+    pub(crate) fn finish(mut self, overview: &Overview, groups: &Groups) -> Result<(), ReportError> {
         let Some(footer) = &overview.footer else {
             return Ok(());
         };
+        self.add_tallies(groups);
         let path = self.file.path().to_owned();
         let mut report = Report::new("stickler");
         report.set_time(Duration::from_millis(footer.duration_ms));
@@ -78,6 +132,15 @@ impl Junit {
             .map_err(ReportError::writing(&path))?;
         self.file.commit()
     }
+}
+
+/// The name of the test suite of an engine, a dialect and an area.
+fn suite_name(engine: &str, dialect: &str, area: &str) -> String {
+    format!("{engine}.{dialect}.{area}")
+}
+
+fn suite_of(suites: &mut BTreeMap<String, Suite>, name: String) -> &mut Suite {
+    suites.entry(name).or_insert_with_key(|name| Suite::new(name))
 }
 
 /// The claims as a test suite. One that fails only where a baseline expects it is skipped, as its cases are.
@@ -98,7 +161,6 @@ fn claims(overview: &Overview) -> Suite {
         let name = claim_name(&claim, overview.totals.len() > 1);
         suite.add(Test {
             name: &name,
-            microseconds: 0,
             problem: problem.map(|(kind, message)| Problem {
                 kind,
                 type_name: "claim",
@@ -106,6 +168,7 @@ fn claims(overview: &Overview) -> Suite {
                 text: output.clone(),
             }),
             output,
+            ..Test::default()
         });
     }
     suite
@@ -164,7 +227,7 @@ fn claim_name(claim: &Claim<'_>, name_engine: bool) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::Junit;
+    use super::{Groups, Junit};
     use crate::overview::Overview;
     use crate::sample;
     use quick_junit::{NonSuccessKind, Report, TestCaseStatus, TestSuite};
@@ -180,11 +243,16 @@ mod tests {
         let path = folder.path().join("junit.xml");
         let mut junit = Junit::create(path.clone()).expect("a file");
         let mut overview = Overview::default();
+        let mut groups = Groups::default();
         for event in events {
-            junit.take(event);
+            let group = match event {
+                Event::Case(case) => Some(groups.number(case).0),
+                Event::Header(_) | Event::Footer(_) => None,
+            };
+            junit.take(event, group);
             overview.take(event);
         }
-        junit.finish(&overview).expect("written");
+        junit.finish(&overview, &groups).expect("written");
         let text = fs::read_to_string(path).expect("the document");
         Report::deserialize_from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
     }
@@ -247,7 +315,10 @@ mod tests {
             (suite.tests, suite.failures, suite.errors, suite.skipped),
             (8, 2, 3, 2)
         );
-        for (case, verdict) in suite.test_cases.iter().zip(Verdict::ALL) {
+        for verdict in Verdict::ALL {
+            let mut cases = suite.test_cases.iter();
+            let id = format!("widening/{verdict}");
+            let case = cases.find(|case| case.name.as_str() == id).expect("a test");
             let expected = match verdict {
                 Verdict::Pass => None,
                 Verdict::Fail | Verdict::Xpass => Some(NonSuccessKind::Failure),
@@ -340,13 +411,32 @@ mod tests {
     }
 
     #[test]
-    fn observations_stand_in_the_output() {
-        let report = document(vec![sample::open_case("a")]);
-        let output = suite(&report).test_cases[0]
-            .system_out
-            .as_deref()
-            .expect("output");
-        assert!(output.contains("r = INT#3"), "{output}");
+    fn the_cases_of_a_probe_that_passed_are_one_test_that_counts_them() {
+        let case = |id: &str, verdict| sample::case(id, verdict);
+        let report = document(vec![
+            case("a::p(1)", Verdict::Pass),
+            sample::open_case("a::p(2)"),
+            case("a::p(3)", Verdict::Fail),
+            case("a::p(4)", Verdict::Unsupported),
+            case("a::p(5)", Verdict::Unsupported),
+        ]);
+        let suite = suite(&report);
+        assert_eq!((suite.tests, suite.failures, suite.skipped), (3, 1, 1));
+        let names: Vec<&str> = suite.test_cases.iter().map(|case| case.name.as_str()).collect();
+        assert_eq!(names, ["widening/a::p(3)", "widening/a::p", "widening/a::p"]);
+        let properties = |test: usize| {
+            let properties = suite.test_cases[test].properties.iter();
+            let texts =
+                properties.map(|property| format!("{}={}", property.name.as_str(), property.value.as_str()));
+            texts.collect::<Vec<_>>()
+        };
+        assert_eq!(properties(1), ["cases=2", "observations=1"]);
+        assert_eq!(properties(2), ["cases=2"]);
+        let TestCaseStatus::Skipped { message, .. } = &suite.test_cases[2].status else {
+            panic!("not supported: {suite:?}")
+        };
+        let message = message.as_deref().unwrap_or_default();
+        assert!(message.contains("does not support it (2 cases)"), "{message}");
     }
 
     #[test]

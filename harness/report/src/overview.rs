@@ -1,11 +1,11 @@
 //! What a person wants to see of a run at a glance, gathered once for the terminal and the Markdown summary.
 
 use crate::claims::Claims;
-use crate::compared;
+use crate::engine;
 use crate::observations::Observations;
 use crate::text::clip_facts;
 use std::collections::BTreeMap;
-use stickler_run::{CaseEvent, Event, Footer, Grade, Header, OutdatedEntry, Totals};
+use stickler_run::{CaseEvent, EngineHeader, Event, Footer, Header, OutdatedEntry, Totals};
 
 /// How many failing cases are kept whole. The rest is counted; the event log has them all.
 pub const KEPT_FAILURES: usize = 500;
@@ -68,10 +68,9 @@ impl Overview {
         engines.map(|engine| engine.name.as_str()).collect()
     }
 
-    /// How exact the rejections of an engine had to be.
-    pub(crate) fn strict(&self, engine: &str) -> Grade {
-        let engines = self.header.as_ref().map_or(&[][..], |header| &header.engines);
-        compared::strictness(engines, engine)
+    /// Returns the engine of a case, where the header names it.
+    pub(crate) fn engine(&self, case: &CaseEvent) -> Option<&EngineHeader> {
+        engine::of(&self.header.as_ref()?.engines, case)
     }
 
     /// The entries of baselines that are out of date; a run with any of them is not as expected.

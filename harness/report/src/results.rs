@@ -1,24 +1,31 @@
 //! `results.json`: the whole run as one JSON document, for programs. Section 5 of the design names its keys.
+//!
+//! A case that did not pass stands whole in `cases`. Those that passed stand in `passed`, each with nothing but its arguments
+//! and its times, under what the cases of its probe have in common.
 
-use crate::ReportError;
+mod passed;
+
 use crate::claims::{Claims, Standing};
+use crate::groups::{GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::spool::Spool;
+use crate::{ReportError, engine};
+use passed::Passed;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, Event, FORMAT, Footer, Grade, Header, Totals};
+use stickler_run::{
+    BaselineNote, CaseEvent, EngineHeader, Event, FORMAT, Fact, Footer, Grade, Header, Observed, Totals,
+    Verdict,
+};
 
-/// How the JSON of a case event begins: what the document says by its key `cases` already.
-const TAG: &[u8] = br#"{"type":"case","#;
-
-/// Gathers the run. Cases are kept as the JSON that they came as; the document is written when it is whole, with the
-/// totals and claims, which are known last, in front.
+/// Gathers the run; the document is written when it is whole, with the totals and claims, which are known last, in front.
 pub(crate) struct Results {
     file: PendingFile,
+    engines: Vec<EngineHeader>,
     cases: List,
-    observations: List,
+    passed: Passed,
 }
 
 impl Results {
@@ -29,56 +36,53 @@ impl Results {
     pub(crate) fn create(path: PathBuf) -> Result<Results, ReportError> {
         Ok(Results {
             file: PendingFile::create(path)?,
+            engines: Vec::new(),
             cases: List::default(),
-            observations: List::default(),
+            passed: Passed::default(),
         })
     }
 
-    /// Adds one event, which is also given as JSON.
+    /// Adds one event, with the group of a case.
     ///
     /// # Errors
-    /// [`ReportError::Serialise`] where an observation cannot be serialised.
-    pub(crate) fn take(&mut self, event: &Event, json: &[u8]) -> Result<(), ReportError> {
-        match event {
-            // The header and the footer are taken from the overview, when the document is written.
-            Event::Header(_) | Event::Footer(_) => Ok(()),
-            Event::Case(case) => {
-                match json.strip_prefix(TAG) {
-                    Some(rest) => self.cases.push_json(&[b"{", rest]),
-                    None => self.cases.push_json(&[json]),
+    /// [`ReportError::Serialise`] where a case cannot be serialised.
+    pub(crate) fn take(&mut self, event: &Event, group: Option<GroupNumber>) -> Result<(), ReportError> {
+        match (event, group) {
+            (Event::Header(header), _) => self.engines.clone_from(&header.engines),
+            (Event::Case(case), Some(group)) => {
+                self.passed.take(case, group);
+                if case.verdict != Verdict::Pass {
+                    let engine = engine::of(&self.engines, case);
+                    self.cases.push(&CaseResult::of(case, engine))?;
                 }
-                Ok(self.take_observations(case)?)
             }
+            // The footer is taken from the overview, when the document is written.
+            (Event::Case(_) | Event::Footer(_), _) => {}
         }
-    }
-
-    fn take_observations(&mut self, case: &CaseEvent) -> serde_json::Result<()> {
-        case.observations.iter().try_for_each(|observation| {
-            self.observations.push(&ObservationResult {
-                id: &case.id,
-                dialect: &case.dialect,
-                engine: &case.engine,
-                name: &observation.name,
-                value: &observation.value,
-            })
-        })
+        Ok(())
     }
 
     /// Writes the document. A run without header or footer has no results.
     ///
     /// # Errors
     /// [`ReportError::Write`] where that fails.
-    pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
+    pub(crate) fn finish(mut self, overview: &Overview, groups: &Groups) -> Result<(), ReportError> {
         let (Some(header), Some(footer)) = (&overview.header, &overview.footer) else {
             return Ok(());
         };
         let path = self.file.path().to_owned();
-        self.write(header, footer, &overview.claims)
+        self.write(header, footer, &overview.claims, groups)
             .map_err(ReportError::writing(&path))?;
         self.file.commit()
     }
 
-    fn write(&mut self, header: &Header, footer: &Footer, claims: &Claims) -> io::Result<()> {
+    fn write(
+        &mut self,
+        header: &Header,
+        footer: &Footer,
+        claims: &Claims,
+        groups: &Groups,
+    ) -> io::Result<()> {
         let out = &mut self.file;
         write!(out, "{{\"format\":{FORMAT}")?;
         key(out, "stickler", &header.stickler)?;
@@ -101,7 +105,8 @@ impl Results {
         }
         list.write(out, "claims")?;
         self.cases.write(out, "cases")?;
-        self.observations.write(out, "observations")?;
+        self.passed.list(groups)?.write(out, "passed")?;
+        self.passed.observations(groups)?.write(out, "observations")?;
         out.write_all(b"}\n")
     }
 }
@@ -121,16 +126,11 @@ struct List {
 impl List {
     fn push(&mut self, element: &impl Serialize) -> serde_json::Result<()> {
         let json = serde_json::to_vec(element)?;
-        self.push_json(&[&json]);
-        Ok(())
-    }
-
-    /// Adds an element that is JSON already, in pieces.
-    fn push_json(&mut self, pieces: &[&[u8]]) {
         if !self.spool.is_empty() {
             self.spool.add(b",\n");
         }
-        pieces.iter().for_each(|piece| self.spool.add(piece));
+        self.spool.add(&json);
+        Ok(())
     }
 
     fn write(&self, out: &mut impl Write, name: &str) -> io::Result<()> {
@@ -151,6 +151,7 @@ fn engines<'a>(header: &'a Header, footer: &'a Footer) -> Vec<EngineResult<'a>> 
             version: &engine.version,
             dialects: &engine.dialects,
             strict: engine.strict,
+            rerun: &engine.rerun,
             totals: totals(&engine.name).map(|found| found.totals).unwrap_or_default(),
         })
         .collect()
@@ -162,6 +163,7 @@ struct EngineResult<'a> {
     version: &'a str,
     dialects: &'a [String],
     strict: Grade,
+    rerun: &'a str,
     totals: Totals,
 }
 
@@ -173,11 +175,56 @@ struct ClaimResult<'a> {
     standing: Standing,
 }
 
+/// A case that did not pass.
 #[derive(Serialize)]
-struct ObservationResult<'a> {
+struct CaseResult<'a> {
     id: &'a str,
     dialect: &'a str,
     engine: &'a str,
-    name: &'a str,
-    value: &'a str,
+    verdict: Verdict,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    open: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    grade: Option<Grade>,
+    title: &'a str,
+    basis: &'a str,
+    area: &'a str,
+    file: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<u32>,
+    expected: &'a [Fact],
+    got: &'a [Fact],
+    duration_us: u64,
+    rerun: String,
+    #[serde(skip_serializing_if = "<[Observed]>::is_empty")]
+    observations: &'a [Observed],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    program: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    baseline: Option<&'a BaselineNote>,
+}
+
+impl<'a> CaseResult<'a> {
+    fn of(case: &'a CaseEvent, engine: Option<&EngineHeader>) -> CaseResult<'a> {
+        CaseResult {
+            id: &case.id,
+            dialect: &case.dialect,
+            engine: &case.engine,
+            verdict: case.verdict,
+            open: case.open,
+            grade: case.grade,
+            title: &case.title,
+            basis: &case.basis,
+            area: &case.area,
+            file: &case.file,
+            line: case.line,
+            expected: &case.expected,
+            got: &case.got,
+            duration_us: case.duration_us,
+            rerun: engine::rerun(engine, case),
+            observations: &case.observations,
+            program: case.program.as_deref(),
+            baseline: case.baseline.as_ref(),
+        }
+    }
 }

@@ -7,11 +7,11 @@ use crate::discrepancies::NAME;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::{clip, counted, duration, judged, noted, outdated, outdated_entries, visible};
-use crate::{ReportError, compared, diff};
+use crate::{ReportError, compared, diff, engine};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, DefinedHeader, Grade, Totals};
+use stickler_run::{CaseEvent, DefinedHeader, EngineHeader, Totals};
 
 /// The most that a step summary takes is 1 MiB; this leaves room for what other steps write.
 const MOST_BYTES: usize = 900_000;
@@ -178,7 +178,7 @@ fn failures(overview: &Overview, page: &mut Page) {
     let shown = overview.failures.iter().take(SHOWN_FAILURES);
     let tried = shown.len() as u64;
     page.left_out = 0;
-    shown.for_each(|case| page.add(&failure(case, overview.strict(&case.engine))));
+    shown.for_each(|case| page.add(&failure(case, overview.engine(case))));
     let rest = overview.failed - tried + page.left_out;
     if rest > 0 {
         // The note is short, and the limit leaves room for it.
@@ -189,8 +189,8 @@ fn failures(overview: &Overview, page: &mut Page) {
     }
 }
 
-fn failure(case: &CaseEvent, strict: Grade) -> String {
-    let (expected, got) = compared::texts(case, strict);
+fn failure(case: &CaseEvent, engine: Option<&EngineHeader>) -> String {
+    let (expected, got) = compared::texts(case, engine::strictness(engine));
     let expected = clip(&visible(&expected), SHOWN_LINES, SHOWN_CHARACTERS);
     let got = clip(&visible(&got), SHOWN_LINES, SHOWN_CHARACTERS);
     let difference = diff::text(&expected, &got);
@@ -203,7 +203,7 @@ fn failure(case: &CaseEvent, strict: Grade) -> String {
         format!("- baseline: {}\n", inline(&noted(note)))
     });
     format!(
-        "\n### {verdict}: {id}@{dialect} on {engine}\n\n{title}\n\n- basis: {basis}\n- at: {file}:{line}\n\
+        "\n### {verdict}: {id}@{dialect} on {engine}\n\n{title}\n\n- basis: {basis}\n- at: {place}\n\
          {baseline}- rerun: {rerun}\n{difference}",
         verdict = case.verdict,
         id = inline(&case.id),
@@ -211,9 +211,8 @@ fn failure(case: &CaseEvent, strict: Grade) -> String {
         engine = inline(&case.engine),
         title = inline(&case.title),
         basis = inline(&case.basis),
-        file = inline(&case.file),
-        line = case.line,
-        rerun = code(&case.rerun),
+        place = inline(&case.place()),
+        rerun = code(&engine::rerun(engine, case)),
     )
 }
 

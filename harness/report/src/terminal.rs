@@ -46,8 +46,7 @@ pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>)
 
 fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
     for case in overview.failures.iter().take(SHOWN_FAILURES) {
-        let strict = overview.strict(&case.engine);
-        failure::write(out, case, strict, overview.totals.len() > 1)?;
+        failure::write(out, case, overview.engine(case), overview.totals.len() > 1)?;
     }
     let rest = overview.failed.saturating_sub(SHOWN_FAILURES as u64);
     if rest > 0 {

@@ -20,9 +20,8 @@ pub const FORMAT: u32 = 2;
 /// What the file of a program is called in [`EngineHeader::commands`].
 pub const PROGRAM: &str = "program.st";
 
-/// One event; as JSON, one object on one line, tagged by `type`.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[serde(tag = "type", rename_all = "lowercase")]
+/// One event of a run. How a log writes it down is not its own affair.
+#[derive(Clone, PartialEq, Debug)]
 pub enum Event {
     /// The first event.
     Header(Header),
@@ -98,14 +97,37 @@ pub struct EngineHeader {
     /// How exact its rejections and faults had to be to pass.
     #[serde(default)]
     pub strict: Grade,
+    /// The command that runs a case on this engine again; [`EngineHeader::rerun`] fills in which.
+    #[serde(default)]
+    pub rerun: String,
     /// By dialect, the command by which a person has this engine do the same with [`PROGRAM`], without Stickler; none where
     /// the engine knows of none.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub commands: BTreeMap<String, String>,
 }
 
+impl EngineHeader {
+    /// Returns the exact command that runs a case again on this engine.
+    #[must_use]
+    pub fn rerun(&self, id: &str, dialect: &str) -> String {
+        rerun(&self.rerun, id, dialect)
+    }
+}
+
+/// Stands for the id of a case in the template of a command that runs it again, within single quotes of a shell.
+pub(crate) const RERUN_ID: &str = "{id}";
+
+/// Stands for the dialect of a case in the template of a command that runs it again.
+pub(crate) const RERUN_DIALECT: &str = "{dialect}";
+
+/// Returns the command of a template for one case.
+pub(crate) fn rerun(template: &str, id: &str, dialect: &str) -> String {
+    let command = template.replace(RERUN_DIALECT, dialect);
+    command.replace(RERUN_ID, &id.replace('\'', r"'\''"))
+}
+
 /// A case on an engine.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct CaseEvent {
     /// The case's id; with the dialect and the engine it is unique in a run.
     pub id: String,
@@ -117,42 +139,46 @@ pub struct CaseEvent {
     pub verdict: Verdict,
     /// The document leaves it open: the case asserts nothing, or only that the program is accepted, and records what the
     /// engine does.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub open: bool,
     /// How exactly a rejection or a fault was right; `None` where neither was expected or neither came.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub grade: Option<Grade>,
     /// The claim: document and section.
     pub basis: String,
     /// The case file.
     pub file: String,
-    /// The line in the case file at which the case stands.
-    pub line: u32,
+    /// The line in the case file at which the case stands; `None` where it passed, for then nobody looks for it.
+    pub line: Option<u32>,
     /// The folder of the case, the first part of its id.
     pub area: String,
     /// The case's title.
     pub title: String,
-    /// What had to happen, in a fixed order.
+    /// A fingerprint of what had to happen, by which two runs see whether they expected the same.
+    pub expectation: u32,
+    /// What had to happen, in a fixed order; empty where the case passed and `got` tells nothing more.
     pub expected: Vec<Fact>,
-    /// What happened, fact by fact beside `expected`; the two are equal where all went as expected, so that a
-    /// diff of their texts shows what did not.
+    /// What happened, fact by fact beside `expected`, so that a diff of their texts shows what was not as expected; empty where
+    /// `expected` is.
     pub got: Vec<Fact>,
     /// How long the engine took, in microseconds.
     pub duration_us: u64,
-    /// The exact command that runs this case again.
-    pub rerun: String,
     /// What was recorded and not judged.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub observations: Vec<Observed>,
     /// The whole program, where the engine did not do with it what was expected; of all others the case has it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub program: Option<String>,
     /// What the engine's baseline says of the case, where it says something.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub baseline: Option<BaselineNote>,
 }
 
 impl CaseEvent {
+    /// Returns where the case stands: its file, and its line where that is known.
+    #[must_use]
+    pub fn place(&self) -> String {
+        match self.line {
+            Some(line) => format!("{}:{line}", self.file),
+            None => self.file.clone(),
+        }
+    }
+
     /// What came of the case, whatever a baseline expects.
     #[must_use]
     pub fn came(&self) -> Verdict {
@@ -199,26 +225,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_event_is_one_line_of_json_tagged_by_its_type() {
-        let event = Event::Footer(Footer {
-            duration_ms: 3,
-            ..Footer::default()
-        });
-        let line = serde_json::to_string(&event).unwrap();
-        assert!(
-            line.starts_with(r#"{"type":"footer","totals":{"pass":0,"#),
-            "{line}"
+    fn a_rerun_command_is_filled_in_with_what_a_shell_takes() {
+        let template = "stickler run --filter '{id}' --dialect {dialect}";
+        let command = rerun(template, "a(STRING,'x')", "matiec");
+        assert_eq!(
+            command,
+            r"stickler run --filter 'a(STRING,'\''x'\'')' --dialect matiec"
         );
-        assert_eq!(serde_json::from_str::<Event>(&line).unwrap(), event);
     }
 
     #[test]
     fn a_header_of_a_later_version_with_more_keys_is_read() {
-        let line = r#"{"type":"header","format":2,"stickler":"9","suite":"1","started":"","command":"",
+        let line = r#"{"format":2,"stickler":"9","suite":"1","started":"","command":"",
             "engines":[],"cases":4,"weather":"fine"}"#;
-        let Event::Header(header) = serde_json::from_str(line).unwrap() else {
-            panic!("no header")
-        };
+        let header: Header = serde_json::from_str(line).unwrap();
         assert_eq!(
             (header.stickler.as_str(), header.cases, header.shard),
             ("9", 4, None)

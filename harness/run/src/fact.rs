@@ -1,7 +1,7 @@
 //! Facts: what a case expects and what an engine did, as typed data until a report prints them.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
-use std::fmt;
+use std::fmt::{self, Write};
 use stickler_engines::Outcome;
 use stickler_types::{Fault, Value};
 
@@ -127,6 +127,17 @@ impl Fact {
         lines.join("\n")
     }
 
+    /// Returns a fingerprint of several facts: FNV-1a of their text, the same on every machine.
+    #[must_use]
+    pub fn fingerprint(facts: &[Fact]) -> u32 {
+        let mut hash = Fnv1a(0x811C_9DC5);
+        for fact in facts {
+            // Hashing does not fail.
+            let _ = writeln!(hash, "{fact}");
+        }
+        hash.0
+    }
+
     /// Returns the diagnostic, where the fact is one.
     #[must_use]
     pub fn diagnostic(&self) -> Option<&ToldDiagnostic> {
@@ -226,6 +237,18 @@ impl fmt::Display for ToldDiagnostic {
             Some(message) => write!(f, ": {}", OneLine(message)),
             None => Ok(()),
         }
+    }
+}
+
+/// A 32-bit FNV-1a hash of what is written to it.
+struct Fnv1a(u32);
+
+impl fmt::Write for Fnv1a {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0 = text.bytes().fold(self.0, |hash, byte| {
+            (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
+        });
+        Ok(())
     }
 }
 
@@ -344,6 +367,20 @@ mod tests {
             assert_eq!(serde_json::from_str::<Fact>(&json).unwrap(), fact, "{json}");
         }
     }
+
+    #[test]
+    fn a_fingerprint_is_the_same_for_ever() {
+        assert_eq!(Fact::fingerprint(&[]), 0x811C_9DC5);
+        let value = |name: &str| Fact::Value {
+            name: name.to_owned(),
+            value: Value::parse("INT#5").unwrap(),
+        };
+        assert_eq!(Fact::fingerprint(&[value("r")]), OF_R_IS_5);
+        assert_ne!(Fact::fingerprint(&[value("q")]), OF_R_IS_5);
+    }
+
+    /// Written down once: logs of other versions have it.
+    const OF_R_IS_5: u32 = 1_430_295_255;
 
     #[test]
     fn a_value_is_a_typed_literal_in_json_and_nothing_else_is_read() {

@@ -1,8 +1,8 @@
 //! What to run and how, and what can keep a run from being one.
 
+use crate::event::{RERUN_DIALECT, RERUN_ID, rerun};
 use crate::{Baseline, DefinedHeader, Filter, Grade, Held, Totals, hold};
 use jiff::civil::Date;
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use stickler_engines::{EngineError, Identity, Reference};
 use stickler_suite::{Case, Suite};
@@ -114,18 +114,21 @@ impl Plan {
     /// The command that runs this case again on this engine, to be pasted into a shell.
     #[must_use]
     pub fn rerun(&self, case: &Case, engine: &str) -> String {
-        let engine: &[&str] = match self.asked_for.get(engine).map_or(engine, String::as_str) {
-            "reference" => &[],
-            asked_for => &[" --engine ", asked_for],
+        rerun(&self.rerun_template(engine), &case.id, case.dialect.as_str())
+    }
+
+    /// Returns the command that runs a case again on this engine, with words that [`EngineHeader::rerun`] fills in.
+    ///
+    /// [`EngineHeader::rerun`]: crate::EngineHeader::rerun
+    #[must_use]
+    pub fn rerun_template(&self, engine: &str) -> String {
+        let engine = match self.asked_for.get(engine).map_or(engine, String::as_str) {
+            Reference::NAME => String::new(),
+            asked_for => format!(" --engine {asked_for}"),
         };
         // A filter that is an id selects that case alone, so the id itself will do.
-        let id: Cow<'_, str> = if case.id.contains('\'') {
-            case.id.replace('\'', r"'\''").into()
-        } else {
-            (&*case.id).into()
-        };
-        let filter = [" --filter '", &id, "' --dialect ", case.dialect.as_str()];
-        [&[self.rerun_prefix.as_str()], engine, &filter].concat().concat()
+        let case = format!(" --filter '{RERUN_ID}' --dialect {RERUN_DIALECT}");
+        format!("{}{engine}{case}", self.rerun_prefix)
     }
 }
 

@@ -260,6 +260,7 @@ fn engine_header(plan: &Plan, engine: &dyn Engine) -> EngineHeader {
         version: identity.version.clone(),
         dialects: identity.dialects.iter().map(ToString::to_string).collect(),
         strict: plan.strict(identity),
+        rerun: plan.rerun_template(&identity.name),
         commands: identity
             .dialects
             .iter()

@@ -2,7 +2,7 @@
 
 use crate::event::CaseEvent;
 use crate::judge::{is_open, judge};
-use crate::{Answers, Held, Plan, Verdict};
+use crate::{Answers, Fact, Held, Judgement, Plan, Verdict};
 use std::time::Duration;
 use stickler_engines::Identity;
 use stickler_suite::Case;
@@ -27,28 +27,40 @@ impl Teller<'_> {
             Some(held) => held.apply(&case.id, case.dialect, judgement),
             None => (judgement, None),
         };
-        let engine = &self.engine.name;
+        let expectation = Fact::fingerprint(&judgement.expected);
+        let passed = judgement.verdict == Verdict::Pass;
+        let (expected, got) = match passed && tells_nothing(&judgement) {
+            true => (Vec::new(), Vec::new()),
+            false => (judgement.expected, judgement.got),
+        };
         CaseEvent {
             id: case.id.to_string(),
             dialect: case.dialect.as_str().to_owned(),
-            engine: engine.clone(),
+            engine: self.engine.name.clone(),
             verdict: judgement.verdict,
             open: is_open(case),
             grade: judgement.grade,
             basis: case.basis.to_string(),
             file: case.file.to_string(),
-            line: case.line,
+            line: (!passed).then_some(case.line),
             area: case.area.to_string(),
             title: case.title.to_string(),
-            expected: judgement.expected,
-            got: judgement.got,
+            expectation,
+            expected,
+            got,
             duration_us: u64::try_from(time.as_micros()).unwrap_or(u64::MAX),
-            rerun: self.plan.rerun(case, engine),
             observations: judgement.observations,
             program: lacking(judgement.verdict).then(|| case.source.to_string()),
             baseline,
         }
     }
+}
+
+/// Returns whether what was got of a case that passed is known from its expectation and its observations.
+fn tells_nothing(passed: &Judgement) -> bool {
+    passed.got == passed.expected
+        // The acceptance is observed.
+        || (passed.expected == [Fact::AcceptedOrRejected] && passed.got == [Fact::Accepted])
 }
 
 /// Whether an engine did not do what was expected of it, be that known or not.

@@ -12,6 +12,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use stickler_engines::{Ability, Grade, Identity, Reference};
 use stickler_export::{Export, Imported, MANIFEST, Source};
+use stickler_report::events;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
 use stickler_run::{Held, Plan};
@@ -96,6 +97,12 @@ fn source(file: &Path) -> anyhow::Result<Source> {
             .context("cannot read stdin")?;
     } else {
         bytes = fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
+    }
+    if let Some(report) = events::recognize(&bytes) {
+        bail!(
+            "{} is {report}; import the text that was copied out of the compiler's editor, and run the cases again for a new report",
+            file.display()
+        );
     }
     Ok(Source {
         name: file.display().to_string(),

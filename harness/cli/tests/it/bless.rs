@@ -242,6 +242,13 @@ fn what_cannot_be_blessed_says_why() {
     let footer = text.trim_end().rfind('\n').expect("lines") + 1;
     fs::write(&log, &text[..footer]).expect("a log");
     desk.bless(&[]).with(2, &["cut short", "run it again"]);
+    fs::write(&log, text.replace(r#""format":2"#, r#""format":1"#)).expect("a log");
+    let told = [
+        "reports/latest/events.jsonl",
+        "has format 1",
+        "run the cases again",
+    ];
+    desk.bless(&[]).with(2, &told);
     desk.command(&["run", "--cases", SUITE], "").with(1, &[]);
     desk.bless(&[]).with(2, &["the reference has no baseline"]);
 }

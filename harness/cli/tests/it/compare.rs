@@ -28,8 +28,7 @@ fn write(folder: &Path, events: &[Event]) {
     fs::create_dir_all(folder).expect("a folder");
     let mut log = EventLog::create(folder.join(events::NAME)).expect("a log");
     for event in events {
-        let json = serde_json::to_vec(event).expect("JSON");
-        log.take(event, &json).expect("written");
+        log.take(event).expect("written");
     }
     log.flush().expect("written");
 }
@@ -50,7 +49,8 @@ fn later(event: &mut Event) {
     match (&*case.id, &*case.dialect) {
         ("language/wrong-on-purpose", _) => {
             case.verdict = Verdict::Pass;
-            case.got.clone_from(&case.expected);
+            case.got.clear();
+            case.expected.clear();
         }
         ("widening/integer::assignment(INT,INT,-128)", "ironplc-ed2") => {
             case.verdict = Verdict::Fail;

@@ -1,11 +1,12 @@
 //! Dialects that `stickler.toml` defines, over a few tables of the real suite.
 
 use crate::common::{STICKLER, output, text};
-use serde_json::Value as Json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 use std::process::Output;
+use stickler_report::events::{self, Completeness};
+use stickler_run::{CaseEvent, Event, Verdict};
 use tempfile::TempDir;
 
 const SUITE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../conformance-cases");
@@ -58,20 +59,16 @@ fn told(output: &Output) -> String {
 }
 
 /// The cases of the last run, by id and dialect.
-fn cases(folder: &Path) -> BTreeMap<String, Json> {
-    let results = fs::read_to_string(folder.join("reports/latest/results.json")).expect("a report");
-    let results: Json = serde_json::from_str(&results).expect("JSON");
-    let cases = results["cases"].as_array().expect("cases").iter();
+fn cases(folder: &Path) -> BTreeMap<String, CaseEvent> {
+    let log = fs::read(folder.join("reports/latest/events.jsonl")).expect("a report");
+    let mut cases = BTreeMap::new();
+    let completeness = events::read(&log[..], &mut |event| {
+        if let Event::Case(case) = event {
+            cases.insert(format!("{}@{}", case.id, case.dialect), case);
+        }
+    });
+    assert_eq!(completeness.expect("a readable log"), Completeness::Complete);
     cases
-        .map(|case| {
-            let key = |key: &str| case[key].as_str().expect("a text").to_owned();
-            (format!("{}@{}", key("id"), key("dialect")), case.clone())
-        })
-        .collect()
-}
-
-fn basis(case: &Json) -> &str {
-    case["basis"].as_str().expect("a basis")
 }
 
 #[test]
@@ -96,7 +93,7 @@ fn promises_of_each_kind_are_kept_by_the_reference() {
     assert!(cases.keys().all(|key| key.ends_with("@mine")));
     let stated: BTreeSet<&str> = cases
         .values()
-        .filter_map(|case| basis(case).strip_prefix("mine: ")?.split(" (").next())
+        .filter_map(|case| case.basis.strip_prefix("mine: ")?.split(" (").next())
         .collect();
     assert_eq!(
         Vec::from_iter(stated),
@@ -109,7 +106,7 @@ fn promises_of_each_kind_are_kept_by_the_reference() {
             "text-reading"
         ]
     );
-    let of = |id: &str| basis(&cases[&format!("{id}@mine")]).to_owned();
+    let of = |id: &str| cases[&format!("{id}@mine")].basis.clone();
     assert_eq!(
         of("conversion/real-to-integer::variable(REAL,INT,2.5)"),
         "mine: rounding (stickler.toml:13; https://example.org/myplc)"
@@ -130,15 +127,15 @@ fn a_false_promise_fails_exactly_where_it_was_made() {
     assert_eq!(output.status.code(), Some(1), "{}", told(&output));
     let cases = cases(folder.path());
     for (key, case) in &cases {
-        let (stated, fails) = (basis(case).starts_with("mine: "), case["verdict"] == "fail");
+        let (stated, fails) = (case.basis.starts_with("mine: "), case.verdict == Verdict::Fail);
         assert!(stated || !fails, "{key} fails, and nothing was promised");
         // Of values some are the same by either choice; of types that convert or do not, none.
         let is_cell = ["mine: implicit", "mine: allow"]
             .iter()
-            .any(|start| basis(case).starts_with(start));
+            .any(|start| case.basis.starts_with(start));
         assert!(!is_cell || fails, "{key} is promised otherwise, and passes");
     }
-    let fails = |id: &str| cases[&format!("{id}@mine")]["verdict"] == "fail";
+    let fails = |id: &str| cases[&format!("{id}@mine")].verdict == Verdict::Fail;
     assert!(fails("conversion/real-to-integer::variable(REAL,INT,2.5)"));
     assert!(!fails("conversion/real-to-integer::variable(REAL,INT,1.0)"));
 }

@@ -88,6 +88,12 @@ fn what_is_not_whole_is_told_and_never_taken_for_a_pass() {
     );
     // A run that was cut short leaves its log and nothing else.
     assert!(!folder.path().join("told/results.json").exists());
+    let log = ["import", "told/events.jsonl", "--export", "pages"];
+    let (code, _, notes) = run(folder.path(), &log);
+    assert_eq!(code, Some(2));
+    let told =
+        "told/events.jsonl is the event log of a run, of format 2; import the text that was copied out";
+    assert!(notes.contains(told), "{notes}");
     let (code, _, notes) = run(folder.path(), &["import", "copied.txt", "--no-report"]);
     assert_eq!(code, Some(2));
     assert!(notes.contains("holds no export"), "{notes}");

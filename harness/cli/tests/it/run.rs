@@ -7,13 +7,22 @@ use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use stickler_report::events::{self, Completeness};
-use stickler_run::Event;
+use stickler_run::{EngineHeader, Event};
 
 fn read_log(path: &Path) -> (Vec<Event>, Completeness) {
     let mut events = Vec::new();
     let bytes = fs::read(path).expect("an event log");
     let completeness = events::read(&bytes[..], &mut |event| events.push(event)).expect("a readable log");
     (events, completeness)
+}
+
+/// An engine of the header.
+fn engine<'e>(events: &'e [Event], name: &str) -> &'e EngineHeader {
+    let Some(Event::Header(header)) = events.first() else {
+        panic!("no header")
+    };
+    let mut engines = header.engines.iter();
+    engines.find(|engine| engine.name == name).expect("the engine")
 }
 
 #[test]
@@ -30,11 +39,20 @@ fn a_run_writes_every_report_about_the_same_cases() {
         .count();
     let results: serde_json::Value =
         serde_json::from_slice(&fs::read(latest.join("results.json")).expect("results")).expect("JSON");
-    assert_eq!(results["cases"].as_array().map(Vec::len), Some(cases));
+    assert_eq!(results["cases"].as_array().map(Vec::len), Some(1));
+    let passed = results["passed"].as_array().expect("what passed").iter();
+    let in_every_dialect = |probe: &serde_json::Value| {
+        let of_case = probe["duration_us"].as_object().expect("cases").values();
+        of_case
+            .map(|times| times.as_array().map_or(0, Vec::len))
+            .sum::<usize>()
+    };
+    assert_eq!(passed.map(in_every_dialect).sum::<usize>(), cases - 1);
     assert_eq!(results["engines"][0]["totals"]["pass"], cases - 1);
     let junit = fs::read_to_string(latest.join("junit.xml")).expect("JUnit");
     let claims = results["claims"].as_array().map_or(0, Vec::len);
-    assert_eq!(junit.matches("<testcase ").count(), claims + cases);
+    let tests = junit.matches("<testcase ").count();
+    assert!((claims + 2..claims + cases).contains(&tests), "{tests}: {junit}");
     assert_eq!(junit.matches("<failure ").count(), 2, "the case and its claim");
     let summary = fs::read_to_string(latest.join("summary.md")).expect("a summary");
     assert!(
@@ -48,11 +66,12 @@ fn the_rerun_command_of_a_failure_runs_that_case_alone() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     output(folder.path(), &["run", "--cases", SUITE]);
     let (events, _) = read_log(&folder.path().join("reports/latest/events.jsonl"));
-    let rerun = events.iter().find_map(|event| match event {
-        Event::Case(case) if !case.verdict.is_as_expected() => Some(case.rerun.clone()),
+    let failed = events.iter().find_map(|event| match event {
+        Event::Case(case) if !case.verdict.is_as_expected() => Some(case),
         _ => None,
     });
-    let rerun = rerun.expect("a failure");
+    let failed = failed.expect("a failure");
+    let rerun = engine(&events, "reference").rerun(&failed.id, &failed.dialect);
     let arguments = rerun.strip_prefix("stickler ").expect("a command line");
     let program = STICKLER;
     let shell = Command::new("sh")
@@ -237,11 +256,7 @@ fn does_the_same(folder: &Path, first: &str, second: &str) {
     };
     assert!(!of("reference").is_empty());
     assert_eq!(of("reference"), of("reference-2"));
-    let rerun = events.iter().find_map(|event| match event {
-        Event::Case(case) if case.engine == "reference-2" => Some(case.rerun.clone()),
-        _ => None,
-    });
-    let rerun = rerun.expect("a case");
+    let rerun = &engine(&events, "reference-2").rerun;
     assert!(rerun.contains(" --engine 'cmd:"), "{rerun}");
 }
 

@@ -1,13 +1,13 @@
 //! A comparison on the terminal: what is worse, case by case; what is not, in numbers; and one line that says how it went.
 
-use super::{Change, Comparison, Detail, Kind, Lone, known};
+use super::{Change, Comparison, Detail, Kind, Lone};
 use crate::observations::probe;
 use crate::terminal::failure::write_difference;
 use crate::terminal::{BAD, BOLD, DIM, GOOD};
 use crate::text::{counted, visible};
 use anstyle::Style;
 use std::io::{self, Write};
-use stickler_run::{Fact, Header, Totals, Verdict};
+use stickler_run::{Header, Totals, Verdict};
 
 /// How many groups of one kind are shown.
 const SHOWN: usize = 20;
@@ -155,25 +155,22 @@ fn write_whole(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Res
     }
     writeln!(out, "     {}", visible(&case.title))?;
     writeln!(out, "     {DIM}basis   {DIM:#} {}", visible(&case.basis))?;
-    writeln!(out, "     {DIM}at      {DIM:#} {}:{}", case.file, case.line)?;
+    writeln!(out, "     {DIM}at      {DIM:#} {}", case.place())?;
     write_texts(out, change, detail)?;
-    writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&case.rerun))
+    writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&detail.rerun))
 }
 
 fn write_texts(out: &mut dyn Write, change: &Change, detail: &Detail) -> io::Result<()> {
-    let Detail { old, case } = detail;
-    let new = known::said(case);
-    let then = old.as_deref().unwrap_or("what was expected then");
-    let expected = Fact::text(&case.expected);
-    if then != expected {
+    let then = detail.old.as_deref().unwrap_or("what was expected then");
+    if let Some(expected) = detail.expected.as_deref().filter(|expected| *expected != then) {
         let changed = match change.expectation_changed {
             true => " (it was something else in the older run)",
             false => "",
         };
-        let expected = visible(&expected).replace('\n', "\n                ");
+        let expected = visible(expected).replace('\n', "\n                ");
         writeln!(out, "     {DIM}expected{DIM:#}   {expected}{DIM}{changed}{DIM:#}")?;
     }
-    write_difference(out, ("old", then), ("new", &new))
+    write_difference(out, ("old", then), ("new", &detail.new))
 }
 
 /// One line, and what became of the first case in a second one.

@@ -1,6 +1,7 @@
 //! One page, and the list of an engine's pages.
 
 use super::{Cluster, Key};
+use crate::engine;
 use crate::summary::{code, fence, inline};
 use crate::text::{counted, noted, visible};
 use std::fmt::Write;
@@ -77,7 +78,7 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster:
         text,
         "Found by Stickler, in its dialect `{}`: {}",
         case.dialect,
-        code(&case.rerun)
+        code(&engine::rerun(about, case))
     );
     text
 }

@@ -2,12 +2,12 @@
 
 use super::suite::{Kind, Problem, Test};
 use crate::text::noted;
-use crate::{compared, diff};
+use crate::{compared, diff, engine};
 use std::fmt::Write;
-use stickler_run::{CaseEvent, Fact, Grade, Verdict};
+use stickler_run::{CaseEvent, EngineHeader, Fact, Verdict};
 
-/// The test of a case; its engine's rejections had to be so exact.
-pub(super) fn test(case: &CaseEvent, strict: Grade) -> Test<'_> {
+/// Returns the test of a case that did not pass.
+pub(super) fn test<'c>(case: &'c CaseEvent, engine: Option<&EngineHeader>) -> Test<'c> {
     let problem = kind(case.verdict).map(|(kind, message)| Problem {
         kind,
         type_name: case.verdict.as_str(),
@@ -16,13 +16,14 @@ pub(super) fn test(case: &CaseEvent, strict: Grade) -> Test<'_> {
             Some(note) => format!("{message} ({}): {}", note.reason, case.title),
             None => format!("{message}: {}", case.title),
         },
-        text: description(case, strict),
+        text: description(case, engine),
     });
     Test {
         name: &case.id,
         microseconds: case.duration_us,
         problem,
         output: observations(case),
+        ..Test::default()
     }
 }
 
@@ -38,7 +39,8 @@ fn observations(case: &CaseEvent) -> String {
     text
 }
 
-fn kind(verdict: Verdict) -> Option<(Kind, &'static str)> {
+/// Returns what JUnit calls a verdict, with what is said of it; `None` of a pass.
+pub(super) fn kind(verdict: Verdict) -> Option<(Kind, &'static str)> {
     match verdict {
         Verdict::Pass => None,
         Verdict::Fail => Some((Kind::Failure, "not as expected")),
@@ -51,20 +53,19 @@ fn kind(verdict: Verdict) -> Option<(Kind, &'static str)> {
     }
 }
 
-fn description(case: &CaseEvent, strict: Grade) -> String {
-    let (expected, got) = compared::texts(case, strict);
+fn description(case: &CaseEvent, engine: Option<&EngineHeader>) -> String {
+    let (expected, got) = compared::texts(case, engine::strictness(engine));
     let baseline = case
         .baseline
         .as_ref()
         .map_or(String::new(), |note| format!("baseline: {}\n", noted(note)));
     format!(
-        "{file}:{line}\nbasis: {basis}\n{baseline}expected: {expected}\ngot: {got}\n{diff}rerun: {rerun}\n",
-        file = case.file,
-        line = case.line,
+        "{place}\nbasis: {basis}\n{baseline}expected: {expected}\ngot: {got}\n{diff}rerun: {rerun}\n",
+        place = case.place(),
         basis = case.basis,
         expected = Fact::text(&case.expected),
         got = Fact::text(&case.got),
         diff = diff::text(&expected, &got),
-        rerun = case.rerun,
+        rerun = engine::rerun(engine, case),
     )
 }

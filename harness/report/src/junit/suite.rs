@@ -20,6 +20,8 @@ pub(super) struct Test<'a> {
     pub(super) problem: Option<Problem<'a>>,
     /// What it says beside that.
     pub(super) output: String,
+    /// Numbers by which programs know more of it.
+    pub(super) properties: Vec<(&'static str, u64)>,
 }
 
 /// Why a test did not simply pass.
@@ -64,6 +66,9 @@ impl Suite {
         case.set_classname(self.suite.name.clone()).set_time(time);
         if !test.output.is_empty() {
             case.set_system_out(test.output);
+        }
+        for (name, number) in test.properties {
+            case.add_property((name.to_owned(), number.to_string()));
         }
         self.time += time;
         self.suite.add_test_case(case);

@@ -1,7 +1,7 @@
 //! Parts of a small run, whole and broken.
 
 use super::{Part, merge};
-use crate::events::Reader;
+use crate::events::{Reader, log_of};
 use crate::sample;
 use std::io;
 use stickler_run::{Event, Verdict};
@@ -36,11 +36,7 @@ fn part(index: u32, count: u32) -> Vec<Event> {
 }
 
 fn log(name: &str, events: &[Event]) -> Part<io::Cursor<Vec<u8>>> {
-    let mut bytes = Vec::new();
-    for event in events {
-        serde_json::to_writer(&mut bytes, event).expect("JSON");
-        bytes.push(b'\n');
-    }
+    let bytes = log_of(events);
     Part {
         name: name.to_owned(),
         log: Ok(Reader::new(io::Cursor::new(bytes))),
@@ -120,6 +116,13 @@ fn a_part_that_lost_a_case_is_named() {
     assert!(!is_whole(&events));
 }
 
+fn of_format_1(mut events: Vec<Event>) -> Vec<Event> {
+    if let Some(Event::Header(header)) = events.first_mut() {
+        header.format = 1;
+    }
+    events
+}
+
 #[test]
 fn what_is_no_part_of_the_same_run_is_named() {
     let mut other = part(2, 2);
@@ -138,6 +141,10 @@ fn what_is_no_part_of_the_same_run_is_named() {
             "b is no part of the same run as a: its list of engines is reference 0.2.0",
         ),
         (log("b", &[]), "b cannot be read: the event log is empty"),
+        (
+            log("b", &of_format_1(part(2, 2))),
+            "b cannot be read: the event log has format 1, which an earlier version of Stickler wrote",
+        ),
     ] {
         let (events, missing) = merged(vec![log("a", &part(1, 2)), second]);
         assert!(missing[0].starts_with(reason), "{missing:?}");

@@ -1,12 +1,12 @@
 //! One case that is not as expected, with all that is needed to look into it.
 
 use super::{BAD, BOLD, DIM, GOOD};
-use crate::compared;
 use crate::diff::{self, DiffLine, Side};
 use crate::text::{clip, noted, visible};
+use crate::{compared, engine};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
-use stickler_run::{CaseEvent, Grade, Verdict};
+use stickler_run::{CaseEvent, EngineHeader, Verdict};
 
 const BAD_PIECE: Style = AnsiColor::Red.on_default().bold().underline();
 const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
@@ -15,11 +15,16 @@ const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
 const SHOWN_LINES: usize = 40;
 const SHOWN_CHARACTERS: usize = 400;
 
-/// Writes one case that is not as expected, and how to run it again; its engine's rejections had to be so exact.
+/// Writes one case that is not as expected, and how to run it again.
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(out: &mut dyn Write, case: &CaseEvent, strict: Grade, name_engine: bool) -> io::Result<()> {
+pub fn write(
+    out: &mut dyn Write,
+    case: &CaseEvent,
+    engine: Option<&EngineHeader>,
+    name_engine: bool,
+) -> io::Result<()> {
     let verdict = case.verdict.as_str().to_uppercase();
     write!(
         out,
@@ -31,16 +36,20 @@ pub fn write(out: &mut dyn Write, case: &CaseEvent, strict: Grade, name_engine: 
     }
     writeln!(out, "\n     {}", visible(&case.title))?;
     writeln!(out, "     {DIM}basis   {DIM:#} {}", visible(&case.basis))?;
-    writeln!(out, "     {DIM}at      {DIM:#} {}:{}", case.file, case.line)?;
+    writeln!(out, "     {DIM}at      {DIM:#} {}", case.place())?;
     if let Some(note) = &case.baseline {
         writeln!(out, "     {DIM}baseline{DIM:#} {}", noted(note))?;
     }
     // A pass differs in nothing, also where it is not expected.
     if case.verdict != Verdict::Xpass {
-        let (expected, got) = compared::texts(case, strict);
+        let (expected, got) = compared::texts(case, engine::strictness(engine));
         write_difference(out, ("expected", &expected), ("got", &got))?;
     }
-    writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&case.rerun))
+    writeln!(
+        out,
+        "     {DIM}rerun   {DIM:#} {}\n",
+        visible(&engine::rerun(engine, case))
+    )
 }
 
 /// Two texts, each with the word for it: one-line texts stand under each other, longer ones as a diff that shows both.

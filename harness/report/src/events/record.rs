@@ -1,0 +1,141 @@
+//! The lines of a log: what each kind of them holds, and how events become lines and lines events.
+
+use crate::LogError;
+use crate::groups::{Group, GroupNumber};
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use stickler_run::{BaselineNote, CaseEvent, Event, Fact, Footer, Header, Observed, Verdict};
+
+/// A line that is not about a case.
+#[derive(Serialize, Deserialize)]
+#[serde(tag = "type", rename_all = "lowercase")]
+pub(super) enum Frame<'r> {
+    /// The first line.
+    Header(Cow<'r, Header>),
+    /// What the cases of a group have in common, before the first of them.
+    Group(GroupRecord<'r>),
+    /// The last line of a run that was not cut short.
+    Footer(Cow<'r, Footer>),
+}
+
+/// A group and the number by which the lines of its cases name it.
+#[derive(Serialize, Deserialize)]
+pub(super) struct GroupRecord<'r> {
+    number: GroupNumber,
+    group: Cow<'r, Group>,
+}
+
+/// A line about a case. What is missing is empty or unknown.
+#[derive(Serialize, Deserialize)]
+pub(super) struct CaseRecord<'r> {
+    #[serde(rename = "type")]
+    verdict: Verdict,
+    group: GroupNumber,
+    /// What stands behind the group's id in the id of the case.
+    #[serde(default, skip_serializing_if = "str::is_empty")]
+    case: Cow<'r, str>,
+    duration_us: u64,
+    expects: u32,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    line: Option<u32>,
+    #[serde(default, skip_serializing_if = "<[Fact]>::is_empty")]
+    expected: Cow<'r, [Fact]>,
+    #[serde(default, skip_serializing_if = "<[Fact]>::is_empty")]
+    got: Cow<'r, [Fact]>,
+    #[serde(default, skip_serializing_if = "<[Observed]>::is_empty")]
+    observations: Cow<'r, [Observed]>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    program: Option<Cow<'r, str>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    baseline: Option<Cow<'r, BaselineNote>>,
+}
+
+impl<'r> GroupRecord<'r> {
+    pub(super) const fn new(number: GroupNumber, group: &'r Group) -> GroupRecord<'r> {
+        GroupRecord {
+            number,
+            group: Cow::Borrowed(group),
+        }
+    }
+}
+
+impl<'r> CaseRecord<'r> {
+    pub(super) fn new(case: &'r CaseEvent, group: GroupNumber) -> CaseRecord<'r> {
+        CaseRecord {
+            verdict: case.verdict,
+            group,
+            case: Group::arguments(&case.id).into(),
+            duration_us: case.duration_us,
+            expects: case.expectation,
+            line: case.line,
+            expected: Cow::Borrowed(&case.expected),
+            got: Cow::Borrowed(&case.got),
+            observations: Cow::Borrowed(&case.observations),
+            program: case.program.as_deref().map(Cow::Borrowed),
+            baseline: case.baseline.as_ref().map(Cow::Borrowed),
+        }
+    }
+
+    fn event(self, group: &Group) -> CaseEvent {
+        CaseEvent {
+            id: format!("{}{}", group.id, self.case),
+            dialect: group.dialect.clone(),
+            engine: group.engine.clone(),
+            verdict: self.verdict,
+            open: group.open,
+            grade: group.grade,
+            basis: group.basis.clone(),
+            file: group.file.clone(),
+            line: self.line,
+            area: group.area.clone(),
+            title: group.title.clone(),
+            expectation: self.expects,
+            expected: self.expected.into_owned(),
+            got: self.got.into_owned(),
+            duration_us: self.duration_us,
+            observations: self.observations.into_owned(),
+            program: self.program.map(Cow::into_owned),
+            baseline: self.baseline.map(Cow::into_owned),
+        }
+    }
+}
+
+/// What the first key of a line says.
+#[derive(Deserialize)]
+struct Tag<'r> {
+    #[serde(rename = "type", borrow)]
+    kind: Cow<'r, str>,
+}
+
+/// Turns lines into events.
+#[derive(Default)]
+pub(super) struct Decoder {
+    groups: Vec<Group>,
+}
+
+impl Decoder {
+    /// Returns the event of a line; `None` where the line says what a group has in common. `number` is that of the line.
+    ///
+    /// # Errors
+    /// [`LogError::Line`] where the line is none of a log; [`LogError::Group`] where the group of a case is unknown, or the
+    /// numbers of groups have a gap.
+    pub(super) fn event(&mut self, line: &[u8], number: u64) -> Result<Option<Event>, LogError> {
+        let broken = |source| LogError::Line { line: number, source };
+        let Tag { kind } = serde_json::from_slice(line).map_err(broken)?;
+        if !matches!(&*kind, "header" | "group" | "footer") {
+            let record: CaseRecord<'_> = serde_json::from_slice(line).map_err(broken)?;
+            let group = self.groups.get(record.group);
+            let group = group.ok_or(LogError::Group { line: number })?;
+            return Ok(Some(Event::Case(record.event(group))));
+        }
+        match serde_json::from_slice(line).map_err(broken)? {
+            Frame::Header(header) => Ok(Some(Event::Header(header.into_owned()))),
+            Frame::Footer(footer) => Ok(Some(Event::Footer(footer.into_owned()))),
+            Frame::Group(record) if record.number == self.groups.len() => {
+                self.groups.push(record.group.into_owned());
+                Ok(None)
+            }
+            Frame::Group(_) => Err(LogError::Group { line: number }),
+        }
+    }
+}

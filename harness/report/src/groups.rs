@@ -1,0 +1,141 @@
+//! What the cases of one probe have in common, which a report says once.
+
+use crate::observations::probe;
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use stickler_run::{CaseEvent, Grade};
+
+/// What the cases of a group have in common.
+#[derive(Clone, PartialEq, Eq, Hash, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct Group {
+    /// The beginning of the ids of its cases: a case file and a probe, such as `widening/integer::assignment`.
+    pub(crate) id: String,
+    pub(crate) dialect: String,
+    pub(crate) engine: String,
+    pub(crate) title: String,
+    pub(crate) basis: String,
+    pub(crate) file: String,
+    pub(crate) area: String,
+    /// The document leaves it open.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) open: bool,
+    /// How exactly a rejection or a fault was right.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) grade: Option<Grade>,
+}
+
+impl Group {
+    fn of(case: &CaseEvent) -> Group {
+        Group {
+            id: probe(&case.id).to_owned(),
+            dialect: case.dialect.clone(),
+            engine: case.engine.clone(),
+            title: case.title.clone(),
+            basis: case.basis.clone(),
+            file: case.file.clone(),
+            area: case.area.clone(),
+            open: case.open,
+            grade: case.grade,
+        }
+    }
+
+    fn holds(&self, case: &CaseEvent) -> bool {
+        self.dialect == case.dialect
+            && self.id == probe(&case.id)
+            && (self.open, self.grade) == (case.open, case.grade)
+            && self.engine == case.engine
+            && self.title == case.title
+            && self.basis == case.basis
+            && self.file == case.file
+            && self.area == case.area
+    }
+
+    /// Returns what stands behind the group's id in the id of one of its cases: `(SINT,INT,-128)`, or nothing.
+    pub(crate) fn arguments(id: &str) -> &str {
+        &id[probe(id).len()..]
+    }
+}
+
+/// The number of a group in [`Groups`].
+pub(crate) type GroupNumber = usize;
+
+/// How many groups are looked at before the table of all is: the cases of a probe alternate between its dialects.
+const MAX_RECENT: usize = 16;
+
+/// The groups of a run, numbered as they came.
+#[derive(Default)]
+pub(crate) struct Groups {
+    all: Vec<Group>,
+    numbers: HashMap<Group, GroupNumber>,
+    /// The groups that were met last, the last one first.
+    recent: Vec<GroupNumber>,
+}
+
+impl Groups {
+    /// Returns the number of the group of a case, and whether the group is new.
+    pub(crate) fn number(&mut self, case: &CaseEvent) -> (GroupNumber, bool) {
+        let known = self
+            .recent
+            .iter()
+            .position(|&number| self.all[number].holds(case));
+        if let Some(place) = known {
+            self.recent[..=place].rotate_right(1);
+            return (self.recent[0], false);
+        }
+        let group = Group::of(case);
+        let next = self.all.len();
+        let number = *self.numbers.entry(group.clone()).or_insert(next);
+        if number == next {
+            self.all.push(group);
+        }
+        self.recent.insert(0, number);
+        self.recent.truncate(MAX_RECENT);
+        (number, number == next)
+    }
+
+    /// Returns all groups in the order of their numbers.
+    pub(crate) fn all(&self) -> &[Group] {
+        &self.all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Group, Groups, MAX_RECENT};
+    use crate::sample;
+    use stickler_run::{CaseEvent, Verdict};
+
+    #[test]
+    fn cases_that_differ_in_nothing_but_their_arguments_are_one_group() {
+        let case = |id: &str| sample::case(id, Verdict::Pass);
+        let other = CaseEvent {
+            basis: "other".to_owned(),
+            ..case("a::p(3)")
+        };
+        let mut groups = Groups::default();
+        let numbers = [
+            case("a::p(1)"),
+            case("a::p(2)"),
+            case("a::q(1)"),
+            other,
+            case("a::p(4)"),
+        ];
+        let numbers = numbers.map(|case| groups.number(&case));
+        assert_eq!(numbers, [(0, true), (0, false), (1, true), (2, true), (0, false)]);
+        assert_eq!(groups.all()[1].id, "widening/a::q");
+        assert_eq!(Group::arguments("a::p(1,(2))"), "(1,(2))");
+        assert_eq!(Group::arguments("a"), "");
+    }
+
+    #[test]
+    fn a_group_keeps_its_number_however_many_come_between() {
+        let case = |number: usize| sample::case(&format!("a::p{number}(1)"), Verdict::Pass);
+        let mut groups = Groups::default();
+        for number in 0..2 * MAX_RECENT {
+            assert_eq!(groups.number(&case(number)), (number, true));
+        }
+        for number in 0..2 * MAX_RECENT {
+            assert_eq!(groups.number(&case(number)), (number, false));
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Cases of a probe that are one test of JUnit.
+
+use super::case::kind;
+use super::suite::{Problem, Test};
+use crate::groups::Group;
+use crate::text::counted;
+use stickler_run::{CaseEvent, Fact, Verdict};
+
+/// Cases with one verdict, counted.
+#[derive(Default)]
+pub(super) struct Tally {
+    cases: u64,
+    observations: u64,
+    microseconds: u64,
+    /// What was got of the first of them; empty where they passed.
+    got: String,
+}
+
+impl Tally {
+    /// Counts one case more.
+    pub(super) fn take(&mut self, case: &CaseEvent) {
+        self.add(Tally {
+            cases: 1,
+            observations: case.observations.len() as u64,
+            microseconds: case.duration_us,
+            got: match case.verdict {
+                Verdict::Unsupported if self.cases == 0 => Fact::text(&case.got),
+                _ => String::new(),
+            },
+        });
+    }
+
+    /// Adds those of another tally.
+    pub(super) fn add(&mut self, other: Tally) {
+        if self.cases == 0 {
+            self.got = other.got;
+        }
+        self.cases += other.cases;
+        self.observations += other.observations;
+        self.microseconds += other.microseconds;
+    }
+
+    /// Returns the test of the cases of a probe with this verdict; `None` where there are none.
+    pub(super) fn tests<'g>(&self, group: &'g Group, verdict: Verdict) -> Option<Test<'g>> {
+        let problem = kind(verdict).map(|(kind, message)| {
+            let cases = counted(self.cases, "case", "cases");
+            Problem {
+                kind,
+                type_name: verdict.as_str(),
+                message: format!("{message} ({cases}): {}", group.title),
+                text: self.got.clone(),
+            }
+        });
+        let properties = [("cases", self.cases), ("observations", self.observations)];
+        (self.cases > 0).then(|| Test {
+            name: &group.id,
+            microseconds: self.microseconds,
+            problem,
+            properties: properties.into_iter().filter(|(_, number)| *number > 0).collect(),
+            ..Test::default()
+        })
+    }
+}

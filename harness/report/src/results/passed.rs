@@ -1,0 +1,236 @@
+//! The cases that passed, and what was observed, by probe: arguments are keys, and dialects that have the same cases share them.
+
+use super::List;
+use crate::groups::{Group, GroupNumber, Groups};
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+use std::collections::{BTreeMap, HashMap};
+use stickler_run::{CaseEvent, Fact, Grade, Verdict};
+
+/// Gathers, by group, the cases that passed and what was observed of any.
+#[derive(Default)]
+pub(super) struct Passed {
+    groups: Vec<GroupCases>,
+}
+
+/// The cases of one group; each by its arguments.
+#[derive(Default)]
+struct GroupCases {
+    durations_us: Entries<u64>,
+    got: Entries<Vec<Fact>>,
+    observed: BTreeMap<String, Entries<String>>,
+}
+
+/// What is known of cases by their arguments, in the order of the run.
+type Entries<T> = Vec<(Box<str>, T)>;
+
+impl Passed {
+    /// Adds a case.
+    pub(super) fn take(&mut self, case: &CaseEvent, group: GroupNumber) {
+        if self.groups.len() <= group {
+            self.groups.resize_with(group + 1, GroupCases::default);
+        }
+        let group = &mut self.groups[group];
+        let arguments = Group::arguments(&case.id);
+        if case.verdict == Verdict::Pass {
+            group.durations_us.push((arguments.into(), case.duration_us));
+            if !case.got.is_empty() {
+                group.got.push((arguments.into(), case.got.clone()));
+            }
+        }
+        for observed in &case.observations {
+            let values = group.observed.entry(observed.name.clone()).or_default();
+            values.push((arguments.into(), observed.value.clone()));
+        }
+    }
+
+    /// Returns the list of what passed.
+    ///
+    /// # Errors
+    /// Those of serde_json.
+    pub(super) fn list(&self, groups: &Groups) -> serde_json::Result<List> {
+        let mut list = List::default();
+        for probe in probes(groups.all()) {
+            let of = |member: &usize| self.groups.get(*member).map(|cases| &cases.durations_us);
+            for shared in shared(&probe.members, of) {
+                let dialects = shared.dialects(groups);
+                let group = probe.group;
+                list.push(&PassedResult {
+                    id: &group.id,
+                    engine: &group.engine,
+                    dialects,
+                    title: &group.title,
+                    basis: &group.basis,
+                    file: &group.file,
+                    area: &group.area,
+                    open: group.open,
+                    grade: group.grade,
+                    got: self.got(&shared, groups),
+                    duration_us: Cases(&shared.cases),
+                })?;
+            }
+        }
+        Ok(list)
+    }
+
+    /// Returns what the cases got whose expectation and observations do not say it, by arguments and dialect.
+    fn got<'a>(
+        &'a self,
+        shared: &Shared<'a, u64>,
+        groups: &'a Groups,
+    ) -> BTreeMap<&'a str, BTreeMap<&'a str, &'a [Fact]>> {
+        let mut all: BTreeMap<&str, BTreeMap<&str, &[Fact]>> = BTreeMap::new();
+        let is_here: HashMap<&str, ()> = shared
+            .cases
+            .iter()
+            .map(|(arguments, _)| (*arguments, ()))
+            .collect();
+        for &member in &shared.members {
+            for (arguments, got) in self.groups.get(member).iter().flat_map(|cases| &cases.got) {
+                if is_here.contains_key(&**arguments) {
+                    let by_dialect = all.entry(arguments).or_default();
+                    by_dialect.insert(&groups.all()[member].dialect, got);
+                }
+            }
+        }
+        all
+    }
+
+    /// Returns the list of what was observed.
+    ///
+    /// # Errors
+    /// Those of serde_json.
+    pub(super) fn observations(&self, groups: &Groups) -> serde_json::Result<List> {
+        let mut list = List::default();
+        for probe in probes(groups.all()) {
+            let members = probe.members.iter().filter_map(|&member| self.groups.get(member));
+            let mut names: Vec<&String> = members.flat_map(|cases| cases.observed.keys()).collect();
+            names.sort_unstable();
+            names.dedup();
+            for name in names {
+                let of = |member: &usize| self.groups.get(*member)?.observed.get(name);
+                for shared in shared(&probe.members, of) {
+                    list.push(&ObservedResult {
+                        id: &probe.group.id,
+                        engine: &probe.group.engine,
+                        dialects: shared.dialects(groups),
+                        name,
+                        values: Cases(&shared.cases),
+                    })?;
+                }
+            }
+        }
+        Ok(list)
+    }
+}
+
+/// Groups that differ in nothing but the dialect.
+struct Probe<'g> {
+    /// The first of them.
+    group: &'g Group,
+    members: Vec<GroupNumber>,
+}
+
+/// Puts groups together that differ in nothing but the dialect, in the order of the run.
+fn probes(groups: &[Group]) -> Vec<Probe<'_>> {
+    let mut places: HashMap<Group, usize> = HashMap::new();
+    let mut probes: Vec<Probe<'_>> = Vec::new();
+    for (number, group) in groups.iter().enumerate() {
+        let in_any_dialect = Group {
+            dialect: String::new(),
+            ..group.clone()
+        };
+        let place = *places.entry(in_any_dialect).or_insert(probes.len());
+        match probes.get_mut(place) {
+            Some(probe) => probe.members.push(number),
+            None => probes.push(Probe {
+                group,
+                members: vec![number],
+            }),
+        }
+    }
+    probes
+}
+
+/// Cases that the same groups have, each with what is known of it in each of these.
+struct Shared<'a, T> {
+    members: Vec<GroupNumber>,
+    cases: Vec<(&'a str, Vec<&'a T>)>,
+}
+
+impl<T> Shared<'_, T> {
+    fn dialects<'g>(&self, groups: &'g Groups) -> Vec<&'g str> {
+        let dialect = |&member: &GroupNumber| groups.all()[member].dialect.as_str();
+        self.members.iter().map(dialect).collect()
+    }
+}
+
+/// Puts the entries of several groups together by their arguments, and those that the same groups have into one list.
+fn shared<'a, T: 'a>(
+    members: &[GroupNumber],
+    of: impl Fn(&GroupNumber) -> Option<&'a Entries<T>>,
+) -> Vec<Shared<'a, T>> {
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    let mut cases: Vec<(&str, Vec<GroupNumber>, Vec<&T>)> = Vec::new();
+    for member in members {
+        for (arguments, known) in of(member).into_iter().flatten() {
+            let place = *places.entry(arguments).or_insert(cases.len());
+            if place == cases.len() {
+                cases.push((arguments, Vec::new(), Vec::new()));
+            }
+            cases[place].1.push(*member);
+            cases[place].2.push(known);
+        }
+    }
+    let mut lists: Vec<Shared<'a, T>> = Vec::new();
+    for (arguments, members, known) in cases {
+        let place = lists.iter().position(|list| list.members == members);
+        let place = place.unwrap_or_else(|| {
+            let cases = Vec::new();
+            lists.push(Shared { members, cases });
+            lists.len() - 1
+        });
+        lists[place].cases.push((arguments, known));
+    }
+    lists
+}
+
+/// An object with a key for the arguments of each case.
+struct Cases<'a, T>(&'a [(&'a str, Vec<&'a T>)]);
+
+impl<T: Serialize> Serialize for Cases<'_, T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (arguments, known) in self.0 {
+            map.serialize_entry(arguments, known)?;
+        }
+        map.end()
+    }
+}
+
+#[derive(Serialize)]
+struct PassedResult<'a> {
+    id: &'a str,
+    engine: &'a str,
+    dialects: Vec<&'a str>,
+    title: &'a str,
+    basis: &'a str,
+    file: &'a str,
+    area: &'a str,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    open: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    grade: Option<Grade>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    got: BTreeMap<&'a str, BTreeMap<&'a str, &'a [Fact]>>,
+    duration_us: Cases<'a, u64>,
+}
+
+#[derive(Serialize)]
+struct ObservedResult<'a> {
+    id: &'a str,
+    engine: &'a str,
+    dialects: Vec<&'a str>,
+    name: &'a str,
+    values: Cases<'a, String>,
+}
