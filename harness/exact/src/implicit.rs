@@ -1,9 +1,8 @@
 //! What the documents say of implicit conversion: which elementary types become others without a call.
 //!
 //! This is the suite's own statement of the rules, beside the widening tables of the conformance cases; a test holds the two to
-//! each other, cell by cell. Only whether a pair converts stands here. What arrives is the number (rounded once, where the
-//! target is a real), the zero-extended bits, the same duration, or for UDINT and TIME the same count of milliseconds, which is
-//! what the function `<FROM>_TO_<TO>` gives.
+//! each other, cell by cell. What a value becomes, [`implicit_result`](crate::implicit_result) says; it is what the function
+//! `<FROM>_TO_<TO>` gives.
 
 use crate::catalogue::has_third_edition;
 use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};

@@ -13,6 +13,7 @@
 //! | what would it give by other rules? | [`value`] with other choices than [`choices_of`] the dialect |
 //! | the same, for billions of operands? | [`Bulk`] |
 //! | which types become others without a call? | [`implicit`] |
+//! | what does a value become without a call? | [`implicit_result`] |
 //!
 //! ```
 //! use stickler_exact::{expected, signatures};
@@ -40,6 +41,7 @@ mod catalogue;
 mod character;
 mod choices;
 mod implicit;
+mod implicit_result;
 mod integer;
 mod moment;
 mod pair;
@@ -54,5 +56,6 @@ pub use bulk::Bulk;
 pub use catalogue::{functions, signatures};
 pub use choices::choices_of;
 pub use implicit::implicit;
+pub use implicit_result::{ImplicitResult, implicit_result};
 pub use signature::{Operation, Signature};
 pub use value::value;

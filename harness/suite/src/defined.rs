@@ -4,20 +4,19 @@
 
 mod call;
 
-use crate::arrival::Arrival;
 use crate::assembly::TypeNames;
 use crate::model::{Acceptance, Case, Expectation, ExpectedValue};
 use call::Call;
 use std::sync::Arc;
-use stickler_exact::{expected, is_overridden, signatures};
+use stickler_exact::{ImplicitResult, expected, is_overridden, signatures};
 use stickler_types::{DialectName, ElementaryType, Observation, Value};
 
 /// What arrives where a pair of types converts because a definition states so: what `<FROM>_TO_<TO>` gives, as far as
 /// somebody says what that is.
-pub(crate) fn converted(value: &Value, to: ElementaryType, dialect: DialectName) -> Arrival {
+pub(crate) fn converted(value: &Value, to: ElementaryType, dialect: DialectName) -> ImplicitResult {
     let from = match value {
         Value::Plain { ty, .. } | Value::Text { ty, .. } => *ty,
-        Value::Enumerated { .. } => return Arrival::Open,
+        Value::Enumerated { .. } => return ImplicitResult::Open,
     };
     let operands = std::slice::from_ref(value);
     let found = signatures(&format!("{from}_TO_{to}"), dialect);
@@ -25,8 +24,8 @@ pub(crate) fn converted(value: &Value, to: ElementaryType, dialect: DialectName)
         .first()
         .map(|signature| expected(signature, operands, dialect));
     match expected {
-        Some(expected) if expected.basis.is_some() => Arrival::Exactly(expected.value),
-        _ => Arrival::Open,
+        Some(expected) if expected.basis.is_some() => ImplicitResult::Exactly(expected.value),
+        _ => ImplicitResult::Open,
     }
 }
 

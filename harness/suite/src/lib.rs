@@ -7,7 +7,6 @@
 //! This crate must not know the reference: what a case expects comes from its file, from exact arithmetic, or from what the
 //! definition of a dialect states, never from running anything.
 
-mod arrival;
 mod assemble;
 mod assembly;
 pub mod basis;

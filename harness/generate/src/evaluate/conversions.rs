@@ -4,8 +4,10 @@ use super::cell::MemoryCell;
 use super::evaluator::{Activation, Evaluator};
 use super::{EvaluationError, OpenQuestion};
 use std::sync::LazyLock;
-use stickler_exact::{Operation, Signature, choices_of, expected, implicit, value};
-use stickler_types::{ElementaryType, Family, MatrixWord, Value};
+use stickler_exact::{
+    ImplicitResult, Operation, Signature, choices_of, expected, implicit, implicit_result, value,
+};
+use stickler_types::{ElementaryType, MatrixWord};
 
 const TYPES: usize = ElementaryType::ALL.len();
 
@@ -66,35 +68,18 @@ impl<'p> Evaluator<'p> {
         let Some(plain) = PLAIN.get(from as usize * TYPES + to as usize) else {
             return Err(EvaluationError::IllFormed("an implicit conversion of no types"));
         };
-        let arrives = value(
+        let result = value(
             plain,
             std::slice::from_ref(&operand),
             &choices_of(self.program.dialect),
         );
+        let is_documented = implicit_result(&operand, to) == Some(ImplicitResult::Exactly(result.clone()));
         let granted = implicit(from, to, self.program.dialect) != MatrixWord::Open;
-        if !granted || !arrives_as_documented(&operand, from, &arrives, to) {
+        if !granted || !is_documented {
             self.open(OpenQuestion::ImplicitConversion, unit, || {
                 format!("{operand} as {to}")
             });
         }
-        MemoryCell::of_value(arrives)
-    }
-}
-
-/// Whether what arrives is what the documents promise: the same number, a real rounded once, or the same moment; of UDINT and
-/// TIME whole milliseconds.
-fn arrives_as_documented(operand: &Value, from: ElementaryType, arrives: &Value, to: ElementaryType) -> bool {
-    const MILLISECOND: i128 = 1_000_000;
-    let (&Value::Plain { raw, .. }, &Value::Plain { raw: arrived, .. }) = (operand, arrives) else {
-        return false;
-    };
-    let (before, after) = (from.integer_value(raw), to.integer_value(arrived));
-    let is_number = |ty: ElementaryType| ty.integer_range().is_some();
-    match (from.family(), to.family()) {
-        (_, Family::Real) => is_number(from) || from.is_real(),
-        (Family::Duration, Family::Unsigned) => before == after * MILLISECOND,
-        (Family::Unsigned, Family::Duration) => before * MILLISECOND == after,
-        (a, b) if a == b => before == after,
-        _ => is_number(from) && is_number(to) && before == after,
+        MemoryCell::of_value(result)
     }
 }

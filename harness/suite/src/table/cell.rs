@@ -4,9 +4,9 @@
 
 use std::sync::Arc;
 
+use stickler_exact::{ImplicitResult, implicit_result};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
-use crate::arrival::{Arrival, arrives};
 use crate::assemble::Assembler;
 use crate::assembly::TypeNames;
 use crate::defined::converted;
@@ -81,22 +81,22 @@ pub(crate) fn declarations(row: &TypeInfo, column: &TypeInfo) -> String {
 }
 
 impl Cell<'_> {
-    /// What arrives in an elementary type. A pair that converts because a definition states so does what the conversion
-    /// function for the pair does.
-    fn arrives(&self, value: &Value, ty: ElementaryType) -> Option<Arrival> {
-        let documented = arrives(value, ty);
+    /// Returns what a value becomes in an elementary type. A pair that converts because a definition states so does what the
+    /// conversion function for the pair does.
+    fn implicit_result(&self, value: &Value, ty: ElementaryType) -> Option<ImplicitResult> {
+        let documented = implicit_result(value, ty);
         match (self.stated_by, &documented) {
-            (None, _) | (_, Some(Arrival::Exactly(_))) => documented,
+            (None, _) | (_, Some(ImplicitResult::Exactly(_))) => documented,
             (Some(dialect), _) => Some(converted(value, ty, dialect)),
         }
     }
 
-    /// What arrives in a variable of the column's type; nothing where nothing says so.
-    pub(crate) fn what_arrives(&self, input: &Input) -> Option<Arrival> {
+    /// Returns what an input becomes in a variable of the column's type; `None` where nothing says so.
+    pub(crate) fn result_in_column(&self, input: &Input) -> Option<ImplicitResult> {
         let value = input.value.as_ref()?;
         match self.column.base {
-            Some(ty) => self.arrives(value, ty),
-            None => (self.row.name == self.column.name).then(|| Arrival::Exactly(value.clone())),
+            Some(ty) => self.implicit_result(value, ty),
+            None => (self.row.name == self.column.name).then(|| ImplicitResult::Exactly(value.clone())),
         }
     }
 }
@@ -149,14 +149,14 @@ impl CaseOf<'_, '_> {
             }
             return Ok(());
         }
-        let arrival = match &own {
-            Some(own) => elementary(own).and_then(|ty| cell.arrives(input.value.as_ref()?, ty)),
-            None => cell.what_arrives(input),
+        let result = match &own {
+            Some(own) => elementary(own).and_then(|ty| cell.implicit_result(input.value.as_ref()?, ty)),
+            None => cell.result_in_column(input),
         };
         let column = own.as_deref().unwrap_or(&cell.column.name);
-        match arrival {
-            Some(Arrival::Exactly(value)) => assembler.value(name, value, cell.line),
-            Some(Arrival::Open) => self.observe(name, own, names, assembler),
+        match result {
+            Some(ImplicitResult::Exactly(value)) => assembler.value(name, value, cell.line),
+            Some(ImplicitResult::Open) => self.observe(name, own, names, assembler),
             None => {
                 let row = &cell.row.name;
                 return Err(format!(

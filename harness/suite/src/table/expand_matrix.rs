@@ -5,9 +5,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use stickler_exact::ImplicitResult;
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
-use crate::arrival::Arrival;
 use crate::assemble::Assembler;
 use crate::assembly::Assembly;
 use crate::error::Mistake;
@@ -334,11 +334,11 @@ impl Expander<'_, '_> {
     ) -> Result<(), Mistake> {
         let CaseOf { probe, cell, .. } = of;
         let (program, column) = (&probe.program, cell.column);
-        let arrival = input
+        let result = input
             .filter(|_| !of.rejected)
-            .and_then(|input| cell.what_arrives(input));
-        let expected = match &arrival {
-            Some(Arrival::Exactly(value)) => Some(value),
+            .and_then(|input| cell.result_in_column(input));
+        let expected = match &result {
+            Some(ImplicitResult::Exactly(value)) => Some(value),
             _ => None,
         };
         let expected_text = expected.filter(|_| program.uses(EXPECTED)).map(Value::to_string);
