@@ -1,9 +1,8 @@
 //! A finding: a disagreement made small, with all that is needed to see it again.
 
-use crate::fingerprint::Fingerprint;
 use serde::{Deserialize, Serialize};
 use stickler_generate::oracles::FuzzTarget;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, Fnv1a};
 
 /// The version of the form in which findings are saved.
 pub const FORMAT: u32 = 1;
@@ -149,12 +148,12 @@ impl Finding {
     #[must_use]
     pub fn named(mut self) -> Finding {
         let who = self.subject().to_owned();
-        let mut print = Fingerprint::default();
-        print.add(&self.target);
-        self.rule.iter().for_each(|part| print.add(part));
-        print.add(self.kind());
+        let mut print = Fnv1a::default();
+        print.write_part(&self.target);
+        self.rule.iter().for_each(|part| print.write_part(part));
+        print.write_part(self.kind());
         let kind: String = self.kind().chars().take(LONGEST_KIND).collect();
-        self.id = format!("{}-{:08x}", file_name(&format!("{who}-{kind}")), print.short());
+        self.id = format!("{}-{:08x}", file_name(&format!("{who}-{kind}")), print.folded());
         self.fingerprint = fingerprint(self.program.as_deref(), &self.input);
         self
     }
@@ -243,10 +242,10 @@ impl Finding {
 }
 
 fn fingerprint(program: Option<&str>, input: &[u8]) -> String {
-    let mut print = Fingerprint::default();
-    print.add(program.unwrap_or_default());
-    print.add_bytes(input);
-    format!("{:016x}", print.long())
+    let mut print = Fnv1a::default();
+    print.write_part(program.unwrap_or_default());
+    print.write_part(input);
+    format!("{:016x}", print.finish())
 }
 
 /// Lower-case letters, digits and hyphens alone, so that any file system takes it.

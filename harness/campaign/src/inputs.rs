@@ -2,10 +2,9 @@
 
 use crate::without::Without;
 use arbitrary::Unstructured;
-use stickler_conversions::Scattered;
 use stickler_generate::generator::{self, GeneratorSettings};
 use stickler_generate::model::Program;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, SplitMix64};
 
 /// So many programs are made for a place until one comes without what is to be left out.
 const ATTEMPTS: u64 = 2000;
@@ -14,7 +13,7 @@ const ATTEMPTS: u64 = 2000;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Inputs {
     seed: u64,
-    row: Scattered,
+    row: SplitMix64,
 }
 
 /// The lengths of inputs are powers of two from here …
@@ -28,7 +27,7 @@ impl Inputs {
     pub const fn new(seed: u64) -> Inputs {
         Inputs {
             seed,
-            row: Scattered::new(seed),
+            row: SplitMix64::separate(seed),
         }
     }
 
@@ -40,8 +39,8 @@ impl Inputs {
 
     /// Numbers for the place, which nothing else draws.
     #[must_use]
-    pub const fn draws(self, place: u64) -> Scattered {
-        self.row.row(place)
+    pub const fn draws(self, place: u64) -> SplitMix64 {
+        self.row.split(place)
     }
 
     /// The bytes at this place: 32 to 2048, short ones as often as long ones, so that small programs come as often as large
@@ -85,7 +84,7 @@ impl Inputs {
         let settings = self.settings(place, dialects, open);
         // A row of rows, at a place from which the first takes nothing.
         let others = Inputs {
-            row: self.draws(place).row(u64::MAX - 1),
+            row: self.draws(place).split(u64::MAX - 1),
             ..self
         };
         (0..ATTEMPTS)

@@ -12,7 +12,6 @@ mod commands;
 mod differential;
 mod expressions;
 pub mod finding;
-mod fingerprint;
 mod inputs;
 mod merge;
 mod oracles;

@@ -3,10 +3,9 @@
 //! Some inputs are as the generator or a list makes them; most have been changed here and there.
 
 use crate::inputs::Inputs;
-use stickler_conversions::Scattered;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_generate::writer::{Style, write};
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, SplitMix64, Value};
 
 /// The input of a target at a place: bytes of the row, or a text of the kind that the target reads.
 pub(crate) fn input(inputs: Inputs, place: u64, target: FuzzTarget) -> Vec<u8> {
@@ -24,13 +23,13 @@ pub(crate) fn input(inputs: Inputs, place: u64, target: FuzzTarget) -> Vec<u8> {
 
 /// Numbers for one place, one after the other.
 struct Draws {
-    row: Scattered,
+    row: SplitMix64,
     next: u64,
 }
 
 impl Draws {
     /// From the far half of the row: the near one makes the bytes of the program.
-    fn new(row: Scattered) -> Draws {
+    fn new(row: SplitMix64) -> Draws {
         Draws { row, next: 1 << 63 }
     }
 

@@ -11,7 +11,6 @@ mod functions;
 mod literals;
 pub mod overview;
 mod program;
-mod random;
 mod session;
 pub mod sweep;
 
@@ -19,5 +18,4 @@ pub use functions::{
     FunctionDialects, NoSuchFunction, all_functions, dialect_list, find_function, short_names,
 };
 pub use program::Program;
-pub use random::Scattered;
 pub use session::{FunctionSession, Refusal, RefusalKind};

@@ -27,7 +27,7 @@ use crate::taking_apart;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use stickler_engines::{Token, tokens};
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, Fnv1a, Value};
 
 /// What the first element of every array of results is: `STK1`.
 pub(crate) const MAGIC: i32 = 0x5354_4B31;
@@ -398,10 +398,9 @@ pub(crate) fn shown(id: &str) -> String {
 
 /// A number for a page by its text, by the hash function FNV-1a: a multiple of [`ROOM`], no zero, and none that is taken.
 fn identity(texts: &[&str], taken: &mut BTreeSet<i32>) -> i32 {
-    let mut hash = 0xCBF2_9CE4_8422_2325_u64;
-    for byte in texts.iter().flat_map(|text| text.bytes()) {
-        hash = (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01B3);
-    }
+    let mut hash = Fnv1a::default();
+    texts.iter().for_each(|text| hash.write(text));
+    let mut hash = hash.finish();
     let room = ROOM as u64;
     let numbers = u64::from(i32::MAX.unsigned_abs()) / room - 1;
     loop {

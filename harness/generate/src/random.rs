@@ -4,6 +4,7 @@
 //! what is made from few bytes is small.
 
 use arbitrary::Unstructured;
+use stickler_types::SplitMix64;
 
 /// The bytes that make the choices.
 pub struct Random<'r, 'u> {
@@ -80,20 +81,8 @@ impl<'r, 'u> Random<'r, 'u> {
     }
 }
 
-/// The next number of a sequence that looks random, splitmix64; `state` is where the sequence stands.
-///
-/// Basis: Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (OOPSLA 2014).
-pub const fn next(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-    let mixed = (*state ^ (*state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    mixed ^ (mixed >> 31)
-}
-
-/// So many bytes that look random, always the same for a seed.
+/// Returns so many bytes that look random, always the same for a seed.
 #[must_use]
 pub fn bytes(seed: u64, length: usize) -> Vec<u8> {
-    let mut state = seed;
-    let words = (0..length.div_ceil(8)).flat_map(|_| next(&mut state).to_le_bytes());
-    words.take(length).collect()
+    SplitMix64::new(seed).bytes(length)
 }

@@ -2,6 +2,8 @@
 //!
 //! Basis: stickler-design §3.2.
 
+use stickler_types::Fnv1a;
+
 /// The number of characters that a cell of a row may take in an id.
 const LONGEST_CELL: usize = 48;
 
@@ -66,15 +68,7 @@ fn shorten(id: &mut String, start: usize, cell: &str) {
         keep -= 1;
     }
     id.truncate(keep);
-    let hash = fnv1a(cell.as_bytes());
-    id.push_str(&format!("~~{:08x}", (hash >> 32) ^ (hash & 0xFFFF_FFFF)));
-}
-
-/// The 64-bit FNV-1a hash: it has no seed, so ids stay what they are from build to build.
-fn fnv1a(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xCBF2_9CE4_8422_2325, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
-    })
+    id.push_str(&format!("~~{:08x}", Fnv1a::of(cell).folded()));
 }
 
 #[cfg(test)]

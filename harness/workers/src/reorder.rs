@@ -50,8 +50,8 @@ mod tests {
             reorder.put(number, number);
             std::iter::from_fn(|| reorder.pop()).collect::<Vec<usize>>()
         };
-        assert_eq!(put(2), []);
-        assert_eq!(put(1), []);
+        assert!(put(2).is_empty());
+        assert!(put(1).is_empty());
         assert_eq!(put(0), [0, 1, 2]);
         assert_eq!(put(3), [3]);
         assert_eq!(reorder.taken(), 4);

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::str::FromStr;
+use stickler_types::Fnv1a;
 
 /// Part `index` of `count`, written `index/count`; `index` counts from 1.
 ///
@@ -61,9 +62,9 @@ impl Shard {
     /// A hash (FNV-1a) of `id@dialect` decides, so that a case stays in its part when others come or go.
     #[must_use]
     pub fn holds_case(self, id: &str, dialect: &str) -> bool {
-        let hash = [id, "@", dialect]
-            .iter()
-            .fold(FNV_OFFSET, |hash, part| fnv1a(hash, part.as_bytes()));
+        let mut hash = Fnv1a::default();
+        [id, "@", dialect].iter().for_each(|part| hash.write(part));
+        let hash = hash.finish();
         // The low bits of FNV-1a are weak when the count is a power of two.
         let mixed = (hash ^ (hash >> 32)).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32;
         mixed % u64::from(self.count) == u64::from(self.index - 1)
@@ -77,14 +78,6 @@ impl Shard {
         let wanted = u64::from(self.index - 1);
         from.checked_add((wanted + count - from % count) % count)
     }
-}
-
-const FNV_OFFSET: u64 = 0xCBF2_9CE4_8422_2325;
-
-fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
-    bytes.iter().fold(hash, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
-    })
 }
 
 impl fmt::Display for Shard {

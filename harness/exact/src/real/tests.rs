@@ -5,19 +5,9 @@ use ElementaryType::{Lreal, Real as Single};
 use num_bigint::{BigInt, BigUint};
 use num_rational::Ratio;
 use std::cmp::Ordering;
+use stickler_types::SplitMix64;
 
 type Fraction = Ratio<BigInt>;
-
-/// Numbers spread over all bits, the same in every run.
-fn scattered() -> impl Iterator<Item = u64> {
-    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
-    std::iter::repeat_with(move || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        state
-    })
-}
 
 /// Raw forms around each boundary of the format, and scattered ones.
 fn raw_forms(ty: ElementaryType) -> impl Iterator<Item = u64> {
@@ -36,7 +26,7 @@ fn raw_forms(ty: ElementaryType) -> impl Iterator<Item = u64> {
     let mask = u64::MAX >> (64 - ty.bits());
     let sign = 1 << (ty.bits() - 1);
     let positive = boundaries
-        .chain(scattered().take(20_000))
+        .chain(SplitMix64::new(1).numbers().take(20_000))
         .map(move |raw| raw & mask & !sign);
     positive.flat_map(move |raw| [raw, raw | sign])
 }
@@ -134,7 +124,7 @@ fn by_search(magnitude: &Fraction, ty: ElementaryType) -> u64 {
 
 #[test]
 fn rounding_gives_the_nearest_number_of_all() {
-    let mut source = scattered();
+    let mut source = SplitMix64::new(1).numbers();
     let mut next = || source.next().unwrap_or_default();
     for ty in [Single, Lreal] {
         let (least, greatest) = if ty == Single { (-160, 110) } else { (-1090, 1000) };
@@ -212,7 +202,7 @@ fn whole_by_fractions(exact: &Fraction, rounding: Rounding) -> BigInt {
 fn integers_are_those_that_fractions_round_to() {
     for ty in [Single, Lreal] {
         // Exponents around one, where there is something to round, come up too rarely by chance.
-        let near_one = scattered().take(20_000).map(|bits| {
+        let near_one = SplitMix64::new(1).numbers().take(20_000).map(|bits| {
             let (shift, bias) = if ty == Single { (23, 127) } else { (52, 1023) };
             let exponent = bias + bits % 66 - 3;
             (bits & ((1 << shift) - 1) & !(u64::MAX >> (bits >> 58))) | exponent << shift

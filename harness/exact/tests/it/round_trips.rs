@@ -2,8 +2,8 @@
 
 use stickler_exact::{choices_of, signatures, value};
 use stickler_types::{
-    BitStringText, ConversionChoices, DialectName, ElementaryType, Family, RealText, TextReading, Value,
-    literal,
+    BitStringText, ConversionChoices, DialectName, ElementaryType, Family, RealText, SplitMix64, TextReading,
+    Value, literal,
 };
 
 const DIALECT: DialectName = DialectName::IronplcEd3;
@@ -17,19 +17,12 @@ fn string(text: &str) -> Value {
     Value::text(ElementaryType::String, text.bytes().map(u16::from).collect())
 }
 
-/// Numbers spread over all bits, the same in every run.
-fn scattered() -> impl Iterator<Item = u64> {
-    (1..).map(|n: u64| {
-        let mixed = n.wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        (mixed ^ (mixed >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9)
-    })
-}
-
 /// Raw forms of a type that is no text: its limits, powers of two, and scattered ones of any size.
 fn raw_forms(ty: ElementaryType) -> Vec<u64> {
     const DAY: i64 = 86_400_000_000_000;
     let powers = (0..64).flat_map(|bit| [1 << bit, (1_u64 << bit).wrapping_neg(), (1 << bit) - 1]);
-    let some = scattered()
+    let some = SplitMix64::new(1)
+        .numbers()
         .take(3_000)
         .enumerate()
         .map(|(n, bits)| (bits.cast_signed() >> (n % 64)).cast_unsigned());
@@ -100,7 +93,7 @@ fn concoctions() -> impl Iterator<Item = String> {
         "ns", "us", "m", "2024", "1970", "-02-", "-2-", "29", "12:", "34:", "56", "TRUE", "NaN", "Infinity",
         "a", "F", "#", "00", "5", "3.5", "_0",
     ];
-    let mut source = scattered();
+    let mut source = SplitMix64::new(1).numbers();
     let mut next = move || source.next().unwrap_or_default() >> 7;
     std::iter::repeat_with(move || {
         let pieces = (0..next() % 8).map(|_| PIECES[(next() % 40) as usize]);

@@ -10,7 +10,7 @@ use crate::variants::Variant;
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
 use stickler_reference::{Limits, RequestError, run};
-use stickler_types::{Diagnostic, DialectName, Observation, Outcome, RunRequest, Value};
+use stickler_types::{Diagnostic, DialectName, Fnv1a, Observation, Outcome, RunRequest, Value};
 
 /// How many variants of a program are tried; which, the input says.
 const VARIANTS_TRIED: usize = 3;
@@ -198,11 +198,7 @@ pub(super) fn compare(expected: &[(String, Value)], given: &[(String, Value)]) -
 /// Bytes for choices, the same for the same input, which differ altogether for inputs that differ in one bit.
 fn scattered(input: &[u8]) -> Vec<u8> {
     const LENGTH: usize = 512;
-    // FNV-1a takes the input in, and splitmix64 spreads it out.
-    let seed = input.iter().fold(0xCBF2_9CE4_8422_2325_u64, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3)
-    });
-    bytes(seed, LENGTH)
+    bytes(Fnv1a::of(input).finish(), LENGTH)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::style::{Keywords, LineEnds, Style};
 use crate::model::Program;
-use crate::random::next;
+use stickler_types::SplitMix64;
 
 /// The text so far, and everything that decides how it goes on.
 pub(super) struct TextSheet<'p> {
@@ -13,7 +13,7 @@ pub(super) struct TextSheet<'p> {
     line: u32,
     indent: usize,
     /// Where the random sequence of the style stands.
-    random: u64,
+    random: SplitMix64,
 }
 
 /// Between two comments stand so many blanks, more or less.
@@ -41,7 +41,7 @@ impl<'p> TextSheet<'p> {
             raw_lines: Vec::new(),
             line: 1,
             indent: 0,
-            random: style.seed,
+            random: SplitMix64::new(style.seed),
         }
     }
 
@@ -138,6 +138,6 @@ impl<'p> TextSheet<'p> {
 
     /// The next number of the style's own sequence, which has nothing to do with the program's bytes.
     pub fn next_random(&mut self) -> u64 {
-        next(&mut self.random)
+        self.random.draw()
     }
 }

@@ -7,7 +7,7 @@ use crate::COMMON_CHOICES;
 use ElementaryType::{
     Bool, Byte, Dint, Dt, Int, Lint, Lreal, Lword, Real, Time, Tod, Udint, Uint, Ulint, Word,
 };
-use stickler_types::{ConversionChoices, ElementaryType, OutOfRange, Rounding};
+use stickler_types::{ConversionChoices, ElementaryType, OutOfRange, Rounding, SplitMix64};
 
 fn conversion(from: ElementaryType, to: ElementaryType, rounding: Rounding) -> Conversion {
     let choices = COMMON_CHOICES.with_rounding(rounding);
@@ -19,21 +19,11 @@ fn convert(from: ElementaryType, to: ElementaryType, raw: u64) -> u64 {
     conversion(from, to, Rounding::Truncate).apply(raw)
 }
 
-/// Numbers without a pattern, the same in every run (splitmix64).
-fn scattered(seed: u64) -> impl Iterator<Item = u64> {
-    let mut state = seed;
-    std::iter::from_fn(move || {
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        Some(mixed ^ (mixed >> 31))
-    })
-}
-
 /// Bits around each power of two, and scattered ones of every length.
 fn telling_bits() -> impl Iterator<Item = u64> {
     let around = (0..64).flat_map(|n| [-2_i64, -1, 0, 1, 2].map(|by| (1_u64 << n).wrapping_add_signed(by)));
-    let scattered = scattered(1)
+    let scattered = SplitMix64::new(1)
+        .numbers()
         .take(20_000)
         .enumerate()
         .map(|(n, bits)| bits >> (n % 64));
@@ -178,7 +168,7 @@ fn reals_become_integers_modulo_the_target_s_width() {
         -9_223_372_036_854_775_808.0,
         1.9e19,
     ]);
-    let scattered = scattered(2).take(20_000).map(|bits| {
+    let scattered = SplitMix64::new(2).numbers().take(20_000).map(|bits| {
         // Exponents from far below 1 to where only zeros are left of 64 bits.
         f64::from_bits((bits & !(0x7FF << 52)) | ((1023 - 60 + bits % 190) << 52))
     });
@@ -272,7 +262,10 @@ fn many_values_are_converted_as_each_one_is() {
                     continue;
                 };
                 let conversion = Conversion { from, to, rule };
-                let operands = scattered(7).take(40).map(|bits| crate::raw::narrow(bits, from));
+                let operands = SplitMix64::new(7)
+                    .numbers()
+                    .take(40)
+                    .map(|bits| crate::raw::narrow(bits, from));
                 conversion.apply_to_all(operands, |operand, result| {
                     assert_eq!(
                         result,
@@ -346,7 +339,8 @@ fn is_nearest(nanoseconds: i128, ty: ElementaryType, raw: u64) -> bool {
 
 #[test]
 fn durations_become_reals_with_one_rounding() {
-    for bits in scattered(3)
+    for bits in SplitMix64::new(3)
+        .numbers()
         .take(20_000)
         .enumerate()
         .map(|(n, bits)| (bits >> (1 + n % 62)) | 1)
@@ -367,7 +361,7 @@ fn durations_become_reals_with_one_rounding() {
 
 #[test]
 fn a_real_becomes_the_duration_that_the_same_long_real_becomes() {
-    for bits in scattered(5).take(20_000).map(|bits| bits >> 32) {
+    for bits in SplitMix64::new(5).numbers().take(20_000).map(|bits| bits >> 32) {
         let long = convert(Real, Lreal, bits);
         for to in [Time, Tod, Dt] {
             assert_eq!(

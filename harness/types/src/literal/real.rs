@@ -278,14 +278,9 @@ mod tests {
         assert_eq!(written(u64::from(1e-4_f32.to_bits()), Real), "0.0001");
     }
 
-    /// Numbers that are spread over all bit patterns, the same in every run.
-    fn scattered() -> impl Iterator<Item = u64> {
-        (0..20_000_u64).map(|n| n.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ n << 32)
-    }
-
     #[test]
     fn canonical_reals_read_back_to_the_same_bits_and_are_as_short_as_those_of_the_standard_library() {
-        for bits in scattered() {
+        for bits in crate::SplitMix64::new(1).numbers().take(20_000) {
             let (float, short) = (f64::from_bits(bits), f32::from_bits(bits as u32));
             let text = written(bits, Lreal);
             if float.is_finite() {

@@ -2,10 +2,9 @@
 
 use super::operands::{Operands, Texts};
 use super::{sample, texts};
-use crate::random::Scattered;
 use std::ops::Range;
 use stickler_types::boundaries::{Detail, neighbourhoods};
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, SplitMix64, Value};
 
 /// How large a sample is and where it comes from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -59,14 +58,14 @@ impl Domain {
     #[must_use]
     pub fn of(operands: &[ElementaryType], sampling: Sampling) -> Domain {
         let sampled = sampling.inputs.unwrap_or(Sampling::DEFAULT);
-        let (random, detail) = (Scattered::new(sampling.seed), sampling.detail);
+        let (random, detail) = (SplitMix64::separate(sampling.seed), sampling.detail);
         match *operands {
             [ty] if ty.is_text() => Domain::Texts(Texts::new(ty, texts::by_hand(ty), sampled, random)),
             [ty] if ty.bits() <= 16 || (ty.bits() <= 32 && sampling.inputs.is_none()) => Domain::Every(ty),
             [ty] => Domain::Some(Operands::new(ty, neighbourhoods(ty, detail), sampled, random)),
             [first, second] => Domain::Pairs {
-                first: Operands::new(first, neighbourhoods(first, detail), sampled, random.row(1)),
-                second: Operands::new(second, neighbourhoods(second, detail), sampled, random.row(2)),
+                first: Operands::new(first, neighbourhoods(first, detail), sampled, random.split(1)),
+                second: Operands::new(second, neighbourhoods(second, detail), sampled, random.split(2)),
             },
             _ => Domain::Some(Operands::new(ElementaryType::Bool, Vec::new(), 0, random)),
         }
@@ -149,6 +148,6 @@ fn every(ty: ElementaryType, places: Range<u64>, raws: &mut [u64]) {
 }
 
 /// Shapes scattered bits into a value of a type; see [`sample::raw`].
-pub(super) fn sampled(ty: ElementaryType, random: Scattered, place: u64) -> u64 {
+pub(super) fn sampled(ty: ElementaryType, random: SplitMix64, place: u64) -> u64 {
     sample::raw(ty, random.at(2 * place), random.at(2 * place + 1))
 }

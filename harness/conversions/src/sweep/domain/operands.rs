@@ -2,8 +2,7 @@
 
 use super::choose::sampled;
 use super::texts;
-use crate::random::Scattered;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, SplitMix64, Value};
 
 /// Values of one type that is no text.
 #[derive(Clone, PartialEq, Debug)]
@@ -11,13 +10,13 @@ pub struct Operands {
     ty: ElementaryType,
     chosen: Vec<u64>,
     sampled: u64,
-    random: Scattered,
+    random: SplitMix64,
 }
 
 impl Operands {
     /// The chosen raw forms, then so many of the sample.
     #[must_use]
-    pub const fn new(ty: ElementaryType, chosen: Vec<u64>, sampled: u64, random: Scattered) -> Operands {
+    pub const fn new(ty: ElementaryType, chosen: Vec<u64>, sampled: u64, random: SplitMix64) -> Operands {
         Operands {
             ty,
             chosen,
@@ -69,13 +68,13 @@ pub struct Texts {
     ty: ElementaryType,
     chosen: Vec<Vec<u16>>,
     sampled: u64,
-    random: Scattered,
+    random: SplitMix64,
 }
 
 impl Texts {
     /// The chosen texts, then so many made up.
     #[must_use]
-    pub const fn new(ty: ElementaryType, chosen: Vec<Vec<u16>>, sampled: u64, random: Scattered) -> Texts {
+    pub const fn new(ty: ElementaryType, chosen: Vec<Vec<u16>>, sampled: u64, random: SplitMix64) -> Texts {
         Texts {
             ty,
             chosen,
@@ -110,7 +109,7 @@ impl Texts {
             .and_then(|place| self.chosen.get(place))
         {
             Some(units) => units.clone(),
-            None => texts::made_up(self.random.row(place)),
+            None => texts::made_up(self.random.split(place)),
         };
         Value::text(self.ty, units)
     }

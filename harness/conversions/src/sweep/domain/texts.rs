@@ -1,7 +1,6 @@
 //! Texts for the functions that read them: those that people get wrong, and number-like ones made up.
 
-use crate::random::Scattered;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, SplitMix64};
 
 /// Texts written by hand, of every kind that the readers of numbers, BOOL, durations and dates tell apart.
 #[must_use]
@@ -248,7 +247,7 @@ const PIECES: &[&str] = &[
 
 /// A number-like text: an integer, a real number with or without an exponent, or pieces as they come.
 #[must_use]
-pub fn made_up(random: Scattered) -> Vec<u16> {
+pub fn made_up(random: SplitMix64) -> Vec<u16> {
     let sign = ["", "", "-", "+"][(random.at(0) % 4) as usize];
     let number = random.at(1) >> (random.at(2) % 64);
     let text = match random.at(3) % 8 {

@@ -3,27 +3,13 @@
 use arbitrary::{Arbitrary, Result, Unstructured};
 use stickler_reference::Dialect;
 use stickler_reference::conversion::{Conversion, function};
-use stickler_types::{DialectName, ElementaryType, Family};
-
-/// Bytes without a pattern, the same for the same seed (splitmix64).
-fn bytes(seed: u64, count: usize) -> Vec<u8> {
-    let mut state = seed;
-    let mut next = || {
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        mixed ^ (mixed >> 31)
-    };
-    (0..count.div_ceil(8))
-        .flat_map(|_| next().to_le_bytes())
-        .collect()
-}
+use stickler_types::{DialectName, ElementaryType, Family, SplitMix64};
 
 /// Tries a property so many times; each time it is given 64 bytes of its own to draw from.
 #[track_caller]
 pub fn each(seed: u64, times: usize, mut property: impl FnMut(&mut Unstructured<'_>) -> Result<()>) {
     const BYTES: usize = 64;
-    for case in bytes(seed, times * BYTES).chunks(BYTES) {
+    for case in SplitMix64::new(seed).bytes(times * BYTES).chunks(BYTES) {
         property(&mut Unstructured::new(case)).expect("64 bytes are enough");
     }
 }
