@@ -2,7 +2,7 @@
 
 use crate::differential::{Agreement, Disagreement, Entrant, Question, ask, compare, told};
 use crate::finding::{Answer, Expected, Finding};
-use stickler_engines::{EngineError, Outcome};
+use stickler_engines::{EngineError, EngineSession, Outcome};
 use stickler_generate::oracles::{FuzzTarget, InputOutcome, OracleFailure};
 use stickler_types::{DialectName, Value};
 
@@ -50,7 +50,7 @@ fn again(
     dialect: DialectName,
     entrant: Entrant<'_>,
 ) -> Result<Option<(Answer, Option<String>)>, EngineError> {
-    let mut session = entrant.engine.session()?;
+    let mut session = EngineSession::open(entrant.engine)?;
     let (outcome, wrong) = match expected {
         Expected::Values { values, opened, .. } => {
             let values: Vec<(String, Value)> = values
@@ -63,7 +63,7 @@ fn again(
                 values: &values,
                 binds: opened.is_empty(),
             };
-            let outcome = ask(&mut *session, question);
+            let outcome = ask(&mut session, question);
             let wrong = match compare(question, &outcome) {
                 Agreement::Disagrees(Disagreement { message, .. }) => Some(message),
                 Agreement::Agrees | Agreement::Unsupported => None,
@@ -71,7 +71,7 @@ fn again(
             (outcome, wrong)
         }
         Expected::Rejected { code, line, .. } => {
-            let outcome = session.check(dialect, program);
+            let outcome = session.check(dialect, program)?;
             let wrong = not_rejected_so(&outcome, code, *line);
             (outcome, wrong)
         }

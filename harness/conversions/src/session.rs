@@ -2,7 +2,7 @@
 
 use crate::program::{self, Program};
 use std::fmt;
-use stickler_engines::{Diagnostic, Engine, EngineError, Observation, Outcome, RunRequest, Session, guard};
+use stickler_engines::{Diagnostic, Engine, EngineError, EngineSession, Observation, Outcome, RunRequest};
 use stickler_exact::Signature;
 use stickler_types::{DialectName, Fault, Value};
 
@@ -83,11 +83,8 @@ impl RefusalKind {
     }
 }
 
-/// A session of an engine that executes programs, opened again after each crash.
-pub struct FunctionSession<'e> {
-    engine: &'e dyn Engine,
-    session: Box<dyn Session + 'e>,
-}
+/// A session of an engine that executes programs.
+pub struct FunctionSession<'e>(EngineSession<'e>);
 
 impl<'e> FunctionSession<'e> {
     /// Opens a session.
@@ -95,8 +92,7 @@ impl<'e> FunctionSession<'e> {
     /// # Errors
     /// Those of [`Engine::session`].
     pub fn open(engine: &'e dyn Engine) -> Result<FunctionSession<'e>, EngineError> {
-        let session = engine.session()?;
-        Ok(FunctionSession { engine, session })
+        EngineSession::open(engine).map(FunctionSession)
     }
 
     /// Returns the values of the variables that the program observes, in their order.
@@ -110,13 +106,10 @@ impl<'e> FunctionSession<'e> {
             .map(|name| Observation::last(name, program.ty.name()))
             .collect();
         let request = RunRequest::once(dialect, &program.source, &observe);
-        let outcome = guard(|| self.session.run(&request));
-        if let Outcome::Crashed { .. } = outcome {
-            // Where there is no new session the old one goes on refusing.
-            if let Ok(session) = self.engine.session() {
-                self.session = session;
-            }
-        }
+        // An engine that cannot be started again after a crash refuses all that follows.
+        let outcome = self.0.run(&request).unwrap_or_else(|error| Outcome::Crashed {
+            reason: error.to_string(),
+        });
         values(outcome, program)
     }
 

@@ -1,6 +1,6 @@
 //! Asking an engine all that a case needs.
 
-use stickler_engines::{Engine, EngineError, Outcome, Packed, RunRequest, Session, guard, guarded};
+use stickler_engines::{EngineError, EngineSession, Outcome, Packed, RunRequest};
 use stickler_suite::Case;
 
 /// All that an engine answered about one case.
@@ -39,107 +39,52 @@ impl Answers {
             .flatten();
         std::iter::once(&self.run).chain(later)
     }
-
-    /// Whether the engine panicked over any of it, so that its session is not to be trusted any more.
-    #[must_use]
-    pub fn crashed(&self) -> bool {
-        self.outcomes()
-            .any(|outcome| matches!(outcome, Outcome::Crashed { .. }))
-    }
 }
 
-/// An engine with the session that a worker keeps to it. A session that crashed is thrown away; the next case
-/// opens a new one.
-pub struct Desk<'e> {
-    engine: &'e dyn Engine,
-    session: Option<Box<dyn Session + 'e>>,
-}
-
-impl<'e> Desk<'e> {
-    /// A desk at which nothing was asked yet.
-    #[must_use]
-    pub fn new(engine: &'e dyn Engine) -> Desk<'e> {
-        Desk {
-            engine,
-            session: None,
-        }
-    }
-
-    /// Asks the engine all that the case needs. The engine sees the program and what to observe, never the
-    /// expectation.
-    ///
-    /// # Errors
-    /// Where no session can be opened. A panic of the engine is no error but [`Outcome::Crashed`].
-    pub fn ask(&mut self, case: &Case) -> Result<Answers, EngineError> {
-        let answers = ask_session(self.session()?, case);
-        if answers.crashed() {
-            self.session = None;
-        }
-        Ok(answers)
-    }
-
-    /// Asks the engine to run several programs at a time. Of the cases, none may need more than a run.
-    ///
-    /// # Errors
-    /// As [`Desk::ask`]. An engine that panics has told nothing about any of them.
-    pub(crate) fn ask_pack(&mut self, cases: &[&Case]) -> Result<Vec<Packed>, EngineError> {
-        let requests: Vec<RunRequest<'_>> = cases.iter().map(|case| case.request()).collect();
-        let session = self.session()?;
-        let mut packed = match guarded(|| session.run_pack(&requests)) {
-            Ok(packed) => packed,
-            Err(_) => {
-                self.session = None;
-                Vec::new()
-            }
-        };
-        // Whatever an engine gives, it is one answer a case.
-        packed.resize(cases.len(), Packed::Unknown);
-        Ok(packed)
-    }
-
-    fn session(&mut self) -> Result<&mut (dyn Session + 'e), EngineError> {
-        let session = match &mut self.session {
-            Some(session) => session,
-            closed => closed.insert(self.engine.session()?),
-        };
-        Ok(session.as_mut())
-    }
-}
-
-fn ask_session(session: &mut dyn Session, case: &Case) -> Answers {
+/// Asks an engine all that a case needs. The engine sees the program and what to observe, never the expectation.
+///
+/// # Errors
+/// [`EngineError`] where no session can be opened.
+pub fn ask(session: &mut EngineSession<'_>, case: &Case) -> Result<Answers, EngineError> {
     let request = case.request();
-    let run = guard(|| session.run(&request));
-    let wants_rendering = case.expectation.rendered.is_some() && !matches!(run, Outcome::Crashed { .. });
-    let rendering = wants_rendering.then(|| ask_rendering(session, &request));
-    Answers { run, rendering }
+    let run = session.run(&request)?;
+    let wants_rendering = case.expectation.rendered.is_some() && !is_crash(&run);
+    let rendering = match wants_rendering {
+        true => Some(ask_rendering(session, &request)?),
+        false => None,
+    };
+    Ok(Answers { run, rendering })
 }
 
-fn ask_rendering(session: &mut dyn Session, request: &RunRequest<'_>) -> Rendering {
-    let first = guard(|| session.render(request.dialect, request.source));
-    let Outcome::Rendered { text } = &first else {
-        return Rendering {
-            first,
-            again: None,
-            rerun: None,
-        };
-    };
-    let again = guard(|| session.render(request.dialect, text));
-    if let Outcome::Crashed { .. } = again {
-        return Rendering {
-            again: Some(again),
-            rerun: None,
-            first,
-        };
+/// Asks an engine to run several programs at a time. Of the cases, none may need more than a run.
+///
+/// # Errors
+/// [`EngineError`] where no session can be opened.
+pub(crate) fn ask_pack(session: &mut EngineSession<'_>, cases: &[&Case]) -> Result<Vec<Packed>, EngineError> {
+    let requests: Vec<RunRequest<'_>> = cases.iter().map(|case| case.request()).collect();
+    session.run_pack(&requests)
+}
+
+fn ask_rendering(
+    session: &mut EngineSession<'_>,
+    request: &RunRequest<'_>,
+) -> Result<Rendering, EngineError> {
+    let first = session.render(request.dialect, request.source)?;
+    let (mut again, mut rerun) = (None, None);
+    if let Outcome::Rendered { text } = &first {
+        let rendered_again = session.render(request.dialect, text)?;
+        if !is_crash(&rendered_again) {
+            let request = RunRequest {
+                source: text,
+                ..*request
+            };
+            rerun = Some(session.run(&request)?);
+        }
+        again = Some(rendered_again);
     }
-    let rerun = guard(|| {
-        session.run(&RunRequest {
-            source: text,
-            ..*request
-        })
-    });
-    Rendering {
-        again: Some(again),
-        rerun: Some(rerun),
-        first,
-    }
+    Ok(Rendering { first, again, rerun })
+}
+
+const fn is_crash(outcome: &Outcome) -> bool {
+    matches!(outcome, Outcome::Crashed { .. })
 }

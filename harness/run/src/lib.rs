@@ -20,7 +20,7 @@ mod select;
 mod tell;
 mod unstated;
 
-pub use answers::{Answers, Desk, Rendering};
+pub use answers::{Answers, Rendering, ask};
 pub use baseline::{
     Baseline, BaselineError, Blessing, Change, ChangeKind, EngineRun, Entry, Held, bless, hold,
 };

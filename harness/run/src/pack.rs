@@ -6,9 +6,9 @@
 //!
 //! Basis: design, section 6.
 
-use crate::answers::{Answers, Desk};
+use crate::answers::{Answers, ask, ask_pack};
 use std::time::{Duration, Instant};
-use stickler_engines::{EngineError, Packed};
+use stickler_engines::{EngineError, EngineSession, Packed};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::{Code, DialectName};
 
@@ -79,9 +79,9 @@ pub(crate) type Settled = Option<(Answers, Duration)>;
 /// Asks about all cases of a pack; `None` for those that were not reached before `stopping`.
 ///
 /// # Errors
-/// As [`Desk::ask`].
+/// [`EngineError`] where no session can be opened.
 pub(crate) fn settle(
-    desk: &mut Desk<'_>,
+    session: &mut EngineSession<'_>,
     cases: &[&Case],
     stopping: &dyn Fn() -> bool,
 ) -> Result<Vec<Settled>, EngineError> {
@@ -95,7 +95,7 @@ pub(crate) fn settle(
         let begun = Instant::now();
         let asked: Vec<&Case> = pack.iter().map(|&place| cases[place]).collect();
         if let [place] = pack[..] {
-            let answers = desk.ask(cases[place])?;
+            let answers = ask(session, cases[place])?;
             // Whoever stops the run may have ended the engine over it.
             if stopping() {
                 break;
@@ -103,7 +103,7 @@ pub(crate) fn settle(
             settled[place] = Some((answers, spent[place] + begun.elapsed()));
             continue;
         }
-        let packed = desk.ask_pack(&asked)?;
+        let packed = ask_pack(session, &asked)?;
         if stopping() {
             break;
         }

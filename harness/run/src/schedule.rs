@@ -101,8 +101,8 @@ pub fn run_with(
         give: &mut give,
     };
     pool.run(
-        || Ok::<_, SpawnError>(context.desks()),
-        |desks, (number, jobs)| context.batch(number, jobs, desks),
+        || Ok::<_, SpawnError>(context.sessions()),
+        |sessions, (number, jobs)| context.batch(number, jobs, sessions),
         &mut schedule,
     )?;
     if let Some(error) = schedule.error {

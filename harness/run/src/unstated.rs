@@ -5,8 +5,8 @@
 //! documents of the base say, they do not speak of this dialect; and what it does instead is no expectation, for nobody has
 //! written that down. Such a case is left out, and counted.
 
-use crate::{DefinedHeader, Desk, Grade, Plan, RunError, is_open, judge, select};
-use stickler_engines::Reference;
+use crate::{DefinedHeader, Grade, Plan, RunError, ask, is_open, judge, select};
+use stickler_engines::{EngineSession, Reference};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 use stickler_workers::WorkerPool;
@@ -28,11 +28,11 @@ pub fn leave_out(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case>, RunErr
     let reference = Reference::new();
     let changed: Vec<Vec<bool>> = WorkerPool::new(plan.jobs).map(
         selected.chunks(BATCH_LEN),
-        || Ok(Desk::new(&reference)),
-        |desk, cases| {
+        || Ok(EngineSession::new(&reference)),
+        |session, cases| {
             cases
                 .iter()
-                .map(|case| is_changed(desk, case))
+                .map(|case| is_changed(session, case))
                 .collect::<Result<_, RunError>>()
         },
     )?;
@@ -66,13 +66,13 @@ pub fn defined(dialects: &[DialectName], left_out: &[Case]) -> Vec<DefinedHeader
 }
 
 /// Whether the reference meets what the case expects in the dialect that its own extends, and no longer in its own.
-fn is_changed(desk: &mut Desk<'_>, case: &Case) -> Result<bool, RunError> {
+fn is_changed(session: &mut EngineSession<'_>, case: &Case) -> Result<bool, RunError> {
     let in_base = Case {
         dialect: case.dialect.base().name(),
         ..case.clone()
     };
     let mut happens = |case: &Case| {
-        let judgement = judge(case, &desk.ask(case)?, Grade::Code);
+        let judgement = judge(case, &ask(session, case)?, Grade::Code);
         Ok::<_, RunError>((judgement.verdict, judgement.got))
     };
     Ok(happens(&in_base)? != happens(case)?)

@@ -7,8 +7,8 @@
 use similar::TextDiff;
 use std::fmt::{self, Write};
 use std::path::Path;
-use stickler_engines::Reference;
-use stickler_run::{Desk, Fact, Grade, Judgement, Plan, RunError, Verdict, judge};
+use stickler_engines::{EngineSession, Reference};
+use stickler_run::{Fact, Grade, Judgement, Plan, RunError, Verdict, ask, judge};
 use stickler_suite::{Case, load_file};
 use stickler_workers::WorkerPool;
 
@@ -24,11 +24,11 @@ fn conforms(path: &Path) -> datatest_stable::Result<()> {
     let reference = Reference::new();
     let judged: Vec<Vec<Option<String>>> = WorkerPool::new(0).map(
         cases.chunks(BATCH_LEN),
-        || Ok(Desk::new(&reference)),
-        |desk, cases| {
+        || Ok(EngineSession::new(&reference)),
+        |session, cases| {
             cases
                 .iter()
-                .map(|case| complaint(desk, case))
+                .map(|case| complaint(session, case))
                 .collect::<Result<_, RunError>>()
         },
     )?;
@@ -67,8 +67,8 @@ impl fmt::Display for Complaints {
 impl std::error::Error for Complaints {}
 
 /// What is to be said of a case that does not pass.
-fn complaint(desk: &mut Desk<'_>, case: &Case) -> Result<Option<String>, RunError> {
-    let judgement = judge(case, &desk.ask(case)?, Grade::Code);
+fn complaint(session: &mut EngineSession<'_>, case: &Case) -> Result<Option<String>, RunError> {
+    let judgement = judge(case, &ask(session, case)?, Grade::Code);
     Ok((judgement.verdict != Verdict::Pass).then(|| describe(case, &judgement)))
 }
 

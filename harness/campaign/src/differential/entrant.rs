@@ -2,7 +2,7 @@
 
 use super::comparison::{Agreement, Disagreement, Question, compare};
 use crate::finding::Asked;
-use stickler_engines::{Engine, Identity, Observation, Outcome, RunRequest, Session};
+use stickler_engines::{Engine, EngineSession, Identity, Observation, Outcome, RunRequest};
 use stickler_types::DialectName;
 
 /// An engine, and how it was asked for.
@@ -33,21 +33,24 @@ impl Entrant<'_> {
     }
 }
 
-/// Runs a program for one scan and observes all of it.
-pub(crate) fn ask(session: &mut dyn Session, question: Question<'_>) -> Outcome {
+/// Runs a program for one scan and observes all of it. An engine that cannot be started again after a crash has crashed.
+pub(crate) fn ask(session: &mut EngineSession<'_>, question: Question<'_>) -> Outcome {
     let observe: Vec<Observation> = question
         .values
         .iter()
         .map(|(name, value)| Observation::last(name, value.type_name()))
         .collect();
-    session.run(&RunRequest::once(question.dialect, question.text, &observe))
+    let request = RunRequest::once(question.dialect, question.text, &observe);
+    session.run(&request).unwrap_or_else(|error| Outcome::Crashed {
+        reason: error.to_string(),
+    })
 }
 
 /// Asks an engine that has died over a program whether it still answers at all.
 ///
 /// # Errors
 /// What became of it over the smallest program that there is.
-pub(super) fn lives(session: &mut dyn Session, dialect: DialectName) -> Result<(), String> {
+pub(super) fn lives(session: &mut EngineSession<'_>, dialect: DialectName) -> Result<(), String> {
     /// As small as a program can be that every dialect has.
     const PROGRAM: &str = "PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := 1;\nEND_PROGRAM\n";
     /// A machine that is short of memory may need a moment.

@@ -116,7 +116,7 @@ mod tests {
     use super::*;
     use crate::differential::{Agreement, ask, compare};
     use crate::inputs::Inputs;
-    use stickler_engines::{Engine, Reference};
+    use stickler_engines::{EngineSession, Reference};
 
     fn subjects(dialect: DialectName) -> Vec<Subject> {
         let programs = (0..60).map(|place| Inputs::new(5).program(place, &[dialect], false));
@@ -127,13 +127,13 @@ mod tests {
     #[test]
     fn a_pack_gives_what_its_programs_give_alone() {
         let reference = Reference::default();
-        let mut session = reference.session().unwrap();
+        let mut session = EngineSession::new(&reference);
         for dialect in DialectName::ALL {
             let subjects = subjects(dialect);
             assert!(subjects.len() > 30, "{} of {dialect}", subjects.len());
             for chunk in subjects.chunks(8) {
                 let pack = Pack::of(&chunk.iter().collect::<Vec<_>>()).unwrap();
-                let agreement = compare(pack.question(), &ask(&mut *session, pack.question()));
+                let agreement = compare(pack.question(), &ask(&mut session, pack.question()));
                 assert_eq!(agreement, Agreement::Agrees, "{}", pack.text);
             }
         }

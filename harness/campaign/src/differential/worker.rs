@@ -9,13 +9,13 @@ use super::subject::Subject;
 use crate::bench::{Suspicion, Verdict, Worker};
 use crate::finding::Finding;
 use std::time::Instant;
-use stickler_engines::{EngineError, Outcome, Session};
+use stickler_engines::{EngineError, EngineSession, Outcome};
 use stickler_types::DialectName;
 
 /// A worker with a session of each engine.
 pub(super) struct Asking<'b> {
     pub(super) bench: &'b Differential<'b>,
-    sessions: Vec<Box<dyn Session + 'b>>,
+    sessions: Vec<EngineSession<'b>>,
     paces: Vec<Pace>,
     /// Why an engine does not answer any more, by its number; `None` where it does.
     lost: Vec<Option<String>>,
@@ -35,7 +35,10 @@ impl<'b> Asking<'b> {
     /// # Errors
     /// [`EngineError`] of the first that cannot be opened.
     pub(super) fn new(bench: &'b Differential<'b>) -> Result<Asking<'b>, EngineError> {
-        let sessions = bench.entrants.iter().map(|entrant| entrant.engine.session());
+        let sessions = bench
+            .entrants
+            .iter()
+            .map(|entrant| EngineSession::open(entrant.engine));
         Ok(Asking {
             bench,
             sessions: sessions.collect::<Result<_, _>>()?,
@@ -132,7 +135,7 @@ impl<'b> Asking<'b> {
         if !going() {
             return false;
         }
-        let outcome = ask(&mut *self.sessions[index], pack.question());
+        let outcome = ask(&mut self.sessions[index], pack.question());
         let agreed = compare(pack.question(), &outcome) == Agreement::Agrees;
         self.paces[index].packed(agreed);
         if agreed {
@@ -172,7 +175,7 @@ impl<'b> Asking<'b> {
     /// Gives the program to one engine, and holds what it does against what it must do.
     pub(super) fn hold(&mut self, index: usize, subject: &Subject) -> (Outcome, Agreement) {
         let question = subject.question(self.bench.entrants[index].is_reference);
-        let outcome = ask(&mut *self.sessions[index], question);
+        let outcome = ask(&mut self.sessions[index], question);
         let agreement = compare(question, &outcome);
         (outcome, agreement)
     }
@@ -181,7 +184,7 @@ impl<'b> Asking<'b> {
     pub(super) fn lives(&mut self, index: usize, dialect: DialectName) -> bool {
         if self.lost[index].is_none() {
             let name = &self.bench.entrants[index].identity().name;
-            self.lost[index] = lives(&mut *self.sessions[index], dialect).err().map(|reason| {
+            self.lost[index] = lives(&mut self.sessions[index], dialect).err().map(|reason| {
                 format!("engine {name} is lost: over the smallest program that there is it {reason}")
             });
         }

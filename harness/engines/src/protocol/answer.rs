@@ -2,7 +2,7 @@
 
 use super::{ClockMessage, HelloReply, HelloRequest, ObserveMessage, PROTOCOL, ProgramRequest, Reply};
 use super::{RunMessage, SetMessage};
-use crate::{ClockSetting, Identity, Observation, Outcome, RunRequest, Session, Setting};
+use crate::{ClockSetting, Identity, Observation, RunRequest, Setting};
 use std::str::FromStr;
 use stickler_types::{DialectName, Value};
 
@@ -30,21 +30,27 @@ pub(super) fn hello(identity: &Identity, request: &HelloRequest) -> Reply {
 }
 
 /// Answers `check` and `render`, which differ only in what the session is asked.
-pub(super) fn program(
+///
+/// # Errors
+/// A message about this request alone.
+pub(super) fn program<T>(
     request: &ProgramRequest,
-    ask: impl FnOnce(DialectName, &str) -> Outcome,
-) -> Result<Outcome, String> {
+    ask: impl FnOnce(DialectName, &str) -> T,
+) -> Result<T, String> {
     Ok(ask(dialect(&request.dialect)?, &request.source))
 }
 
-/// Answers `run`; the error is about this request alone.
-pub(super) fn run(session: &mut dyn Session, request: &RunMessage) -> Result<Outcome, String> {
+/// Answers `run`.
+///
+/// # Errors
+/// A message about this request alone.
+pub(super) fn run<T>(request: &RunMessage, ask: impl FnOnce(&RunRequest<'_>) -> T) -> Result<T, String> {
     let dialect = dialect(&request.dialect)?;
     let scans = request.scans;
     let clock = each(&request.clock, |step| clock_setting(step, scans))?;
     let set = each(&request.set, |message| setting(message, scans))?;
     let observe = each(&request.observe, |asked| observation(asked, scans))?;
-    Ok(session.run(&RunRequest {
+    Ok(ask(&RunRequest {
         dialect,
         source: &request.source,
         scans,

@@ -2,8 +2,8 @@
 //! `bye`.
 
 use super::lines::{Line, next_line};
-use super::{MAX_LINE, ProgramRequest, Reply, Request, RunMessage, answer};
-use crate::{Engine, Outcome, Session, guard};
+use super::{MAX_LINE, Reply, Request, answer};
+use crate::{Engine, EngineSession, Outcome};
 use std::io::{self, BufRead, Write};
 
 /// Answers requests until `bye` or the end of the input. Every reply is flushed as it is written; a malformed
@@ -23,10 +23,7 @@ fn serve_lines(
     limit: usize,
 ) -> io::Result<()> {
     let mut buffer = Vec::new();
-    let mut server = Server {
-        engine,
-        session: open(engine)?,
-    };
+    let mut session = EngineSession::open(engine).map_err(io::Error::other)?;
     loop {
         let answer = match next_line(&mut input, &mut buffer, limit)? {
             Line::End => return Ok(()),
@@ -34,7 +31,7 @@ fn serve_lines(
                 None,
                 format!("the line is longer than {limit} bytes"),
             )),
-            Line::Whole => server.answer(&buffer)?,
+            Line::Whole => answer(&mut session, &buffer)?,
         };
         match answer {
             Answer::Nothing => {}
@@ -50,62 +47,42 @@ enum Answer {
     Reply(Reply),
 }
 
-struct Server<'e> {
-    engine: &'e dyn Engine,
-    session: Box<dyn Session + 'e>,
-}
-
-impl Server<'_> {
-    fn answer(&mut self, line: &[u8]) -> io::Result<Answer> {
-        // Some shells put a byte-order mark in front of what they pipe.
-        let line = line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line).trim_ascii();
-        if line.is_empty() {
-            return Ok(Answer::Nothing);
+/// Answers one line.
+///
+/// # Errors
+/// Where the engine crashed over an earlier line and no session can be opened any more.
+fn answer(session: &mut EngineSession<'_>, line: &[u8]) -> io::Result<Answer> {
+    // Some shells put a byte-order mark in front of what they pipe.
+    let line = line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line).trim_ascii();
+    if line.is_empty() {
+        return Ok(Answer::Nothing);
+    }
+    let (id, outcome) = match serde_json::from_slice::<Request>(line) {
+        Ok(Request::Bye) => return Ok(Answer::Farewell),
+        Ok(Request::Hello(request)) => {
+            return Ok(Answer::Reply(answer::hello(
+                session.engine().identity(),
+                &request,
+            )));
         }
-        let reply = match serde_json::from_slice::<Request>(line) {
-            Ok(Request::Bye) => return Ok(Answer::Farewell),
-            Ok(Request::Hello(request)) => answer::hello(self.engine.identity(), &request),
-            Ok(Request::Run(request)) => self.run(&request)?,
-            Ok(Request::Check(request)) => self.program(&request, |session, r| {
-                answer::program(r, |d, s| session.check(d, s))
-            })?,
-            Ok(Request::Render(request)) => self.program(&request, |session, r| {
-                answer::program(r, |d, s| session.render(d, s))
-            })?,
-            Err(error) => Reply::error(readable_id(line), error.to_string()),
-        };
-        Ok(Answer::Reply(reply))
-    }
-
-    fn run(&mut self, request: &RunMessage) -> io::Result<Reply> {
-        let outcome = guard(|| flatten(answer::run(self.session.as_mut(), request)));
-        self.reply(request.id, outcome)
-    }
-
-    fn program(
-        &mut self,
-        request: &ProgramRequest,
-        ask: impl FnOnce(&mut dyn Session, &ProgramRequest) -> Result<Outcome, String>,
-    ) -> io::Result<Reply> {
-        let outcome = guard(|| flatten(ask(self.session.as_mut(), request)));
-        self.reply(request.id, outcome)
-    }
-
-    fn reply(&mut self, id: u64, outcome: Outcome) -> io::Result<Reply> {
-        if let Outcome::Crashed { .. } = outcome {
-            // What a panic left behind is not to be trusted.
-            self.session = open(self.engine)?;
+        Ok(Request::Run(request)) => (request.id, answer::run(&request, |run| session.run(run))),
+        Ok(Request::Check(request)) => (
+            request.id,
+            answer::program(&request, |dialect, source| session.check(dialect, source)),
+        ),
+        Ok(Request::Render(request)) => (
+            request.id,
+            answer::program(&request, |dialect, source| session.render(dialect, source)),
+        ),
+        Err(error) => {
+            return Ok(Answer::Reply(Reply::error(readable_id(line), error.to_string())));
         }
-        Ok(Reply::from_outcome(id, outcome))
-    }
-}
-
-fn flatten(answer: Result<Outcome, String>) -> Outcome {
-    answer.unwrap_or_else(|message| Outcome::Error { message })
-}
-
-fn open(engine: &dyn Engine) -> io::Result<Box<dyn Session + '_>> {
-    engine.session().map_err(io::Error::other)
+    };
+    let outcome = match outcome {
+        Ok(outcome) => outcome.map_err(io::Error::other)?,
+        Err(message) => Outcome::Error { message },
+    };
+    Ok(Answer::Reply(Reply::from_outcome(id, outcome)))
 }
 
 fn send(output: &mut impl Write, reply: &Reply) -> io::Result<()> {

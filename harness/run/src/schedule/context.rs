@@ -1,7 +1,7 @@
 //! The workers' side of a run: engines are asked about a batch of jobs, and their answers become events.
 
 use super::{Batch, Job};
-use crate::answers::{Answers, Desk};
+use crate::answers::Answers;
 use crate::event::CaseEvent;
 use crate::memory::{self, Memory};
 use crate::pack::{packs, settle};
@@ -9,7 +9,7 @@ use crate::{Held, Plan, Teller};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use stickler_engines::{Engine, EngineError};
+use stickler_engines::{Engine, EngineError, EngineSession};
 use stickler_suite::Case;
 
 /// A batch for engines that pack holds so many packs of each, for cases of several kinds alternate.
@@ -30,9 +30,10 @@ pub(super) struct RunContext<'r> {
 }
 
 impl<'r> RunContext<'r> {
-    /// Returns what a worker asks engines by; no session is open yet.
-    pub(super) fn desks(&self) -> Vec<Desk<'r>> {
-        self.engines.iter().map(|&engine| Desk::new(engine)).collect()
+    /// Returns a worker's sessions, one for each engine; none is open yet.
+    pub(super) fn sessions(&self) -> Vec<EngineSession<'r>> {
+        let engines = self.engines.iter();
+        engines.map(|&engine| EngineSession::new(engine)).collect()
     }
 
     /// Returns how many jobs make a batch where an engine packs.
@@ -47,11 +48,16 @@ impl<'r> RunContext<'r> {
     }
 
     /// Asks about a batch of jobs. There are fewer events than jobs where the run stops.
-    pub(super) fn batch(&self, number: usize, jobs: Range<usize>, desks: &mut [Desk<'_>]) -> Batch {
+    pub(super) fn batch(
+        &self,
+        number: usize,
+        jobs: Range<usize>,
+        sessions: &mut [EngineSession<'_>],
+    ) -> Batch {
         let begun = Instant::now();
         let (start, len) = (jobs.start, jobs.len());
         let mut events: Vec<Option<CaseEvent>> = jobs.clone().map(|_| None).collect();
-        let error = self.ask_all(&self.jobs[jobs], desks, &mut events).err();
+        let error = self.ask_all(&self.jobs[jobs], sessions, &mut events).err();
         // Whoever cancels the run may have ended its engines.
         let error = error.filter(|_| !self.is_stopping());
         if error.is_some() {
@@ -71,13 +77,13 @@ impl<'r> RunContext<'r> {
     fn ask_all(
         &self,
         jobs: &[Job<'_>],
-        desks: &mut [Desk<'_>],
+        sessions: &mut [EngineSession<'_>],
         events: &mut [Option<CaseEvent>],
     ) -> Result<(), EngineError> {
         let cases: Vec<(&Case, usize)> = jobs.iter().map(|job| (job.case, job.engine)).collect();
         let packs = packs(&cases, &self.pack_sizes());
         for pack in packs.iter().take_while(|_| !self.is_stopping()) {
-            self.ask(jobs, pack, desks, events)?;
+            self.ask(jobs, pack, sessions, events)?;
         }
         Ok(())
     }
@@ -87,15 +93,15 @@ impl<'r> RunContext<'r> {
         &self,
         jobs: &[Job<'_>],
         pack: &[usize],
-        desks: &mut [Desk<'_>],
+        sessions: &mut [EngineSession<'_>],
         events: &mut [Option<CaseEvent>],
     ) -> Result<(), EngineError> {
         let Some(first) = pack.first() else {
             return Ok(());
         };
-        let desk = &mut desks[jobs[*first].engine];
+        let session = &mut sessions[jobs[*first].engine];
         let cases: Vec<&Case> = pack.iter().map(|&place| jobs[place].case).collect();
-        let settled = settle(desk, &cases, &|| self.is_stopping())?;
+        let settled = settle(session, &cases, &|| self.is_stopping())?;
         for (&place, settled) in pack.iter().zip(settled) {
             events[place] = settled.map(|(answers, time)| {
                 self.keep(&jobs[place], &answers);

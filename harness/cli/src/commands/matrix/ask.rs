@@ -1,7 +1,7 @@
 //! Asking an engine which types it takes for which.
 
 use anyhow::Result;
-use stickler_engines::{Engine, Outcome, Session, guard};
+use stickler_engines::{Engine, EngineError, EngineSession, Outcome};
 use stickler_types::{DialectName, ElementaryType};
 use stickler_workers::WorkerPool;
 
@@ -35,24 +35,25 @@ pub fn answers(
 ) -> Result<Vec<Answer>> {
     WorkerPool::new(0).map(
         pairs.iter(),
-        || Ok(engine.session()?),
+        || Ok(EngineSession::open(engine)?),
         |session, pair| {
-            let outcome = ask(session.as_mut(), dialect, *pair);
-            if let Outcome::Crashed { .. } = outcome {
-                *session = engine.session()?;
-            }
+            let outcome = ask(session, dialect, *pair)?;
             told();
             Ok(answer(&outcome))
         },
     )
 }
 
-fn ask(session: &mut dyn Session, dialect: DialectName, (from, into): Pair) -> Outcome {
+fn ask(
+    session: &mut EngineSession<'_>,
+    dialect: DialectName,
+    (from, into): Pair,
+) -> Result<Outcome, EngineError> {
     // No name here is a keyword of any edition, as `from` is in charts.
     let source = format!(
         "PROGRAM main\nVAR\n    given : {from};\n    taken : {into};\nEND_VAR\n    taken := given;\nEND_PROGRAM\n"
     );
-    guard(|| session.check(dialect, &source))
+    session.check(dialect, &source)
 }
 
 fn answer(outcome: &Outcome) -> Answer {

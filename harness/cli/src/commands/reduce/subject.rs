@@ -1,8 +1,8 @@
 //! What an engine and the reference do with a program, and how that differs.
 
 use stickler_engines::{
-    Ability, Engine, EngineError, Identity, NamedValue, Observation, Outcome, Reference, RunRequest, Session,
-    guard,
+    Ability, Engine, EngineError, EngineSession, Identity, NamedValue, Observation, Outcome, Reference,
+    RunRequest,
 };
 use stickler_generate::reduce::{Interestingness, Symptom};
 use stickler_types::{DialectName, Fault, Value};
@@ -12,8 +12,7 @@ const MOST: usize = 1000;
 
 /// An engine, and the reference beside it.
 pub struct Subject<'e> {
-    engine: &'e dyn Engine,
-    session: Box<dyn Session + 'e>,
+    session: EngineSession<'e>,
     reference: Reference,
     /// There is no engine but the reference.
     alone: bool,
@@ -27,8 +26,7 @@ impl<'e> Subject<'e> {
     /// Where the engine cannot be started.
     pub fn new(engine: &'e dyn Engine, alone: bool) -> Result<Subject<'e>, EngineError> {
         Ok(Subject {
-            engine,
-            session: engine.session()?,
+            session: EngineSession::open(engine)?,
             reference: Reference::new(),
             alone,
         })
@@ -36,7 +34,7 @@ impl<'e> Subject<'e> {
 
     /// Who the engine is.
     pub fn identity(&self) -> &'e Identity {
-        self.engine.identity()
+        self.session.engine().identity()
     }
 
     /// Every symptom of a program. Of the reference: how it does not run it to its end.
@@ -83,8 +81,8 @@ impl<'e> Subject<'e> {
     fn expected(&self, dialect: DialectName, source: &str) -> Result<Outcome, EngineError> {
         let names = stickler_reference::variables(source, dialect, MOST);
         let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
-        let mut session = self.reference.session()?;
-        let outcome = guard(|| session.run(&RunRequest::once(dialect, source, &observe)));
+        let mut session = EngineSession::new(&self.reference);
+        let outcome = session.run(&RunRequest::once(dialect, source, &observe))?;
         Ok(match outcome {
             Outcome::Executed { mut values } => {
                 values.retain(|(_, value)| !matches!(value, Value::Enumerated { .. }));
@@ -110,15 +108,10 @@ impl<'e> Subject<'e> {
             .map(|(name, value)| Observation::last(name, value.type_name()))
             .collect();
         let rejected = matches!(expected, Outcome::Rejected { .. });
-        let outcome = if rejected && self.identity().can(Ability::Check) {
-            guard(|| self.session.check(dialect, source))
+        if rejected && self.identity().can(Ability::Check) {
+            self.session.check(dialect, source)
         } else {
-            guard(|| self.session.run(&RunRequest::once(dialect, source, &observe)))
-        };
-        if matches!(outcome, Outcome::Crashed { .. }) {
-            // What a panic has left behind must not be used again.
-            self.session = self.engine.session()?;
+            self.session.run(&RunRequest::once(dialect, source, &observe))
         }
-        Ok(outcome)
     }
 }

@@ -1,0 +1,209 @@
+//! One worker's session of an engine, which outlives the engine's panics and crashes.
+
+use crate::{Engine, EngineError, Outcome, Packed, RunRequest, Session};
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use stickler_types::DialectName;
+
+/// A session of an engine that is opened when it is needed, and anew after each crash.
+///
+/// A panic of an engine that lives in this process becomes [`Outcome::Crashed`]: it is a crash of that engine, not of
+/// Stickler. What a panic or a crash has left behind is not used again; the next request opens a new session.
+pub struct EngineSession<'e> {
+    engine: &'e dyn Engine,
+    session: Option<Box<dyn Session + 'e>>,
+}
+
+impl<'e> EngineSession<'e> {
+    /// Returns a session that the first request opens.
+    #[must_use]
+    pub fn new(engine: &'e dyn Engine) -> EngineSession<'e> {
+        EngineSession {
+            engine,
+            session: None,
+        }
+    }
+
+    /// Opens a session.
+    ///
+    /// # Errors
+    /// [`EngineError`] where the engine cannot be started.
+    pub fn open(engine: &'e dyn Engine) -> Result<EngineSession<'e>, EngineError> {
+        let session = Some(engine.session()?);
+        Ok(EngineSession { engine, session })
+    }
+
+    /// Returns the engine that is asked.
+    #[must_use]
+    pub const fn engine(&self) -> &'e dyn Engine {
+        self.engine
+    }
+
+    /// Executes a program, as [`Session::run`] does.
+    ///
+    /// # Errors
+    /// [`EngineError`] where there is no session and none can be opened.
+    pub fn run(&mut self, request: &RunRequest<'_>) -> Result<Outcome, EngineError> {
+        self.ask(|session| session.run(request))
+    }
+
+    /// Checks a program, as [`Session::check`] does.
+    ///
+    /// # Errors
+    /// [`EngineError`] where there is no session and none can be opened.
+    pub fn check(&mut self, dialect: DialectName, source: &str) -> Result<Outcome, EngineError> {
+        self.ask(|session| session.check(dialect, source))
+    }
+
+    /// Gives a program back as normalised source, as [`Session::render`] does.
+    ///
+    /// # Errors
+    /// [`EngineError`] where there is no session and none can be opened.
+    pub fn render(&mut self, dialect: DialectName, source: &str) -> Result<Outcome, EngineError> {
+        self.ask(|session| session.render(dialect, source))
+    }
+
+    /// Executes several programs, as [`Session::run_pack`] does. Returns one answer for each request whatever the engine
+    /// gives; an engine that panics has told nothing about any of them.
+    ///
+    /// # Errors
+    /// [`EngineError`] where there is no session and none can be opened.
+    pub fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Result<Vec<Packed>, EngineError> {
+        let session = self.session()?;
+        let mut packed = guarded(|| session.run_pack(requests)).unwrap_or_else(|_| {
+            self.session = None;
+            Vec::new()
+        });
+        packed.resize(requests.len(), Packed::Unknown);
+        Ok(packed)
+    }
+
+    fn ask(&mut self, ask: impl FnOnce(&mut dyn Session) -> Outcome) -> Result<Outcome, EngineError> {
+        let session = self.session()?;
+        let outcome = guarded(|| ask(session)).unwrap_or_else(|reason| Outcome::Crashed { reason });
+        if let Outcome::Crashed { .. } = outcome {
+            self.session = None;
+        }
+        Ok(outcome)
+    }
+
+    fn session(&mut self) -> Result<&mut (dyn Session + 'e), EngineError> {
+        let session = match &mut self.session {
+            Some(session) => session,
+            closed => closed.insert(self.engine.session()?),
+        };
+        Ok(session.as_mut())
+    }
+}
+
+/// Catches a panic. Returns its text, as a fragment, where there is one.
+///
+/// What was unwound must be dropped by the caller: that makes it safe to go on.
+fn guarded<T>(ask: impl FnOnce() -> T) -> Result<T, String> {
+    catch_unwind(AssertUnwindSafe(ask)).map_err(|payload| panic_text(payload.as_ref()))
+}
+
+fn panic_text(payload: &(dyn Any + Send)) -> String {
+    let text = payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
+        .unwrap_or("with no message");
+    format!("panicked: {text}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Identity, Reference};
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// The reference, which panics over some programs.
+    #[derive(Default)]
+    struct Panicking {
+        reference: Reference,
+        opened: AtomicUsize,
+    }
+
+    struct PanickingSession;
+
+    impl Engine for Panicking {
+        fn identity(&self) -> &Identity {
+            self.reference.identity()
+        }
+
+        fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+            match self.opened.fetch_add(1, Ordering::Relaxed) {
+                0 | 1 => Ok(Box::new(PanickingSession)),
+                _ => Err(EngineError::NotStarted {
+                    engine: "panicking".to_owned(),
+                    reason: "it was opened twice".to_owned(),
+                }),
+            }
+        }
+    }
+
+    impl Session for PanickingSession {
+        fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+            let number = 7;
+            assert_ne!(request.source, "panic", "broken {number}");
+            Outcome::Accepted
+        }
+
+        fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+            requests
+                .iter()
+                .map(|request| Packed::Told(self.run(request)))
+                .collect()
+        }
+
+        fn check(&mut self, _: DialectName, _: &str) -> Outcome {
+            Outcome::Accepted
+        }
+
+        fn render(&mut self, _: DialectName, _: &str) -> Outcome {
+            Outcome::Accepted
+        }
+    }
+
+    fn request(source: &str) -> RunRequest<'_> {
+        RunRequest::once(DialectName::Matiec, source, &[])
+    }
+
+    #[test]
+    fn a_panic_is_a_crash_with_its_message_and_the_next_request_opens_a_new_session() {
+        let engine = Panicking::default();
+        let mut session = EngineSession::new(&engine);
+        assert_eq!(engine.opened.load(Ordering::Relaxed), 0);
+        assert_eq!(session.run(&request("fine")).unwrap(), Outcome::Accepted);
+        let Outcome::Crashed { reason } = session.run(&request("panic")).unwrap() else {
+            panic!("it goes on")
+        };
+        assert!(
+            reason.starts_with("panicked: ") && reason.contains("broken 7"),
+            "{reason}"
+        );
+        assert_eq!(session.run(&request("fine")).unwrap(), Outcome::Accepted);
+        assert_eq!(engine.opened.load(Ordering::Relaxed), 2);
+        session.run(&request("panic")).unwrap();
+        assert!(
+            session.run(&request("fine")).is_err(),
+            "there is no third session"
+        );
+    }
+
+    #[test]
+    fn an_engine_that_panics_over_a_pack_has_told_nothing_of_it() {
+        let engine = Panicking::default();
+        let mut session = EngineSession::open(&engine).unwrap();
+        let pack = [request("fine"), request("panic")];
+        assert_eq!(
+            session.run_pack(&pack).unwrap(),
+            [Packed::Unknown, Packed::Unknown]
+        );
+        assert_eq!(
+            session.run_pack(&pack[..1]).unwrap(),
+            [Packed::Told(Outcome::Accepted)]
+        );
+    }
+}
