@@ -111,7 +111,10 @@ fn replaced(expected: &[&str], got: &[&str]) -> Vec<DiffLine> {
     let is_alike = 2 * equal >= old.words.len().max(new.words.len());
     let marked = |range: &dyn Fn(&DiffOp) -> Range<usize>, count: usize| {
         let mut differs = vec![is_alike; count];
-        for operation in operations.iter().filter(|operation| operation.tag() == DiffTag::Equal) {
+        for operation in operations
+            .iter()
+            .filter(|operation| operation.tag() == DiffTag::Equal)
+        {
             differs[range(operation)].fill(false);
         }
         differs
