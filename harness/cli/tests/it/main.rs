@@ -15,6 +15,7 @@ mod engines;
 mod export;
 #[cfg(unix)]
 mod fuzz;
+mod links;
 mod pages;
 #[cfg(unix)]
 mod reduce;

@@ -14,7 +14,7 @@ fn each_command_prints_what_its_file_says() {
 }
 
 #[test]
-fn the_readme_shows_what_conversions_prints() {
+fn the_manual_shows_what_conversions_prints() {
     let arguments = ["conversions", "REAL_TO_INT", "2.5", "-0.5", "1E10"];
     let output = std::process::Command::new(crate::common::STICKLER)
         .args(arguments)
@@ -23,9 +23,9 @@ fn the_readme_shows_what_conversions_prints() {
         .expect("the command runs");
     let shown = String::from_utf8(output.stdout).expect("text");
     let example = format!("$ stickler {}\n{shown}```\n", arguments.join(" "));
-    let readme = include_str!("../../../../README.md");
+    let manual = include_str!("../../../docs/conversions-and-sweeps.md");
     assert!(
-        readme.contains(&example),
-        "the README does not show this:\n{example}"
+        manual.contains(&example),
+        "conversions-and-sweeps.md does not show this:\n{example}"
     );
 }
