@@ -1,8 +1,9 @@
-//! What the generator makes: `cargo run --release -p stickler-generate --example census -- 10000 [DIALECT]`.
+//! Measures the programs of the generator: `cargo run --release -p stickler-generate --example census -- 10000 [DIALECT]`.
 //!
-//! For each dialect it prints the programs that the oracle `execute` finds anything wrong with (the reference rejects one, breaks
-//! down, does not end, or gives other values than the evaluator, for the program or for a variant of it), the share of which
-//! documents settle every value, the questions that the others raise, their sizes, and how often each construct occurs.
+//! For each dialect it prints the programs that the oracle `execute` finds anything wrong with (the reference rejects one,
+//! breaks down, does not end, or gives other values than the evaluator, for the program or for a variant of it), the share
+//! of programs whose every value is settled by documents, the questions that the others raise, their sizes, and how often
+//! each construct occurs.
 
 use arbitrary::Unstructured;
 use std::collections::BTreeMap;

@@ -1,17 +1,20 @@
-//! What a program must do, by the documents alone: an evaluator of the model, and what it met that no document settles.
+//! An evaluator of the model: the values that a program must have by the documents alone, and the questions that it raises
+//! which no document answers.
 //!
-//! It is a third opinion beside the reference and a compiler. It walks the typed tree of [`crate::model`], in which every
-//! conversion is a node, computes integers in 128 bits and wraps them, rounds each operation of reals once, and asks
-//! [`stickler_exact`] about conversions. Architecture Invariant: nothing here knows the reference, its tree or its machine.
+//! The evaluator is a third opinion beside the reference and a compiler. It walks the typed tree of [`crate::model`], in
+//! which every conversion is a node, computes integers in 128 bits and wraps them, rounds each operation on reals once, and
+//! asks [`stickler_exact`] about conversions. Architecture Invariant: nothing here knows the reference, its syntax tree or
+//! its machine.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `answer` | what comes out: values, open questions, refusals |
-//! | `layout` | how many cells a type takes, and where its parts are |
-//! | `memory` | cells, and the places of a program in them |
+//! | `answer` | results: values, open questions, errors |
+//! | `evaluator` | the state of an evaluation, and its course |
+//! | `layout` | the number of cells of each type, and the offsets of its parts |
+//! | `cell`, `memory` | cells, and the places of a program in them |
 //! | `start` | initial values |
 //! | `statements`, `calls`, `expressions` | the walk |
-//! | `arithmetic`, `ordering`, `standard`, `conversions` | what operators and functions give |
+//! | `arithmetic`, `ordering`, `standard`, `conversions` | the results of operators and functions |
 
 mod answer;
 mod arithmetic;

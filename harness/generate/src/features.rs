@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::fmt::Display;
 use stickler_types::{ElementaryType, Family};
 
-/// How finely the features of a program are told apart; each level includes those before it.
+/// The level of detail of extracted features; each level includes those before it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum FeatureDetail {
     /// Features that not every program has: functions, operators, kinds of statements, less common types.

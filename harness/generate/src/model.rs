@@ -1,8 +1,9 @@
-//! A typed program: what the generator makes, the writer spells, the evaluator computes, and the variants change.
+//! Typed programs: the generator builds them, the writer spells them, the evaluator computes them, and the variants change
+//! them.
 //!
 //! Every expression carries its type, and every implicit conversion is a node of its own ([`ExpressionKind::Widen`]), so
 //! that no reader of the model needs a rule of the language to know what a program means. Architecture Invariant: nothing
-//! here knows the reference's tree.
+//! here knows the syntax tree of the reference.
 
 mod expression;
 mod look;

@@ -1,4 +1,4 @@
-//! What a fuzz target holds against the bytes that it is given: one file an oracle, and [`FuzzTarget`], which names them all.
+//! The oracles of the fuzz targets, one file each, and [`FuzzTarget`], which names them all.
 
 mod case_file;
 mod check;

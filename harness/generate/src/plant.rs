@@ -1,8 +1,8 @@
-//! Programs with one error: a sound program, something wrong planted in it, and the code and the line that documents give it.
+//! Programs with one planted error, and the code and the line that documents give it.
 //!
-//! Each kind of error is one function in one table. What is expected comes from the documents, never from what the reference
-//! prints, and each function names them: the design's registry and its rule *which code where*, the cases, the standard.
-//! Architecture Invariant: nothing here knows the reference.
+//! Each kind of error is one function in one table. The expectation comes from documents, never from the output of the
+//! reference, and each function names them: the registry of the design and its rule *which code where*, the cases, the
+//! standard. Architecture Invariant: nothing here knows the reference.
 
 mod fault_site;
 mod idle;
@@ -22,22 +22,23 @@ pub use idle::without_idle;
 /// A program with one error.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Planted {
-    /// The program.
+    /// The program with the error.
     pub program: Program,
-    /// The code that the error has.
+    /// The code of the error.
     pub code: Code,
-    /// What kind of error it is, in a few words: one of [`kind_names`].
+    /// The kind of the error in a few words, one of [`kind_names`].
     pub kind: &'static str,
-    /// Whether the diagnostic has to come with a suggestion: a value that does not convert, where a function does.
+    /// Whether the diagnostic must come with a suggestion: a value does not convert implicitly, but a function converts it.
     pub suggested: bool,
     mark: Option<String>,
 }
 
 impl Planted {
-    /// The line of the error in the program's text, `sound` being the text of the program without it in the same style.
+    /// Returns the line of the error in the text of the program; `sound` is the text of the program without the error in the
+    /// same style.
     ///
-    /// It is the line of what stands there as raw text; else the one that holds the planted declaration; else the first that
-    /// differs. Lines count from 1.
+    /// It is the line of the raw text; else the line of the planted declaration; else the first line that differs. Lines
+    /// count from 1.
     #[must_use]
     pub fn line(&self, sound: &WrittenProgram, broken: &WrittenProgram) -> u32 {
         if let Some(mark) = &self.mark {
@@ -51,7 +52,7 @@ impl Planted {
     }
 }
 
-/// The number of the first `true`, from 1; 0 where there is none, which no line has.
+/// Returns the number of the first `true`, from 1; 0, which no line has, if there is none.
 fn number_of_first(mut lines: impl Iterator<Item = bool>) -> u32 {
     lines.position(|found| found).map_or(0, |before| {
         // A text with more lines is longer than any that is written.
@@ -59,13 +60,13 @@ fn number_of_first(mut lines: impl Iterator<Item = bool>) -> u32 {
     })
 }
 
-/// The names of all kinds of errors.
+/// Returns the names of all kinds of errors.
 pub fn kind_names() -> impl Iterator<Item = &'static str> {
     KINDS.iter().map(|kind| kind.name)
 }
 
-/// Plants one error in a sound program; the input chooses which and where. Nothing only where no kind finds a place, which
-/// does not happen in a program that has a main with a statement.
+/// Plants one error in a sound program; the input chooses the kind and the place. Returns `None` only if no kind finds a
+/// place, which does not happen in a program whose main has a statement.
 #[must_use]
 pub fn plant(program: &Program, input: &mut Unstructured<'_>) -> Option<Planted> {
     // When the bytes run out the first kind is tried first.
@@ -79,7 +80,7 @@ pub fn plant(program: &Program, input: &mut Unstructured<'_>) -> Option<Planted>
         .find_map(|number| plant_number(program, number, input))
 }
 
-/// Plants an error of the kind of this name.
+/// Plants an error of the named kind; `None` if the program has no place for it.
 #[must_use]
 pub fn plant_kind(program: &Program, kind: &str, input: &mut Unstructured<'_>) -> Option<Planted> {
     let number = KINDS.iter().position(|known| known.name == kind)?;

@@ -1,29 +1,29 @@
 //! Choices made by bytes: a thin layer over `arbitrary` that never fails.
 //!
-//! When the bytes have run out, every choice falls on its first possibility. So whoever chooses puts the simplest one first, and
-//! what is made from few bytes is small.
+//! When the bytes have run out, every choice falls on its first possibility. A caller therefore puts the simplest
+//! possibility first, and few bytes make a small program.
 
 use arbitrary::Unstructured;
 use stickler_types::SplitMix64;
 
-/// The bytes that make the choices.
+/// A source of choices that consumes bytes.
 pub struct Random<'r, 'u> {
     input: &'r mut Unstructured<'u>,
 }
 
 impl<'r, 'u> Random<'r, 'u> {
-    /// Choices by these bytes, from where they stand.
+    /// Creates a source that continues where `input` stands.
     pub fn new(input: &'r mut Unstructured<'u>) -> Random<'r, 'u> {
         Random { input }
     }
 
-    /// Whether no bytes are left, so that every choice will be the first one.
+    /// Returns whether no bytes are left, so that every further choice is the first possibility.
     #[must_use]
     pub fn is_exhausted(&self) -> bool {
         self.input.is_empty()
     }
 
-    /// A number below `count`, all of them equally likely; 0 where `count` is 0.
+    /// Returns a number below `count`, all equally likely; 0 if `count` is 0.
     pub fn below(&mut self, count: usize) -> usize {
         if count <= 1 {
             return 0;
@@ -31,25 +31,25 @@ impl<'r, 'u> Random<'r, 'u> {
         self.input.int_in_range(0..=count - 1).unwrap_or(0)
     }
 
-    /// True so many times out of `of`, at most 256; false when the bytes have run out.
+    /// Returns `true` in `times` of `of` cases (`of` at most 256); `false` when the bytes have run out.
     pub fn chance(&mut self, times: u8, of: u16) -> bool {
         let drawn = usize::from(self.byte());
         drawn * usize::from(of) >= (usize::from(of) - usize::from(times)) * 256
     }
 
-    /// One of these, the first when the bytes have run out; nothing if there is none.
+    /// Picks an element of a slice; the first when the bytes have run out, `None` if the slice is empty.
     pub fn pick<'t, T>(&mut self, from: &'t [T]) -> Option<&'t T> {
         from.get(self.below(from.len()))
     }
 
-    /// One of those that suit, all of them equally likely; nothing if there is none.
+    /// Picks an element that satisfies a predicate, all equally likely; `None` if there is none.
     pub fn pick_where<'t, T>(&mut self, from: &'t [T], suits: impl Fn(&T) -> bool) -> Option<&'t T> {
         let count = from.iter().filter(|one| suits(one)).count();
         let chosen = self.below(count);
         from.iter().filter(|one| suits(one)).nth(chosen)
     }
 
-    /// A number between two, both included; the lower one when the bytes have run out.
+    /// Returns a number between two limits, both inclusive; the lower one when the bytes have run out.
     pub fn between(&mut self, low: i64, high: i64) -> i64 {
         if low >= high {
             return low;
@@ -57,7 +57,7 @@ impl<'r, 'u> Random<'r, 'u> {
         self.input.int_in_range(low..=high).unwrap_or(low)
     }
 
-    /// The place of one of these weights, each as likely as it weighs; 0 when the bytes have run out.
+    /// Picks an index with a probability proportional to its weight; 0 when the bytes have run out.
     pub fn weighted(&mut self, weights: &[u16]) -> usize {
         let total: usize = weights.iter().map(|&weight| usize::from(weight)).sum();
         let mut drawn = self.below(total);
@@ -70,18 +70,18 @@ impl<'r, 'u> Random<'r, 'u> {
         0
     }
 
-    /// Any byte; 0 when the bytes have run out.
+    /// Returns the next byte; 0 when the bytes have run out.
     pub fn byte(&mut self) -> u8 {
         self.input.arbitrary().unwrap_or(0)
     }
 
-    /// Any 64 bits; 0 when the bytes have run out.
+    /// Returns the next 64 bits; 0 when the bytes have run out.
     pub fn bits(&mut self) -> u64 {
         self.input.arbitrary().unwrap_or(0)
     }
 }
 
-/// Returns so many bytes that look random, always the same for a seed.
+/// Returns `length` pseudorandom bytes, always the same for a seed.
 #[must_use]
 pub fn bytes(seed: u64, length: usize) -> Vec<u8> {
     SplitMix64::new(seed).bytes(length)

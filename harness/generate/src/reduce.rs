@@ -1,11 +1,12 @@
-//! The reducer: a program that shows a defect made as small as it can be and still show it.
+//! The reducer: makes a program that shows a defect as small as possible.
 //!
-//! | what | reduced by |
+//! | subject | function |
 //! |---|---|
 //! | anything, by passes and a predicate | [`minimise`] |
 //! | a [`Program`](crate::model::Program) of the generator: every candidate is well-typed by construction | [`program`] |
-//! | any source text, by the reference's syntax tree: no candidate is ill-formed unless the text was | [`text`] |
-//! | how an engine's outcome differs from what must come | [`Symptom`] |
+//! | any source text, by the syntax tree of the reference: no candidate is ill-formed unless the text was | [`text`] |
+//!
+//! [`Symptom`] says how the outcome of an engine differs from the expected one.
 
 mod program;
 mod search;

@@ -1,15 +1,15 @@
-//! Variants of a program: other texts that mean the same, so that whoever runs both must get the same values.
+//! Variants of a program: other texts with the same meaning, which must give the same values.
 //!
-//! An error that makes every text of a program wrong in the same way is the evaluator's to find. A variant finds what depends
-//! on the spelling, on what a compiler knows when it compiles, or on the way that control takes.
+//! The evaluator finds an error that makes every text of a program wrong in the same way. A variant finds an error that
+//! depends on the spelling, on what a compiler knows at compile time, or on the control flow.
 //!
 //! | file | varies |
 //! |---|---|
-//! | `spelling` | the text alone, by the writer's styles |
-//! | `capitals` | the case of every letter that has none to keep |
-//! | `literals` | literals: into variables and constants, or written with their type |
-//! | `operands` | the order of operands, and where their values stand meanwhile |
-//! | `loops` | loops: unrolled, or their first turn put in front |
+//! | `spelling` | the text alone, by the styles of the writer |
+//! | `capitals` | the case of every letter outside character strings |
+//! | `literals` | literals: moved to variables and constants, or written with their type |
+//! | `operands` | the order of operands, and the variables that hold them |
+//! | `loops` | loops: unrolled, or their first iteration peeled off |
 //! | `dead_code` | statements that are never reached, or change nothing |
 //! | `branches` | the two sides of an IF |
 //! | `walk` | nothing; it finds the parts of a program |

@@ -1,8 +1,8 @@
-//! The writer: a program of the model as source text, in one of several spellings that mean the same.
+//! The writer: the source text of a program of the model, in one of several spellings with the same meaning.
 //!
 //! | file | spells |
 //! |---|---|
-//! | `style` | nothing; it says what may vary |
+//! | `style` | nothing; it holds the choices of a spelling |
 //! | `sheet` | keywords, lines, indents and comments |
 //! | `literals`, `notation` | literals |
 //! | `expressions` | expressions and places |

@@ -1,22 +1,22 @@
-//! What an evaluation answers: values, what no document settles, or why there are none.
+//! Results of an evaluation: values, open questions, and errors.
 
 use std::fmt;
 use stickler_types::{Fault, Value};
 
-/// What a program gives.
+/// The values that a program has by the documents.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Evaluation {
     /// The values of [`crate::model::Program::observed`], in its order, after the last scan.
     pub values: Vec<(String, Value)>,
-    /// What happened on the way that no document settles; each question once, by its first place. Where there is any, a
-    /// compiler may give other values and contradict no document.
+    /// The open questions that the evaluation met, each once, at its first place. If there is any, a compiler may give other
+    /// values without contradicting a document.
     pub opened: Vec<OpenPoint>,
-    /// The statements and expressions evaluated.
+    /// The number of statements and expressions evaluated.
     pub steps: u64,
 }
 
 impl Evaluation {
-    /// Whether the values are those that the reference must give: every open question is one that the design answers for it.
+    /// Returns whether the reference must give these values: the design answers every open question for the reference.
     #[must_use]
     pub fn binds_the_reference(&self) -> bool {
         self.opened
@@ -25,12 +25,12 @@ impl Evaluation {
     }
 }
 
-/// Something that happened in an evaluation and that no document settles.
+/// A point of an evaluation that no document settles.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct OpenPoint {
-    /// What no document says.
+    /// The question that no document answers.
     pub question: OpenQuestion,
-    /// In which program organization unit, and of which values.
+    /// The program organization unit, and the values in question.
     pub at: String,
 }
 
@@ -49,44 +49,45 @@ impl fmt::Display for OpenPoint {
 /// A question that the documents leave open.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum OpenQuestion {
-    /// What a conversion function gives for this value.
+    /// The result of a conversion function for a value.
     Conversion,
-    /// Whether a type converts implicitly to another, or what arrives.
+    /// Whether a type converts implicitly to another, and with which result.
     ImplicitConversion,
     /// A real divided by zero.
     RealDivisionByZero,
-    /// An operation gave no number, or took one.
+    /// An operation that gives or takes NaN.
     NotANumber,
-    /// The least integer divided by -1: two's complement gives it back, and some processors stop.
+    /// The least integer divided by -1: two's complement gives it back, some processors stop.
     LeastByMinusOne,
     /// A shift or rotation by the width of the type or more.
     ShiftCount,
-    /// A shift or rotation by less than nothing.
+    /// A shift or rotation by a negative count.
     NegativeShiftCount,
-    /// Which of two zeros, or which of a number and no number, is the lesser or greater.
+    /// The lesser or greater of two zeros, or of a number and NaN.
     ZerosOfTwoSigns,
-    /// MUX with a selector that selects nothing.
+    /// MUX with a selector outside its inputs.
     MuxSelector,
-    /// LIMIT whose lower limit is above the upper one.
+    /// LIMIT with a lower limit above the upper one.
     LimitsCrossed,
     /// A duration or date outside the 64 bits of nanoseconds, or a time of day outside its day.
     MomentRange,
-    /// What the variable of a FOR loop holds behind it.
+    /// The value of the variable of a FOR loop after the loop.
     LoopVariable,
-    /// The body of a FOR loop changes its variable or the limit that it runs to.
+    /// A FOR loop whose body changes its variable or its limit.
     LoopChanged,
-    /// A text longer than the shortest default length of the systems at hand.
+    /// A text longer than the shortest default length of the known systems.
     TextLength,
-    /// One variable behind two VAR_IN_OUT of a call.
+    /// One variable passed to two VAR_IN_OUT of a call.
     AliasedInOut,
-    /// An output goes to a place that the call itself moves.
+    /// An output assigned to a place that the call itself moves.
     OutputPlace,
-    /// The initial value of a DATE or DT that the program does not give.
+    /// The initial value of a DATE or DT without an initializer.
     InitialDate,
 }
 
 impl OpenQuestion {
-    /// Whether stickler-design says what the reference does all the same: what IEC 60559 and two's complement suggest (§8).
+    /// Returns whether stickler-design states the behaviour of the reference: the one that IEC 60559 and two's complement
+    /// suggest (§8).
     #[must_use]
     pub const fn is_answered_by_the_design(self) -> bool {
         matches!(
@@ -99,7 +100,7 @@ impl OpenQuestion {
         )
     }
 
-    /// Where a person would look for the answer.
+    /// Returns the document in which a person would look for the answer.
     #[must_use]
     pub const fn sought(self) -> &'static str {
         match self {
@@ -121,7 +122,7 @@ impl OpenQuestion {
         }
     }
 
-    /// What is asked, as a fragment.
+    /// Returns the question as a fragment of a sentence.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -152,16 +153,16 @@ impl fmt::Display for OpenQuestion {
     }
 }
 
-/// Why a program has no values.
+/// The reason why a program has no values.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum EvaluationError {
-    /// It stops with this fault.
+    /// The program stops with this fault.
     Fault(Fault),
-    /// It takes more than [`super::MAX_STEPS`] steps, or more memory than so small a program needs.
+    /// The program takes more than [`super::MAX_STEPS`] steps, or more memory than so small a program needs.
     StepLimit,
-    /// It holds raw text, which means nothing here.
+    /// The program contains raw text, which has no meaning in the model.
     Raw,
-    /// It is no program: a part of the model contradicts another; the words say which.
+    /// The program is ill-formed: a part of the model contradicts another; the text names the contradiction.
     IllFormed(&'static str),
 }
 

@@ -1,28 +1,29 @@
-//! What operators give: integers in 128 bits, wrapped to their type; reals rounded once; durations in nanoseconds.
+//! Results of operators: integers in 128 bits, wrapped to their type; reals rounded once; durations in nanoseconds.
 //!
-//! Basis: stickler-design: §8 (two's complement of the declared width; IEC 60559 in 32 and 64 bits, each operation rounded once).
+//! Basis: stickler-design: §8 (two's complement of the declared width; IEC 60559 in 32 and 64 bits, each operation rounded
+//! once).
 
 use super::OpenQuestion;
 use crate::model::{BinaryOperator, UnaryOperator};
 use stickler_types::{ElementaryType, Family};
 
-/// A value, and what no document settles about it.
+/// A value, with the open question that it raises.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Computed {
-    /// Its raw form.
+    /// The raw form of the value.
     pub raw: u64,
-    /// The open question, if there is one.
+    /// The question that no document answers, if there is one.
     pub question: Option<OpenQuestion>,
 }
 
-/// What an operator with two operands gives.
+/// The result of an operator with two operands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Binary {
     /// A value.
     Computed(Computed),
-    /// The fault of an integer divided by zero.
+    /// The fault of an integer division by zero.
     DivisionByZero,
-    /// Nothing: the type does not have the operator.
+    /// No result: the type does not have the operator.
     Undefined,
 }
 
@@ -30,7 +31,7 @@ fn settled(raw: u64) -> Computed {
     Computed { raw, question: None }
 }
 
-/// What a prefix operator gives; `None` where the type does not have it.
+/// Computes a prefix operator; `None` if the type does not have it.
 pub(super) fn unary(operator: UnaryOperator, ty: ElementaryType, raw: u64) -> Option<Computed> {
     match (operator, ty.family()) {
         (UnaryOperator::Negate, Family::Signed) => Some(settled(ty.wrap(-ty.integer_value(raw)))),
@@ -43,12 +44,12 @@ pub(super) fn unary(operator: UnaryOperator, ty: ElementaryType, raw: u64) -> Op
     }
 }
 
-/// A real with the other sign; no number stays none.
+/// Negates a real; NaN stays NaN.
 fn negated(ty: ElementaryType, raw: u64) -> u64 {
     raw ^ 1 << (ty.bits() - 1)
 }
 
-/// What an operator other than a comparison gives for two operands of one type.
+/// Computes an operator other than a comparison for two operands of one type.
 pub(super) fn binary(operator: BinaryOperator, ty: ElementaryType, a: u64, b: u64) -> Binary {
     match ty.family() {
         Family::Signed | Family::Unsigned => integers(operator, ty, ty.integer_value(a), ty.integer_value(b)),
@@ -70,9 +71,9 @@ pub(super) fn binary(operator: BinaryOperator, ty: ElementaryType, a: u64, b: u6
     }
 }
 
-/// Division truncates toward zero, and MOD has the sign of the dividend.
+/// Computes an integer operation; division truncates toward zero, and MOD has the sign of the dividend.
 ///
-/// Basis: stickler-design: §8; the table integer-arithmetic says it of every type.
+/// Basis: stickler-design: §8; the table integer-arithmetic of the cases states it for every type.
 fn integers(operator: BinaryOperator, ty: ElementaryType, a: i128, b: i128) -> Binary {
     let exact = match operator {
         BinaryOperator::Add => a + b,
@@ -93,7 +94,7 @@ fn integers(operator: BinaryOperator, ty: ElementaryType, a: i128, b: i128) -> B
     })
 }
 
-/// The four operations of a type of reals, each rounded once by the processor.
+/// Computes one of the four operations on reals, rounded once by the processor.
 fn reals<T>(operator: BinaryOperator, a: T, b: T) -> Option<T>
 where
     T: std::ops::Add<Output = T>
@@ -137,7 +138,7 @@ fn durations(operator: BinaryOperator, a: i128, b: i128) -> Binary {
     }
 }
 
-/// Nanoseconds in the 64 bits of a raw form.
+/// Stores nanoseconds in the 64 bits of a raw form; raises a question if they do not fit.
 fn moment(nanoseconds: i128) -> Computed {
     let outside = i64::try_from(nanoseconds).is_err();
     Computed {

@@ -7,9 +7,9 @@ use crate::model::{Argument, ExpressionKind, Place, Type, VariableId, VariableSe
 use std::rc::Rc;
 
 impl<'p> Evaluator<'p> {
-    /// Calls a function: gives the cells of its result.
+    /// Calls a function and returns the cells of its result.
     ///
-    /// Basis: iec-61131-3: 6.6.1 (variables of a function start afresh with each call; an input that is not given has its
+    /// Basis: iec-61131-3: 6.6.1 (variables of a function start afresh with each call; an input without an argument has its
     /// initial value).
     pub fn call(
         &mut self,
@@ -46,7 +46,7 @@ impl<'p> Evaluator<'p> {
         Ok(result)
     }
 
-    /// Appends the cells of a function in their initial state, the result's behind them.
+    /// Appends the cells of a function in their initial state, followed by those of its result.
     fn enter(&mut self, unit: Activation<'p>, function: usize) -> Result<(), EvaluationError> {
         if let Some(image) = self.images.get(function).and_then(Option::clone) {
             self.memory.extend_from_slice(&image);
@@ -65,7 +65,7 @@ impl<'p> Evaluator<'p> {
         Ok(())
     }
 
-    /// The values of arguments, each with the offset of its parameter.
+    /// Evaluates arguments, each with the offset of its parameter.
     fn arguments(
         &mut self,
         caller: Activation<'p>,
@@ -91,7 +91,7 @@ impl<'p> Evaluator<'p> {
         Ok(given)
     }
 
-    /// The address of the variable that stands behind an in-out.
+    /// Returns the address of the variable that an in-out argument refers to.
     fn behind(
         &mut self,
         caller: Activation<'p>,
@@ -111,7 +111,8 @@ impl<'p> Evaluator<'p> {
         Ok(())
     }
 
-    /// Invokes an instance: inputs in, body, outputs out. What is not given keeps its value from the last time.
+    /// Invokes an instance: copies the inputs, executes the body, copies the outputs. Inputs that are not given keep their
+    /// values.
     ///
     /// Basis: iec-61131-3: 6.6.3.
     pub fn invoke(
@@ -144,7 +145,7 @@ impl<'p> Evaluator<'p> {
         self.capture(caller, unit, outputs, &targets)
     }
 
-    /// Notes where two in-outs of one invocation share a cell: copies in and out would give something else than references.
+    /// Raises a question where two in-outs of one invocation share a cell: copying in and out would differ from references.
     fn check_in_outs(
         &mut self,
         caller: Activation<'p>,
@@ -184,7 +185,7 @@ impl<'p> Evaluator<'p> {
             .collect()
     }
 
-    /// Writes the outputs to their places, and notes where the invocation has moved one.
+    /// Copies the outputs to their places, and raises a question where the invocation has moved a place.
     fn capture(
         &mut self,
         caller: Activation<'p>,

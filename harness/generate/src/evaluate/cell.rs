@@ -3,19 +3,19 @@
 use super::{EvaluationError, OpenQuestion};
 use stickler_types::{ElementaryType, Value};
 
-/// What one elementary variable holds.
+/// The content of one elementary variable.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum MemoryCell {
-    /// The raw form of a value (see [`ElementaryType`]), the place of an enumerated value, or the address behind an in-out.
+    /// The raw form of a value (see [`ElementaryType`]), the index of an enumerated value, or the address of an in-out.
     Plain(u64),
     /// The code units of a text.
     Text(Box<[u16]>),
-    /// Something that no document settles, until it is assigned; the number is a guess, the question why it is one.
+    /// A value that no document settles, until the variable is assigned: a guess, and the question that it depends on.
     Unsettled(u64, OpenQuestion),
 }
 
 impl MemoryCell {
-    /// The value of an elementary type.
+    /// Converts the content to a value of an elementary type.
     pub fn into_value(self, ty: ElementaryType) -> Result<Value, EvaluationError> {
         match self {
             MemoryCell::Plain(raw) | MemoryCell::Unsettled(raw, _) if !ty.is_text() => {
@@ -26,7 +26,7 @@ impl MemoryCell {
         }
     }
 
-    /// The cell of an elementary value.
+    /// Creates the cell of an elementary value.
     pub fn of_value(value: Value) -> Result<MemoryCell, EvaluationError> {
         match value {
             Value::Plain { raw, .. } => Ok(MemoryCell::Plain(raw)),

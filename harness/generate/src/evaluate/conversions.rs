@@ -11,7 +11,7 @@ use stickler_types::{ElementaryType, MatrixWord};
 
 const TYPES: usize = ElementaryType::ALL.len();
 
-/// The plain conversion of each type to each, by the places of both in [`ElementaryType::ALL`].
+/// The plain conversion from each type to each, indexed by the positions of both in [`ElementaryType::ALL`].
 static PLAIN: LazyLock<Vec<Signature>> = LazyLock::new(|| {
     let pairs = ElementaryType::ALL
         .into_iter()
@@ -27,7 +27,8 @@ static PLAIN: LazyLock<Vec<Signature>> = LazyLock::new(|| {
 });
 
 impl<'p> Evaluator<'p> {
-    /// What a conversion function gives; where no document says so, that is noted, and the value is the design's.
+    /// Computes a conversion function; where no document states the result, raises a question and returns the value of the
+    /// design.
     pub fn converted(
         &mut self,
         unit: Activation<'p>,
@@ -51,7 +52,7 @@ impl<'p> Evaluator<'p> {
         MemoryCell::of_value(given.value)
     }
 
-    /// What an implicit conversion gives: the value unchanged, or the nearest real, once.
+    /// Computes an implicit conversion: the value unchanged, or the nearest real, rounded once.
     ///
     /// Basis: ironplc-type-conversions: Implicit Type Widening; implicit-conversion-table; stickler-design: §3.2 and §8.
     pub fn widened(

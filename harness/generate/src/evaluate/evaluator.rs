@@ -1,4 +1,4 @@
-//! The state of an evaluation, and its course: start, scan by scan, and the values at the end.
+//! The state of an evaluation and its course: start, scans, and the values at the end.
 
 use super::cell::MemoryCell;
 use super::layout::{Layout, Offsets};
@@ -7,20 +7,21 @@ use crate::model::{Program, Type, Variable};
 use std::rc::Rc;
 use stickler_types::ElementaryType;
 
-/// The most statements and expressions that an evaluation takes, its start included.
+/// The maximum number of statements and expressions that an evaluation executes, its start included.
 pub const MAX_STEPS: u64 = 1_000_000;
 
-/// The most calls, statements and operators inside one another.
+/// The maximum nesting of calls, statements and operators.
 const MAX_DEPTH: u32 = 400;
 
-/// What a program gives after some scans, by the documents, or why it gives nothing.
+/// Evaluates a program for a number of scans, by the documents.
 ///
-/// Takes any model, well-formed or not, and as many scans as wanted; 0 gives the initial values.
+/// Accepts any model, well-formed or not, and any number of scans; 0 scans give the initial values.
 ///
 /// # Errors
-/// A [`EvaluationError`]: the program stops with a fault, takes too long, or is none.
+/// An [`EvaluationError`]: the program stops with a fault, takes too long, or is ill-formed.
 ///
-/// Basis: stickler-design: §8 (arithmetic rules); iec-61131-3: 6.6 and 7.3 (calls and statements); `stickler_exact` for conversions.
+/// Basis: stickler-design: §8 (arithmetic rules); iec-61131-3: 6.6 and 7.3 (calls and statements); `stickler_exact` for
+/// conversions.
 pub fn evaluate(program: &Program, scans: u32) -> Result<Evaluation, EvaluationError> {
     let layout = Layout::new(program)?;
     let mut evaluator = Evaluator {
@@ -51,33 +52,36 @@ pub fn evaluate(program: &Program, scans: u32) -> Result<Evaluation, EvaluationE
     })
 }
 
-/// An evaluation under way.
+/// The state of an evaluation.
 pub(super) struct Evaluator<'p> {
     pub program: &'p Program,
     pub layout: &'p Layout,
-    /// The main program's variables with its instances, and behind them those of the functions under way.
+    /// The variables of the main program with their instances, followed by those of the functions under execution.
     pub memory: Vec<MemoryCell>,
-    /// The cells of each function at the start of a call, once it has been called.
+    /// The initial cells of each function, once it has been called.
     pub images: Vec<Option<Rc<[MemoryCell]>>>,
     pub opened: Vec<OpenPoint>,
     pub steps: u64,
     pub depth: u32,
 }
 
-/// One activation of a program organization unit: its variables and where they are.
+/// One activation of a program organization unit: its variables and their place in memory.
 #[derive(Clone, Copy)]
 pub(super) struct Activation<'p> {
     pub name: &'p str,
     pub variables: &'p [Variable],
     pub offsets: &'p Offsets,
-    /// Its first cell.
+    /// The first cell of the unit.
     pub base: usize,
-    /// The first cell of a function's result, and its type.
+    /// The first cell and the type of the result of a function.
     pub result: Option<(usize, &'p Type)>,
 }
 
 impl<'p> Evaluator<'p> {
     /// Counts one statement or expression.
+    ///
+    /// # Errors
+    /// [`EvaluationError::StepLimit`] beyond [`MAX_STEPS`].
     pub fn step(&mut self) -> Result<(), EvaluationError> {
         self.steps += 1;
         if self.steps > MAX_STEPS {
@@ -86,7 +90,7 @@ impl<'p> Evaluator<'p> {
         Ok(())
     }
 
-    /// Does something that may do the like inside itself, and refuses where that goes on and on.
+    /// Runs a step that may nest further; refuses beyond [`MAX_DEPTH`] levels.
     pub fn deeper<T>(
         &mut self,
         inside: impl FnOnce(&mut Self) -> Result<T, EvaluationError>,
@@ -100,7 +104,7 @@ impl<'p> Evaluator<'p> {
         result
     }
 
-    /// Notes that no document settles what happens here; each question is noted once.
+    /// Records a question that no document answers; each question is recorded once.
     pub fn open(&mut self, question: OpenQuestion, unit: Activation<'_>, what: impl FnOnce() -> String) {
         if self.opened.iter().all(|opened| opened.question != question) {
             self.opened.push(OpenPoint {
@@ -110,7 +114,7 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// The type behind all names that stand for it.
+    /// Resolves a type through its aliases.
     pub fn resolved(&self, mut ty: &'p Type) -> &'p Type {
         // A name stands for no other name, so that this ends; a model that says otherwise is cut off.
         for _ in 0..=self.program.types.len() {
@@ -128,7 +132,7 @@ impl<'p> Evaluator<'p> {
         ty
     }
 
-    /// The elementary type that a type is or stands for.
+    /// Returns the elementary type that a type is or stands for.
     pub fn elementary(&self, ty: &'p Type) -> Result<ElementaryType, EvaluationError> {
         match self.resolved(ty) {
             Type::Elementary(elementary) => Ok(*elementary),

@@ -1,4 +1,4 @@
-//! Expressions.
+//! Evaluation of expressions.
 
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, Evaluator};
@@ -8,7 +8,7 @@ use crate::model::{BinaryOperator, Expression, ExpressionKind, Place, Type, Unar
 use stickler_types::ElementaryType;
 
 impl<'p> Evaluator<'p> {
-    /// The value of an expression that takes one cell.
+    /// Evaluates an expression that takes one cell.
     pub fn expression(
         &mut self,
         unit: Activation<'p>,
@@ -58,7 +58,7 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// All cells of an expression of any type.
+    /// Evaluates an expression of any type to all its cells.
     pub fn cells(
         &mut self,
         unit: Activation<'p>,
@@ -79,7 +79,7 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// A cell that came from a call, noted where it is unsettled.
+    /// Returns the cell of a call result, and records its question if it is unsettled.
     fn settled(&mut self, unit: Activation<'p>, cell: MemoryCell) -> Result<MemoryCell, EvaluationError> {
         if let MemoryCell::Unsettled(raw, question) = cell {
             self.open(question, unit, || "as the result of a call".to_owned());
@@ -175,7 +175,7 @@ impl<'p> Evaluator<'p> {
         Ok(MemoryCell::Plain(u64::from(holds)))
     }
 
-    /// The cell of a computed value, its question noted.
+    /// Returns the cell of a computed value, and records its question.
     pub fn computed(
         &mut self,
         unit: Activation<'p>,

@@ -1,35 +1,35 @@
-//! How many cells a type takes, and where its parts are: every elementary value has one cell, in the order of declaration.
+//! The memory layout of a program: every elementary value has one cell, in the order of declaration.
 
 use super::EvaluationError;
 use crate::model::{ArrayType, DeclaredKind, Program, Type, Variable, VariableSection};
 
-/// More cells than this no variable has; a program is small.
+/// The maximum number of cells of a variable.
 const MAX_CELLS: usize = 1 << 20;
 
 /// The sizes and offsets of everything that a program declares.
 pub(super) struct Layout {
-    /// Of each declared type.
+    /// The layouts of the declared types.
     types: Vec<TypeLayout>,
-    /// Of each function's variables.
+    /// The offsets in each function.
     pub functions: Vec<Offsets>,
-    /// Of each function block's variables.
+    /// The offsets in each function block.
     pub blocks: Vec<Offsets>,
-    /// Of the main program's variables.
+    /// The offsets in the main program.
     pub main: Offsets,
 }
 
 struct TypeLayout {
     size: usize,
-    /// Of a structure: where each field begins.
+    /// The offsets of the fields of a structure.
     fields: Vec<usize>,
 }
 
-/// Where the variables of a program organization unit are, counted from its first cell.
+/// The offsets of the variables of a program organization unit from its first cell.
 #[derive(Default)]
 pub(super) struct Offsets {
-    /// Of each variable.
+    /// The offset of each variable.
     pub variables: Vec<usize>,
-    /// The cells of all.
+    /// The number of cells of all variables.
     pub size: usize,
 }
 
@@ -96,7 +96,7 @@ impl Layout {
         Ok(offsets)
     }
 
-    /// The cells of a type.
+    /// Returns the number of cells of a type.
     pub fn size(&self, ty: &Type) -> Result<usize, EvaluationError> {
         match ty {
             Type::Elementary(_) => Ok(1),
@@ -120,20 +120,20 @@ impl Layout {
         }
     }
 
-    /// Where a field of a structure begins, counted from the structure's first cell.
+    /// Returns the offset of a field from the first cell of its structure.
     pub fn field(&self, structure: usize, field: usize) -> Option<usize> {
         self.types.get(structure)?.fields.get(field).copied()
     }
 }
 
-/// How many elements an array has.
+/// Returns the number of elements of an array.
 pub(super) fn elements(array: &ArrayType) -> Result<usize, EvaluationError> {
     array.dimensions.iter().try_fold(1_usize, |product, dimension| {
         limited(product.saturating_mul(extent(*dimension)?))
     })
 }
 
-/// How many subscripts a dimension has.
+/// Returns the number of subscripts of a dimension.
 pub(super) fn extent((low, high): (i64, i64)) -> Result<usize, EvaluationError> {
     let extent = i128::from(high) - i128::from(low) + 1;
     if extent < 1 {

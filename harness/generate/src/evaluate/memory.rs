@@ -8,7 +8,7 @@ use crate::model::{DeclaredKind, Place, PlaceSelector, Type, VariableId, Variabl
 use stickler_types::{Fault, Value};
 
 impl<'p> Evaluator<'p> {
-    /// The first cell of a variable; that of the caller's variable behind an in-out.
+    /// Returns the first cell of a variable; for an in-out, that of the variable of the caller.
     pub fn variable(
         &self,
         unit: Activation<'p>,
@@ -28,7 +28,7 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// The first cell of a place, after its subscripts have been evaluated.
+    /// Evaluates the subscripts of a place and returns its first cell.
     pub fn locate(&mut self, unit: Activation<'p>, place: &'p Place) -> Result<usize, EvaluationError> {
         let (mut address, ty) = self.variable(unit, place.variable)?;
         let mut ty = self.resolved(ty);
@@ -40,7 +40,7 @@ impl<'p> Evaluator<'p> {
         Ok(address)
     }
 
-    /// One step into something of a type: how far, and the type of what is there.
+    /// Resolves one selector: returns the offset and the type of the selected part.
     fn select(
         &mut self,
         unit: Activation<'p>,
@@ -82,7 +82,7 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// What a cell holds; what is unsettled is noted.
+    /// Reads a cell, and records its question if it is unsettled.
     pub fn load(&mut self, unit: Activation<'p>, address: usize) -> Result<MemoryCell, EvaluationError> {
         let cell = self
             .memory
@@ -95,7 +95,7 @@ impl<'p> Evaluator<'p> {
         Ok(cell.clone())
     }
 
-    /// Gives a cell a value.
+    /// Writes a cell.
     pub fn store(&mut self, address: usize, cell: MemoryCell) -> Result<(), EvaluationError> {
         let into = self
             .memory
@@ -105,7 +105,8 @@ impl<'p> Evaluator<'p> {
         Ok(())
     }
 
-    /// The elementary values of the main program's variables and of the outputs of its instances, with their paths.
+    /// Returns the elementary values of the variables of the main program and of the outputs of its instances, with their
+    /// paths.
     pub fn values(&mut self, main: Activation<'p>) -> Result<Vec<(String, Value)>, EvaluationError> {
         let mut values = Vec::with_capacity(main.offsets.size);
         for (variable, &offset) in main.variables.iter().zip(&main.offsets.variables) {
@@ -184,7 +185,7 @@ impl<'p> Evaluator<'p> {
     }
 }
 
-/// The subscripts of the next element, the last one quickest.
+/// Advances subscripts to the next element, the last subscript varying fastest.
 fn next(subscripts: &mut [i64], dimensions: &[(i64, i64)]) {
     for (subscript, &(low, high)) in subscripts.iter_mut().zip(dimensions).rev() {
         if *subscript < high {

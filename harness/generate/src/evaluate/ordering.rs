@@ -1,14 +1,14 @@
-//! Which of two values of one type is the lesser.
+//! The order of two values of one type.
 //!
-//! Basis: iec-61131-3: Table 33 (comparison); the table comparison of the cases says it type by type.
+//! Basis: iec-61131-3: Table 33 (comparison); the table comparison of the cases states it type by type.
 
 use super::cell::MemoryCell;
 use std::cmp::Ordering;
 use stickler_types::ElementaryType;
 
-/// The order of two values of a type; `None` where one of them is no number, or they are not of that type.
+/// Compares two values of a type; `None` if one of them is NaN or not of that type.
 ///
-/// Unsigned integers and bit strings compare as unsigned numbers, texts by their characters, -0.0 equals 0.0.
+/// Unsigned integers and bit strings compare as unsigned numbers, texts by their characters; -0.0 equals 0.0.
 pub(super) fn compare(ty: ElementaryType, a: &MemoryCell, b: &MemoryCell) -> Option<Ordering> {
     match (a, b) {
         (MemoryCell::Text(a), MemoryCell::Text(b)) => Some(a.cmp(b)),

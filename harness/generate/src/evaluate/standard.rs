@@ -1,4 +1,4 @@
-//! The standard functions that are no conversions.
+//! Standard functions other than conversions.
 //!
 //! Basis: iec-61131-3: Tables 28 to 32 and 34; the table standard-functions of the cases.
 
@@ -10,14 +10,14 @@ use crate::model::{Expression, StandardFunction, Type, UnaryOperator};
 use std::cmp::Ordering;
 use stickler_types::{ElementaryType, Family};
 
-/// A text of more characters may be cut by some system that takes part: the shortest default length known is 80.
+/// The shortest default length of a text among the known systems; a longer text may be truncated by one of them.
 const SHORTEST_DEFAULT_LENGTH: usize = 80;
 
 const ARGUMENTS: EvaluationError =
     EvaluationError::IllFormed("a standard function with other arguments than it has");
 
 impl<'p> Evaluator<'p> {
-    /// What a standard function gives; all arguments are evaluated, in their order.
+    /// Computes a standard function; all arguments are evaluated, in their order.
     pub fn standard(
         &mut self,
         unit: Activation<'p>,
@@ -84,7 +84,7 @@ impl<'p> Evaluator<'p> {
         self.computed(unit, computed, String::new)
     }
 
-    /// The input of MUX that the selector names, counted from 0.
+    /// Returns the input of MUX that the selector chooses, counted from 0.
     fn selected(
         &mut self,
         unit: Activation<'p>,
@@ -100,7 +100,7 @@ impl<'p> Evaluator<'p> {
         chosen.or(inputs.first()).cloned().ok_or(ARGUMENTS)
     }
 
-    /// MIN where the first is wanted to be less, MAX where it is wanted to be greater.
+    /// Computes MIN if the first operand is wanted to be `Less`, MAX if it is wanted to be `Greater`.
     fn lesser(
         &mut self,
         unit: Activation<'p>,
@@ -119,7 +119,7 @@ impl<'p> Evaluator<'p> {
         Ok(if order == Some(wanted) { a } else { b }.clone())
     }
 
-    /// MIN(MAX(low, value), high), as the standard writes it.
+    /// Computes LIMIT as the standard defines it: MIN(MAX(low, value), high).
     fn limited(
         &mut self,
         unit: Activation<'p>,
@@ -136,7 +136,7 @@ impl<'p> Evaluator<'p> {
         self.lesser(unit, argument, &above, high, Ordering::Less)
     }
 
-    /// The type by which values compare.
+    /// Returns the type by which values compare.
     fn comparable(&self, argument: &'p Expression) -> Result<ElementaryType, EvaluationError> {
         match self.resolved(&argument.ty) {
             Type::Elementary(ty) => Ok(*ty),
@@ -145,9 +145,10 @@ impl<'p> Evaluator<'p> {
     }
 }
 
-/// A shift or rotation of a bit string; `None` where the type has none.
+/// Computes a shift or rotation of a bit string; `None` if the type has none.
 ///
-/// Basis: iec-61131-3: Table 30. By the width and more the table standard-functions of the cases says: shifted out, or around.
+/// Basis: iec-61131-3: Table 30. For counts of the width and more, the table standard-functions of the cases: bits are
+/// shifted out, or rotate around.
 fn shifted(function: StandardFunction, ty: ElementaryType, raw: u64, count: i128) -> Option<Computed> {
     if !ty.is_bit_string() {
         return None;

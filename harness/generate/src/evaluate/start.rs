@@ -7,7 +7,7 @@ use crate::model::{DeclaredKind, Initializer, Type, Variable, VariableSection};
 use stickler_types::ElementaryType;
 
 impl<'p> Evaluator<'p> {
-    /// Gives the variables of a unit their initial values, in cells that are appended to the memory where its base is.
+    /// Gives the variables of a unit their initial values, in cells that are appended to the memory at the base of the unit.
     pub fn start(&mut self, unit: Activation<'p>) -> Result<(), EvaluationError> {
         let end = unit.base + unit.offsets.size;
         if self.memory.len() < end {
@@ -114,9 +114,10 @@ impl<'p> Evaluator<'p> {
     }
 }
 
-/// The initial value of an elementary type: 0, or the empty text.
+/// Returns the initial value of an elementary type: 0, or the empty text.
 ///
-/// A DATE and a DT begin with the year 1 in the second edition and with 1970 in what came after, so no document settles it.
+/// A DATE and a DT begin with the year 1 in the second edition and with 1970 later, so no document settles their initial
+/// value.
 ///
 /// Basis: iec-61131-3: Table 10 (default initial values).
 fn zero(ty: ElementaryType) -> MemoryCell {

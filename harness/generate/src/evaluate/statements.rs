@@ -1,4 +1,4 @@
-//! Statements.
+//! Execution of statements.
 
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, Evaluator};
@@ -9,18 +9,18 @@ use crate::model::{
 };
 use stickler_types::{ElementaryType, Fault};
 
-/// How a list of statements ended.
+/// The way in which a list of statements ended.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Flow {
-    /// At its end.
+    /// The list was executed to its end.
     Next,
-    /// By EXIT: the innermost loop ends.
+    /// EXIT ended it, which ends the innermost loop.
     Exit,
-    /// By RETURN: the unit ends.
+    /// RETURN ended it, which ends the unit.
     Return,
 }
 
-/// A FOR loop, its parts by name.
+/// The parts of a FOR loop.
 #[derive(Clone, Copy)]
 struct For<'p> {
     variable: VariableId,
@@ -31,7 +31,7 @@ struct For<'p> {
 }
 
 impl<'p> Evaluator<'p> {
-    /// Runs statements one after another.
+    /// Executes statements in their order.
     pub fn statements(
         &mut self,
         unit: Activation<'p>,
@@ -121,7 +121,7 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// One turn of a loop; an empty body counts too.
+    /// Executes one iteration of a loop; an empty body counts as a step.
     fn turn(&mut self, unit: Activation<'p>, body: &'p [Statement]) -> Result<Flow, EvaluationError> {
         self.step()?;
         self.statements(unit, body)
@@ -160,7 +160,7 @@ impl<'p> Evaluator<'p> {
         Ok(Flow::Next)
     }
 
-    /// Gives the cells from an address on the value of an expression of their type.
+    /// Evaluates an expression into the cells from an address on.
     pub fn assign(
         &mut self,
         unit: Activation<'p>,
@@ -179,7 +179,7 @@ impl<'p> Evaluator<'p> {
         Ok(())
     }
 
-    /// Writes one bit of an integer or bit string, and leaves the others as they are.
+    /// Writes one bit of an integer or bit string, and leaves the others unchanged.
     ///
     /// Basis: ironplc-bit-access: Syntax (0 is the least significant bit).
     fn set_bit(
@@ -201,7 +201,7 @@ impl<'p> Evaluator<'p> {
         self.store(address, MemoryCell::Plain(ty.wrap(i128::from(number))))
     }
 
-    /// The number that a CASE selects by: that of an integer, or the place of an enumerated value.
+    /// Evaluates the selector of a CASE: an integer, or the index of an enumerated value.
     fn selector(&mut self, unit: Activation<'p>, selector: &'p Expression) -> Result<i128, EvaluationError> {
         let raw = self.plain(unit, selector)?;
         Ok(match self.resolved(&selector.ty) {
@@ -230,8 +230,8 @@ impl<'p> Evaluator<'p> {
         Ok(false)
     }
 
-    /// A FOR loop: it ends when the limit has been passed, also where the type ends there. What its variable holds then no
-    /// document says; after EXIT and RETURN it holds the value of that turn.
+    /// Executes a FOR loop: it ends when the limit has been passed, even where the type ends there. No document states which
+    /// value the variable holds then; after EXIT and RETURN it holds the value of that iteration.
     ///
     /// Basis: iec-61131-3: 7.3.3.4.2.
     fn counted(&mut self, unit: Activation<'p>, parts: For<'p>) -> Result<Flow, EvaluationError> {
@@ -270,7 +270,8 @@ impl<'p> Evaluator<'p> {
         Ok(Flow::Next)
     }
 
-    /// Notes where a turn has changed the variable of its loop or the value of its limit, which systems may look at or not.
+    /// Raises a question if an iteration has changed the variable of its loop or the value of its limit, because systems
+    /// differ in whether they read them again.
     fn check_unchanged(
         &mut self,
         unit: Activation<'p>,
@@ -289,7 +290,7 @@ impl<'p> Evaluator<'p> {
         Ok(())
     }
 
-    /// The value of an integer expression.
+    /// Evaluates an integer expression.
     pub fn integer(
         &mut self,
         unit: Activation<'p>,
@@ -299,7 +300,7 @@ impl<'p> Evaluator<'p> {
         Ok(ty.integer_value(self.plain(unit, expression)?))
     }
 
-    /// The raw form of an expression that is no text.
+    /// Evaluates an expression that is no text to its raw form.
     pub fn plain(
         &mut self,
         unit: Activation<'p>,
@@ -321,5 +322,5 @@ fn holds(ty: ElementaryType, value: i128) -> bool {
         .is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
 }
 
-/// A division by zero, as the refusal that it is.
+/// The error of a division by zero.
 pub(super) const DIVISION_BY_ZERO: EvaluationError = EvaluationError::Fault(Fault::DivisionByZero);

@@ -1,4 +1,5 @@
-//! Models made by hand, each with what the documents say of it; here stands what they are made of.
+//! Tests of the evaluator on models made by hand, each with the values that documents give; this file holds the
+//! constructors.
 
 mod calls;
 mod flow;
@@ -85,7 +86,7 @@ pub(crate) fn program(variables: Vec<Variable>, body: Vec<Statement>) -> Program
     }
 }
 
-/// The values as text: `a = INT#5`.
+/// Returns the values as text: `a = INT#5`.
 fn values(program: &Program) -> Vec<String> {
     values_after(program, 1)
 }

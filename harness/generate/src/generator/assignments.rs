@@ -1,4 +1,4 @@
-//! Assignments: to variables, parts of them, and bits.
+//! Assignments to variables, parts of variables, and bits.
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
@@ -11,7 +11,7 @@ use crate::model::{
 use stickler_types::{ElementaryType, Family};
 
 impl ProgramBuilder<'_, '_> {
-    /// An assignment to anything that can be written.
+    /// Generates an assignment to any writable place.
     pub fn assignment(&mut self) -> Option<StatementKind> {
         let place = self.target(|_| true)?;
         let ty = place.ty.clone();
@@ -29,7 +29,7 @@ impl ProgramBuilder<'_, '_> {
         Some(StatementKind::Assign(AssignmentTarget::Place(place), value))
     }
 
-    /// What the place holds already, with something added: so what was assigned to it before is not lost.
+    /// Generates the value of a place combined with another value, so that earlier assignments are not lost.
     fn accumulated(&mut self, place: &Place) -> Option<Expression> {
         let Type::Elementary(ty) = place.ty else {
             return None;
@@ -46,7 +46,7 @@ impl ProgramBuilder<'_, '_> {
         Some(Expression::binary(operator, held, added, ty))
     }
 
-    /// A value for a place of this type, which is of that variable; nothing where there is none.
+    /// Generates a value for a place of type `ty` in a variable; `None` if there is no such value.
     pub fn assigned(&mut self, ty: &Type, variable: usize) -> Option<Expression> {
         if contains_text(ty, &self.program) {
             self.text_bound = VariableId(variable);
@@ -65,7 +65,7 @@ impl ProgramBuilder<'_, '_> {
         self.read(ty, false)
     }
 
-    /// An assignment to a bit.
+    /// Generates an assignment to a bit.
     pub fn assigned_bit(&mut self) -> Option<StatementKind> {
         let place = self.target(has_bits)?;
         let bit = self.bit_number(&place.ty);

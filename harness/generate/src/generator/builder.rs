@@ -1,4 +1,4 @@
-//! What is being made: the program so far, the POU in hand, and what is left of the budget.
+//! The state of the generator: the program so far, the POU under construction, and the rest of the budget.
 
 use super::constructs::{Construct, ConstructSet, palette};
 use super::profile::DialectProfile;
@@ -9,11 +9,11 @@ use crate::random::Random;
 use arbitrary::Unstructured;
 use stickler_types::{DialectName, ElementaryType};
 
-/// Makes a program from bytes. It never fails: when the bytes run out, it ends quickly with the simplest choices. About 2000
-/// bytes are enough for the largest programs.
+/// Generates a program from bytes. It never fails: when the bytes run out, it ends quickly with the simplest choices. About
+/// 2000 bytes are enough for the largest programs.
 ///
-/// What it makes is well-typed in its dialect, ends after a few thousand statements, and uses nothing that documents leave
-/// open, as far as that can be known without running it; [`GeneratorSettings::open`] lifts the last.
+/// The program is well-typed in its dialect, terminates after a few thousand statements, and uses nothing that documents
+/// leave open, as far as that can be known without running it; [`GeneratorSettings::open`] lifts the last restriction.
 #[must_use]
 pub fn program(input: &mut Unstructured<'_>, settings: &GeneratorSettings) -> Program {
     let mut builder = ProgramBuilder::new(Random::new(input), settings);
@@ -26,7 +26,7 @@ pub fn program(input: &mut Unstructured<'_>, settings: &GeneratorSettings) -> Pr
     program
 }
 
-/// Everything that is known while a program is being made.
+/// The state of the generation of one program.
 pub(super) struct ProgramBuilder<'r, 'u> {
     pub random: Random<'r, 'u>,
     pub profile: &'static DialectProfile,
@@ -34,25 +34,25 @@ pub(super) struct ProgramBuilder<'r, 'u> {
     pub constructs: ConstructSet,
     /// The types that variables have.
     pub palette: Vec<ElementaryType>,
-    /// How many levels an expression has at most.
+    /// The maximum number of levels of an expression.
     pub deepest: usize,
-    /// The program so far; PROGRAM main comes last.
+    /// The program so far; `PROGRAM main` is added last.
     pub program: Program,
-    /// What a call of each function, and of each function block, costs.
+    /// The cost of a call of each function, and of each function block, in executed statements.
     pub function_costs: Vec<u32>,
     pub block_costs: Vec<u32>,
-    /// The POU in hand.
+    /// The POU under construction.
     pub pou: PouScope,
-    /// How many statements the POU in hand may still get.
+    /// The number of statements that the POU may still get.
     pub statements_left: usize,
-    /// How many parts the statement in hand may still get.
+    /// The number of nodes that the statement may still get.
     pub nodes_left: usize,
-    /// Texts that stand in what is being made come from variables declared before this one, so that no text grows by going
-    /// around in a loop: how long a text may be no document says.
+    /// The bound of the variables that texts may be read from: only earlier ones, so that no text grows by going around in a
+    /// loop, because no document states how long a text may be.
     pub text_bound: VariableId,
 }
 
-/// How many statements a whole program executes at most, counted as if every branch were taken.
+/// The maximum number of statements that a program executes, counted as if every branch were taken.
 pub(super) const MAX_EXECUTED_STATEMENTS: u32 = 6000;
 
 impl<'r, 'u> ProgramBuilder<'r, 'u> {
@@ -95,12 +95,12 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
         }
     }
 
-    /// Whether the program may use this construct.
+    /// Returns whether the program may use a construct.
     pub const fn has(&self, feature: Construct) -> bool {
         self.constructs.has(feature)
     }
 
-    /// One of the types that the program uses.
+    /// Picks one of the types that the program uses.
     pub fn any_type(&mut self) -> ElementaryType {
         self.random
             .pick(&self.palette)
@@ -108,7 +108,7 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
             .unwrap_or(ElementaryType::Int)
     }
 
-    /// One of the types of the variables at hand, if luck has it.
+    /// Picks a type that the program uses, preferably one of a variable in scope.
     pub fn seen_type(&mut self) -> ElementaryType {
         let first = self.any_type();
         if self.pou.varies(first) {
@@ -118,12 +118,12 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
         }
     }
 
-    /// Whether the POU in hand may execute so much more where it stands.
+    /// Returns whether the POU may execute `cost` more statements at the current position.
     pub const fn affords(&self, cost: u32) -> bool {
         self.pou.cost + self.pou.turns * cost <= MAX_EXECUTED_STATEMENTS
     }
 
-    /// Notes that something is executed where the POU in hand stands.
+    /// Adds the cost of an execution at the current position.
     pub const fn spend(&mut self, cost: u32) {
         self.pou.cost += self.pou.turns * cost;
     }

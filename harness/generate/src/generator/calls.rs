@@ -1,4 +1,4 @@
-//! Calls: of conversion functions, and of the program's own.
+//! Calls of conversion functions and of functions of the program.
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
@@ -10,7 +10,8 @@ use stickler_exact::{Operation, Signature, expected};
 use stickler_types::{ElementaryType, Family, Value};
 
 impl ProgramBuilder<'_, '_> {
-    /// A conversion whose result documents settle; where what is open is context, any.
+    /// Generates a conversion whose result documents settle; with
+    /// [`GeneratorSettings::open`](super::GeneratorSettings::open), any conversion.
     pub fn conversion(
         &mut self,
         ty: ElementaryType,
@@ -27,7 +28,7 @@ impl ProgramBuilder<'_, '_> {
         Some(convert(&offer.signature, operand))
     }
 
-    /// A conversion function that gives this type; rather one of a type that variables have.
+    /// Picks a conversion function that gives a type, preferably from a type that variables have.
     fn offer(&mut self, ty: ElementaryType, context: TypeContext) -> Option<&'static ConversionOffer> {
         let seen_only = self.random.chance(3, 4);
         let (open, pou) = (self.open, &self.pou);
@@ -39,7 +40,8 @@ impl ProgramBuilder<'_, '_> {
         self.random.pick_where(self.profile.offers(ty), suits)
     }
 
-    /// The argument of a conversion function; sometimes one that has to widen first, if the function's name says into what.
+    /// Generates the argument of a conversion function; sometimes one that has to widen first, if the name of the function
+    /// states the type.
     fn operand(&mut self, offer: &ConversionOffer, depth: usize) -> Expression {
         let widened = if offer.plain && self.has(Construct::Widening) && self.random.chance(1, 8) {
             self.widened(offer.from, TypeContext::Argument, depth)
@@ -49,7 +51,7 @@ impl ProgramBuilder<'_, '_> {
         widened.unwrap_or_else(|| self.value(offer.from, TypeContext::Exact, depth))
     }
 
-    /// A variable, converted to this type by a function that is settled for all its values.
+    /// Generates a variable converted to a type by a function whose results are settled for all values.
     pub fn converted_variable(&mut self, ty: ElementaryType) -> Option<Expression> {
         let pou = &self.pou;
         let suits = |offer: &ConversionOffer| {
@@ -60,7 +62,7 @@ impl ProgramBuilder<'_, '_> {
         Some(convert(&offer.signature, operand))
     }
 
-    /// An operand of which documents say what the function gives.
+    /// Generates an operand for which documents state the result of the function.
     fn settled_operand(&mut self, offer: &ConversionOffer, depth: usize) -> Option<Expression> {
         let (from, to) = (offer.from, offer.signature.result);
         let variable = match (offer.signature.operation, from.family(), to.family()) {
@@ -81,7 +83,7 @@ impl ProgramBuilder<'_, '_> {
         variable.or_else(|| self.settled_literal(offer))
     }
 
-    /// `LIMIT(low, x, high)`, as far as the type holds that.
+    /// Generates `LIMIT(low, x, high)`, clamped to the range of the type.
     fn limited_number(&mut self, ty: ElementaryType, low: i64, high: i64) -> Option<Expression> {
         let (least, greatest) = ty.integer_range()?;
         let fitting =
@@ -89,7 +91,7 @@ impl ProgramBuilder<'_, '_> {
         self.limited(ty, fitting(low), fitting(high))
     }
 
-    /// A real within an integer type, whatever is done with its fraction.
+    /// Generates a real within the range of an integer type, whichever way its fraction is rounded.
     fn limited_real(&mut self, from: ElementaryType, to: ElementaryType) -> Option<Expression> {
         let operand = self.varying(from, 1)?;
         // Powers of two are numbers of both real types; of the short integers the greatest value is one, too.
@@ -117,14 +119,14 @@ impl ProgramBuilder<'_, '_> {
         ))
     }
 
-    /// The text of a number, which certainly is one.
+    /// Generates the text of a number.
     fn written_number(&mut self, text: ElementaryType, number: ElementaryType) -> Option<Expression> {
         let signature = self.profile.settled(number, text)?;
         let operand = self.read(&Type::Elementary(number), true)?;
         Some(convert(signature, operand))
     }
 
-    /// A literal of which documents say what the function gives, if one is found quickly.
+    /// Generates a literal for which documents state the result of the function, if one is found quickly.
     fn settled_literal(&mut self, offer: &ConversionOffer) -> Option<Expression> {
         const MAX_TRIES: usize = 4;
         let dialect = self.profile.dialect;
@@ -143,7 +145,7 @@ impl ProgramBuilder<'_, '_> {
         None
     }
 
-    /// A call of a function of the program that gives this type.
+    /// Generates a call of a function of the program with this result type.
     pub fn call(&mut self, ty: &Type, depth: usize) -> Option<Expression> {
         let functions = self.program.functions.iter().enumerate();
         let suits: Vec<usize> = functions
@@ -171,7 +173,7 @@ impl ProgramBuilder<'_, '_> {
         })
     }
 
-    /// What is passed to a parameter of an elementary type or an enumeration.
+    /// Generates an argument for a parameter of an elementary type or an enumeration.
     pub fn argument(&mut self, ty: &Type, depth: usize) -> Expression {
         match ty {
             Type::Elementary(ty) => self.value(*ty, TypeContext::Argument, depth),
@@ -180,7 +182,7 @@ impl ProgramBuilder<'_, '_> {
     }
 }
 
-/// A call of a conversion function.
+/// Creates a call of a conversion function.
 pub(super) fn convert(signature: &Signature, operand: Expression) -> Expression {
     Expression::elementary(
         signature.result,

@@ -1,19 +1,19 @@
-//! The end of main, where everything flows together: the LINT `checksum`, and for real numbers the LREAL `checksum_real`.
+//! Checksums at the end of main, which combine all values: the LINT `checksum`, and for reals the LREAL `checksum_real`.
 //!
-//! What enters does so by ways that documents settle, and how depends on the dialect:
+//! Values enter only in ways that documents settle, which depends on the dialect:
 //!
 //! | value | enters |
 //! |---|---|
-//! | LINT, and what widens to it | as it is |
-//! | other integers, bit strings, BOOL, TIME | by `<TYPE>_TO_LINT`, where its dialect's documents say what that gives |
+//! | LINT, and types that widen to it | unchanged |
+//! | other integers, bit strings, BOOL, TIME | by `<TYPE>_TO_LINT`, where documents of the dialect state its results |
 //! | texts | by LEN |
 //! | enumerations | by CASE |
 //! | REAL and LREAL | in `checksum_real`, which is halved before |
 //! | all other values, and texts besides | by comparison with a literal |
 //! | arrays and structures | by each of their parts |
 //!
-//! The comparison lets little of a value through (in PLCnext, whose documents say next to nothing about conversion functions, also
-//! of a ULINT or LWORD). But each value is observed itself, too: see [`crate::model::Program::observed`].
+//! The comparison keeps little of a value (in PLCnext, whose documents say next to nothing about conversion functions, also
+//! of a ULINT or LWORD). But each value is also observed itself: see [`crate::model::Program::observed`].
 
 use super::builder::ProgramBuilder;
 use super::calls::convert;
@@ -30,7 +30,7 @@ const LINT: ElementaryType = ElementaryType::Lint;
 const LREAL: ElementaryType = ElementaryType::Lreal;
 
 impl ProgramBuilder<'_, '_> {
-    /// Adds the variables of the checksums and the statements that compute them from all others.
+    /// Adds the variables of the checksums and the statements that compute them.
     pub fn add_checksums(&mut self, body: &mut Vec<Statement>) {
         let places = self.parts();
         let checksum = self.pou.declare_reserved("checksum".to_owned(), LINT);
@@ -49,7 +49,8 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// Every elementary or enumerated part of main's variables, the ones that the generator keeps for itself left out.
+    /// Returns every elementary or enumerated part of the variables of main, except for those that the generator reserves
+    /// for itself.
     fn parts(&self) -> Vec<Place> {
         let mut parts = Vec::new();
         for seen in &self.pou.places {
@@ -69,7 +70,7 @@ impl ProgramBuilder<'_, '_> {
         parts
     }
 
-    /// The statements that mix a value that is no real into the checksum.
+    /// Generates the statements that add a value other than a real to the checksum.
     fn mixed(&mut self, checksum: VariableId, place: Place, ty: ElementaryType) -> Vec<Statement> {
         if let Some(number) = self.as_lint(read(place.clone(), ty), ty) {
             return vec![mix(checksum, number)];
@@ -121,7 +122,7 @@ impl ProgramBuilder<'_, '_> {
         statements
     }
 
-    /// A value to compare with that is not the least one of its type.
+    /// Picks a value to compare with that is not the least one of its type.
     fn telling_value(&mut self, ty: ElementaryType) -> Value {
         let first = literals::value(ty, &mut self.random);
         match first {
@@ -130,7 +131,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// A value as LINT, where documents settle what that gives.
+    /// Converts a value to LINT, where documents settle the result.
     fn as_lint(&self, value: Expression, ty: ElementaryType) -> Option<Expression> {
         if ty == LINT {
             return Some(value);
@@ -145,7 +146,7 @@ impl ProgramBuilder<'_, '_> {
         Some(convert(settled, value))
     }
 
-    /// `CASE place OF name: … END_CASE`, with a number for each name.
+    /// Generates `CASE place OF name: … END_CASE`, with a number for each name.
     fn mixed_enumeration(&mut self, checksum: VariableId, place: Place, ty: &Type) -> Option<Statement> {
         let count = self.program.enumerated_values(ty)?.len();
         let branches = (0..count).map(|value| CaseBranch {
@@ -164,7 +165,7 @@ impl ProgramBuilder<'_, '_> {
         })
     }
 
-    /// `sum := sum * 0.5 + value;`
+    /// Generates `sum := sum * 0.5 + value;`.
     fn mixed_real(&self, sum: VariableId, value: Expression, ty: ElementaryType) -> Option<Statement> {
         let value = if ty == LREAL {
             value
@@ -188,7 +189,7 @@ impl ProgramBuilder<'_, '_> {
     }
 }
 
-/// The paths to every element that steps lead to.
+/// Expands the steps of a path to the paths of every element.
 fn spread(steps: &[PathStep]) -> Vec<Vec<PlaceSelector>> {
     let mut paths = vec![Vec::new()];
     for step in steps {
@@ -231,7 +232,7 @@ fn number(number: i64) -> Expression {
     integer(LINT, number, LiteralForm::Untyped)
 }
 
-/// `checksum := checksum * 31 + number;`
+/// Generates `checksum := checksum * 31 + number;`.
 fn mix(checksum: VariableId, added: Expression) -> Statement {
     let product = Expression::binary(BinaryOperator::Multiply, whole(checksum, LINT), number(31), LINT);
     assign(

@@ -1,13 +1,14 @@
-//! Which constructs one program may use: drawn from the input first, so that programs differ in kind and not only in size.
+//! Selection of the constructs that one program may use: drawn first, so that programs differ in kind and not only in size.
 //!
-//! A program with everything in it hides much: what one construct breaks, another covers. So each program gets about half of
-//! the constructs and a handful of types, and what it has it has often. Basis: Groce and others, "Swarm testing" (ISSTA 2012).
+//! A program with every construct hides much, because one construct masks the defects of another. So each program gets about
+//! half of the constructs and a handful of types, and uses those often. Basis: Groce and others, "Swarm testing" (ISSTA
+//! 2012).
 
 use super::profile::DialectProfile;
 use crate::random::Random;
 use stickler_types::ElementaryType;
 
-/// A construct that a program may or may not have.
+/// A construct that a program may use or not.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Construct {
     /// Implicit conversions.
@@ -26,7 +27,7 @@ pub(super) enum Construct {
     Structures,
     /// Enumerations.
     Enumerations,
-    /// Names for other types.
+    /// Other names for types.
     Aliases,
     /// Functions of the program.
     Functions,
@@ -62,16 +63,17 @@ pub(super) enum Construct {
     Return,
     /// Expressions of many levels.
     Deep,
-    /// Statements nested deeply.
+    /// Deeply nested statements.
     Nested,
 }
 
-/// The constructs of one program.
+/// The set of constructs of one program.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ConstructSet(u32);
 
 impl ConstructSet {
-    /// Draws them: each as likely as not, what the suite is about more often, and all of them in one program of sixteen.
+    /// Draws a set: each construct with probability 1/2, the subjects of the suite more often, and all constructs in one
+    /// program of sixteen.
     pub fn drawn(random: &mut Random<'_, '_>) -> ConstructSet {
         use Construct as F;
         let all = random.chance(1, 16);
@@ -96,16 +98,16 @@ impl ConstructSet {
         ConstructSet(if all { u32::MAX } else { drawn | often | mostly })
     }
 
-    /// Whether the program may use this.
+    /// Returns whether the set contains a construct.
     pub const fn has(self, feature: Construct) -> bool {
         self.0 >> feature as u32 & 1 == 1
     }
 }
 
-/// How many types a program uses at most, besides those that its conversions bring.
+/// The maximum number of types of a program, besides those that its conversions add.
 const MAX_TYPES: usize = 7;
 
-/// The elementary types of one program, each once; INT alone when the bytes have run out.
+/// Draws the elementary types of one program, each once; INT alone when the bytes have run out.
 pub(super) fn palette(profile: &DialectProfile, random: &mut Random<'_, '_>) -> Vec<ElementaryType> {
     let mut palette = Vec::with_capacity(MAX_TYPES);
     for _ in 0..=random.below(MAX_TYPES) {

@@ -1,4 +1,4 @@
-//! Types, and variables with their initial values.
+//! Declarations of types and of variables with their initial values.
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
@@ -11,14 +11,14 @@ use crate::model::{
 };
 use stickler_types::{ElementaryType, Family};
 
-/// How many elements an array has at most.
+/// The maximum number of elements of an array of elementary values.
 const MAX_ELEMENTS: usize = 8;
 
-/// The same, where the elements are no elementary values.
+/// The maximum number of elements of an array of structures or enumerations.
 const MAX_STRUCTURES: usize = 3;
 
 impl ProgramBuilder<'_, '_> {
-    /// TYPE … END_TYPE.
+    /// Declares the types of the program (TYPE … END_TYPE).
     pub fn declare_types(&mut self) {
         if self.has(Construct::Enumerations) {
             for _ in 0..=self.random.below(2) {
@@ -66,8 +66,8 @@ impl ProgramBuilder<'_, '_> {
         (format!("m{number}"), ty, initial)
     }
 
-    /// A name for an array type, of which whole values can be assigned. A name for an elementary type is made only where the
-    /// program may use what is open: whether such converts as its type does no document says.
+    /// Declares a name for an array type, so that whole arrays can be assigned. Names for elementary types are declared only
+    /// where open constructs are allowed: no document states whether they convert as their types do.
     fn declare_alias(&mut self) {
         let ty = if self.open && self.random.chance(1, 2) {
             Type::Elementary(self.any_type())
@@ -77,7 +77,7 @@ impl ProgramBuilder<'_, '_> {
         self.declare_type("Alias", DeclaredKind::Alias(ty));
     }
 
-    /// An array of one to three dimensions.
+    /// Generates an array type of one to three dimensions.
     fn array(&mut self) -> Type {
         let element = match self.random.weighted(&[6, 1]) {
             1 => self.declared_type(),
@@ -96,8 +96,8 @@ impl ProgramBuilder<'_, '_> {
         Type::Array(Box::new(ArrayType { dimensions, element }))
     }
 
-    /// An enumeration or structure that is declared already; an elementary type where there is none. Structures are taken as
-    /// parts only if they are small, so that no variable has hundreds of parts.
+    /// Picks a declared enumeration or structure; an elementary type if there is none. Only small structures are picked, so
+    /// that no variable has hundreds of parts.
     fn declared_type(&mut self) -> Type {
         let is_small = |kind: &DeclaredKind| match kind {
             DeclaredKind::Enumeration(_) => true,
@@ -117,7 +117,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// The variables of main: some of every shape that the program has, and an instance of every function block.
+    /// Declares the variables of main: some of every kind of type in the program, and an instance of every function block.
     pub fn main_variables(&mut self) {
         // One of each type at least, so that values have somewhere to come from and to go.
         for ty in self.palette.clone() {
@@ -134,7 +134,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// A type for a variable: of an array, a structure, an enumeration or an elementary one.
+    /// Picks a type for a variable: an array, a declared type or an elementary type.
     pub fn variable_type(&mut self) -> Type {
         match self.random.weighted(&[7, 2, 2]) {
             1 if self.has(Construct::Arrays) => self.array(),
@@ -145,7 +145,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// An elementary type or an enumeration, for parameters.
+    /// Picks an elementary type or an enumeration, for parameters.
     pub fn small_type(&mut self) -> Type {
         let is_enumeration =
             |place: &usize| matches!(self.program.types[*place].kind, DeclaredKind::Enumeration(_));
@@ -158,7 +158,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// A variable of the POU's own, or a constant.
+    /// Declares a local variable or a constant.
     pub fn declare_local(&mut self, ty: Type) -> VariableId {
         let initial = self.initial(&ty);
         let may_be_constant =
@@ -169,7 +169,7 @@ impl ProgramBuilder<'_, '_> {
         self.declare_variable("v", ty, VariableSection::Local, initial)
     }
 
-    /// A variable in a section.
+    /// Declares a variable in a section.
     pub fn declare_variable(
         &mut self,
         stem: &str,
@@ -195,7 +195,7 @@ impl ProgramBuilder<'_, '_> {
         self.has(Construct::Initials) && self.random.chance(3, 4)
     }
 
-    /// An initial value, perhaps.
+    /// Generates an initial value; `None` if the variable keeps the default of its type.
     pub fn initial(&mut self, ty: &Type) -> Option<Initializer> {
         let ty = self.program.unaliased(ty).clone();
         let needed = match &ty {
@@ -225,7 +225,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// Values of some of the elementary fields.
+    /// Generates values of some of the elementary fields of a structure.
     fn initial_structure(&mut self, ty: &Type) -> Option<Initializer> {
         let fields = self.program.fields(ty)?.iter().enumerate();
         let elementary_fields: Vec<(usize, ElementaryType)> = fields
@@ -243,7 +243,7 @@ impl ProgramBuilder<'_, '_> {
         (!values.is_empty()).then_some(Initializer::Structure(values))
     }
 
-    /// A literal, or one of a type that widens.
+    /// Generates a literal of the type, or of a type that widens to it.
     fn initial_value(&mut self, ty: ElementaryType) -> Expression {
         let sources = self.profile.sources(ty);
         if self.has(Construct::Widening) && !sources.is_empty() && self.random.chance(1, 4) {
@@ -259,14 +259,14 @@ impl ProgramBuilder<'_, '_> {
         self.literal(ty, TypeContext::Initial)
     }
 
-    /// Starts a POU that gets so many statements.
+    /// Starts a POU that may get `statements` statements.
     pub fn begin(&mut self, kind: PouKind, statements: usize) {
         self.pou = super::scope::PouScope::new(kind);
         self.statements_left = statements;
     }
 }
 
-/// Whether a variable of this type needs an initial value, because on which day time begins no document says.
+/// Returns whether a variable of a type needs an initial value: no document states on which day dates begin.
 fn needs_initial(ty: ElementaryType) -> bool {
     matches!(ty.family(), Family::Date | Family::DateAndTime)
 }

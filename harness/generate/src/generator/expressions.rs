@@ -1,4 +1,4 @@
-//! Expressions of a context type: which kind, and the leaves.
+//! Expressions of a given type: the choice of their form, and leaves.
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
@@ -7,7 +7,7 @@ use super::type_context::TypeContext;
 use crate::model::{Expression, ExpressionKind, LiteralForm, Type};
 use stickler_types::{ElementaryType, Family};
 
-/// The kinds of expressions that are more than a leaf.
+/// The forms of an expression that the generator chooses from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ExpressionForm {
     Leaf,
@@ -29,7 +29,7 @@ pub(super) enum ExpressionForm {
     Call,
 }
 
-/// Kinds with their weights.
+/// Forms with their weights.
 #[derive(Default)]
 struct WeightedForms {
     kinds: [Option<ExpressionForm>; 16],
@@ -48,7 +48,7 @@ impl WeightedForms {
 }
 
 impl ProgramBuilder<'_, '_> {
-    /// An expression of an elementary type, at most `depth` levels deep.
+    /// Generates an expression of an elementary type, at most `depth` levels deep.
     pub fn value(&mut self, ty: ElementaryType, context: TypeContext, depth: usize) -> Expression {
         if depth == 0 || self.nodes_left == 0 || self.random.is_exhausted() {
             return self.leaf(ty, context);
@@ -61,7 +61,7 @@ impl ProgramBuilder<'_, '_> {
         made.unwrap_or_else(|| self.leaf(ty, context))
     }
 
-    /// What the program may use to make a value of this type.
+    /// Returns the forms that the program may use for a value of a type.
     fn forms(&self, ty: ElementaryType, context: TypeContext) -> WeightedForms {
         use Construct as F;
         let family = ty.family();
@@ -137,7 +137,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// A variable, or part of one, or a literal.
+    /// Generates a variable, a part of one, or a literal.
     pub fn leaf(&mut self, ty: ElementaryType, context: TypeContext) -> Expression {
         if self.random.chance(1, 4) {
             return self.literal(ty, context);
@@ -150,7 +150,7 @@ impl ProgramBuilder<'_, '_> {
         made.unwrap_or_else(|| self.literal(ty, context))
     }
 
-    /// A bit, or a variable compared with a literal: for programs that have no variable of type BOOL.
+    /// Generates a bit, or a comparison of a variable with a literal: for programs without a variable of type BOOL.
     fn small_condition(&mut self) -> Option<Expression> {
         if self.has(Construct::Bits) && self.profile.has_bits(self.open) && self.random.chance(1, 2) {
             return self.bit();
@@ -164,14 +164,14 @@ impl ProgramBuilder<'_, '_> {
         Some(Expression::binary(operator, left, right, ElementaryType::Bool))
     }
 
-    /// A literal, with the prefix of its type unless the context allows to leave it away.
+    /// Generates a literal, with the prefix of its type unless the context allows to omit it.
     pub fn literal(&mut self, ty: ElementaryType, context: TypeContext) -> Expression {
         let value = literals::value(ty, &mut self.random);
         let form = self.form(ty, context);
         Expression::elementary(ty, ExpressionKind::Literal(value, form))
     }
 
-    /// How a literal is written in a context.
+    /// Chooses whether a literal has the prefix of its type in a context.
     pub fn form(&mut self, ty: ElementaryType, context: TypeContext) -> LiteralForm {
         // A prefix before a text is rare, and so are compilers that know it.
         let prefixed = if ty.is_text() { 1 } else { 4 };
@@ -183,7 +183,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// A value that a narrower type has, without a call.
+    /// Generates a value of a narrower type, converted implicitly.
     pub fn widened(&mut self, ty: ElementaryType, context: TypeContext, depth: usize) -> Option<Expression> {
         let from = self.source(ty, context)?;
         let operand = self.value(from, TypeContext::Exact, depth);
@@ -193,7 +193,7 @@ impl ProgramBuilder<'_, '_> {
         ))
     }
 
-    /// A type that becomes `ty` without a call: rather one that variables have.
+    /// Picks a type that converts implicitly to `ty`, preferably one that variables have.
     fn source(&mut self, ty: ElementaryType, context: TypeContext) -> Option<ElementaryType> {
         let sources = self.profile.sources(ty);
         let start = self.random.below(sources.len());
@@ -211,9 +211,9 @@ impl ProgramBuilder<'_, '_> {
         seen.or_else(|| from_here().next())
     }
 
-    /// A value that no compiler can compute: one of a variable, or a conversion of one. Nothing where there is no such.
+    /// Generates a value that no compiler can compute: that of a variable, or a conversion of one; `None` if there is none.
     ///
-    /// Arithmetic begins with one, for arithmetic on constants that overflows is an error (P4040).
+    /// Arithmetic starts with such a value, because overflow in constant arithmetic is an error (P4040).
     pub fn varying(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         let adds = ty.is_integer() || ty.is_real();
         let goes_on = depth > 0 && self.nodes_left > 0 && self.random.chance(1, 3);
@@ -233,7 +233,7 @@ impl ProgramBuilder<'_, '_> {
         self.converted_variable(ty)
     }
 
-    /// A condition.
+    /// Generates a condition.
     pub fn condition(&mut self) -> Expression {
         let depth = self.deepest.min(3);
         if self.random.chance(1, 4) {

@@ -1,17 +1,17 @@
-//! Values, biased to boundaries.
+//! Values, biased towards boundaries.
 
 use crate::random::Random;
 use std::sync::LazyLock;
 use stickler_types::{ElementaryType, Family, Value};
 
-/// The values of a type at which something changes; the default value first.
+/// Returns the boundary values of a type; the default value first.
 pub(super) fn boundaries(ty: ElementaryType) -> &'static [Value] {
     static TABLE: LazyLock<Vec<Vec<Value>>> =
         LazyLock::new(|| ElementaryType::ALL.into_iter().map(build).collect());
     &TABLE[ty as usize]
 }
 
-/// A value of a type: as often a boundary as a small one, sometimes any.
+/// Generates a value of a type: a boundary value as often as a small one, sometimes any.
 pub(super) fn value(ty: ElementaryType, random: &mut Random<'_, '_>) -> Value {
     match (random.weighted(&[3, 3, 2]), ty.integer_range().is_some()) {
         (0, true) => Value::plain(ty, ty.wrap(i128::from(small(ty, random)))),
@@ -23,7 +23,7 @@ pub(super) fn value(ty: ElementaryType, random: &mut Random<'_, '_>) -> Value {
     }
 }
 
-/// A small number of an integer type, a bit string or BOOL, of which sums and products stay in range for a while.
+/// Generates a small number of an integer type, a bit string or BOOL, so that sums and products stay in range for a while.
 fn small(ty: ElementaryType, random: &mut Random<'_, '_>) -> i64 {
     match ty.family() {
         Family::Boolean => random.between(0, 1),
@@ -79,7 +79,7 @@ fn build(ty: ElementaryType) -> Vec<Value> {
     }
 }
 
-/// 0, 1, -1, the limits and one inside them, each power of two and its neighbours.
+/// Lists 0, 1, -1, the limits and their inner neighbours, and each power of two with its neighbours.
 fn integers(ty: ElementaryType) -> Vec<Value> {
     let Some((least, greatest)) = ty.integer_range() else {
         return Vec::new();
@@ -99,8 +99,8 @@ fn integers(ty: ElementaryType) -> Vec<Value> {
         .collect()
 }
 
-/// Numbers with and without fractions, halves, both zeros, the limits of the integers, where a REAL ends to hold every one of
-/// them, and what is tiny. What is huge is left out: a few products of such are no finite numbers any more.
+/// Lists numbers with and without fractions, halves, both zeros, the limits of the integers, the bound up to which REAL
+/// holds every integer, and subnormal numbers. Huge numbers are omitted: a few products of them overflow.
 fn reals(ty: ElementaryType) -> Vec<Value> {
     const NUMBERS: [f64; 30] = [
         0.0,
@@ -143,8 +143,8 @@ fn reals(ty: ElementaryType) -> Vec<Value> {
     values
 }
 
-/// The least and the greatest subnormal number, the least normal one, numbers whose products are subnormal, and for LREAL what
-/// a REAL just still holds and what it has to round to an even neighbour: once, from the number itself.
+/// Lists the least and the greatest subnormal number, the least normal one, numbers whose products are subnormal, and for
+/// LREAL the least number that REAL holds and one that must round to an even neighbour in one step.
 ///
 /// Basis: stickler-design: §8 (IEC 60559).
 pub(super) fn tiny(ty: ElementaryType) -> &'static [u64] {

@@ -1,4 +1,4 @@
-//! Loops, all of which end by construction.
+//! Loops, all of which terminate by construction.
 
 use super::builder::ProgramBuilder;
 use super::places::{assign, integer, whole};
@@ -10,10 +10,10 @@ use crate::model::{
 };
 use stickler_types::ElementaryType;
 
-/// How often a loop turns at most.
+/// The maximum number of iterations of a loop.
 const MAX_TURNS: i64 = 5;
 
-/// What a FOR loop runs over.
+/// The numbers that a FOR loop runs over.
 struct LoopRange {
     from: i64,
     to: i64,
@@ -21,7 +21,7 @@ struct LoopRange {
 }
 
 impl ProgramBuilder<'_, '_> {
-    /// A variable of this type that the generator keeps for itself.
+    /// Returns a variable of a type that is reserved for the generator.
     pub fn reserved(&mut self, ty: ElementaryType) -> VariableId {
         if let Some(place) = self.pou.idle.iter().position(|&(_, idle)| idle == ty) {
             return self.pou.idle.swap_remove(place).0;
@@ -30,13 +30,13 @@ impl ProgramBuilder<'_, '_> {
         self.pou.declare_reserved(name, ty)
     }
 
-    /// `variable := 0;`
+    /// Generates `variable := 0;`.
     pub fn reset(&mut self, variable: VariableId, ty: ElementaryType) -> Statement {
         let zero = integer(ty, 0, LiteralForm::Untyped);
         assign(variable, ty, zero)
     }
 
-    /// FOR, and behind it an assignment to its variable, for what that holds no document says.
+    /// Generates FOR, followed by an assignment to its variable, because no document states which value it holds then.
     pub fn for_loop(&mut self, depth: usize, made: &mut Vec<Statement>) {
         let integers: Vec<ElementaryType> = self
             .palette
@@ -74,7 +74,8 @@ impl ProgramBuilder<'_, '_> {
         self.pou.idle.push((variable, ty));
     }
 
-    /// A few numbers of an integer type: those of an array's subscripts, some near zero, or near the type's limits. One step further is still in the type.
+    /// Draws a few numbers of an integer type: the subscripts of an array, or numbers near zero or near the limits of the
+    /// type. The step after the last number stays within the type.
     fn range(&mut self, ty: ElementaryType) -> LoopRange {
         let (least, greatest) = limits(ty);
         if self.random.chance(1, 2)
@@ -120,7 +121,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// The limits of a dimension of some array, if they lie between these.
+    /// Picks the limits of a dimension of some array that lie between two numbers.
     fn dimension(&mut self, least: i64, greatest: i64) -> Option<(i64, i64)> {
         let limits = |seen: &VisiblePlace| match seen.path.last() {
             Some(PathStep::Index(limits)) => limits.last().copied(),
@@ -131,7 +132,7 @@ impl ProgramBuilder<'_, '_> {
         self.random.pick_where(&self.pou.places, suits).and_then(limits)
     }
 
-    /// The expressions of a range. Sometimes a variable decides where it begins or ends, which the body then leaves alone.
+    /// Generates the expressions of a range. Sometimes a variable determines a limit, and the body then leaves it unchanged.
     fn bounds(&mut self, ty: ElementaryType, from: i64, to: i64, by: i64) -> LoopBounds {
         let mut bounds = LoopBounds {
             from: self.bound(ty, from),
@@ -157,7 +158,7 @@ impl ProgramBuilder<'_, '_> {
         bounds
     }
 
-    /// A whole variable that is none of the generator's own.
+    /// Picks a whole variable that is not reserved.
     fn lockable_variable(&mut self, ty: ElementaryType) -> Option<VariableId> {
         let wanted = Type::Elementary(ty);
         let chosen = self.choose(|seen| seen.path.is_empty() && seen.writable && seen.ty == wanted)?;
@@ -169,7 +170,7 @@ impl ProgramBuilder<'_, '_> {
         integer(ty, number, form)
     }
 
-    /// WHILE, with a count of its turns.
+    /// Generates WHILE, limited by a counter.
     pub fn while_loop(&mut self, depth: usize, made: &mut Vec<Statement>) {
         let condition = self.condition();
         let (counter, turns) = self.counter();
@@ -190,7 +191,7 @@ impl ProgramBuilder<'_, '_> {
         self.pou.idle.push((counter, ty));
     }
 
-    /// REPEAT, with a count of its turns.
+    /// Generates REPEAT, limited by a counter.
     pub fn repeat_loop(&mut self, depth: usize, made: &mut Vec<Statement>) {
         let (counter, turns) = self.counter();
         let ty = ElementaryType::Int;
@@ -217,7 +218,7 @@ impl ProgramBuilder<'_, '_> {
         (counter, self.random.between(1, MAX_TURNS))
     }
 
-    /// The statements of a loop that turns so often.
+    /// Generates the body of a loop with a number of iterations.
     fn looped(&mut self, depth: usize, turns: u32) -> Vec<Statement> {
         let before = self.pou.turns;
         self.pou.turns = before * turns;
@@ -229,7 +230,7 @@ impl ProgramBuilder<'_, '_> {
     }
 }
 
-/// The head of a FOR loop.
+/// The limits and the step of a FOR loop.
 struct LoopBounds {
     from: Expression,
     to: Expression,
@@ -237,7 +238,7 @@ struct LoopBounds {
     locked: Option<VariableId>,
 }
 
-/// `counter := counter + 1;`
+/// Generates `counter := counter + 1;`.
 fn counted(counter: VariableId) -> Statement {
     let ty = ElementaryType::Int;
     let one = integer(ty, 1, LiteralForm::Untyped);
@@ -248,7 +249,7 @@ fn counted(counter: VariableId) -> Statement {
     )
 }
 
-/// The limits of an integer type, as far as 64 signed bits hold them.
+/// Returns the limits of an integer type, as far as 64 signed bits hold them.
 fn limits(ty: ElementaryType) -> (i64, i64) {
     let (least, greatest) = ty.integer_range().unwrap_or_default();
     (

@@ -1,4 +1,4 @@
-//! Operators, and bits.
+//! Operators and bits.
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
@@ -12,7 +12,7 @@ use crate::model::{
 use stickler_types::{ElementaryType, Family, Value};
 
 impl ProgramBuilder<'_, '_> {
-    /// `+`, `-` or `*`.
+    /// Generates `+`, `-` or `*`.
     pub fn arithmetic(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         if ty.is_duration() {
             return self.sum_of_durations(ty);
@@ -29,7 +29,7 @@ impl ProgramBuilder<'_, '_> {
         Some(self.in_some_order(operator, left, right, ty))
     }
 
-    /// What a real is multiplied by: often something tiny, for only there do products stop to be normal numbers.
+    /// Generates the factor of a real: often a tiny one, which makes products subnormal.
     fn factor(&mut self, ty: ElementaryType) -> Expression {
         if !self.random.chance(1, 3) {
             return self.literal(ty, TypeContext::Operand);
@@ -40,7 +40,7 @@ impl ProgramBuilder<'_, '_> {
         Expression::elementary(ty, ExpressionKind::Literal(Value::plain(ty, raw), form))
     }
 
-    /// Durations grow by literals only, so that none of them leaves the range that every system has.
+    /// Generates a sum of durations, which grow by literals only, so that none leaves the range of every system.
     fn sum_of_durations(&mut self, ty: ElementaryType) -> Option<Expression> {
         let operator = [Operator::Add, Operator::Subtract][self.random.below(2)];
         let left = self.read(&Type::Elementary(ty), true)?;
@@ -48,7 +48,7 @@ impl ProgramBuilder<'_, '_> {
         Some(Expression::binary(operator, left, right, ty))
     }
 
-    /// The operands as they are, or the other way round where that makes no difference to the types.
+    /// Combines two operands, sometimes in reverse order where that makes no difference to the types.
     fn in_some_order(
         &mut self,
         operator: Operator,
@@ -63,7 +63,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// `/` or MOD, by something that is neither 0 nor -1 nor tiny.
+    /// Generates `/` or MOD by a divisor that is neither 0 nor -1 nor tiny.
     pub fn division(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         let modulo = !ty.is_real() && self.random.chance(1, 2);
         let operator = if modulo {
@@ -89,7 +89,7 @@ impl ProgramBuilder<'_, '_> {
         Expression::elementary(ty, ExpressionKind::Literal(value, form))
     }
 
-    /// A minus before a variable or what contains one.
+    /// Generates a minus before a value that contains a variable.
     pub fn negation(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         let operand = self.varying(ty, depth)?;
         Some(Expression::elementary(
@@ -98,7 +98,7 @@ impl ProgramBuilder<'_, '_> {
         ))
     }
 
-    /// AND, OR or XOR.
+    /// Generates AND, OR or XOR.
     pub fn logic(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let operators = [Operator::And, Operator::Or, Operator::Xor];
         let operator = operators[self.random.below(operators.len())];
@@ -107,13 +107,13 @@ impl ProgramBuilder<'_, '_> {
         self.in_some_order(operator, left, right, ty)
     }
 
-    /// NOT.
+    /// Generates NOT.
     pub fn complement(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let operand = self.value(ty, TypeContext::Exact, depth);
         Expression::elementary(ty, ExpressionKind::Unary(UnaryOperator::Not, Box::new(operand)))
     }
 
-    /// Two operands of any type that the program has, compared.
+    /// Generates a comparison of two operands of any type of the program.
     pub fn comparison(&mut self, depth: usize) -> Expression {
         if self.has(Construct::Enumerations)
             && self.random.chance(1, 6)
@@ -131,8 +131,8 @@ impl ProgramBuilder<'_, '_> {
         self.in_some_order(operator, left, right, ElementaryType::Bool)
     }
 
-    /// What an operand is compared with: of a variable as often as not a value that it holds at some time, for only there
-    /// does `<` differ from `<=`.
+    /// Generates the value that an operand is compared with: for a variable often a value that it holds at some time, which
+    /// tells `<` from `<=`.
     pub fn compared(&mut self, with: &Expression, ty: ElementaryType, depth: usize) -> Expression {
         let held = if let ExpressionKind::Read(place) = &with.kind
             && self.random.chance(1, 2)
@@ -152,7 +152,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// Only equality where no document says what comes first.
+    /// Picks a comparison operator; only `=` and `<>` where no document defines an order.
     pub fn comparison_operator(&mut self, ty: ElementaryType) -> Operator {
         const ALL: [Operator; 6] = [
             Operator::Equal,
@@ -183,7 +183,7 @@ impl ProgramBuilder<'_, '_> {
         Some(Expression::binary(operator, left, right, ElementaryType::Bool))
     }
 
-    /// A value of an enumeration: of a variable, or by its name.
+    /// Generates a value of an enumeration: a variable or a name.
     pub fn enumerated(&mut self, ty: &Type) -> Expression {
         if self.random.chance(1, 3)
             && let Some(read) = self.read(ty, false)
@@ -197,7 +197,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// A bit of an integer or bit string that can be read.
+    /// Generates a bit of a readable integer or bit string.
     pub fn bit(&mut self) -> Option<Expression> {
         let seen = self.choose(has_bits)?;
         let bit = self.bit_number(&seen.ty);
@@ -208,7 +208,7 @@ impl ProgramBuilder<'_, '_> {
         ))
     }
 
-    /// Which bit: the first and the last ones more often than others.
+    /// Picks a bit number, the first and the last bit more often than others.
     pub fn bit_number(&mut self, ty: &Type) -> u32 {
         let bits = match ty {
             Type::Elementary(ty) => ty.bits(),
@@ -222,7 +222,7 @@ impl ProgramBuilder<'_, '_> {
     }
 }
 
-/// Whether it is an integer or bit string, whose bits can be named.
+/// Returns whether a place is an integer or bit string, whose bits have names.
 pub(super) fn has_bits(seen: &VisiblePlace) -> bool {
     matches!(&seen.ty, Type::Elementary(ty) if ty.is_integer() || ty.is_bit_string())
 }
@@ -238,7 +238,8 @@ fn one(ty: ElementaryType) -> Value {
     )
 }
 
-/// Whether a real is neither zero nor tiny, an integer neither zero nor -1, by which the least number cannot be divided.
+/// Returns whether a value is safe as a divisor: a real neither zero nor tiny, an integer neither 0 nor -1 (which overflows
+/// the least number).
 fn divides(value: &Value) -> bool {
     let &Value::Plain { ty, raw } = value else {
         return false;
@@ -250,7 +251,7 @@ fn divides(value: &Value) -> bool {
     }
 }
 
-/// The number of a REAL or LREAL.
+/// Decodes a REAL or LREAL; `None` for any other type.
 pub(super) fn real(ty: ElementaryType, raw: u64) -> Option<f64> {
     match ty {
         ElementaryType::Real => Some(f32::from_bits(raw as u32).into()),

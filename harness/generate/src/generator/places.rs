@@ -1,4 +1,4 @@
-//! What is read and written: variables, and parts of them.
+//! Reads and writes of variables and their parts.
 
 use super::builder::ProgramBuilder;
 use super::scope::{PathStep, VisiblePlace, contains_text};
@@ -9,8 +9,8 @@ use crate::model::{
 use stickler_types::{ElementaryType, Value};
 
 impl ProgramBuilder<'_, '_> {
-    /// The value of something that has exactly this type; nothing where there is none. `varying` asks for what no compiler
-    /// can know.
+    /// Generates a read of a place of exactly this type; `None` if there is none. With `varying`, only places whose value no
+    /// compiler can know.
     pub fn read(&mut self, ty: &Type, varying: bool) -> Option<Expression> {
         let is_bound = contains_text(ty, &self.program);
         let bound = self.text_bound;
@@ -25,12 +25,12 @@ impl ProgramBuilder<'_, '_> {
         })
     }
 
-    /// One of the places that suit.
+    /// Picks a place that satisfies a predicate.
     pub fn choose(&mut self, suits: impl Fn(&VisiblePlace) -> bool) -> Option<VisiblePlace> {
         self.random.pick_where(&self.pou.places, suits).cloned()
     }
 
-    /// A place with its subscripts; `fixed` ones depend on no variable.
+    /// Generates the subscripts of a place; `fixed` ones depend on no variable.
     pub fn place(&mut self, seen: &VisiblePlace, fixed: bool) -> Place {
         let path = seen.path.iter().map(|step| match step {
             PathStep::Field(field) => PlaceSelector::Field(*field),
@@ -47,7 +47,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// A subscript between two limits, both included.
+    /// Generates a subscript between two limits, both inclusive.
     fn subscript(&mut self, low: i64, high: i64, fixed: bool) -> Expression {
         let loops = self.pou.loops.iter();
         let inside = loops.filter(|&&(_, _, least, greatest)| low <= least && greatest <= high);
@@ -69,7 +69,7 @@ impl ProgramBuilder<'_, '_> {
         self.number(low, high)
     }
 
-    /// An integer type of the program that holds these numbers; INT where it has none.
+    /// Picks an integer type of the program that holds both numbers; INT if there is none.
     fn integer_type(&mut self, low: i64, high: i64) -> ElementaryType {
         let holds = |ty: &ElementaryType| {
             let range = ty.integer_range().filter(|_| ty.is_integer());
@@ -87,7 +87,7 @@ impl ProgramBuilder<'_, '_> {
         )
     }
 
-    /// `LIMIT(low, variable, high)`, if there is a variable of this integer type.
+    /// Generates `LIMIT(low, variable, high)`; `None` if there is no variable of this integer type.
     pub fn limited(&mut self, ty: ElementaryType, low: i64, high: i64) -> Option<Expression> {
         let variable = self.plain_variable(ty)?;
         let typed = |number| integer(ty, number, LiteralForm::Typed);
@@ -98,14 +98,14 @@ impl ProgramBuilder<'_, '_> {
         ))
     }
 
-    /// A whole variable of this type, whose value no compiler knows.
+    /// Picks a whole variable of a type whose value no compiler knows.
     pub fn plain_variable(&mut self, ty: ElementaryType) -> Option<VariableId> {
         let wanted = Type::Elementary(ty);
         let chosen = self.choose(|seen| seen.path.is_empty() && !seen.constant && seen.ty == wanted)?;
         Some(chosen.variable)
     }
 
-    /// Somewhere to write a value of exactly this type, of a variable that is none of these; its subscripts are fixed.
+    /// Picks a writable place of exactly this type, outside the variables `besides`; its subscripts are fixed.
     pub fn writable_part(&mut self, ty: &Type, besides: &[VariableId]) -> Option<Place> {
         let pou = &self.pou;
         let suits =
@@ -114,7 +114,7 @@ impl ProgramBuilder<'_, '_> {
         Some(self.place(&seen, true))
     }
 
-    /// A place to write to that suits.
+    /// Picks a writable place that satisfies a predicate.
     pub fn target(&mut self, suits: impl Fn(&VisiblePlace) -> bool) -> Option<Place> {
         let pou = &self.pou;
         let suits = |seen: &VisiblePlace| pou.may_write(seen) && suits(seen);
@@ -123,7 +123,7 @@ impl ProgramBuilder<'_, '_> {
     }
 }
 
-/// The value of a whole variable of an elementary type.
+/// Creates a read of a whole variable of an elementary type.
 pub(super) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
     Expression::elementary(
         ty,
@@ -131,7 +131,7 @@ pub(super) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
     )
 }
 
-/// An assignment to a whole variable of an elementary type.
+/// Creates an assignment to a whole variable of an elementary type.
 pub(super) fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
     let place = Place::whole(variable, Type::Elementary(ty));
     Statement {
@@ -139,7 +139,7 @@ pub(super) fn assign(variable: VariableId, ty: ElementaryType, value: Expression
     }
 }
 
-/// A literal of an integer type or a bit string.
+/// Creates a literal of an integer type or a bit string.
 pub(super) fn integer(ty: ElementaryType, number: i64, form: LiteralForm) -> Expression {
     let value = Value::plain(ty, ty.wrap(i128::from(number)));
     Expression::elementary(ty, ExpressionKind::Literal(value, form))

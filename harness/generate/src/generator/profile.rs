@@ -1,4 +1,5 @@
-//! What a dialect has, by its documents: types, implicit conversions, and conversion functions whose results are settled.
+//! The profile of a dialect, by its documents: types, implicit conversions, and conversion functions whose results are
+//! settled.
 
 use super::literals;
 use super::type_context::TypeContext;
@@ -7,36 +8,36 @@ use std::sync::LazyLock;
 use stickler_exact::{Signature, expected, functions, implicit, signatures};
 use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 
-/// How much of what a conversion gives is said by documents.
+/// The extent to which documents state the results of a conversion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ResultCoverage {
-    /// What every value gives that the generator makes.
+    /// Stated for every value that the generator draws.
     Always,
-    /// What some values give.
+    /// Stated for some values.
     Sometimes,
-    /// Nothing.
+    /// Stated for no value.
     Never,
 }
 
-/// A conversion function of one argument.
+/// A conversion function with one argument.
 pub(super) struct ConversionOffer {
     pub signature: Signature,
     pub from: ElementaryType,
     pub settled: ResultCoverage,
-    /// Whether it is `<FROM>_TO_<RESULT>`.
+    /// Whether the function is `<FROM>_TO_<RESULT>`.
     pub plain: bool,
-    /// Whether the call alone does not say which type it gives: the name has signatures with other results.
+    /// Whether the call alone leaves its result type open: the name has signatures with other results.
     pub ambiguous: bool,
 }
 
-/// One dialect.
+/// The types and conversions of one dialect.
 pub(super) struct DialectProfile {
     pub dialect: DialectName,
-    /// The elementary types to draw from: the frequent ones stand there several times, INT first.
+    /// The elementary types to draw from, INT first; frequent types occur several times.
     pub weighted_types: Vec<ElementaryType>,
-    /// The types that become a type without a call, by that type's place in the declaration.
+    /// The types that convert implicitly to each type, indexed by [`ElementaryType`].
     sources: Vec<Vec<ElementaryType>>,
-    /// The conversion functions that give a type, by that type's place in the declaration.
+    /// The conversion functions that give each type, indexed by [`ElementaryType`].
     offers: Vec<Vec<ConversionOffer>>,
 }
 
@@ -53,17 +54,17 @@ impl DialectProfile {
         &PROFILES[dialect.base() as usize]
     }
 
-    /// The types that become `into` without a call.
+    /// Returns the types that convert implicitly to `into`.
     pub fn sources(&self, into: ElementaryType) -> &[ElementaryType] {
         &self.sources[into as usize]
     }
 
-    /// The conversion functions that give a value of this type; the overloaded `TO_…`, of which no document speaks, are left out.
+    /// Returns the conversion functions that give a type, without the overloaded `TO_…`, which no document describes.
     pub fn offers(&self, result: ElementaryType) -> &[ConversionOffer] {
         &self.offers[result as usize]
     }
 
-    /// The function `<FROM>_TO_<INTO>`, if its results are settled for every value that the generator makes.
+    /// Returns the function `<FROM>_TO_<INTO>`, if its results are settled for every value that the generator draws.
     pub fn settled(&self, from: ElementaryType, into: ElementaryType) -> Option<&Signature> {
         let mut offers = self.offers(into).iter();
         let found =
@@ -71,12 +72,12 @@ impl DialectProfile {
         found.map(|offer| &offer.signature)
     }
 
-    /// Whether the bits of integers and bit strings can be named; in PLCnext that is open.
+    /// Returns whether programs may access bits of integers and bit strings; in PLCnext that is open.
     pub fn has_bits(&self, open: bool) -> bool {
         has_bits(self.dialect) || open && self.dialect == DialectName::Plcnext
     }
 
-    /// Whether a call of a function may leave out inputs, which then have their initial values.
+    /// Returns whether a call of a function may omit inputs, which then have their initial values.
     ///
     /// Basis: iec-61131-3: 6.6.1 (formal calls); ironplc-problem-codes: P4018 speaks of the number of arguments and makes no
     /// difference for calls by names, and its compiler refuses them, so that it is open there.
@@ -87,8 +88,8 @@ impl DialectProfile {
         }
     }
 
-    /// Whether a literal without its prefix stands for a value of this type, in that context. Where the spelling without the
-    /// prefix has the type by itself (`TRUE`, `T#5ms`, `'text'`), it does everywhere.
+    /// Returns whether a literal without its prefix stands for a value of a type in a context. Literals whose form
+    /// determines the type (`TRUE`, `T#5ms`, `'text'`) do so everywhere.
     ///
     /// Basis: ironplc-type-conversions: Cross-family widening; stickler-design: §8 (untyped literals).
     pub fn takes_untyped(&self, ty: ElementaryType, context: TypeContext) -> bool {
@@ -125,7 +126,7 @@ impl DialectProfile {
     }
 }
 
-/// The conversion functions of a dialect by their results.
+/// Collects the conversion functions of a dialect by their results.
 fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<ConversionOffer>> {
     let mut offers: Vec<Vec<ConversionOffer>> = ElementaryType::ALL.map(|_| Vec::new()).into();
     for function in functions(dialect) {
@@ -155,7 +156,7 @@ fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<ConversionO
     offers
 }
 
-/// The elementary types of a dialect; those that its documents or its compiler name.
+/// Returns the elementary types of a dialect that its documents or its compiler name.
 ///
 /// Basis: see [`has_third_edition`]; that matiec has twenty types and no WSTRING is measured.
 fn types(dialect: DialectName) -> Vec<ElementaryType> {
@@ -167,7 +168,7 @@ fn types(dialect: DialectName) -> Vec<ElementaryType> {
     ElementaryType::ALL.into_iter().filter(has).collect()
 }
 
-/// Each type as often as it deserves: conversions, widening and bits are about numbers and bit strings.
+/// Repeats each type by its weight: conversions, widening and bits concern numbers and bit strings.
 fn weighted_types(types: &[ElementaryType]) -> Vec<ElementaryType> {
     let mut weighted_types = vec![ElementaryType::Int];
     for &ty in types {
@@ -183,7 +184,7 @@ fn weighted_types(types: &[ElementaryType]) -> Vec<ElementaryType> {
     weighted_types
 }
 
-/// How much of what a conversion gives documents say, tried on the values that the generator likes.
+/// Measures how far documents state the results of a conversion, for the values that the generator draws.
 fn settled(signature: &Signature, from: ElementaryType, dialect: DialectName) -> ResultCoverage {
     let values = literals::boundaries(from);
     let said = |value| {

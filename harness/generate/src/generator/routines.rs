@@ -8,11 +8,11 @@ use crate::model::{
 };
 use stickler_types::ElementaryType;
 
-/// How many statements a function or function block has at most, besides those that end it.
+/// The maximum number of statements of a function or function block, besides those that end it.
 const MAX_STATEMENTS: usize = 7;
 
 impl ProgramBuilder<'_, '_> {
-    /// The functions, each of which may call those before it.
+    /// Generates the functions, each of which may call earlier ones.
     pub fn functions(&mut self) {
         if !self.has(Construct::Functions) {
             return;
@@ -48,7 +48,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// The last statement of a function: it gives its result.
+    /// Generates the last statement of a function, which assigns its result.
     fn result(&mut self, ty: &Type) -> Option<Statement> {
         self.begin_statement();
         let value = self.assigned(ty, self.pou.variables.len())?;
@@ -58,7 +58,7 @@ impl ProgramBuilder<'_, '_> {
         })
     }
 
-    /// The function blocks, each of which may have instances of those before it.
+    /// Generates the function blocks, each of which may have instances of earlier ones.
     pub fn blocks(&mut self) {
         if !self.has(Construct::Blocks) {
             return;
@@ -96,7 +96,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// A variable of the caller's; no text, for the caller's could grow by it.
+    /// Declares an in-out; never a text, because the text of the caller could grow by it.
     fn declare_in_out(&mut self) {
         let ty = self.variable_type();
         if !contains_text(&ty, &self.program) && !matches!(ty, Type::Array(_)) {

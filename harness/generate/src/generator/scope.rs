@@ -1,4 +1,4 @@
-//! The POU in hand: its variables, everything that can be read or written in it, and how often what stands here is executed.
+//! The POU under construction: its variables, its readable and writable places, and the cost of an execution.
 
 use super::literals;
 use crate::model::{
@@ -7,52 +7,52 @@ use crate::model::{
 };
 use stickler_types::{ElementaryType, Value};
 
-/// Which kind of POU it is.
+/// The kind of a POU.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum PouKind {
-    /// A function that gives this.
+    /// A function with this result type.
     Function(Type),
     /// A function block.
     Block,
-    /// PROGRAM main.
+    /// The main program.
     Main,
 }
 
-/// The POU in hand.
+/// The POU under construction.
 pub(super) struct PouScope {
     pub kind: PouKind,
     pub variables: Vec<Variable>,
-    /// Every variable, element and part that can be read.
+    /// Every readable variable, element and part.
     pub places: Vec<VisiblePlace>,
-    /// Values that variables, or parts of them, hold at some time.
+    /// Values that variables, or their parts, hold at some time.
     pub held: Vec<HeldValue>,
-    /// The control variables of the FOR loops around, with the values that they take.
+    /// The control variables of the enclosing FOR loops, with the values that they take.
     pub loops: Vec<(VariableId, ElementaryType, i64, i64)>,
     /// The control variables that no loop uses at the moment.
     pub idle: Vec<(VariableId, ElementaryType)>,
     /// Variables that must keep their values here, because a loop ends by them.
     pub locked: Vec<VariableId>,
-    /// How many loops of any kind are around.
+    /// The number of enclosing loops.
     pub loops_around: usize,
-    /// How often what stands here is executed in one call, at most.
+    /// The maximum number of executions of the current position in one call.
     pub turns: u32,
-    /// How many statements one call executes, at most; those of the functions that it calls are counted in.
+    /// The maximum number of statements that one call executes, including those of called functions.
     pub cost: u32,
 }
 
-/// Something that can be read.
+/// A readable place.
 #[derive(Clone, Debug)]
 pub(super) struct VisiblePlace {
     pub variable: VariableId,
     pub path: Vec<PathStep>,
-    /// Its type; what stands behind an alias.
+    /// The type of the place, with aliases resolved.
     pub ty: Type,
     pub writable: bool,
-    /// Whether a compiler may know its value.
+    /// Whether a compiler may know the value.
     pub constant: bool,
 }
 
-/// A value that a variable, or an elementary part of it, is given where a literal says so: at the start, or by an assignment.
+/// A value that a variable, or an elementary part of it, gets from a literal: at the start, or by an assignment.
 #[derive(Clone, Debug)]
 pub(super) struct HeldValue {
     pub variable: VariableId,
@@ -60,7 +60,7 @@ pub(super) struct HeldValue {
     pub value: Value,
 }
 
-/// One step into a variable, before its subscripts are chosen.
+/// A step into a variable, before its subscripts are chosen.
 #[derive(Clone, Debug)]
 pub(super) enum PathStep {
     Index(Vec<(i64, i64)>),
@@ -84,7 +84,7 @@ impl PouScope {
         }
     }
 
-    /// Declares a variable that statements may use; of an instance of a function block only the outputs are seen.
+    /// Declares a variable that statements may use; of an instance of a function block only the outputs are visible.
     pub fn declare(&mut self, variable: Variable, program: &Program) -> VariableId {
         let id = VariableId(self.variables.len());
         let writable = matches!(
@@ -126,7 +126,7 @@ impl PouScope {
         }
     }
 
-    /// Notes that a variable, or a part of it, is given the value of an expression; of literals that is known.
+    /// Records that a variable, or a part of it, gets the value of an expression, if that is a literal.
     pub fn hold(&mut self, variable: VariableId, value: &Expression) {
         if let (ExpressionKind::Literal(value, _), &Type::Elementary(ty)) = (&value.kind, &value.ty) {
             let value = value.clone();
@@ -153,7 +153,7 @@ impl PouScope {
         id
     }
 
-    /// Remembers a place and all its parts.
+    /// Records a place and all its parts.
     fn see(&mut self, place: VisiblePlace, program: &Program) {
         let ty = program.unaliased(&place.ty).clone();
         let part = |step: PathStep, ty: &Type| {
@@ -202,12 +202,12 @@ impl PouScope {
         }
     }
 
-    /// Whether this may be written here.
+    /// Returns whether a place may be written here.
     pub fn may_write(&self, place: &VisiblePlace) -> bool {
         place.writable && !self.locked.contains(&place.variable)
     }
 
-    /// Whether something of this type can be read whose value no compiler knows.
+    /// Returns whether a value of a type can be read that no compiler knows.
     pub fn varies(&self, ty: ElementaryType) -> bool {
         let wanted = Type::Elementary(ty);
         self.places
@@ -216,7 +216,7 @@ impl PouScope {
     }
 }
 
-/// Whether a text is or is part of what has this type.
+/// Returns whether a type is a text or contains one.
 pub(super) fn contains_text(ty: &Type, program: &Program) -> bool {
     match ty {
         Type::Elementary(ty) => ty.is_text(),

@@ -1,20 +1,20 @@
-//! What the caller of the generator may ask.
+//! Settings of the generator.
 
 use stickler_types::DialectName;
 
-/// What kind of program is wanted.
+/// The kind of program to generate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct GeneratorSettings {
     /// The dialect; `None` lets the input choose.
     pub dialect: Option<DialectName>,
-    /// Whether the program may use what documents leave open.
+    /// Whether the program may use constructs that documents leave open.
     pub open: bool,
-    /// How many statements the program has at most, those of its checksums not counted.
+    /// The maximum number of statements of the program, without those of its checksums.
     pub statements: usize,
 }
 
 impl Default for GeneratorSettings {
-    /// Any dialect, nothing open, at most 80 statements.
+    /// Returns settings for any dialect, nothing open, and at most 80 statements.
     fn default() -> GeneratorSettings {
         GeneratorSettings {
             dialect: None,

@@ -1,4 +1,4 @@
-//! Calls of standard functions that are no conversions.
+//! Calls of standard functions other than conversions.
 
 use super::builder::ProgramBuilder;
 use super::literals;
@@ -9,7 +9,7 @@ use crate::model::{Expression, ExpressionKind, LiteralForm, StandardFunction as 
 use stickler_types::{ElementaryType, Family, Value};
 
 impl ProgramBuilder<'_, '_> {
-    /// SEL or MUX.
+    /// Generates SEL or MUX.
     pub fn selection(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         if self.random.chance(1, 3) {
             let count = 2 + self.random.below(2);
@@ -26,7 +26,7 @@ impl ProgramBuilder<'_, '_> {
         )
     }
 
-    /// An INT from 0 to a limit.
+    /// Generates an INT from 0 to a limit.
     fn selector(&mut self, most: i64) -> Expression {
         let limited = self.limited(ElementaryType::Int, 0, most);
         limited.unwrap_or_else(|| {
@@ -38,7 +38,7 @@ impl ProgramBuilder<'_, '_> {
         })
     }
 
-    /// MIN, MAX or LIMIT.
+    /// Generates MIN, MAX or LIMIT.
     pub fn extremum(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let (function, count) =
             [(Function::Min, 2), (Function::Max, 2), (Function::Limit, 3)][self.random.below(3)];
@@ -50,7 +50,7 @@ impl ProgramBuilder<'_, '_> {
         Expression::elementary(ty, ExpressionKind::Standard(function, arguments))
     }
 
-    /// LIMIT with a lower limit that is not above the upper one, for no document says what it gives otherwise.
+    /// Generates LIMIT with a lower limit not above the upper one; no document states the result otherwise.
     fn limit(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let mut limits = [
             literals::value(ty, &mut self.random),
@@ -68,7 +68,7 @@ impl ProgramBuilder<'_, '_> {
         )
     }
 
-    /// ABS, of a signed integer only if it is not the least one, which has no counterpart.
+    /// Generates ABS, of a signed integer limited to exclude the least one, whose negation overflows.
     pub fn absolute(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         let operand = self.varying(ty, depth)?;
         let operand = match (ty.family(), ty.integer_range()) {
@@ -90,7 +90,7 @@ impl ProgramBuilder<'_, '_> {
         ))
     }
 
-    /// SHL, SHR, ROL or ROR, by fewer bits than there are.
+    /// Generates SHL, SHR, ROL or ROR by fewer bits than the type has; with open constructs sometimes by more.
     pub fn shift(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let functions = [Function::Shl, Function::Shr, Function::Rol, Function::Ror];
         let function = functions[self.random.below(functions.len())];
@@ -111,7 +111,7 @@ impl ProgramBuilder<'_, '_> {
         Expression::elementary(ty, ExpressionKind::Standard(function, vec![operand, count]))
     }
 
-    /// LEN.
+    /// Generates LEN.
     pub fn length(&mut self, depth: usize) -> Expression {
         let operand = self.value(ElementaryType::String, TypeContext::Exact, depth.min(1));
         Expression::elementary(
@@ -120,7 +120,7 @@ impl ProgramBuilder<'_, '_> {
         )
     }
 
-    /// CONCAT of a text and a literal.
+    /// Generates CONCAT of a text and a literal.
     pub fn concatenation(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let text = self.value(ty, TypeContext::Exact, depth.min(2));
         let more = self.literal(ty, TypeContext::Exact);
@@ -133,7 +133,7 @@ impl ProgramBuilder<'_, '_> {
     }
 }
 
-/// Whether one number is greater than another of its type.
+/// Returns whether a number is greater than another of its type.
 fn is_above(one: &Value, other: &Value) -> bool {
     let (&Value::Plain { ty, raw }, &Value::Plain { raw: other, .. }) = (one, other) else {
         return false;

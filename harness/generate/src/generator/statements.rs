@@ -1,4 +1,4 @@
-//! Statements, but for loops.
+//! Statements other than loops.
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
@@ -26,7 +26,7 @@ enum StatementForm {
 }
 
 impl ProgramBuilder<'_, '_> {
-    /// The statements of a POU: so many, or fewer if the bytes run out.
+    /// Generates the statements of a POU: at most `most`, fewer if the bytes run out.
     pub fn body(&mut self, most: usize) -> Vec<Statement> {
         let mut made = Vec::new();
         while made.is_empty()
@@ -37,7 +37,7 @@ impl ProgramBuilder<'_, '_> {
         made
     }
 
-    /// The statements of a branch or a loop, of which there is at least one.
+    /// Generates the statements of a branch or a loop, at least one.
     pub fn nested(&mut self, depth: usize) -> Vec<Statement> {
         let mut made = Vec::new();
         loop {
@@ -48,7 +48,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// Starts a statement: what it may consist of is counted afresh.
+    /// Starts a statement and resets its node budget.
     pub fn begin_statement(&mut self) {
         self.nodes_left = if self.has(Construct::Deep) && self.random.chance(1, 8) {
             60
@@ -58,7 +58,7 @@ impl ProgramBuilder<'_, '_> {
         self.text_bound = VariableId(usize::MAX);
     }
 
-    /// Makes a statement, and what has to stand beside it.
+    /// Generates a statement, and those that have to stand beside it.
     fn statement(&mut self, depth: usize, made: &mut Vec<Statement>) {
         self.statements_left = self.statements_left.saturating_sub(1);
         self.begin_statement();
@@ -81,7 +81,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// An assignment to a variable of the generator's own, where nothing else can be written.
+    /// Generates an assignment to a reserved variable, where nothing else can be written.
     fn assign_reserved(&mut self, made: &mut Vec<Statement>) {
         let variable = self.reserved(ElementaryType::Int);
         made.push(self.reset(variable, ElementaryType::Int));
@@ -132,7 +132,7 @@ impl ProgramBuilder<'_, '_> {
         StatementKind::If(branches, otherwise)
     }
 
-    /// CASE of an enumeration or an integer.
+    /// Generates CASE of an enumeration or an integer.
     fn case(&mut self, depth: usize) -> Option<StatementKind> {
         let selector = self.enumeration_selector();
         let (selector, labels) = match selector {
@@ -165,7 +165,7 @@ impl ProgramBuilder<'_, '_> {
         Some((self.read(&ty, true)?, count))
     }
 
-    /// The names of an enumeration, spread over branches; some are left to ELSE.
+    /// Spreads the names of an enumeration over branches; some are left to ELSE.
     fn enumerated_labels(&mut self, ty: &Type, count: usize) -> Vec<Vec<CaseLabel>> {
         let mut branches: Vec<Vec<CaseLabel>> = Vec::new();
         for value in 0..count {
@@ -184,7 +184,7 @@ impl ProgramBuilder<'_, '_> {
         branches
     }
 
-    /// An integer, and labels near the values that it may have, no number twice.
+    /// Generates an integer selector, and labels near its likely values, no number twice.
     fn integer_selector(&mut self) -> Option<(Expression, Vec<Vec<CaseLabel>>)> {
         let integers: Vec<ElementaryType> = self
             .palette
@@ -225,7 +225,7 @@ impl ProgramBuilder<'_, '_> {
         (!branches.is_empty()).then_some((selector, branches))
     }
 
-    /// A call of a function block.
+    /// Generates a call of a function block.
     fn invocation(&mut self) -> Option<StatementKind> {
         let instances: Vec<(VariableId, usize)> = self
             .pou
@@ -288,7 +288,7 @@ impl ProgramBuilder<'_, '_> {
         })
     }
 
-    /// EXIT or RETURN, if a condition holds.
+    /// Generates a conditional EXIT or RETURN.
     fn leave(&mut self) -> StatementKind {
         let may_exit = self.pou.loops_around > 0 && self.has(Construct::Exit);
         let may_return = self.pou.kind != PouKind::Main && self.has(Construct::Return);

@@ -1,6 +1,6 @@
 //! The places in which an expression gets its type in different ways.
 
-/// How the type of an expression is determined by the place in which it stands.
+/// The way in which the place of an expression determines its type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum TypeContext {
     /// An operand of something that takes several types: the text alone must determine the type.

@@ -4,12 +4,12 @@ use super::{Type, VariableId};
 use stickler_exact::Signature;
 use stickler_types::{ElementaryType, Value};
 
-/// An expression and its type.
+/// An expression with its type.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Expression {
-    /// Its type, after every conversion that stands in it.
+    /// The type of the value, after every implicit conversion.
     pub ty: Type,
-    /// What it is.
+    /// The form of the expression, with its operands.
     pub kind: ExpressionKind,
 }
 
@@ -41,60 +41,62 @@ impl Expression {
 pub enum ExpressionKind {
     /// A literal of an elementary type.
     Literal(Value, LiteralForm),
-    /// An enumerated value: its place in the list of its type ([`Expression::ty`] is [`Type::Declared`]).
+    /// An enumerated value: its index in the list of values of its type ([`Expression::ty`] is [`Type::Declared`]).
     Enumerated(usize),
     /// The value of a variable, an element or a field.
     Read(Place),
     /// A bit of an integer or bit string, as BOOL; written `.n` or `.%Xn`.
     Bit(Place, u32),
-    /// An operator with one operand, of the same type.
+    /// An operator with one operand of the same type.
     Unary(UnaryOperator, Box<Expression>),
-    /// An operator with two operands of one type; a comparison gives BOOL, any other that same type (but for durations and
-    /// dates, which the generator uses only in comparisons and in sums of two durations).
+    /// An operator with two operands of one type; a comparison gives BOOL, any other operator that same type (except for
+    /// durations and dates, which the generator uses only in comparisons and in sums of two durations).
     Binary(BinaryOperator, Box<Expression>, Box<Expression>),
-    /// An implicit conversion from the operand's elementary type to this expression's, which the dialect's documents grant.
+    /// An implicit conversion, granted by the documents of the dialect, from the elementary type of the operand to
+    /// [`Expression::ty`].
     Widen(Box<Expression>),
     /// A call of a type conversion function; the result of the signature is the type of this expression.
     Convert(Signature, Box<Expression>),
-    /// A call of a function of the program, by its place, with an argument for each input; what has none has its initial value.
+    /// A call of a function of the program, by its index, with an argument for each input; an input without an argument has
+    /// its initial value.
     Call(usize, Vec<Argument>),
-    /// A call of a standard function, positional.
+    /// A call of a standard function with positional arguments.
     Standard(StandardFunction, Vec<Expression>),
-    /// Text that stands for an expression of this type, put there to break a rule; the evaluator refuses it.
+    /// Text that stands for an expression of this type and breaks a rule on purpose; the evaluator refuses it.
     Raw(String),
 }
 
-/// How a literal is written.
+/// The spelling of a literal: with or without the prefix of its type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LiteralForm {
     /// `INT#5`, `REAL#0.5`, `TIME#5ms`.
     Typed,
-    /// `5`, `0.5`, `TRUE`, `T#5ms`: only where the context gives it the type.
+    /// `5`, `0.5`, `TRUE`, `T#5ms`: only where the context determines the type.
     Untyped,
 }
 
-/// An argument of a call.
+/// An argument in a call.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Argument {
-    /// The parameter.
+    /// The parameter that takes the argument.
     pub parameter: VariableId,
-    /// Its value, of the parameter's type.
+    /// The value of the argument, of the type of the parameter.
     pub value: Expression,
 }
 
-/// A variable, or an elementary or larger part of one.
+/// A variable, or a part of one: an element, a field or an output.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Place {
-    /// The variable, of the POU in which the place stands.
+    /// The variable, in the POU that contains the place.
     pub variable: VariableId,
-    /// What is selected of it, outermost first.
+    /// The selectors that lead from the variable to the part, outermost first.
     pub path: Vec<PlaceSelector>,
-    /// The type of what is selected.
+    /// The type of the selected part.
     pub ty: Type,
 }
 
 impl Place {
-    /// A whole variable of this type.
+    /// Creates the place of a whole variable.
     #[must_use]
     pub const fn whole(variable: VariableId, ty: Type) -> Place {
         Place {
@@ -105,12 +107,12 @@ impl Place {
     }
 }
 
-/// One step into a variable.
+/// A selection of a part of a variable.
 #[derive(Clone, PartialEq, Debug)]
 pub enum PlaceSelector {
     /// `[i, j]`, one subscript a dimension, each of an integer type.
     Index(Vec<Expression>),
-    /// `.field` of a structure, by its place.
+    /// `.field` of a structure, by the index of the field.
     Field(usize),
     /// `.output` of a function block instance.
     Output(VariableId),
@@ -158,7 +160,7 @@ pub enum BinaryOperator {
     GreaterOrEqual,
 }
 
-/// The standard functions that are no conversions.
+/// Standard functions other than conversions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum StandardFunction {
     /// `ABS(IN)`

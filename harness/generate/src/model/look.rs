@@ -1,4 +1,4 @@
-//! Questions that every reader of a program asks: what an alias stands for, which fields a structure has, what is observed.
+//! Lookups that every reader of a program needs: resolved aliases, fields of structures, observed values.
 
 use super::{
     ArrayType, DeclaredKind, Expression, Function, PlaceSelector, Program, Type, Unit, Variable, VariableId,
@@ -7,7 +7,7 @@ use super::{
 use stickler_types::ElementaryType;
 
 impl Program {
-    /// The type that an alias stands for; any other type itself.
+    /// Returns the type that an alias stands for; any other type itself.
     #[must_use]
     pub fn unaliased<'t>(&'t self, ty: &'t Type) -> &'t Type {
         let Type::Declared(declared) = ty else {
@@ -19,7 +19,7 @@ impl Program {
         }
     }
 
-    /// The fields of a structure, each with its name, its type and its initial value; nothing for any other type.
+    /// Returns the fields of a structure, each with its name, type and initial value; `None` for any other type.
     #[must_use]
     pub fn fields(&self, ty: &Type) -> Option<&[(String, Type, Option<Expression>)]> {
         let Type::Declared(declared) = ty else { return None };
@@ -29,7 +29,7 @@ impl Program {
         }
     }
 
-    /// The names of the values of an enumeration; nothing for any other type.
+    /// Returns the names of the values of an enumeration; `None` for any other type.
     #[must_use]
     pub fn enumerated_values(&self, ty: &Type) -> Option<&[String]> {
         let Type::Declared(declared) = ty else { return None };
@@ -39,7 +39,7 @@ impl Program {
         }
     }
 
-    /// Returns the type of what a selector selects of something of type `ty`; `None` if the type has no such part.
+    /// Returns the type of the part of `ty` that a selector selects; `None` if the type has no such part.
     #[must_use]
     pub fn selected_type<'t>(&'t self, ty: &'t Type, selector: &PlaceSelector) -> Option<&'t Type> {
         match (selector, self.unaliased(ty)) {
@@ -53,11 +53,11 @@ impl Program {
         }
     }
 
-    /// What is to be observed: the path and the type of each elementary value in the variables of main, checksums included, in
-    /// the order of their declarations; of arrays the last subscript moves quickest, and there are no blanks in `a[1,2]`.
+    /// Returns the path and the type of each elementary value in the variables of main, checksums included, in the order of
+    /// the declarations. In arrays the last subscript varies fastest; there are no blanks in `a[1,2]`.
     ///
-    /// Of an instance of a function block these are its outputs, which every compiler lets its environment read. Enumerations
-    /// are left out, for they have no elementary type; they enter the checksum.
+    /// An instance of a function block contributes its outputs, which every compiler lets its environment read. Enumerations
+    /// are omitted because they have no elementary type; they enter the checksum.
     #[must_use]
     pub fn observed(&self) -> Vec<(String, ElementaryType)> {
         let mut found = Vec::new();
@@ -94,7 +94,7 @@ impl Program {
 }
 
 impl Function {
-    /// The inputs with their places, in the order of a positional call.
+    /// Returns the inputs with their indices, in the order of a positional call.
     pub fn inputs(&self) -> impl Iterator<Item = (VariableId, &Variable)> {
         let variables = self.variables.iter().enumerate();
         variables
@@ -103,7 +103,7 @@ impl Function {
     }
 }
 
-/// The subscripts of every element of an array, the last one quickest.
+/// Returns the subscripts of every element of an array, the last subscript varying fastest.
 pub fn subscripts(array: &ArrayType) -> Vec<Vec<i64>> {
     let mut all = vec![Vec::new()];
     for &(low, high) in &array.dimensions {

@@ -1,97 +1,97 @@
-//! A whole program: its types, functions, function blocks and main program.
+//! Whole programs: types, functions, function blocks and the main program.
 
 use super::{Expression, Statement, Type, TypeDeclaration};
 use stickler_types::DialectName;
 
-/// A program of one dialect, in the order in which it is written: types, functions, function blocks, `PROGRAM main`.
+/// A program of one dialect, in the order of its text: types, functions, function blocks, `PROGRAM main`.
 ///
-/// A declaration uses only what stands before it, so nothing is recursive.
+/// A declaration uses only earlier ones, so nothing is recursive.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Program {
-    /// Whose rules it keeps.
+    /// The dialect whose rules the program keeps.
     pub dialect: DialectName,
-    /// TYPE … END_TYPE.
+    /// The declared types (TYPE … END_TYPE).
     pub types: Vec<TypeDeclaration>,
-    /// The functions; one calls only those before it.
+    /// The functions; each calls only earlier ones.
     pub functions: Vec<Function>,
-    /// The function blocks; one has instances only of those before it.
+    /// The function blocks; each has instances only of earlier ones.
     pub blocks: Vec<FunctionBlock>,
-    /// `PROGRAM main`.
+    /// The main program, `PROGRAM main`.
     pub main: MainProgram,
 }
 
 /// A function.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Function {
-    /// Its name, unique in the program.
+    /// The name of the function, unique in the program.
     pub name: String,
-    /// The type of its result, which starts as that type's default.
+    /// The type of the result, whose value starts as the default of that type.
     pub result: Type,
-    /// Inputs first, in the order of a positional call, then the others.
+    /// The variables: inputs first, in the order of a positional call.
     pub variables: Vec<Variable>,
-    /// Its statements; the result is [`super::Target::Result`].
+    /// The statements; they assign the result by [`super::AssignmentTarget::Result`].
     pub body: Vec<Statement>,
 }
 
 /// A function block.
 #[derive(Clone, PartialEq, Debug)]
 pub struct FunctionBlock {
-    /// Its name, unique in the program.
+    /// The name of the function block, unique in the program.
     pub name: String,
-    /// Its variables, which keep their values between calls.
+    /// The variables, which keep their values between calls.
     pub variables: Vec<Variable>,
-    /// Its statements.
+    /// The statements that a call of an instance executes.
     pub body: Vec<Statement>,
 }
 
-/// `PROGRAM main`.
+/// The main program, `PROGRAM main`.
 #[derive(Clone, PartialEq, Debug)]
 pub struct MainProgram {
-    /// Its variables, all [`VariableSection::Local`].
+    /// The variables of main, all [`VariableSection::Local`].
     pub variables: Vec<Variable>,
-    /// Its statements.
+    /// The statements that one scan executes.
     pub body: Vec<Statement>,
 }
 
-/// Which variable of its POU: its place in the list of variables.
+/// A variable of a POU, by its index in the list of variables.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct VariableId(pub usize);
 
 /// A variable.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Variable {
-    /// Its name, unique in its POU, and no name of a POU, a type or an enumerated value.
+    /// The name, unique in the POU, and different from the names of all POUs, types and enumerated values.
     pub name: String,
-    /// Its type.
+    /// The type of the variable.
     pub ty: Type,
-    /// Where it is declared.
+    /// The section that declares the variable.
     pub section: VariableSection,
-    /// Its initial value; without one the type's default.
+    /// The initial value; `None` for the default of the type.
     pub initial: Option<Initializer>,
 }
 
 /// The section in which a variable is declared.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum VariableSection {
-    /// VAR.
+    /// The section VAR.
     Local,
-    /// VAR CONSTANT: it has an initial value, and is assigned nowhere.
+    /// The section VAR CONSTANT: the variable has an initial value, and is never assigned.
     Constant,
-    /// VAR_INPUT.
+    /// The section VAR_INPUT.
     Input,
-    /// VAR_OUTPUT.
+    /// The section VAR_OUTPUT.
     Output,
-    /// VAR_IN_OUT, of function blocks only.
+    /// The section VAR_IN_OUT, in function blocks only.
     InOut,
 }
 
-/// An initial value.
+/// The initial value of a variable.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Initializer {
-    /// A value of the variable's own type: a literal, perhaps widened, or an operation on such.
+    /// A value of the type of the variable: a literal, perhaps widened, or an operation on literals.
     Expression(Expression),
-    /// `[…]`: as many values as the array has elements, the last subscript quickest.
+    /// `[…]`: as many values as the array has elements, the last subscript varying fastest.
     Array(Vec<Expression>),
-    /// `(field := …)`: places of fields, and their values.
+    /// `(field := …)`: indices of fields and their values.
     Structure(Vec<(usize, Expression)>),
 }

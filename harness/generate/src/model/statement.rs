@@ -5,52 +5,52 @@ use super::{Argument, Expression, Place, VariableId};
 /// A statement.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Statement {
-    /// What it is.
+    /// The form of the statement, with its parts.
     pub kind: StatementKind,
 }
 
 /// The forms of a statement.
 #[derive(Clone, PartialEq, Debug)]
 pub enum StatementKind {
-    /// `target := value;`, of one type.
+    /// `target := value;`, both of one type.
     Assign(AssignmentTarget, Expression),
-    /// IF with its ELSIF branches, and what stands behind ELSE.
+    /// IF with its ELSIF branches and its ELSE branch.
     If(Vec<(Expression, Vec<Statement>)>, Option<Vec<Statement>>),
-    /// CASE of an integer or enumeration; no label stands twice.
+    /// CASE of an integer or enumeration; no label occurs twice.
     Case(Expression, Vec<CaseBranch>, Option<Vec<Statement>>),
-    /// FOR over a variable of an integer type that the body does not assign; the value behind BY is not 0, and the step
-    /// behind the last stays within the type. The generator assigns the variable right behind the loop, for no document
-    /// says what it holds then.
+    /// FOR over an integer variable that the body does not assign; the BY value is not 0, and the step after the last one
+    /// stays within the type. The generator assigns the variable right after the loop, because no document states which
+    /// value it holds then.
     For {
         /// The control variable.
         variable: VariableId,
-        /// From, to and by.
+        /// The first value of the control variable.
         from: Expression,
-        /// To, inclusive.
+        /// The last value of the control variable, inclusive.
         to: Expression,
-        /// By, a literal; 1 where it is not written.
+        /// The step, a literal; `None` for 1.
         by: Option<Expression>,
-        /// The statements.
+        /// The statements that the loop repeats.
         body: Vec<Statement>,
     },
-    /// WHILE; the generator counts its turns in a variable of its own.
+    /// WHILE; the generator limits the number of iterations by a counter variable.
     While(Expression, Vec<Statement>),
     /// REPEAT … UNTIL.
     Repeat(Vec<Statement>, Expression),
     /// `instance(input := …, in_out := variable, output => target);`
     Invoke {
-        /// The variable that is the instance.
+        /// The variable that holds the instance.
         instance: VariableId,
-        /// Inputs; an in-out's value is an [`super::ExpressionKind::Read`] of its own type.
+        /// The inputs; the value of an in-out is an [`super::ExpressionKind::Read`] of the same type.
         inputs: Vec<Argument>,
-        /// Outputs and the places that take them, of the same type.
+        /// The outputs and the places that take them, of the same type.
         outputs: Vec<(VariableId, Place)>,
     },
-    /// EXIT, in a loop.
+    /// EXIT; only in a loop.
     Exit,
     /// RETURN.
     Return,
-    /// A whole statement as text, put there to break a rule; the evaluator refuses it.
+    /// A whole statement as text that breaks a rule on purpose; the evaluator refuses it.
     Raw(String),
 }
 
@@ -65,31 +65,31 @@ impl Statement {
     }
 }
 
-/// What an assignment writes to.
+/// The left side of an assignment.
 #[derive(Clone, PartialEq, Debug)]
 pub enum AssignmentTarget {
     /// A variable or part of one.
     Place(Place),
     /// A bit of an integer or bit string.
     Bit(Place, u32),
-    /// The result of the function in whose body it stands.
+    /// The result of the enclosing function.
     Result,
 }
 
-/// `1, 3..5: …` of a CASE.
+/// A branch `1, 3..5: …` of a CASE.
 #[derive(Clone, PartialEq, Debug)]
 pub struct CaseBranch {
-    /// The labels.
+    /// The labels that select the branch.
     pub labels: Vec<CaseLabel>,
-    /// The statements.
+    /// The statements of the branch.
     pub body: Vec<Statement>,
 }
 
 /// One label of a CASE.
 #[derive(Clone, PartialEq, Debug)]
 pub enum CaseLabel {
-    /// A value.
+    /// A single value.
     One(Expression),
-    /// `low..high` of an integer, both inclusive.
+    /// The range `low..high` of an integer, both inclusive.
     Range(Expression, Expression),
 }

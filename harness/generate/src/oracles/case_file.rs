@@ -1,11 +1,11 @@
-//! Oracle `case_file`: bytes are a case file, and its reader gives cases or located errors.
+//! Oracle `case_file`: the input is a case file, and its reader returns cases or located errors.
 
 use super::{InputOutcome, OracleFailure};
 use std::collections::HashSet;
 use std::sync::LazyLock;
 use stickler_suite::{Case, CaseFileError, Dialects, read_case_file};
 
-/// The names of dialects and groups that a case file may use, as the suite's own `dialects.toml` has them.
+/// The names of dialects and groups that a case file may use, as in the `dialects.toml` of the suite.
 static DIALECTS: LazyLock<Dialects> = LazyLock::new(|| {
     let groups = "[groups]
         ironplc = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\"]
@@ -13,10 +13,11 @@ static DIALECTS: LazyLock<Dialects> = LazyLock::new(|| {
     Dialects::of_file("dialects.toml", groups).0
 });
 
-/// The most cases that one file may expand into for each of its bytes, and those that any file may: the suite's own budget.
+/// The maximum number of cases that a file may expand into: for each of its bytes, and for any file, which is the budget of
+/// the suite.
 const MAX_CASES: usize = 200_000;
 
-/// Holds a case file against what its reader promises: a text that begins with `(*!` is a program, any other a table.
+/// Checks the promises of the reader of case files: a text that begins with `(*!` is a program, any other a table.
 ///
 /// 1. The reader gives cases or errors, and never neither, but for a withdrawn file.
 /// 2. Each error has a line of the file and a message.

@@ -1,5 +1,4 @@
-//! Holds the reference to a program with one planted error: that error and nothing else is said, on its line, and what is
-//! suggested helps.
+//! Oracle `check`: the reference reports exactly one planted error, on its line, and its suggestion helps.
 
 use super::{InputOutcome, OracleFailure};
 use crate::generator::{GeneratorSettings, program};
@@ -9,17 +8,16 @@ use crate::writer::{Keywords, LineEnds, Style, write};
 use arbitrary::Unstructured;
 use stickler_types::{Diagnostic, DialectName};
 
-/// How many bytes choose the style and the error; the others choose the program.
+/// The number of bytes that choose the style and the error; the others choose the program.
 const OF_THE_ERROR: usize = 48;
 
-/// Judges one input: its first bytes choose an error and where it stands, the others a sound program.
+/// Judges one input: its first bytes choose an error and its place, the others a sound program.
 ///
-/// Without the error the program is accepted. With it there is exactly one diagnostic, of the planted code on the planted line;
-/// where a conversion function is missing it suggests the call, and a suggestion put in its place makes the program
-/// acceptable.
+/// Without the error the program is accepted. With it there is exactly one diagnostic, of the planted code on the planted
+/// line; where a conversion function is missing it suggests the call, and applying the suggestion makes the program valid.
 ///
 /// # Errors
-/// What of this does not hold.
+/// The first of these conditions that does not hold.
 pub fn check(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let Some(SoundProgram { sound, style, error }) = SoundProgram::of(data) else {
         return Ok(InputOutcome::Skipped("too short"));
@@ -30,18 +28,18 @@ pub fn check(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     }
 }
 
-/// What an input of [`check`] stands for.
+/// The decoded input of [`check`].
 pub struct SoundProgram<'d> {
-    /// The program before anything is planted in it.
+    /// The program without an error.
     pub sound: Program,
-    /// How it is written.
+    /// The spelling of the program.
     pub style: Style,
     /// The bytes that choose the error and its place.
     pub error: &'d [u8],
 }
 
 impl<'d> SoundProgram<'d> {
-    /// Takes an input apart; `None` where it is too short.
+    /// Decodes an input; `None` if it is too short.
     #[must_use]
     pub fn of(data: &'d [u8]) -> Option<SoundProgram<'d>> {
         let (of_the_error, of_the_program) = data.split_at_checked(OF_THE_ERROR)?;
@@ -57,7 +55,7 @@ impl<'d> SoundProgram<'d> {
     }
 }
 
-/// A spelling that cannot hide the error: comments would, where one is not closed.
+/// Returns a spelling that cannot hide the error, as comments would in a program with an unclosed one.
 fn style(choice: u8) -> Style {
     Style {
         keywords: [Keywords::Upper, Keywords::Lower, Keywords::Mixed, Keywords::Upper]
@@ -72,7 +70,7 @@ fn style(choice: u8) -> Style {
     }
 }
 
-/// Holds the reference to a sound program and the same with an error, both written in a style with positional arguments.
+/// Judges the reference on a sound program and on the same program with an error, both written with positional arguments.
 ///
 /// # Errors
 /// As [`check`].
@@ -84,10 +82,10 @@ pub fn judge(sound: &Program, planted: &Planted, style: &Style) -> Result<InputO
     judge_planted_text(planted, &with.text, line).map(|()| InputOutcome::Checked)
 }
 
-/// Holds the reference to the text of a sound program.
+/// Judges the reference on the text of a sound program.
 ///
 /// # Errors
-/// It is rejected.
+/// The text is rejected.
 pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), OracleFailure> {
     match stickler_reference::check(text, dialect).first() {
         None => Ok(()),
@@ -99,10 +97,10 @@ pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), OracleFa
     }
 }
 
-/// Holds the reference to any text of a program with an error, which stands on this line of it.
+/// Judges the reference on a text of a program with an error on the given line.
 ///
 /// # Errors
-/// The error is not the one thing that is said, or what is suggested does not help.
+/// The error is not the only diagnostic, or its suggestion does not help.
 pub fn judge_planted_text(planted: &Planted, text: &str, line: u32) -> Result<(), OracleFailure> {
     let dialect = planted.program.dialect;
     let said = stickler_reference::check(text, dialect);
@@ -115,10 +113,10 @@ pub fn judge_planted_text(planted: &Planted, text: &str, line: u32) -> Result<()
     })
 }
 
-/// A symptom and what to tell a person.
+/// A symptom and a message for a person.
 type Wrong = (String, String);
 
-/// The one diagnostic, if there is exactly one and it is the planted one.
+/// Returns the planted diagnostic if it is the only one.
 fn one_error<'d>(planted: &Planted, line: u32, said: &'d [Diagnostic]) -> Result<&'d Diagnostic, Wrong> {
     let code = planted.code;
     let Some(right) = said
@@ -142,7 +140,7 @@ fn one_error<'d>(planted: &Planted, line: u32, said: &'d [Diagnostic]) -> Result
     }
 }
 
-/// Whether there is a suggestion where there must be, and it makes the program acceptable.
+/// Checks that there is a suggestion where there must be, and that it makes the program valid.
 fn suggestion_helps(
     planted: &Planted,
     said: &Diagnostic,
@@ -172,14 +170,14 @@ fn suggestion_helps(
     }
 }
 
-/// The text with a suggestion in the place of the diagnostic's span; nothing where the span is not in the text.
+/// Applies a suggestion to the text; `None` if the span of the diagnostic is not in the text.
 fn mended(text: &str, said: &Diagnostic, suggestion: &str) -> Option<String> {
     let start = offset(text, said.line?, said.column?)?;
     let end = offset(text, said.end_line?, said.end_column?)?;
     Some([text.get(..start)?, suggestion, text.get(end..)?].concat())
 }
 
-/// The byte at a line and column, both counted from 1, columns in Unicode scalar values.
+/// Returns the byte at a line and column, both counted from 1, columns in Unicode scalar values.
 fn offset(text: &str, line: u32, column: u32) -> Option<usize> {
     let before = usize::try_from(line).ok()?.checked_sub(1)?;
     let mut lines = text.split_inclusive('\n');
@@ -206,7 +204,7 @@ mod tests {
     use super::*;
     use stickler_types::Code;
 
-    /// Bytes, and what they plant in which program.
+    /// Returns a program and an error of a kind planted in it.
     fn planted(kind: &str) -> (Program, Planted) {
         let mut tries = (0..=u8::MAX).filter_map(|byte| {
             let bytes: Vec<u8> = (0..400u16)

@@ -1,4 +1,4 @@
-//! Oracle `convert`: a conversion function, its operands and a dialect, held against exact arithmetic.
+//! Oracle `convert`: a call of a conversion function gives the result of exact arithmetic.
 
 use super::operands::operand;
 use super::{InputOutcome, OracleFailure};
@@ -16,12 +16,12 @@ static CONVERSIONS: LazyLock<[Vec<Signature>; DialectName::ALL.len()]> = LazyLoc
     })
 });
 
-/// Holds one call against exact arithmetic: of the bytes, the first is the dialect, the next two the function, the rest its
-/// operands. The reference runs a program that calls the function with variables, which are set from outside.
+/// Judges one call: the first byte chooses the dialect, the next two the function, the rest its operands. The reference runs
+/// a program that calls the function with variables, which are set from outside.
 ///
-/// Where no document says what the call gives, the reference is held to what the design says of open conversions.
+/// Where no document states the result, the reference must give that of the design.
 ///
-/// Basis: stickler-design: §8, and what `stickler-exact` names for each call.
+/// Basis: stickler-design: §8, and the basis that `stickler-exact` names for each call.
 ///
 /// # Errors
 /// Symptoms: `value:FUNCTION`, `rejected:CODE`, `fault:FAULT`, `internal-error`, `request`.
@@ -42,7 +42,7 @@ fn call(input: &mut Unstructured<'_>) -> arbitrary::Result<(DialectName, &'stati
     Ok((dialect, signature, operands.collect::<arbitrary::Result<_>>()?))
 }
 
-/// A program that calls the function with `a` and `b` and keeps what it gives in `r`.
+/// Returns a program that calls the function with `a` and `b` and keeps the result in `r`.
 fn program(signature: &Signature) -> String {
     let names = ["a", "b"].into_iter().zip(&signature.operands);
     let declarations: String = names
@@ -58,7 +58,7 @@ fn program(signature: &Signature) -> String {
     )
 }
 
-/// A type, with room enough where it is a text.
+/// Spells a type, with enough length for a text.
 fn declared(ty: ElementaryType) -> String {
     if ty.is_text() {
         format!("{ty}[250]")

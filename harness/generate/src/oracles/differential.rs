@@ -1,6 +1,6 @@
-//! Well-typed programs on an engine that the environment names: it gives the values that the model's evaluator gives.
+//! Oracle `differential`: an engine that the environment names gives the values of the evaluator.
 //!
-//! What documents leave open poisons the comparison instead of failing it: such a program is passed over.
+//! A program that meets a question that documents leave open is skipped instead of failing.
 
 use super::{InputOutcome, OracleFailure};
 use crate::evaluate::evaluate;
@@ -15,21 +15,22 @@ use stickler_engines::{
 };
 use stickler_types::DialectName;
 
-/// The environment variable that names the engine: `reference`, a compiler's name, or `cmd:` and the command line of an adapter.
+/// The environment variable that names the engine: `reference`, the name of a compiler, or `cmd:` and the command line of an
+/// adapter.
 pub const ENGINE: &str = "STICKLER_ENGINE";
 
-/// The engine that is always there.
+/// The name of the engine that is always available.
 const REFERENCE: &str = "reference";
 
-/// What stands in front of a command line.
+/// The prefix of a command line.
 const COMMAND: &str = "cmd:";
 
-/// Judges the engine of the environment by the program that these bytes stand for; without an engine, nothing is judged.
+/// Judges the engine of the environment by the program of an input; without an engine, the input is skipped.
 ///
-/// The engine is started once a thread and lives as long as the process; one that dies is started anew by its session.
+/// The engine is started once a thread and lives as long as the process; its session restarts an engine that died.
 ///
 /// # Errors
-/// See [`judge_on`]; `engine` where it cannot be started.
+/// See [`judge_on`]; `engine` if the engine cannot be started.
 pub fn differential(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     thread_local! {
         static OPEN: RefCell<Option<Result<Open, String>>> = const { RefCell::new(None) };
@@ -43,7 +44,7 @@ pub fn differential(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     })
 }
 
-/// An engine that is ready.
+/// A started engine.
 struct Open {
     dialects: Vec<DialectName>,
     session: Box<dyn Session>,
@@ -60,7 +61,7 @@ impl Open {
     }
 }
 
-/// The engine of this name.
+/// Creates the engine with a name.
 fn by_name(name: &str) -> Result<Box<dyn Engine>, String> {
     let started = if name == REFERENCE {
         return Ok(Box::new(Reference::default()));
@@ -79,7 +80,7 @@ fn by_name(name: &str) -> Result<Box<dyn Engine>, String> {
     started.map_err(|error| error.to_string())
 }
 
-/// The program that bytes stand for in one of these dialects, which the first byte chooses.
+/// Generates the program of an input in one of these dialects, which the first byte chooses.
 #[must_use]
 pub fn program_for(dialects: &[DialectName], data: &[u8]) -> Program {
     let (first, rest) = data
@@ -95,7 +96,7 @@ pub fn program_for(dialects: &[DialectName], data: &[u8]) -> Program {
 /// Judges an engine by a program.
 ///
 /// # Errors
-/// How the engine's outcome differs from what the evaluator gives; the symptom is that of [`Symptom`].
+/// The difference between the outcome of the engine and that of the evaluator; the symptom is that of [`Symptom`].
 pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOutcome, OracleFailure> {
     let Ok(evaluation) = evaluate(program, 1) else {
         return Ok(InputOutcome::Skipped("the program has no values"));
@@ -129,7 +130,7 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOut
     }
 }
 
-/// An outcome in words; of values only those that differ from another outcome's.
+/// Describes an outcome; of its values only those that differ from the other outcome.
 fn told(outcome: &Outcome, other: &Outcome) -> String {
     match (outcome, other) {
         (Outcome::Executed { values }, Outcome::Executed { values: others }) => {
@@ -157,7 +158,7 @@ mod tests {
     use crate::variants::tests::everything;
     use stickler_types::Value;
 
-    /// An engine that gives the same answer to everything.
+    /// An engine that always gives the same answer.
     struct Stubborn(Outcome);
 
     impl Session for Stubborn {

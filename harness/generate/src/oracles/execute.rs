@@ -1,5 +1,5 @@
-//! Well-typed programs: the reference accepts each, runs it to its end, and gives the values that the model's evaluator
-//! gives; and so it does with every variant of it that means the same.
+//! Oracle `execute`: the reference accepts a well-typed program, runs it to its end, and gives the values of the evaluator,
+//! for the program and for its variants.
 
 use super::{InputOutcome, OracleFailure};
 use crate::evaluate::{Evaluation, EvaluationError, evaluate};
@@ -12,10 +12,10 @@ use arbitrary::Unstructured;
 use stickler_reference::{Limits, RequestError, run};
 use stickler_types::{Diagnostic, DialectName, Fnv1a, Observation, Outcome, RunRequest, Value};
 
-/// How many variants of a program are tried; which, the input says.
+/// The number of variants of a program that are tried; the input chooses which.
 const VARIANTS_TRIED: usize = 3;
 
-/// Judges the program that these bytes stand for.
+/// Judges the program of an input.
 ///
 /// # Errors
 /// See [`judge_program`].
@@ -23,19 +23,19 @@ pub fn execute(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     judge_program(&program_of(data), data)
 }
 
-/// The program that these bytes stand for: of any dialect, and free of what documents leave open.
+/// Generates the program of an input: of any dialect, without anything that documents leave open.
 #[must_use]
 pub fn program_of(data: &[u8]) -> Program {
     program(&mut Unstructured::new(data), &GeneratorSettings::default())
 }
 
-/// Judges a program. The bytes of `rest` choose which variants are tried, and what they vary: the same bytes choose alike for
-/// every program, so that a program can be made smaller while it stays wrong.
+/// Judges a program. The bytes of `rest` choose which variants are tried, and what they vary: the same bytes choose alike
+/// for every program, so that a program can be made smaller while it stays wrong.
 ///
 /// # Errors
-/// The reference rejects the program or a variant of it, faults where the evaluator does not or otherwise, does not end, breaks
-/// down, or gives another value; or the program is none: the generator's own defect. The symptom of a variant begins with
-/// `variant`, its name and a colon.
+/// The reference rejects the program or a variant of it, faults where the evaluator does not or otherwise, does not
+/// terminate, breaks down, or gives another value; or the program is ill-formed, which is a defect of the generator. The
+/// symptom of a variant begins with `variant`, its name and a colon.
 pub fn judge_program(program: &Program, rest: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let text = write(program, &Style::default()).text;
     let evaluation = match evaluate(program, 1) {
@@ -60,7 +60,7 @@ pub fn judge_program(program: &Program, rest: &[u8]) -> Result<InputOutcome, Ora
     Ok(InputOutcome::Checked)
 }
 
-/// Judges a program that stops: the reference stops it with the same fault.
+/// Judges a program that stops: the reference must stop it with the same fault.
 fn judge_fault(
     program: &Program,
     text: &str,
@@ -79,7 +79,7 @@ fn judge_fault(
     Err(OracleFailure::new(symptom, message).of_program(text))
 }
 
-/// Tries some variants of a program that the reference runs rightly.
+/// Judges some variants of a program that the reference runs correctly.
 fn judge_variants(
     program: &Program,
     text: &str,
@@ -121,7 +121,7 @@ fn judge_variant(
     })
 }
 
-/// What the reference gives for everything that is observed of a program, by one of its texts.
+/// Returns the values that the reference gives for everything observed of a program, by one of its texts.
 fn values_of(program: &Program, text: &str) -> Result<Vec<(String, Value)>, OracleFailure> {
     let observed = program.observed();
     match reference(program.dialect, text, &observed) {
@@ -172,7 +172,7 @@ fn broken(error: &RequestError) -> OracleFailure {
     OracleFailure::new(symptom, format!("the reference gives no values: {error}"))
 }
 
-/// Holds the values that came against those that must come.
+/// Compares the values of an engine with the expected ones.
 ///
 /// # Errors
 /// The first value that differs; the symptom is `value:` and its type.
@@ -195,7 +195,7 @@ pub(super) fn compare(expected: &[(String, Value)], given: &[(String, Value)]) -
     Ok(())
 }
 
-/// Bytes for choices, the same for the same input, which differ altogether for inputs that differ in one bit.
+/// Derives bytes for choices from an input; inputs that differ in one bit give unrelated bytes.
 fn scattered(input: &[u8]) -> Vec<u8> {
     const LENGTH: usize = 512;
     bytes(Fnv1a::of(input).finish(), LENGTH)

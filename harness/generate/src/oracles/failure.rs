@@ -1,30 +1,30 @@
-//! What an oracle says of one input: that it was tried, or how it failed.
+//! The result of an oracle for one input.
 
 use std::fmt;
 
-/// What became of an input that broke nothing.
+/// The result for an input that broke no promise.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum InputOutcome {
-    /// The input was held against everything that the oracle knows.
+    /// The input was checked against everything that the oracle knows.
     Checked,
-    /// The input asked nothing that can be judged; the word says why, such as `too short` or `poisoned`.
+    /// The input cannot be judged, for this reason, such as `too short` or `poisoned`.
     Skipped(&'static str),
 }
 
-/// How an input broke what an oracle holds it to.
+/// The way in which an input broke a promise.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct OracleFailure {
-    /// What kind of failure this is, by which findings are told apart: short, the same for every input that fails in this way,
-    /// such as `internal-error`, `value:INT`, `rejected:P4035`. It holds nothing that changes when an input is reduced.
+    /// The kind of the failure, by which findings are grouped: short, and the same for every input that fails in this way,
+    /// such as `internal-error`, `value:INT`, `rejected:P4035`. It contains nothing that changes when an input is reduced.
     pub symptom: String,
-    /// What happened, for a person: what was expected, what came, and where.
+    /// The message for a person: the expected result, the actual one, and the place.
     pub message: String,
-    /// The program, where the input stands for one.
+    /// The program, if the input encodes one.
     pub program: Option<String>,
 }
 
 impl OracleFailure {
-    /// A failure of an input that stands for no program, or whose program is added by [`OracleFailure::of_program`].
+    /// Creates a failure without a program; [`OracleFailure::of_program`] adds one.
     #[must_use]
     pub fn new(symptom: impl Into<String>, message: impl Into<String>) -> OracleFailure {
         OracleFailure {
@@ -34,7 +34,7 @@ impl OracleFailure {
         }
     }
 
-    /// The same failure, which this program shows.
+    /// Adds the program that shows the failure.
     #[must_use]
     pub fn of_program(self, program: impl Into<String>) -> OracleFailure {
         OracleFailure {

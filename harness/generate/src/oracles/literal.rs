@@ -1,19 +1,19 @@
-//! Oracle `literal`: bytes are a literal, and what reads has one canonical spelling that reads to the same value.
+//! Oracle `literal`: a literal that reads has one canonical spelling, which reads to the same value.
 
 use super::numerals::{self, DecimalNumber};
 use super::{InputOutcome, OracleFailure};
 use num_bigint::BigInt;
 use stickler_types::{ElementaryType, Family, LiteralError, Value, literal};
 
-/// Holds a literal against a reader of this crate's own, and its canonical spelling against the readers.
+/// Judges a literal by a reader of this crate's own, and its canonical spelling by both readers.
 ///
-/// Where the first byte names a type by its place in [`ElementaryType::ALL`] (a control character, with which no literal begins),
-/// the bytes behind it are a value, which is written and read back; otherwise the bytes are a text.
+/// If the first byte names a type by its index in [`ElementaryType::ALL`] (a control character, with which no literal
+/// begins), the following bytes are a value, which is written and read back; otherwise the bytes are a text.
 ///
 /// Basis: stickler-design: §4 (the canonical spelling); iec-61131-3: Tables 5 to 9.
 ///
 /// # Errors
-/// Symptoms, each with the type behind it: `value`, `accepted`, `rejected`, `canonical`; `place` for an error's offset.
+/// Symptoms, each followed by the type: `value`, `accepted`, `rejected`, `canonical`; `place` for the offset of an error.
 pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     if let Some((first, rest)) = data.split_first()
         && let Some(ty) = ElementaryType::ALL.get(usize::from(*first))
@@ -29,7 +29,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     Ok(InputOutcome::Checked)
 }
 
-/// A value of the type in its canonical raw form, from any bytes.
+/// Creates a value of a type in its canonical raw form from any bytes.
 fn value_of(ty: ElementaryType, bytes: &[u8]) -> Value {
     const DAY: i64 = 86_400_000_000_000;
     if ty.is_text() {
@@ -53,7 +53,7 @@ fn value_of(ty: ElementaryType, bytes: &[u8]) -> Value {
     Value::plain(ty, ty.wrap(raw.into()))
 }
 
-/// The canonical spelling of a value reads to that value.
+/// Checks that the canonical spelling of a value reads to that value.
 fn hold_written(value: &Value) -> Result<(), OracleFailure> {
     let written = value.to_string();
     let wrong = |what: &str| {
@@ -73,7 +73,7 @@ fn hold_written(value: &Value) -> Result<(), OracleFailure> {
     }
 }
 
-/// The canonical spelling of an integer or bit string.
+/// Returns the canonical spelling of an integer or bit string.
 ///
 /// Basis: stickler-design: §4 (`INT#-5`; upper-case digits, full width).
 fn expected_spelling(value: &Value) -> Option<String> {
@@ -89,7 +89,7 @@ fn expected_spelling(value: &Value) -> Option<String> {
     }
 }
 
-/// The text as a typed literal.
+/// Checks the text as a typed literal.
 fn hold_typed(text: &str) -> Result<(), OracleFailure> {
     let got = Value::parse(text);
     match &got {
@@ -138,12 +138,12 @@ const NUMBERS: [ElementaryType; 14] = {
     ]
 };
 
-/// A number that fits 128 bits.
+/// Truncates a number to 128 bits.
 fn low_bits(number: &BigInt) -> i128 {
     i128::try_from(number).unwrap_or_default()
 }
 
-/// The text as it would stand without a type in front.
+/// Checks the text as an untyped literal.
 fn hold_untyped(text: &str) -> Result<(), OracleFailure> {
     let fits = |number: BigInt| i128::try_from(number).ok();
     let got = literal::integer(text).map(Some);
@@ -158,7 +158,7 @@ fn hold_untyped(text: &str) -> Result<(), OracleFailure> {
     Ok(())
 }
 
-/// What the second reader says (`None`: no number; `Some(None)`: one that does not fit) beside what the first does.
+/// Compares the result of the second reader (`None`: no number; `Some(None)`: one that does not fit) with that of the first.
 fn hold_number<T: PartialEq + std::fmt::Debug>(
     text: &str,
     ty: &str,
@@ -193,7 +193,7 @@ fn hold_real(
     hold_number(text, ty.name(), said, got)
 }
 
-/// An error points into the text.
+/// Checks that an error points into the text.
 fn hold_offset(text: &str, error: &LiteralError) -> Result<(), OracleFailure> {
     if text.is_char_boundary(error.offset()) {
         return Ok(());

@@ -1,5 +1,5 @@
-//! Numeric literals read a second time, by exact arithmetic of this crate's own: what the oracle `literal` holds the reference's
-//! reader against.
+//! A second reader of numeric literals by exact arithmetic, independent of the reader of the reference, which the oracle
+//! `literal` compares with it.
 //!
 //! Basis: iec-61131-3: Table 5 (numeric literals); IEC 60559 for the rounding of reals.
 
@@ -7,7 +7,7 @@ use num_bigint::{BigInt, BigUint};
 use std::cmp::Ordering;
 use stickler_types::ElementaryType;
 
-/// The number that a run of digits says, with single underscores between them: no sign, at least one digit.
+/// Parses digits with single underscores between them: no sign, at least one digit.
 fn digits(text: &str, base: u32) -> Option<BigUint> {
     let sound = |group: &str| !group.is_empty() && group.chars().all(|digit| digit.is_digit(base));
     if !text.split('_').all(sound) {
@@ -16,7 +16,7 @@ fn digits(text: &str, base: u32) -> Option<BigUint> {
     BigUint::parse_bytes(text.replace('_', "").as_bytes(), base)
 }
 
-/// What an unsigned integer literal says; `None` where the text is none.
+/// Parses an unsigned integer literal; `None` if the text is none.
 pub(super) fn unsigned(text: &str) -> Option<BigInt> {
     let number = match text.split_once('#') {
         Some(("2", binary)) => digits(binary, 2),
@@ -28,7 +28,7 @@ pub(super) fn unsigned(text: &str) -> Option<BigInt> {
     number.map(BigInt::from)
 }
 
-/// What an integer literal says, which may have a sign where it is decimal; `None` where the text is none.
+/// Parses an integer literal, which may have a sign if it is decimal; `None` if the text is none.
 pub(super) fn integer(text: &str) -> Option<BigInt> {
     match text.split_at_checked(1) {
         Some(("-", magnitude)) => digits(magnitude, 10).map(|magnitude| -BigInt::from(magnitude)),
@@ -43,11 +43,11 @@ pub(super) struct DecimalNumber {
     negative: bool,
     digits: BigUint,
     exponent: BigInt,
-    /// How many decimal digits there are from the first that is not 0.
+    /// The number of decimal digits from the first that is not 0.
     length: usize,
 }
 
-/// What a real literal says; `None` where the text is none.
+/// Parses a real literal; `None` if the text is none.
 pub(super) fn real(text: &str) -> Option<DecimalNumber> {
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((_, exponent)) if exponent.contains('#') => return None,
@@ -69,7 +69,7 @@ pub(super) fn real(text: &str) -> Option<DecimalNumber> {
 }
 
 impl DecimalNumber {
-    /// Whether the raw form of a REAL or LREAL is what this number rounds to: to nearest, ties to even.
+    /// Returns whether this number rounds to the raw form of a REAL or LREAL: to nearest, ties to even.
     pub(super) fn rounds_to(&self, raw: u64, ty: ElementaryType) -> bool {
         let format = BinaryFormat::of(ty);
         let magnitude = raw & !format.sign();
@@ -85,13 +85,13 @@ impl DecimalNumber {
                 .is_none_or(|below| fits(self.compare(&format.half_above(below)), Ordering::Less))
     }
 
-    /// Whether this number rounds to an infinity, without regard to its sign.
+    /// Returns whether this number rounds to an infinity, regardless of its sign.
     pub(super) fn overflows(&self, ty: ElementaryType) -> bool {
         let format = BinaryFormat::of(ty);
         self.compare(&format.half_above(format.infinity() - 1)) != Ordering::Less
     }
 
-    /// This number without its sign beside another that is not 0.
+    /// Compares the magnitude of this number with another that is not 0.
     fn compare(&self, other: &Dyadic) -> Ordering {
         // Beyond this power of ten the digits do not matter, and a power of the exponent could not be held.
         const FAR: i32 = 400;
@@ -126,11 +126,11 @@ struct Dyadic {
     exponent: i32,
 }
 
-/// The interchange formats of IEC 60559, by their widths.
+/// An interchange format of IEC 60559, by its widths.
 struct BinaryFormat {
-    /// Bits of the fraction.
+    /// The number of bits of the fraction.
     fraction: u32,
-    /// Bits of the exponent.
+    /// The number of bits of the exponent.
     exponent: u32,
 }
 
@@ -156,7 +156,8 @@ impl BinaryFormat {
         ((1 << self.exponent) - 1) << self.fraction
     }
 
-    /// The number halfway from a finite magnitude to the next; behind the last lies what would come next.
+    /// Returns the number halfway from a finite magnitude to the next; after the last finite one to the number that would
+    /// follow.
     fn half_above(&self, magnitude: u64) -> Dyadic {
         let fraction = magnitude & ((1 << self.fraction) - 1);
         let biased = (magnitude >> self.fraction) as i32;

@@ -1,4 +1,4 @@
-//! Operands for conversions: any value of a type, and more often those at which something changes.
+//! Operands for conversions: any value of a type, more often boundary values.
 
 use arbitrary::{Result, Unstructured};
 use stickler_types::{ElementaryType, Family, Value};
@@ -6,7 +6,7 @@ use stickler_types::{ElementaryType, Family, Value};
 /// One day in nanoseconds.
 const DAY: i64 = 86_400_000_000_000;
 
-/// A value of the type, chosen by the bytes; 0 or the empty text where there are none left.
+/// Draws a value of a type; 0 or the empty text if no bytes are left.
 pub(super) fn operand(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<Value> {
     if ty.is_text() {
         return Ok(Value::text(ty, text(ty, input)?));
@@ -18,7 +18,7 @@ pub(super) fn operand(ty: ElementaryType, input: &mut Unstructured<'_>) -> Resul
     Ok(Value::plain(ty, raw))
 }
 
-/// A number for a type that holds whole numbers or nanoseconds.
+/// Draws a number for a type that holds integers or nanoseconds.
 fn whole(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<i64> {
     let number = match input.arbitrary::<u8>()? % 4 {
         0 => i64::from(input.arbitrary::<i8>()?),
@@ -38,7 +38,7 @@ fn whole(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<i64> {
     })
 }
 
-/// A power of two or its negative, give or take a little.
+/// Draws a number near a power of two or its negative.
 fn near_power(input: &mut Unstructured<'_>) -> Result<i64> {
     let power = 1_i64.wrapping_shl(u32::from(input.arbitrary::<u8>()?) % 64);
     let beside = i64::from(input.arbitrary::<u8>()? % 5) - 2;
@@ -46,7 +46,7 @@ fn near_power(input: &mut Unstructured<'_>) -> Result<i64> {
     Ok(power.wrapping_add(beside).wrapping_mul(sign))
 }
 
-/// The raw form of a REAL or LREAL: any bits, a whole number with a fraction where one fits, or what is beside it.
+/// Draws the raw form of a REAL or LREAL: any bits, an integer with a fraction where one fits, or a neighbour.
 fn real(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<u64> {
     let kind = input.arbitrary::<u8>()? % 4;
     if kind == 3 {
@@ -72,10 +72,10 @@ fn real(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<u64> {
     })
 }
 
-/// The longest text; what a conversion makes of it still fits where the program keeps it.
+/// The maximum length of a text; the result of its conversion still fits the variable of the program.
 const MAX_TEXT_LEN: usize = 60;
 
-/// Pieces of which texts that stand for values are made.
+/// Pieces of texts that stand for values.
 const PIECES: [&str; 24] = [
     "0",
     "1",

@@ -1,4 +1,4 @@
-//! Oracle `parse`: any bytes are a source text, and reading, checking and rendering one keep what they promise.
+//! Oracle `parse`: reading, checking and rendering any source text keep their promises.
 
 use super::places::{hold_places, is_inside};
 use super::words::{census, missing};
@@ -14,16 +14,17 @@ use stickler_types::DialectName;
 /// The dialect of a text that names none.
 const DIALECT: DialectName = DialectName::IronplcEd3;
 
-/// The most bytes that a diagnostic's message has, however long the names in the text are.
+/// The maximum number of bytes in the message of a diagnostic, however long the names in the text are.
 const MAX_MESSAGE_LEN: usize = 1000;
 
-/// The most bytes of a rendering for each byte of its text: a semicolon at the greatest depth comes with its indent.
+/// The maximum number of bytes of a rendering for each byte of its text: a semicolon at the greatest depth comes with its
+/// indent.
 const MAX_GROWTH: usize = 1000;
 
-/// So many leading zeros of a text's census make the checker read the rendering too.
+/// The number of leading zeros in the census of a text from which on the checker reads the rendering too.
 const CHECKED_AGAIN: u32 = 2;
 
-/// Holds against a text what the reference promises of every text. A first byte below 5 names the dialect; otherwise the bytes
+/// Checks the promises of the reference for any source text. A first byte below 5 names the dialect; otherwise the bytes
 /// are the text, and the dialect is `ironplc-ed3`.
 ///
 /// 1. Every span of the tree and of every diagnostic, the checker's among them, lies in the text; every diagnostic has a message
@@ -121,7 +122,7 @@ fn hold_rendering(
     Ok(())
 }
 
-/// What the checker says, without the places, which differ.
+/// Returns the codes of diagnostics without their places, which differ.
 fn codes(found: &[Diagnostic]) -> Vec<&'static str> {
     let mut codes: Vec<_> = found.iter().map(|said| said.code.as_str()).collect();
     codes.sort_unstable();

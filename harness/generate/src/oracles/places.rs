@@ -1,4 +1,4 @@
-//! The places in a syntax tree: every span lies in the text and in that of what it is a part of, and covers what the tree says.
+//! Spans in a syntax tree: every span lies in the text and in that of its parent, and covers the text of its node.
 
 use stickler_reference::source::Span;
 use stickler_reference::syntax::tree::{
@@ -7,13 +7,13 @@ use stickler_reference::syntax::tree::{
     TypeSpecificationKind, VariableBlock, VariableGroup,
 };
 
-/// Holds the places of `unit`, the tree of `text`, against the text.
+/// Checks the spans of `unit`, the tree of `text`.
 ///
-/// A span lies inside `text`, between characters. In the tree of a text without errors (`sound`) it covers at least one byte,
-/// lies inside the span of the node that it is a part of, and a name's covers exactly the name.
+/// A span lies inside `text`, between characters. In the tree of a text without errors (`sound`) it covers at least one byte
+/// and lies inside the span of its parent, and the span of a name covers exactly the name.
 ///
 /// # Errors
-/// The first thing that is wrong, in words.
+/// The first violation, in words.
 pub(super) fn hold_places(unit: &SourceUnit<'_>, text: &str, sound: bool) -> Result<(), String> {
     let places = Places { unit, text, sound };
     unit.expressions
@@ -24,7 +24,7 @@ pub(super) fn hold_places(unit: &SourceUnit<'_>, text: &str, sound: bool) -> Res
         .try_for_each(|one| places.declaration(one))
 }
 
-/// Whether a span lies inside the text and between characters.
+/// Returns whether a span lies inside the text and between characters.
 pub(super) fn is_inside(span: Span, text: &str) -> bool {
     text.get(span.start as usize..span.end as usize).is_some()
 }
@@ -38,7 +38,7 @@ struct Places<'u, 's> {
 type Held = Result<(), String>;
 
 impl Places<'_, '_> {
-    /// A node at `span`, as a part of one at `outer`.
+    /// Checks a node at `span` as a child of one at `outer`.
     fn node(&self, what: &str, span: Span, outer: Span) -> Held {
         let message = if !is_inside(span, self.text) {
             "does not lie in the text"
@@ -67,7 +67,7 @@ impl Places<'_, '_> {
         ))
     }
 
-    /// An expression of the arena that stands inside `outer`.
+    /// Checks an expression of the arena that lies inside `outer`.
     fn value(&self, id: ExpressionId, outer: Span) -> Held {
         match self.unit.expressions.get(id.0 as usize) {
             Some(expression) => self.node("an expression", expression.span, outer),
@@ -317,7 +317,7 @@ mod tests {
     const TEXT: &str =
         "PROGRAM p VAR x : INT := 5; END_VAR IF x > 1 THEN x := f(a := 2); END_IF; END_PROGRAM";
 
-    /// What is wrong with the tree of [`TEXT`] after a change.
+    /// Returns the violation in the tree of [`TEXT`] after a change.
     fn wrong(change: impl FnOnce(&mut SourceUnit<'_>)) -> Option<String> {
         let (mut unit, diagnostics) = parse(TEXT, &Dialect::of(DialectName::IronplcEd3));
         assert_eq!(diagnostics, []);

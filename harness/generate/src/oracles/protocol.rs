@@ -1,4 +1,4 @@
-//! Oracle `protocol`: bytes are what comes over the wire, and every line of them is answered.
+//! Oracle `protocol`: every line that arrives over the wire is answered.
 
 use super::{InputOutcome, OracleFailure};
 use serde_json::Value as Json;
@@ -8,10 +8,10 @@ use stickler_engines::Reference;
 use stickler_engines::protocol::{Reply, serve};
 use stickler_types::{Diagnostic, Value};
 
-/// The reference, with few steps for each run: what matters here is that there is an answer.
+/// The reference, limited to few steps for each run, because only the presence of an answer matters here.
 static ENGINE: LazyLock<Reference> = LazyLock::new(|| Reference::with_step_limit(20_000));
 
-/// Serves the reference over these bytes, and holds the answers against the lines.
+/// Serves the reference over these bytes, and checks the answers to the lines.
 ///
 /// 1. Each line that is not blank gets one reply, in order, until `bye` or the end.
 /// 2. A reply is one line of JSON of the protocol's form, and repeats the id of a request that has one.
@@ -39,7 +39,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     Ok(InputOutcome::Checked)
 }
 
-/// The lines that ask something.
+/// Returns the lines that are requests.
 fn asked(data: &[u8]) -> Vec<&[u8]> {
     data.split(|byte| *byte == b'\n')
         .map(|line| line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line).trim_ascii())
@@ -47,7 +47,7 @@ fn asked(data: &[u8]) -> Vec<&[u8]> {
         .collect()
 }
 
-/// Every line is answered up to the first that may say `bye`.
+/// Checks that every line is answered up to the first that may say `bye`.
 fn hold_count(lines: &[&[u8]], replies: usize) -> Result<(), OracleFailure> {
     let says_bye = |line: &&[u8]| {
         // An escape may spell it in other bytes.
@@ -112,7 +112,7 @@ fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
     }
 }
 
-/// Errors are about requests, never about the engine itself.
+/// Checks that an error is about a request, never about the engine itself.
 fn hold_error(message: &str) -> Result<(), OracleFailure> {
     if message.starts_with("the engine crashed: ") {
         return Err(OracleFailure::new("crash", message));
@@ -123,7 +123,7 @@ fn hold_error(message: &str) -> Result<(), OracleFailure> {
     Ok(())
 }
 
-/// Every value that was asked for is there under its name, and spelled canonically; no other is.
+/// Checks that exactly the requested values are there under their names, in their canonical spelling.
 fn hold_values(
     request: &serde_json::Map<String, Json>,
     values: &BTreeMap<String, String>,
@@ -164,7 +164,7 @@ fn hold_values(
     }
 }
 
-/// There is a diagnostic; each has a code, a message and a place in the text, and they are sorted.
+/// Checks that there are diagnostics, sorted, each with a code, a message and a place in the text.
 fn hold_diagnostics(
     request: &serde_json::Map<String, Json>,
     diagnostics: &[Diagnostic],

@@ -1,4 +1,5 @@
-//! The fuzz targets: their names, and the one door through which libFuzzer, replays, tests and campaigns judge an input.
+//! The fuzz targets: their names, and the single entry point through which libFuzzer, replays, tests and campaigns judge an
+//! input.
 
 use super::{
     InputOutcome, OracleFailure, case_file, check, convert, differential, execute, literal, parse, protocol,
@@ -6,29 +7,32 @@ use super::{
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// One question that random input can be held against.
+/// A question that random input is judged by.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum FuzzTarget {
-    /// Bytes are a source text: reading it neither fails nor hangs, and what can be read keeps its tree when it is rendered.
+    /// The input is a source text: reading it neither fails nor hangs, and a readable text keeps its tree when it is
+    /// rendered.
     Parse,
-    /// Bytes are a literal: its canonical spelling reads to the same value, which an independent reader finds too.
+    /// The input is a literal: its canonical spelling reads to the same value, which an independent reader finds too.
     Literal,
-    /// A function, operands and a dialect: the reference agrees with exact arithmetic.
+    /// The input encodes a function, operands and a dialect: the reference agrees with exact arithmetic.
     Convert,
-    /// A program with one planted error: the diagnostic has the planted code and line, and nothing else is reported.
+    /// The input encodes a program with one planted error: the diagnostic has the planted code and line, and nothing else is
+    /// reported.
     Check,
-    /// A well-typed program: it is accepted and ends, and it and its variants give the values that the model's evaluator gives.
+    /// The input encodes a well-typed program: it is accepted and terminates, and it and its variants give the values of the
+    /// evaluator.
     Execute,
-    /// Bytes are a case file: its reader gives cases or located errors.
+    /// The input is a case file: its reader returns cases or located errors.
     CaseFile,
-    /// Bytes are what comes over the wire: every line is answered.
+    /// The input is the traffic of the wire protocol: every line is answered.
     Protocol,
-    /// A well-typed program: an engine named in the environment gives the values that the model's evaluator gives.
+    /// The input encodes a well-typed program: an engine named in the environment gives the values of the evaluator.
     Differential,
 }
 
 impl FuzzTarget {
-    /// Every target, in the order in which people are shown them.
+    /// Every target, in the order of presentation.
     pub const ALL: [FuzzTarget; 8] = [
         FuzzTarget::Parse,
         FuzzTarget::Literal,
@@ -40,7 +44,7 @@ impl FuzzTarget {
         FuzzTarget::Differential,
     ];
 
-    /// The name that the command line, the folders of the corpora and the binaries of the fuzz crate use.
+    /// Returns the name that the command line, the folders of the corpora and the binaries of the fuzz crate use.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -55,17 +59,17 @@ impl FuzzTarget {
         }
     }
 
-    /// The target of this name, in lower case; `None` for any other text.
+    /// Returns the target with a name, in lower case; `None` for any other text.
     #[must_use]
     pub fn from_name(name: &str) -> Option<FuzzTarget> {
         FuzzTarget::ALL.into_iter().find(|target| target.name() == name)
     }
 
-    /// Judges one input, whatever it is; any bytes are an input.
+    /// Judges one input; any bytes are an input.
     ///
     /// # Errors
-    /// How the input broke what the target holds it to. A panic is such a failure, with the symptom `panic`; under libFuzzer
-    /// the process ends before this is told.
+    /// The way in which the input broke a promise of the target. A panic is such a failure, with the symptom `panic`; under
+    /// libFuzzer the process ends before the failure is returned.
     #[inline(always)]
     pub fn judge(self, data: &[u8]) -> Result<InputOutcome, OracleFailure> {
         let oracle = self.oracle();
@@ -73,8 +77,8 @@ impl FuzzTarget {
         catch_unwind(AssertUnwindSafe(|| oracle(data))).unwrap_or_else(|panic| Err(panicked(&*panic)))
     }
 
-    /// The function that judges. It is always inlined, so that a fuzz target links its own oracle alone: libFuzzer goes through
-    /// the counters of all code that is linked after every input.
+    /// Returns the function that judges. It is always inlined, so that a fuzz target links its own oracle alone: libFuzzer
+    /// goes through the counters of all linked code after every input.
     #[inline(always)]
     const fn oracle(self) -> fn(&[u8]) -> Result<InputOutcome, OracleFailure> {
         match self {

@@ -1,19 +1,19 @@
-//! The words of a source text, found by a scanner that knows nothing but what comments, pragmas and character strings look like:
-//! what a rendering must not lose, add or change.
+//! Words of a source text, found by a scanner that knows only comments, pragmas and character strings; a rendering must not
+//! lose, add or change any.
 //!
-//! Basis: iec-61131-3: Table 3 (comments), Table 4 (pragmas), Tables 5 and 6 (character strings); in the third edition comments
-//! nest, and there are `//` and `/* */`.
+//! Basis: iec-61131-3: Table 3 (comments), Table 4 (pragmas), Tables 5 and 6 (character strings); in the third edition
+//! comments nest, and there are `//` and `/* */`.
 
-/// The words and marks of `text` as one number that does not depend on their order.
+/// Hashes the words and marks of `text` regardless of their order.
 ///
-/// Names, keywords and numbers count without regard to case, character strings as they stand. Left out is what a rendering may
-/// choose: blanks, comments (which may be `nested`), pragmas, semicolons; `&` counts as AND, `.%X3` as `.3`, and a bracket as a
+/// Names, keywords and numbers are case-insensitive, character strings are not. Left out is what a rendering may choose:
+/// blanks, comments (which may be `nested`), pragmas, semicolons; `&` counts as AND, `.%X3` as `.3`, and a bracket as a
 /// parenthesis, since the length of a text may be written between either.
 pub(super) fn census(text: &str, nested: bool) -> u64 {
     SourceWords::new(text, nested).fold(0, |sum: u64, word| sum.wrapping_add(word.hash()))
 }
 
-/// The words that stand more often in `first` than in `second`.
+/// Returns the words that occur more often in `first` than in `second`.
 pub(super) fn missing(first: &str, second: &str, nested: bool) -> Vec<String> {
     let [mut here, mut there] = [first, second].map(|text| {
         SourceWords::new(text, nested)
@@ -35,7 +35,7 @@ pub(super) fn missing(first: &str, second: &str, nested: bool) -> Vec<String> {
 enum SourceWord<'t> {
     /// A name, a keyword or the digits of a number.
     Letters(&'t [u8]),
-    /// The number of a bit, a byte …; whatever is larger than 64 bits is one number.
+    /// The number of a bit, a byte …; all numbers larger than 64 bits are equal.
     Index(u64),
     /// A character string with its quotes.
     Quoted(&'t [u8]),
@@ -77,11 +77,11 @@ fn hash(kind: u64, bytes: &[u8], mask: u8) -> u64 {
     hash
 }
 
-/// The scanner.
+/// A scanner of words.
 struct SourceWords<'t> {
     rest: &'t [u8],
     nested: bool,
-    /// The word before was a point.
+    /// Whether the word before was a point.
     dotted: bool,
 }
 
@@ -94,14 +94,14 @@ impl<'t> SourceWords<'t> {
         }
     }
 
-    /// Takes `length` bytes, or what is left.
+    /// Takes `length` bytes, or all that are left.
     fn take(&mut self, length: usize) -> &'t [u8] {
         let (taken, rest) = self.rest.split_at(length.min(self.rest.len()));
         self.rest = rest;
         taken
     }
 
-    /// Moves behind a comment or a pragma that begins here; false where none does.
+    /// Skips a comment or a pragma that begins here; returns `false` if none does.
     fn skip_remark(&mut self) -> bool {
         let length = match self.rest {
             [b'(', b'*', ..] => self.block(b"(*", b"*)"),
@@ -114,7 +114,7 @@ impl<'t> SourceWords<'t> {
         true
     }
 
-    /// The length of a comment with these ends.
+    /// Returns the length of a comment with these delimiters.
     fn block(&self, opening: &[u8; 2], closing: &[u8; 2]) -> usize {
         let (mut at, mut depth) = (2, 1);
         while depth > 0 {
@@ -134,7 +134,7 @@ impl<'t> SourceWords<'t> {
         at
     }
 
-    /// The length of a character string with this quote, up to the end of its line where it is not closed.
+    /// Returns the length of a character string with this quote, up to the end of its line if it is not closed.
     fn quoted(&self, quote: u8) -> usize {
         let mut at = 1;
         loop {
@@ -147,7 +147,7 @@ impl<'t> SourceWords<'t> {
         }
     }
 
-    /// What stands behind a point: the number of a bit, with `%X` or without.
+    /// Reads the number of a bit after a point, with `%X` or without.
     fn index(&mut self) -> Option<SourceWord<'t>> {
         let prefix = match self.rest {
             [b'%', b'x' | b'X', ..] => 2,
@@ -204,7 +204,7 @@ impl<'t> Iterator for SourceWords<'t> {
     }
 }
 
-/// Where the first byte stands for which `is` holds, or the end.
+/// Returns the index of the first byte for which `is` holds, or the length.
 fn position(bytes: &[u8], is: impl Fn(u8) -> bool) -> usize {
     bytes.iter().position(|byte| is(*byte)).unwrap_or(bytes.len())
 }

@@ -5,7 +5,7 @@ use super::scope::integer;
 use crate::model::*;
 use stickler_types::{DialectName, ElementaryType as E, Value};
 
-/// The program, in a dialect.
+/// Creates the program in a dialect.
 pub(super) fn example(dialect: DialectName) -> Program {
     Program {
         dialect,
@@ -122,7 +122,7 @@ fn block(name: &str, in_out: bool) -> FunctionBlock {
     }
 }
 
-/// The variables of main, each at the place that its constant says.
+/// The variables of main, by their indices.
 const I: usize = 0;
 const D: usize = 1;
 const R: usize = 2;
@@ -310,7 +310,7 @@ fn loops() -> Vec<Statement> {
     ]
 }
 
-/// Conversions where nothing converts by itself.
+/// Creates conversions between types that do not convert implicitly.
 fn conversions(dialect: DialectName) -> Vec<Statement> {
     let convert = |name: &str, argument: Expression| {
         let signature = stickler_exact::signatures(name, dialect).swap_remove(0);

@@ -1,4 +1,4 @@
-//! The piece of ground on which a kind plants its error: a program, a copy to change, and the bytes that choose.
+//! The state in which a kind of error is planted: a program, a copy to change, and the bytes that choose.
 
 use super::scope::{elementary, places};
 use super::walk::{self, ExpressionSite};
@@ -10,25 +10,25 @@ use arbitrary::Unstructured;
 use stickler_exact::signatures;
 use stickler_types::{ElementaryType, Family, Value};
 
-/// The name of what a kind declares besides; no program has it.
+/// The name of what a kind declares in addition; no program uses it.
 pub(super) const PLANTED: &str = "planted";
 
-/// What a kind works on.
+/// The program in which one error is planted, with the choices of its place.
 pub(super) struct FaultSite<'p, 'b, 'd> {
-    /// The program as it was.
+    /// The sound program.
     pub original: &'p Program,
-    /// The program to change.
+    /// The copy that gets the error.
     pub program: Program,
-    /// What chooses.
+    /// The source of choices.
     pub input: &'b mut Unstructured<'d>,
-    /// The text by which the line of the error is found, where a declaration is planted.
+    /// The text that identifies the line of the error, if a declaration is planted.
     pub mark: Option<String>,
-    /// Whether the diagnostic has to come with a suggestion.
+    /// Whether the diagnostic must come with a suggestion.
     pub suggested: bool,
 }
 
 impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
-    /// A fault where nothing is planted yet.
+    /// Creates a state in which nothing is planted yet.
     pub fn new(original: &'p Program, input: &'b mut Unstructured<'d>) -> FaultSite<'p, 'b, 'd> {
         FaultSite {
             original,
@@ -39,7 +39,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         }
     }
 
-    /// One of several; nothing of none.
+    /// Picks an element; `None` if there is none.
     pub fn choose<T>(&mut self, mut from: Vec<T>) -> Option<T> {
         let last = from.len().checked_sub(1)?;
         // When the bytes run out the first is chosen.
@@ -47,7 +47,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         Some(from.swap_remove(which))
     }
 
-    /// One of the expressions that a test lets pass: its number in the walk, its place, and itself.
+    /// Picks an expression that satisfies a predicate: returns its number in the walk, its place, and a copy of it.
     pub fn pick_expression(
         &mut self,
         eligible: impl Fn(ExpressionSite, &Expression) -> bool,
@@ -67,7 +67,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         chosen.map(|expression| (number, site, expression))
     }
 
-    /// Changes the expression of a number.
+    /// Changes the expression with a number.
     pub fn change(&mut self, number: usize, change: impl FnOnce(&mut Expression)) {
         let mut change = Some(change);
         let mut reached = 0;
@@ -81,12 +81,12 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         });
     }
 
-    /// Puts another expression, of whatever type, where one stands.
+    /// Replaces the expression with a number, keeping its type field.
     pub fn replace(&mut self, number: usize, kind: ExpressionKind) {
         self.change(number, |expression| expression.kind = kind);
     }
 
-    /// Puts a statement somewhere into a list that a test lets pass: a unit, and whether a loop is around it.
+    /// Inserts a statement into a list that satisfies a predicate on its unit and on whether a loop encloses it.
     pub fn insert(
         &mut self,
         eligible: impl Fn(Unit, bool) -> bool,
@@ -107,7 +107,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         Some(())
     }
 
-    /// Puts a statement that is only text somewhere into any list.
+    /// Inserts a statement of raw text into any list.
     pub fn insert_text(&mut self, make: impl FnOnce(&mut Self, Unit) -> Option<String>) -> Option<()> {
         self.insert(
             |_, _| true,
@@ -115,7 +115,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         )
     }
 
-    /// Changes one of the statements that a test lets pass.
+    /// Changes a statement that satisfies a predicate.
     pub fn change_statement(
         &mut self,
         eligible: impl Fn(Unit, &StatementKind) -> bool,
@@ -142,7 +142,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         Some(())
     }
 
-    /// Changes the list of statements of a number.
+    /// Changes the list of statements with a number.
     fn change_list(&mut self, number: usize, change: impl FnOnce(&mut Vec<Statement>)) {
         let mut change = Some(change);
         let mut reached = 0;
@@ -156,7 +156,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         });
     }
 
-    /// Declares a variable at the end of a unit's, which leaves every other its number.
+    /// Declares a variable after all others of a unit, which keep their numbers.
     pub fn declare(&mut self, unit: Unit, name: &str, ty: Type, section: VariableSection) -> Option<()> {
         unit.variables_mut(&mut self.program)?.push(Variable {
             name: name.to_owned(),
@@ -167,8 +167,8 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         Some(())
     }
 
-    /// Declares what only a text can say: the name of a variable takes the text with it. The text stands on a line of its own,
-    /// which is that of the error; its last declaration is an INT.
+    /// Declares something that only text can express: the text is part of the name of a variable. The text stands on a line
+    /// of its own, which is that of the error; its last declaration is an INT.
     pub fn declare_text(&mut self, unit: Unit, text: &str, section: VariableSection) -> Option<()> {
         self.mark = Some(text.to_owned());
         let last = if text.is_empty() {
@@ -185,20 +185,19 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         Some(())
     }
 
-    /// A unit with variables.
+    /// Picks a unit with variables.
     pub fn unit(&mut self) -> Option<Unit> {
         self.choose(Unit::all(self.original))
     }
 
-    /// A part of a variable that a test lets pass.
+    /// Picks a part of a variable that satisfies a predicate.
     pub fn place(&mut self, unit: Unit, eligible: impl Fn(&Place, bool) -> bool) -> Option<Place> {
         let mut found = places(self.original, unit);
         found.retain(|named| eligible(&named.place, named.writable));
         self.choose(found).map(|named| named.place)
     }
 
-    /// A variable of this elementary type that the unit can read and write, by its text: one that is there and is nothing but a name, or
-    /// one that is declared for it.
+    /// Returns the name of a variable of an elementary type that the unit can read and write: an existing one, or a new one.
     pub fn variable_text(&mut self, unit: Unit, ty: ElementaryType) -> Option<String> {
         let original = self.original;
         let found = unit
@@ -216,7 +215,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         }
     }
 
-    /// Declares a local variable of an elementary type; gives its name.
+    /// Declares a local variable of an elementary type and returns its name.
     fn declare_variable(&mut self, unit: Unit, ty: ElementaryType) -> Option<String> {
         let variables = unit.variables_mut(&mut self.program)?;
         let name = format!("{PLANTED}_{}", variables.len());
@@ -224,7 +223,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         Some(name)
     }
 
-    /// A value of an elementary type: a variable, an element, a field or an output.
+    /// Creates a value of an elementary type: a variable, an element, a field or an output.
     pub fn variable(&mut self, unit: Unit, ty: ElementaryType) -> Option<ExpressionKind> {
         match self.place(unit, |place, _| place.ty == Type::Elementary(ty)) {
             Some(place) => Some(ExpressionKind::Read(place)),
@@ -232,7 +231,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         }
     }
 
-    /// A value of an elementary type that is no bare variable: an operation on one, where the type has operations.
+    /// Creates a value of an elementary type that is no bare variable: an operation on one, where the type has operations.
     pub fn operation(&mut self, unit: Unit, ty: ElementaryType) -> Option<ExpressionKind> {
         let kind = self.variable(unit, ty)?;
         let operand = || Box::new(Expression::elementary(ty, kind.clone()));
@@ -246,7 +245,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         })
     }
 
-    /// The bare call of a function that gives an elementary type: a conversion from any other type.
+    /// Creates a bare call of a function that gives an elementary type: a conversion from another type.
     pub fn call(&mut self, unit: Unit, ty: ElementaryType) -> Option<ExpressionKind> {
         let dialect = self.original.dialect;
         let sources: Vec<_> = super::scope::types(dialect)
@@ -262,7 +261,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
     }
 }
 
-/// The text of [`literal`].
+/// Returns the text of [`literal`].
 pub(super) fn literal_text(ty: ElementaryType) -> String {
     match literal(ty).kind {
         ExpressionKind::Literal(value, LiteralForm::Typed) => value.to_string(),
@@ -271,8 +270,8 @@ pub(super) fn literal_text(ty: ElementaryType) -> String {
     }
 }
 
-/// A small literal of an elementary type, with the type's name in front of it; of texts without, for a literal in quotes has
-/// its type in them, and two characters, so that it is no single one.
+/// Creates a small literal of an elementary type, with the prefix of its type. A text has no prefix, because its quotes
+/// determine its type, and two characters, so that it is no single character.
 pub(super) fn literal(ty: ElementaryType) -> Expression {
     const SECOND: u64 = 1_000_000_000;
     let raw = match ty.family() {

@@ -1,14 +1,15 @@
-//! What an error has left without a use: a variable that stood where the error stands now, a function that was called there.
+//! Removal of declarations that an error has left unused: a variable that stood where the error stands now, a function that
+//! was called there.
 //!
-//! The sound program needs it and the other does not, so that it can only go once the error is planted. It goes as text, whose
+//! The sound program needs the declaration, so it can only go once the error is planted. It is removed from the text, whose
 //! lines can be counted: an unused declaration cannot be what makes the program wrong, unless it is itself the error.
 
 use std::ops::Range;
 
-/// The texts that lack one idle declaration, each with the line of the error in it; `line` is where it stands in `text`.
+/// Returns the texts that lack one unused declaration, each with the line of the error in it; `line` is its line in `text`.
 ///
-/// What is left out is a local variable, a function, a function block or a type, as [`write`](crate::writer::write) writes it in
-/// its plain style, whose name no other line says. The line of the error always stays.
+/// The declaration is that of a local variable, a function, a function block or a type, as [`write`](crate::writer::write)
+/// writes it in its plain style, whose name occurs on no other line. The line of the error always stays.
 pub fn without_idle(text: &str, line: u32) -> impl Iterator<Item = (String, u32)> {
     let lines: Vec<&str> = text.lines().collect();
     let error = usize::try_from(line).unwrap_or(usize::MAX).saturating_sub(1);
@@ -25,7 +26,7 @@ pub fn without_idle(text: &str, line: u32) -> impl Iterator<Item = (String, u32)
     })
 }
 
-/// The names of what may go, and the lines that declare them.
+/// Returns the names of removable declarations, and their lines.
 fn declarations<'t>(lines: &'t [&'t str]) -> impl Iterator<Item = (&'t str, Range<usize>)> {
     let mut section = "";
     lines.iter().enumerate().filter_map(move |(at, line)| {
@@ -62,7 +63,7 @@ fn declarations<'t>(lines: &'t [&'t str]) -> impl Iterator<Item = (&'t str, Rang
     })
 }
 
-/// Whether a line outside of these says a name, in any spelling.
+/// Returns whether a line outside of `place` contains a name, in any case of its letters.
 fn is_said_outside(lines: &[&str], name: &str, place: &Range<usize>) -> bool {
     let others = lines
         .iter()
@@ -72,7 +73,7 @@ fn is_said_outside(lines: &[&str], name: &str, place: &Range<usize>) -> bool {
     words.any(|word| word.eq_ignore_ascii_case(name))
 }
 
-/// The lines, with those of the section around them where nothing else is in it.
+/// Extends a range of lines to its section if the section contains nothing else.
 fn with_empty_section(lines: &[&str], place: Range<usize>) -> Range<usize> {
     let at = |number: Option<usize>| {
         number

@@ -1,4 +1,4 @@
-//! What can be said where: the units of a program, the variables that they see, and the types of what is written there.
+//! The scope of a program organization unit: its readable and writable places, and the types of expressions as written.
 
 use crate::dialect::has_third_edition;
 use crate::model::visit::bodies;
@@ -8,7 +8,7 @@ use crate::model::{
 };
 use stickler_types::{DialectName, ElementaryType, Value};
 
-/// The elementary type that a type is, or stands for.
+/// Returns the elementary type that a type is or stands for.
 pub(super) fn elementary(program: &Program, ty: &Type) -> Option<ElementaryType> {
     match program.unaliased(ty) {
         Type::Elementary(ty) => Some(*ty),
@@ -16,7 +16,7 @@ pub(super) fn elementary(program: &Program, ty: &Type) -> Option<ElementaryType>
     }
 }
 
-/// The type of an array's elements, and the limits of its dimensions.
+/// Returns the element type of an array, and the limits of its dimensions.
 pub(super) fn element_and_limits<'p>(
     program: &'p Program,
     ty: &'p Type,
@@ -30,10 +30,10 @@ pub(super) fn element_and_limits<'p>(
     }
 }
 
-/// The elementary type that the text of an expression has by itself; none where it takes its type from around it, or has no
-/// elementary type.
+/// Returns the elementary type that the text of an expression determines; `None` if the context determines it, or if the
+/// type is not elementary.
 ///
-/// An implicit conversion is not in the text, so it is the type before it.
+/// An implicit conversion does not appear in the text, so its operand counts.
 pub(super) fn written(expression: &Expression) -> Option<ElementaryType> {
     let own = match expression.ty {
         Type::Elementary(ty) => Some(ty),
@@ -78,7 +78,7 @@ pub(super) fn written(expression: &Expression) -> Option<ElementaryType> {
     }
 }
 
-/// Whether an operator compares, and so gives BOOL whatever it is given.
+/// Returns whether an operator compares, and so gives BOOL for any operands.
 pub(super) const fn compares(operator: BinaryOperator) -> bool {
     use BinaryOperator as B;
     matches!(
@@ -87,7 +87,7 @@ pub(super) const fn compares(operator: BinaryOperator) -> bool {
     )
 }
 
-/// Every elementary type of a dialect.
+/// Returns every elementary type of a dialect.
 ///
 /// Basis: ironplc-problem-codes: P0010 (the types of the third edition need it); stickler-design: §8.
 pub(super) fn types(dialect: DialectName) -> impl Iterator<Item = ElementaryType> {
@@ -100,13 +100,13 @@ pub(super) fn types(dialect: DialectName) -> impl Iterator<Item = ElementaryType
 /// A part of a variable that a unit can name.
 #[derive(Clone, Debug)]
 pub(super) struct NamedPlace {
-    /// The part.
+    /// The place of the part.
     pub place: Place,
-    /// Whether the unit may write it without changing anything but its value.
+    /// Whether the unit may write the part without changing anything else.
     pub writable: bool,
 }
 
-/// Every part of a unit's variables; of arrays the element with the lowest subscripts.
+/// Returns every part of the variables of a unit; of arrays the element with the lowest subscripts.
 pub(super) fn places(program: &Program, unit: Unit) -> Vec<NamedPlace> {
     let mut found = Vec::new();
     let controlled = controlled(program, unit);
@@ -152,7 +152,7 @@ fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<NamedP
     found.push(NamedPlace { place, writable });
 }
 
-/// An untyped integer literal, as a subscript.
+/// Creates an untyped integer literal for a subscript.
 pub(super) fn integer(value: i64) -> Expression {
     // The types in between are as good; this one holds every subscript.
     let ty = ElementaryType::Lint;
@@ -162,7 +162,7 @@ pub(super) fn integer(value: i64) -> Expression {
     }
 }
 
-/// The variables that a unit's FOR statements control.
+/// Returns the control variables of the FOR statements of a unit.
 fn controlled(program: &Program, unit: Unit) -> Vec<VariableId> {
     let mut found = Vec::new();
     let mut waiting: Vec<_> = unit.body(program).iter().collect();

@@ -1,4 +1,4 @@
-//! Every kind of error is planted, and planted in one place.
+//! Tests that every kind of error is planted, and planted in one place.
 
 use super::example::example;
 use super::*;
@@ -8,7 +8,7 @@ use crate::writer::{Style, write};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_types::DialectName;
 
-/// Bytes that choose something else for every number.
+/// Returns bytes that choose differently for every number.
 fn choices(number: u64) -> Vec<u8> {
     crate::random::bytes(number, 96)
 }
@@ -85,7 +85,7 @@ fn what_is_planted_changes_the_text_on_the_line_that_is_told() {
     }
 }
 
-/// The lines that a kind plants in the example, without blanks around them.
+/// Returns the lines that a kind plants in the example, trimmed.
 fn planted_lines(kind: &str, dialect: DialectName) -> BTreeSet<String> {
     let sound = example(dialect);
     let style = Style::default();

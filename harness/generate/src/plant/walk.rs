@@ -1,5 +1,4 @@
-//! The places of a program where something can be planted: every expression with what is expected of it, and every list of
-//! statements.
+//! The places of a program where an error can be planted: every expression with its context, and every list of statements.
 
 use super::scope::{element_and_limits, written};
 use crate::model::visit_mut::bodies;
@@ -10,7 +9,7 @@ use crate::model::{
 };
 use stickler_types::ElementaryType;
 
-/// Where an expression stands.
+/// The context in which an expression stands.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum ExpressionContext {
     /// The right side of an assignment to a variable, a part of one, or a bit.
@@ -25,11 +24,11 @@ pub(super) enum ExpressionContext {
     Input,
     /// The argument of a function block's VAR_IN_OUT.
     InOut,
-    /// The argument of a conversion function from one type, named by its own name.
+    /// The argument of a conversion function whose name states the operand type.
     Converted,
     /// The argument of any other conversion function.
     Overloaded,
-    /// The argument of a standard function, and its place.
+    /// The argument of a standard function, and its index.
     Standard(StandardFunction, usize),
     /// The condition of IF.
     If,
@@ -49,24 +48,24 @@ pub(super) enum ExpressionContext {
     Bound,
     /// The step of FOR.
     Step,
-    /// The operand of an operator with two, and the type that the other operand's text has by itself; none where it takes its
-    /// type from around it.
+    /// An operand of a binary operator, and the type that the text of the other operand determines; `None` if that takes its
+    /// type from its context.
     Operand(BinaryOperator, Option<ElementaryType>),
-    /// The operand of an operator with one.
+    /// The operand of a unary operator.
     UnaryOperand(UnaryOperator),
 }
 
-/// An expression's place in the program.
+/// The place of an expression in the program.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct ExpressionSite {
-    /// In which unit it stands.
+    /// The program organization unit that contains the expression.
     pub unit: Unit,
-    /// What is expected of it there.
+    /// The context that determines the expected type.
     pub context: ExpressionContext,
 }
 
-/// Visits every expression of `copy`, outer ones before the inner. What an implicit conversion converts is not visited itself,
-/// only the conversion. `original` is asked for types; it is the program before anything was planted in `copy`.
+/// Visits every expression of `copy`, outer ones before inner ones. The operand of an implicit conversion is not visited
+/// itself, only the conversion. Types are looked up in `original`, the program before anything was planted in `copy`.
 pub(super) fn expressions(
     original: &Program,
     copy: &mut Program,
@@ -91,7 +90,7 @@ pub(super) fn expressions(
     }
 }
 
-/// Visits every list of statements, with whether it stands in a loop; an outer list before those in it.
+/// Visits every list of statements, with whether it stands in a loop; outer lists before inner ones.
 pub(super) fn lists(copy: &mut Program, visit: &mut dyn FnMut(Unit, bool, &mut Vec<Statement>)) {
     for unit in Unit::all(copy) {
         if let Some((_, body)) = unit.parts_mut(copy) {
@@ -296,7 +295,7 @@ impl<'p> SiteWalker<'p> {
         self.inside(expression, visit);
     }
 
-    /// What stands in an expression.
+    /// Visits the operands of an expression.
     fn inside(self, expression: &mut Expression, visit: &mut dyn FnMut(ExpressionSite, &mut Expression)) {
         match &mut expression.kind {
             ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) => self.place(place, visit),

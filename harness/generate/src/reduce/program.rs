@@ -1,7 +1,7 @@
-//! Programs of the model made smaller.
+//! Reduction of programs of the model.
 //!
-//! Every candidate is well-typed, because each pass keeps the type of what it changes. Whether a candidate is free of what
-//! the documents leave open, and whether it ends, the predicate has to ask of the evaluator before it starts an engine.
+//! Every candidate is well-typed, because each pass keeps the types of what it changes. Whether a candidate terminates and
+//! avoids what documents leave open, the predicate must ask the evaluator before it starts an engine.
 
 mod declarations;
 mod expressions;

@@ -1,11 +1,11 @@
-//! The search that makes anything smaller while it stays interesting: greedy, deterministic, and sparing with tries.
+//! A greedy, deterministic search that makes a subject smaller while it stays interesting, with few tries.
 //!
-//! What can be changed is told by [`Pass`]es, from coarse to fine. A pass numbers the places that it could change; the search
-//! asks it to change many of them at once, then half as many, down to one, and keeps each candidate that is still
-//! interesting. When a whole round of passes changes nothing, the thing is as small as these passes can make it.
+//! [`Pass`]es, from coarse to fine, make the changes. A pass numbers the places that it could change; the search asks it to
+//! change many of them at once, then half as many, down to one, and keeps each candidate that is still interesting. When a
+//! whole round of passes changes nothing, the subject is as small as these passes can make it.
 //!
-//! A try may cost a second, for it may start a compiler. So a candidate is tried only if it is lighter than what there is,
-//! and only once.
+//! A try may cost a second, because it may start a compiler. So a candidate is tried only if it is lighter than the best
+//! one, and only once.
 //!
 //! Basis: Zeller and Hildebrandt, "Simplifying and Isolating Failure-Inducing Input" (chunks by halves); Regehr et al.,
 //! "Test-Case Reduction for C Compiler Bugs" (passes to a fixpoint).
@@ -13,14 +13,14 @@
 use std::collections::HashSet;
 use std::ops::Range;
 
-/// What is said of a candidate.
+/// The result of the test of a candidate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Interestingness {
-    /// It shows what is being looked for.
+    /// The candidate shows the symptom.
     Interesting,
-    /// It was tried, and does not.
+    /// The candidate was tried, and does not show the symptom.
     Uninteresting,
-    /// It was not worth a try, because it breaks a rule that candidates must keep; it costs nothing and is not counted.
+    /// The candidate breaks a rule that candidates must keep; it was not tried, and does not count as a try.
     Invalid,
 }
 
@@ -34,20 +34,20 @@ impl From<bool> for Interestingness {
     }
 }
 
-/// One way to make a thing smaller.
+/// One way to make a subject smaller.
 pub struct Pass<T> {
-    /// What it does, for who asks how a reduction went.
+    /// A description of the changes, for reports of a reduction.
     pub name: &'static str,
-    /// Walks the thing, asks [`Sites::here`] at each place that it could change, and changes those that are chosen.
+    /// Walks the subject, asks [`Sites::here`] at each place that it could change, and changes the chosen ones.
     pub edit: fn(&mut T, &mut Sites),
 }
 
-/// A pass of this name that makes this edit.
+/// Creates a pass.
 pub(super) const fn pass<T>(name: &'static str, edit: fn(&mut T, &mut Sites)) -> Pass<T> {
     Pass { name, edit }
 }
 
-/// The places that a pass could change, numbered as it comes to them.
+/// The places that a pass could change, numbered in the order of its walk.
 #[derive(Debug)]
 pub struct Sites {
     next: usize,
@@ -64,17 +64,17 @@ impl Sites {
         }
     }
 
-    /// Sites of which every one is chosen: for an edit that leans on another.
+    /// Creates sites that are all chosen, for an edit that is part of another.
     pub(super) fn all() -> Sites {
         Sites::new(0..usize::MAX)
     }
 
-    /// The same choice for a second walk over the same thing.
+    /// Creates sites with the same choice, for a second walk over the same subject.
     pub(super) fn again(&self) -> Sites {
         Sites::new(self.chosen.clone())
     }
 
-    /// To be asked at each place that could be changed: whether this one is to be.
+    /// Returns whether the next place is to be changed; called once at each place that could be changed.
     pub fn here(&mut self) -> bool {
         let chosen = self.chosen.contains(&self.next);
         self.next += 1;
@@ -83,27 +83,27 @@ impl Sites {
     }
 }
 
-/// How things of one kind are reduced.
+/// The passes and measures for subjects of one type.
 pub struct ReductionMethod<T: 'static> {
     /// The passes, coarse ones first.
     pub passes: &'static [Pass<T>],
-    /// How much there is of it. Only what is lighter is tried, so that every reduction ends.
+    /// Returns the weight of a subject. Only lighter candidates are tried, so that every reduction terminates.
     pub weight: fn(&T) -> (u64, u128),
-    /// Equal for equal things; what has the key of something that was tried is not tried again.
+    /// Returns a key that is equal for equal subjects; a candidate with the key of an earlier one is not tried again.
     pub key: fn(&T) -> u64,
 }
 
-/// What a reduction may take.
+/// The limits of a reduction.
 #[derive(Clone, Copy)]
 pub struct ReductionBudget<'a> {
-    /// How many candidates may be tried, those refused not counted.
+    /// The maximum number of candidates that are tried, invalid ones not counted.
     pub tries: u64,
-    /// Asked before each try: whether to be content with what there is. Ctrl-C and time limits belong here.
+    /// Returns whether to stop with the best candidate so far; asked before each try, for Ctrl-C and time limits.
     pub stop: &'a dyn Fn() -> bool,
 }
 
 impl Default for ReductionBudget<'_> {
-    /// Two thousand tries, and never stopped.
+    /// Returns a budget of 2000 tries that is never stopped.
     fn default() -> Self {
         ReductionBudget {
             tries: 2000,
@@ -115,33 +115,33 @@ impl Default for ReductionBudget<'_> {
 /// The result of a reduction.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Reduction<T> {
-    /// The smallest that was found to be interesting; the start where nothing smaller was.
+    /// The smallest interesting candidate; the start if there was none.
     pub value: T,
-    /// How many candidates were tried, the start among them.
+    /// The number of candidates tried, including the start.
     pub tries: u64,
-    /// How many candidates were refused without a try.
+    /// The number of invalid candidates.
     pub refused: u64,
-    /// Why it ended.
+    /// The reason why the reduction ended.
     pub ended: StopReason,
 }
 
-/// Why a reduction ended.
+/// The reason why a reduction ended.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum StopReason {
-    /// No pass makes it any smaller.
+    /// No pass makes the subject smaller.
     Smallest,
-    /// The budget was spent.
+    /// The tries of the budget are spent.
     OutOfTries,
-    /// [`ReductionBudget::stop`] said so.
+    /// [`ReductionBudget::stop`] returned `true`.
     Stopped,
-    /// The start itself is not interesting: there was nothing to reduce.
+    /// The start itself is not interesting, so there was nothing to reduce.
     NotInteresting,
 }
 
-/// Makes `start` as small as the passes can, asking `interesting` about each candidate, and about the start first.
+/// Makes `start` as small as the passes can, asking `interesting` about the start and each candidate.
 ///
-/// The same start and the same answers give the same result. Each candidate that is found interesting becomes what the next
-/// ones are made from, so the result has been interesting when it was tried.
+/// The same start and the same answers give the same result. Each interesting candidate becomes the base of the next ones,
+/// so the result was interesting when it was tried.
 pub fn minimise<T: Clone>(
     start: T,
     method: &ReductionMethod<T>,
@@ -182,7 +182,7 @@ struct PassSearch<'a, T: 'static> {
 }
 
 impl<T: Clone> PassSearch<'_, T> {
-    /// All passes, again and again, until a round changes nothing.
+    /// Runs all passes repeatedly until a round changes nothing.
     fn rounds(&mut self) -> StopReason {
         loop {
             let before = self.weight;
@@ -197,7 +197,7 @@ impl<T: Clone> PassSearch<'_, T> {
         }
     }
 
-    /// One pass, with ever smaller chunks of its sites.
+    /// Runs one pass, with ever smaller chunks of its sites.
     fn chunks(&mut self, pass: &Pass<T>) -> Result<(), StopReason> {
         let mut chunk = self.sites(pass);
         while chunk > 0 {
@@ -219,7 +219,7 @@ impl<T: Clone> PassSearch<'_, T> {
         sites.next
     }
 
-    /// Whether these sites can be changed; then they are.
+    /// Tries to change the chosen sites; returns whether the candidate was interesting and replaced the best one.
     fn attempt(&mut self, pass: &Pass<T>, chosen: Range<usize>) -> Result<bool, StopReason> {
         let mut candidate = self.best.clone();
         let mut sites = Sites::new(chosen);
@@ -254,7 +254,7 @@ mod tests {
     use std::cell::Cell;
     use std::hash::{DefaultHasher, Hash, Hasher};
 
-    /// Lists of numbers: an element is dropped, or made one less.
+    /// A method for lists of numbers: drops elements, or decrements them.
     const LISTS: ReductionMethod<Vec<u32>> = ReductionMethod {
         passes: &[
             Pass {

@@ -1,41 +1,44 @@
-//! How an engine's outcome differs from what must come, in a few words that stay the same while a program gets smaller.
+//! The difference between the outcome of an engine and the expected one, in a few words that stay the same while a program
+//! gets smaller.
 
 use std::fmt;
 use std::str::FromStr;
 use stickler_engines::{Diagnostic, Outcome};
 use stickler_types::{Code, Fault};
 
-/// A way in which an engine does not do what it must.
+/// A way in which an engine deviates from the expected outcome.
 ///
 /// `Display` writes the word that `FromStr` reads: `crash`, `hang`, `error`, `rejected:P4035`, `not-rejected:P4026`,
-/// `value:INT`, `missing:INT`, `fault:subscript-range`, `no-fault:division-by-zero`; of a compiler that tells no codes
+/// `value:INT`, `missing:INT`, `fault:subscript-range`, `no-fault:division-by-zero`; for a compiler without codes
 /// `rejected:` and the first words of its message.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Symptom {
-    /// It died.
+    /// The engine crashed.
     Crash,
-    /// It did not answer in time.
+    /// The engine did not answer in time.
     Hang,
-    /// It answered nonsense, or found a defect of its own.
+    /// The answer was malformed, or the engine reported a defect of its own.
     Error,
-    /// It rejects an acceptable program, with this code, or for this reason; empty where it tells neither.
+    /// The engine rejects a valid program, with this code, or with this message; empty if it gives neither.
     Rejected(String),
-    /// It accepts a program that must be rejected with this code.
+    /// The engine accepts a program that must be rejected with this code.
     NotRejected(String),
     /// A value of this type is wrong.
     Value(String),
-    /// A value of this type that was asked for is not told.
+    /// A requested value of this type is missing.
     Missing(String),
-    /// It stops with a fault where the program has none, or has another.
+    /// The engine stops with a fault where the program has none, or another one.
     Fault(Fault),
-    /// It goes on where the program must stop with this fault.
+    /// The engine continues where the program must stop with this fault.
     NotFaulted(Fault),
 }
 
 impl Symptom {
-    /// Every symptom of an outcome, the most telling first: of values that of each type, in the order of `expected`.
+    /// Returns every symptom of an outcome, the most important first; of wrong values one for each type, in the order of
+    /// `expected`.
     ///
-    /// What an engine says it does not support is no symptom, and neither is it that one which only checks tells no values.
+    /// A program that an engine does not support is no symptom, nor are values missing from an engine that only checks
+    /// programs.
     #[must_use]
     pub fn all(expected: &Outcome, got: &Outcome) -> Vec<Symptom> {
         let symptom = match (expected, got) {
@@ -69,19 +72,19 @@ impl Symptom {
         vec![symptom]
     }
 
-    /// The first of [`Symptom::all`].
+    /// Returns the first of [`Symptom::all`].
     #[must_use]
     pub fn first(expected: &Outcome, got: &Outcome) -> Option<Symptom> {
         Symptom::all(expected, got).into_iter().next()
     }
 
-    /// How an engine rejects a program that it must accept, by the first of its diagnostics.
+    /// Returns the symptom of a rejected valid program, by the first of its diagnostics.
     #[must_use]
     pub fn rejected(diagnostics: &[Diagnostic]) -> Symptom {
         Symptom::Rejected(diagnostics.first().map(code_or_gist).unwrap_or_default())
     }
 
-    /// Whether a person who names `wanted` means this symptom: it is the same, or `wanted` is the code in front of its
+    /// Returns whether `wanted`, as named by a person, means this symptom: it is the same, or the code in front of the
     /// reason, as `rejected:P0002` is of `rejected:P0002 expected a type`.
     #[must_use]
     pub fn is_meant_by(&self, wanted: &Symptom) -> bool {
@@ -96,14 +99,14 @@ impl Symptom {
         }
     }
 
-    /// Whether an outcome shows this symptom, among others perhaps.
+    /// Returns whether an outcome shows this symptom, possibly among others.
     #[must_use]
     pub fn shows(&self, expected: &Outcome, got: &Outcome) -> bool {
         Symptom::all(expected, got).contains(self)
     }
 }
 
-/// What the diagnostics of a rejection are called, each name once; one empty name where there is no diagnostic.
+/// Returns the names of the diagnostics of a rejection, each once; one empty name if there is no diagnostic.
 fn rejections(outcome: &Outcome, name: fn(&Diagnostic) -> String) -> Vec<String> {
     let diagnostics = match outcome {
         Outcome::Rejected { diagnostics } => &diagnostics[..],
@@ -121,13 +124,13 @@ fn rejections(outcome: &Outcome, name: fn(&Diagnostic) -> String) -> Vec<String>
     names
 }
 
-/// The code of a diagnostic; empty where it has none.
+/// Returns the code of a diagnostic; empty if it has none.
 fn code(diagnostic: &Diagnostic) -> String {
     diagnostic.code.clone().unwrap_or_default()
 }
 
-/// The code of a diagnostic. Where there is none, the gist of its message; behind the code of a parser both, for that has one
-/// code for all that it does not understand, and says what that is in its own words.
+/// Returns the code of a diagnostic; without a code, the normalized message. The code for syntax errors is followed by the
+/// normalized message, because it stands for all errors of a parser.
 fn code_or_gist(diagnostic: &Diagnostic) -> String {
     match &diagnostic.code {
         Some(code) if code == Code::SyntaxError.as_str() => format!("{code} {}", gist(&diagnostic.message))
@@ -138,8 +141,8 @@ fn code_or_gist(diagnostic: &Diagnostic) -> String {
     }
 }
 
-/// What is left of the message of a compiler without codes when a program gets smaller: the first of its words, without what
-/// it quotes, without names and numbers that a generator made.
+/// Normalizes the message of a compiler: keeps its first words, and drops quoted text, names and numbers, so that the
+/// message of a smaller program compares equal.
 fn gist(message: &str) -> String {
     const WORDS: usize = 6;
     let quote = |character: char| "'\"`".contains(character);
@@ -197,7 +200,7 @@ impl fmt::Display for Symptom {
     }
 }
 
-/// A word that names no symptom.
+/// The error for a word that names no symptom.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct UnknownSymptom(String);
 

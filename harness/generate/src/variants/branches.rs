@@ -6,7 +6,8 @@ use crate::model::{Program, StatementKind};
 use crate::random::Random;
 use std::mem;
 
-/// Negates the condition of some IFs without ELSIF, and exchanges what stands behind THEN and ELSE. Says how many.
+/// Negates the condition of some IFs without ELSIF, and exchanges their THEN and ELSE branches. Returns the number of
+/// changes.
 pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
     for body in bodies(program) {

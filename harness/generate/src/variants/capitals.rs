@@ -7,7 +7,7 @@ use crate::model::Program;
 use crate::random::Random;
 use crate::writer::{Style, write};
 
-/// The text of a program with each letter outside texts in a case of its own.
+/// Writes a program with each letter outside character strings in a random case; `None` if that changes nothing.
 pub(super) fn scattered(program: &Program, random: &mut Random<'_, '_>) -> Option<String> {
     let text = write(program, &Style::default()).text;
     let mut bits = random.bits() | 1;
@@ -44,7 +44,7 @@ pub(super) fn scattered(program: &Program, random: &mut Random<'_, '_>) -> Optio
     (varied != text).then_some(varied)
 }
 
-/// Where in a text a character stands: inside it, or behind a dollar sign; and the quote that ends it.
+/// The position of the scanner in a character string: inside it, or after a dollar sign; holds the quote that ends it.
 #[derive(Clone, Copy)]
 enum QuoteState {
     In(char),

@@ -1,4 +1,4 @@
-//! Statements that are never reached, or that change nothing, and variables that nobody reads.
+//! Dead code: statements that are never reached or change nothing, and variables that are never read.
 
 use super::walk::{FreeNames, bodies, has_loose_exit, lists, variable};
 use crate::model::{
@@ -9,7 +9,7 @@ use crate::random::Random;
 use std::collections::HashSet;
 use stickler_types::{ElementaryType, Value};
 
-/// Inserts dead code beside some statements. Says how much.
+/// Inserts dead code beside some statements. Returns the number of insertions.
 pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut names = FreeNames::of(program);
     let mut count = 0;
@@ -48,7 +48,7 @@ pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
     count
 }
 
-/// The variables that may be assigned to themselves anywhere: in VAR, elementary, and no loop's.
+/// Returns the variables that may be assigned to themselves anywhere: elementary ones in VAR that control no loop.
 fn settled_variables(
     variables: &[Variable],
     statements: &mut Vec<Statement>,
@@ -73,7 +73,7 @@ fn settled_variables(
     settled.filter(|(id, _)| !counting.contains(id)).collect()
 }
 
-/// Something to stand before a statement: a copy of it that is never reached, or an assignment of a variable to itself.
+/// Creates a dead statement: a copy of `beside` that is never reached, or an assignment of a variable to itself.
 fn dead(
     beside: &Statement,
     settled: &[(VariableId, ElementaryType)],
@@ -96,7 +96,7 @@ fn dead(
     }
 }
 
-/// `a := a;`
+/// Creates `a := a;`.
 fn onto_itself(id: VariableId, ty: ElementaryType) -> Statement {
     let place = Place::whole(id, Type::Elementary(ty));
     let value = Expression {

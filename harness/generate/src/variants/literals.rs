@@ -1,4 +1,4 @@
-//! Literals: their values in variables and constants, or their types in front of them.
+//! Literals moved to variables and constants, or written with their types.
 
 use super::walk::{FreeNames, bodies, expressions, variable};
 use crate::model::{
@@ -7,10 +7,10 @@ use crate::model::{
 };
 use crate::random::Random;
 
-/// Puts the values of some literals and enumerated values into variables that are assigned nowhere: in VAR, so that a compiler
-/// knows nothing of them, or in VAR CONSTANT, so that it knows them by another way. Says how many.
+/// Moves the values of some literals and enumerated values to variables that are never assigned: in VAR, so that a compiler
+/// does not know them, or in VAR CONSTANT, so that it knows them in another way. Returns the number of changes.
 ///
-/// The literal's type is that of the variable, so that every operation keeps its own.
+/// The variable has the type of the literal, so that every operation keeps its type.
 pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut names = FreeNames::of(program);
     let mut count = 0;
@@ -47,7 +47,7 @@ pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize
     count
 }
 
-/// Writes literals that take their type from what stands around them with the type that they have. Says how many.
+/// Writes some untyped literals with their type. Returns the number of changes.
 pub(super) fn type_all(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
     for body in bodies(program) {

@@ -1,4 +1,4 @@
-//! Loops: FOR turn after turn, and the first turn of the others in front of them.
+//! Loops: FOR unrolled, and the first iteration of the others peeled off.
 
 use super::walk::{bodies, has_loose_exit, lists};
 use crate::model::visit::bodies as bodies_of;
@@ -9,12 +9,12 @@ use crate::model::{
 use crate::random::Random;
 use stickler_types::{ElementaryType, Value};
 
-/// A loop of more turns is left as it is.
+/// The maximum number of iterations of an unrolled loop; longer loops stay unchanged.
 const MAX_TURNS: usize = 6;
-/// So many statements a program may get by this, so that loops in loops do not make it endless.
+/// The maximum number of statements that unrolling adds to a program, so that nested loops do not explode.
 const MAX_ADDED_STATEMENTS: usize = 400;
 
-/// Unrolls some loops. Says how many.
+/// Unrolls some loops. Returns the number of changes.
 pub(super) fn unroll(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
     let mut spent = 0;
@@ -40,8 +40,8 @@ pub(super) fn unroll(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
     count
 }
 
-/// A statement that is a loop, without it, or with one turn less; `None` where it is none that can be unrolled: EXIT in a copy of
-/// the body would leave another loop, or none.
+/// Returns the statements that replace a loop: all its iterations, or the first one followed by the loop; `None` if the
+/// statement cannot be unrolled, because EXIT in a copy of the body would leave another loop, or none.
 fn unrolled_loop(statement: &Statement, variables: &[Variable]) -> Option<Vec<Statement>> {
     match &statement.kind {
         StatementKind::For {
@@ -81,7 +81,7 @@ fn unrolled_loop(statement: &Statement, variables: &[Variable]) -> Option<Vec<St
     }
 }
 
-/// The values that a FOR variable takes, where they can be read off the program and are few.
+/// Returns the values that a FOR variable takes; `None` if the limits are no literals or the values are too many.
 fn turns(from: &Expression, to: &Expression, by: Option<&Expression>) -> Option<Vec<i128>> {
     let (mut value, to) = (literal(from)?, literal(to)?);
     let by = by.map_or(Some(1), literal)?;
@@ -103,7 +103,7 @@ fn literal(expression: &Expression) -> Option<i128> {
     }
 }
 
-/// `variable := value;`
+/// Creates `variable := value;`.
 fn assigned(variable: VariableId, ty: ElementaryType, value: i128) -> Statement {
     let literal = Expression {
         ty: Type::Elementary(ty),
@@ -115,7 +115,7 @@ fn assigned(variable: VariableId, ty: ElementaryType, value: i128) -> Statement 
     ))
 }
 
-/// `NOT condition`
+/// Creates `NOT condition`.
 pub(super) fn not(condition: &Expression) -> Expression {
     Expression {
         ty: condition.ty.clone(),

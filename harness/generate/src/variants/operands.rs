@@ -1,4 +1,4 @@
-//! Operands: the other way round, or in variables of their own.
+//! Operands in reverse order, or in variables of their own.
 
 use super::walk::{Body, FreeNames, bodies, expressions, lists, variable};
 use crate::model::visit_mut::operands;
@@ -9,10 +9,10 @@ use crate::model::{
 use crate::random::Random;
 use std::mem;
 
-/// The operator that gives the same with its operands the other way round, if there is one.
+/// Returns the operator that gives the same result with exchanged operands, if there is one.
 ///
-/// Basis: iec-61131-3: Table 71; for reals IEC 60559, by which addition and multiplication commute. An expression has no side
-/// effects, so that no order of evaluation shows.
+/// Basis: iec-61131-3: Table 71; for reals IEC 60559, by which addition and multiplication commute. An expression has no
+/// side effects, so the order of evaluation does not show.
 const fn mirrored(operator: BinaryOperator) -> Option<BinaryOperator> {
     use BinaryOperator as B;
     match operator {
@@ -25,7 +25,7 @@ const fn mirrored(operator: BinaryOperator) -> Option<BinaryOperator> {
     }
 }
 
-/// Exchanges the operands of some operators. Says how many.
+/// Exchanges the operands of some operators. Returns the number of changes.
 pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
     for body in bodies(program) {
@@ -43,10 +43,11 @@ pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize 
     count
 }
 
-/// Gives some operands of assigned values variables of their own, which are assigned just before. Says how many.
+/// Moves some operands of assigned values to variables of their own, which are assigned just before. Returns the number of
+/// changes.
 ///
-/// The variable has the operand's type, so that the operation keeps its own; where the whole value is an implicit conversion,
-/// what is converted gets the variable. A literal is left where it is.
+/// The variable has the type of the operand, so that the operation keeps its type; where the whole value is an implicit
+/// conversion, its operand gets the variable. A literal stays where it is.
 pub(super) fn split(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut names = FreeNames::of(program);
     let mut count = 0;
@@ -79,7 +80,7 @@ const fn is_worth_a_variable(operand: &Expression) -> bool {
     )
 }
 
-/// The assignment of an operand to a new variable, which stands in its place from now on.
+/// Creates the assignment of an operand to a new variable, and replaces the operand by the variable.
 fn separate(operand: &mut Expression, body: &mut Body<'_>, names: &mut FreeNames) -> Statement {
     let ty = operand.ty.clone();
     let id: VariableId = body.add(variable(names.next("part"), ty.clone(), VariableSection::Local));

@@ -1,4 +1,5 @@
-//! Variants held against the evaluator, which knows nothing of texts, and their texts against what they promise.
+//! Tests of variants: their values against the evaluator, which knows nothing of texts, and their texts against their
+//! descriptions.
 
 use super::*;
 use crate::evaluate::evaluate;
@@ -11,7 +12,7 @@ use arbitrary::Unstructured;
 use stickler_types::ElementaryType::{Bool, Byte, Dint, Int};
 use stickler_types::Value;
 
-/// Bytes that look random, of a length that makes a program of some size.
+/// Returns pseudorandom bytes of a length that makes a program of some size.
 fn bytes(seed: u64) -> Vec<u8> {
     crate::random::bytes(seed, 600)
 }
@@ -23,7 +24,8 @@ fn made(seed: u64) -> Program {
     )
 }
 
-/// The values of everything that is observed of `original`, in another program that has these variables and more.
+/// Returns the values that `other`, which has the variables of `original` and more, gives for everything observed of
+/// `original`.
 fn values_in(other: &Program, original: &Program) -> Option<Vec<(String, Value)>> {
     let evaluation = evaluate(other, 1).ok()?;
     let observed = original.observed();
@@ -37,7 +39,8 @@ fn values_in(other: &Program, original: &Program) -> Option<Vec<(String, Value)>
     )
 }
 
-/// A program that has something for every variant: loops of each kind, a bit, an implicit conversion, a call, both sides of an IF.
+/// Creates a program with something for every variant: loops of each kind, a bit, an implicit conversion, a call, both sides
+/// of an IF.
 pub(crate) fn everything() -> Program {
     let one_more = |id| hand::binary(BinaryOperator::Add, hand::read(id, Int), hand::literal("INT#1"));
     let count = |id| hand::set(id, Int, one_more(id));

@@ -8,18 +8,18 @@ use crate::writer::{ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, Wid
 use arbitrary::Unstructured;
 use stickler_reference::render;
 
-/// A way to write a program differently and mean the same.
+/// A way to write a program differently without changing its meaning.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Variant {
-    /// Keywords in lower case, or in both.
+    /// Keywords in lower or mixed case.
     Keywords,
-    /// Every letter outside texts and comments in either case: names too are the same in both.
+    /// Every letter outside texts and comments in a random case; names are case-insensitive too.
     Capitals,
-    /// Comments where blanks stand.
+    /// Comments in the place of blanks.
     Comments,
     /// Lines that end with a carriage return and a line feed.
     LineEnds,
-    /// Literals in other notations: bases, underscores, exponents, `T#1m30s`, characters by their numbers.
+    /// Literals in other notations: bases, underscores, exponents, `T#1m30s`, characters by their codes.
     Notation,
     /// `.%Xn` for `.n`.
     Bits,
@@ -27,21 +27,21 @@ pub enum Variant {
     ExplicitConversions,
     /// Named arguments for positional ones.
     NamedArguments,
-    /// Literals in variables and named constants that have their values.
+    /// Literals moved to variables and named constants.
     ConstantsHoisted,
     /// `INT#5` for `5`.
     TypedLiterals,
-    /// Operands of what commutes, and of comparisons, the other way round.
+    /// Exchanged operands of commutative operators and of comparisons.
     OperandsSwapped,
     /// Operands in variables of their own, assigned just before.
     Temporaries,
-    /// A FOR loop turn after turn; the first turn of a WHILE or REPEAT in front of it.
+    /// FOR loops unrolled; the first iteration of WHILE and REPEAT peeled off.
     LoopUnrolled,
-    /// Statements that are never reached, assignments of a variable to itself, variables that nobody reads.
+    /// Statements that are never reached, assignments of a variable to itself, variables that are never read.
     DeadCode,
     /// `IF NOT c THEN b ELSE a` for `IF c THEN a ELSE b`.
     BranchesSwapped,
-    /// What the reference's renderer gives for the text.
+    /// The output of the renderer of the reference.
     Rendered,
 }
 
@@ -66,7 +66,7 @@ impl Variant {
         Variant::Rendered,
     ];
 
-    /// The name in symptoms and reports.
+    /// Returns the name in symptoms and reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -89,10 +89,10 @@ impl Variant {
         }
     }
 
-    /// The text of this variant of a program; `None` where the program has nothing that could be varied so.
+    /// Returns the text of this variant of a program; `None` if the program has nothing that could be varied.
     ///
-    /// The input chooses what is varied and what is left as it is. Variables that a variant adds come behind those of the
-    /// program, and every path of [`Program::observed`] means what it did.
+    /// The input chooses what is varied. Variables that a variant adds come after those of the program, and every path of
+    /// [`Program::observed`] keeps its meaning.
     #[must_use]
     pub fn text(self, program: &Program, input: &mut Unstructured<'_>) -> Option<String> {
         let mut random = Random::new(input);
@@ -167,7 +167,8 @@ impl Variant {
     }
 }
 
-/// The text of a program after a change of its model that says how often it has changed something.
+/// Applies a change to a copy of the program and writes it; `None` if the change, which returns the number of its edits, did
+/// nothing.
 fn changed(
     program: &Program,
     random: &mut Random<'_, '_>,
@@ -177,8 +178,8 @@ fn changed(
     (change(&mut program, random) > 0).then(|| write(&program, &Style::default()).text)
 }
 
-/// What the reference's renderer gives for the text in one notation or the other. Where it refuses, that is no text of a program,
-/// and whoever runs it will say so.
+/// Renders the text of a program, written in one notation or the other, by the renderer of the reference. If the renderer
+/// refuses, the result is no program, and whoever runs it will report so.
 fn rendered(program: &Program, random: &mut Random<'_, '_>) -> String {
     let notations = [Notation::Canonical, Notation::Varied];
     let style = Style {

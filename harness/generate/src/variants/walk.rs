@@ -1,4 +1,4 @@
-//! The parts of a program that variants change: its bodies, their statement lists and expressions, and names that are free.
+//! The parts of a program that variants change: bodies, lists of statements, expressions, and free names.
 
 use crate::model::visit_mut::{self, VisitorMut, walk_expression, walk_statements};
 use crate::model::{
@@ -14,14 +14,14 @@ pub(super) struct Body<'p> {
 }
 
 impl Body<'_> {
-    /// Adds a variable behind all others.
+    /// Adds a variable after all others.
     pub fn add(&mut self, variable: Variable) -> VariableId {
         self.variables.push(variable);
         VariableId(self.variables.len() - 1)
     }
 }
 
-/// All bodies of a program.
+/// Returns all bodies of a program.
 pub(super) fn bodies(program: &mut Program) -> Vec<Body<'_>> {
     let functions = program
         .functions
@@ -42,7 +42,7 @@ pub(super) fn bodies(program: &mut Program) -> Vec<Body<'_>> {
         .collect()
 }
 
-/// Names that no part of a program has.
+/// Source of names that are not used in a program.
 pub(super) struct FreeNames {
     taken: HashSet<String>,
     next: usize,
@@ -70,7 +70,7 @@ impl FreeNames {
         FreeNames { taken, next: 0 }
     }
 
-    /// A name that begins with this word and is in use nowhere.
+    /// Returns an unused name that begins with `word`.
     pub fn next(&mut self, word: &str) -> String {
         loop {
             self.next += 1;
@@ -82,7 +82,7 @@ impl FreeNames {
     }
 }
 
-/// A variable of its own for a value, in VAR or VAR CONSTANT.
+/// Creates a variable without an initial value.
 pub(super) fn variable(name: String, ty: Type, section: VariableSection) -> Variable {
     Variable {
         name,
@@ -92,8 +92,8 @@ pub(super) fn variable(name: String, ty: Type, section: VariableSection) -> Vari
     }
 }
 
-/// Shows every expression of some statements, the parts before the whole. CASE labels, and what stands behind BY, are left out:
-/// there only literals may stand.
+/// Visits every expression of some statements, operands before the whole. CASE labels and BY values are skipped: only
+/// literals may stand there.
 pub(super) fn expressions(statements: &mut [Statement], visit: &mut dyn FnMut(&mut Expression)) {
     walk_statements(&mut Expressions(visit), statements);
 }
@@ -109,7 +109,7 @@ impl VisitorMut for Expressions<'_> {
     fn literal(&mut self, _: &mut Expression) {}
 }
 
-/// Shows every list of statements in a list, the inner ones before the outer, and the list itself last.
+/// Visits every list of statements in a list, inner lists before outer ones, and the list itself last.
 pub(super) fn lists(statements: &mut Vec<Statement>, visit: &mut dyn FnMut(&mut Vec<Statement>)) {
     for list in statements.iter_mut().flat_map(visit_mut::bodies) {
         lists(list, visit);
@@ -117,7 +117,7 @@ pub(super) fn lists(statements: &mut Vec<Statement>, visit: &mut dyn FnMut(&mut 
     visit(statements);
 }
 
-/// Whether an EXIT in these statements would leave a loop around them.
+/// Returns whether an EXIT in these statements would leave an enclosing loop.
 pub(super) fn has_loose_exit(statements: &[Statement]) -> bool {
     statements.iter().any(|statement| {
         let mut inner = visit::bodies(statement).into_iter();

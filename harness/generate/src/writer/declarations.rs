@@ -1,4 +1,4 @@
-//! Types, variables, POUs, and the whole text.
+//! Writing of types, variables, POUs, and the whole text.
 
 use super::sheet::TextSheet;
 use super::statements::PouText;
@@ -10,14 +10,14 @@ use crate::model::{
 /// The text of a program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct WrittenProgram {
-    /// The source text; its last line is ended.
+    /// The source text; it ends with a line end.
     pub text: String,
     /// The line, counted from 1, on which each raw expression or statement begins, in the order of the text.
     pub raw_lines: Vec<u32>,
 }
 
-/// Writes a program. Takes any program, also one that is not well-typed; a reference to something that the program does not
-/// have is left out.
+/// Writes a program. Accepts any program, also one that is not well-typed; a reference to something that the program does
+/// not have is omitted.
 #[must_use]
 pub fn write(program: &Program, style: &Style) -> WrittenProgram {
     let mut sheet = TextSheet::new(program, *style);
@@ -52,7 +52,7 @@ pub fn write(program: &Program, style: &Style) -> WrittenProgram {
 }
 
 impl<'p> TextSheet<'p> {
-    /// Everything of a POU behind its first line.
+    /// Writes the variables, the statements and the end of a POU.
     fn pou(&mut self, variables: &'p [Variable], body: &'p [Statement], name: &'p str, end: &str) {
         for section in variables.chunk_by(|one, next| one.section == next.section) {
             self.section(section, variables);
@@ -127,7 +127,7 @@ impl<'p> TextSheet<'p> {
         }
     }
 
-    /// A type where it is used: its name, or an array written out.
+    /// Writes a type where it is used: its name, or an array type.
     fn type_name(&mut self, ty: &Type) {
         let program = self.program;
         match ty {

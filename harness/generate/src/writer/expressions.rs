@@ -1,4 +1,4 @@
-//! Expressions and places.
+//! Writing of expressions and places.
 
 use super::literals::begins_with_minus;
 use super::sheet::TextSheet;
@@ -9,7 +9,7 @@ use crate::model::{
 };
 use stickler_exact::signatures;
 
-/// How strongly the outermost operator of an expression binds; what has none binds most strongly.
+/// Returns the precedence of the outermost operator of an expression; the highest if it has none.
 ///
 /// Basis: iec-61131-3: Table 71.
 fn strength(kind: &ExpressionKind) -> u8 {
@@ -39,7 +39,7 @@ const fn operator_strength(operator: BinaryOperator) -> u8 {
     }
 }
 
-/// An infix operator as it is written, in upper case.
+/// Returns the spelling of an infix operator, in upper case.
 pub(crate) const fn operator_text(operator: BinaryOperator) -> &'static str {
     use BinaryOperator as B;
     match operator {
@@ -60,7 +60,7 @@ pub(crate) const fn operator_text(operator: BinaryOperator) -> &'static str {
     }
 }
 
-/// The name of a standard function, in upper case.
+/// Returns the name of a standard function, in upper case.
 pub(crate) const fn function_name(function: StandardFunction) -> &'static str {
     use StandardFunction as S;
     match function {
@@ -80,7 +80,7 @@ pub(crate) const fn function_name(function: StandardFunction) -> &'static str {
 }
 
 impl TextSheet<'_> {
-    /// An expression in the POU that declares `variables`.
+    /// Writes an expression in the POU that declares `variables`.
     pub fn expression(&mut self, expression: &Expression, variables: &[Variable]) {
         match &expression.kind {
             ExpressionKind::Literal(value, form) => self.literal(value, *form),
@@ -101,7 +101,7 @@ impl TextSheet<'_> {
         }
     }
 
-    /// A call of a function that the language defines.
+    /// Writes a call of a function that the language defines.
     fn call<'e>(
         &mut self,
         name: &str,
@@ -124,7 +124,7 @@ impl TextSheet<'_> {
         self.blank();
     }
 
-    /// A call of a function of the program.
+    /// Writes a call of a function of the program.
     fn function(&mut self, function: usize, arguments: &[Argument], variables: &[Variable]) {
         let Some(called) = self.program.functions.get(function) else {
             return;
@@ -145,7 +145,7 @@ impl TextSheet<'_> {
         self.put(")");
     }
 
-    /// `name := `.
+    /// Writes `name := `.
     pub fn parameter(&mut self, parameters: &[Variable], argument: &Argument) {
         if let Some(parameter) = parameters.get(argument.parameter.0) {
             self.put(&parameter.name);
@@ -180,7 +180,7 @@ impl TextSheet<'_> {
         self.operand(right, (own + 1).max(left_needs), variables);
     }
 
-    /// An operand, in parentheses unless its operator binds at least as strongly as `needed`.
+    /// Writes an operand, in parentheses unless its precedence is at least `needed`.
     fn operand(&mut self, operand: &Expression, needed: u8, variables: &[Variable]) {
         // What an implicit conversion leaves is its operand; an untyped minus at the left end of a product, too, is safer inside.
         let mut seen = operand;
@@ -211,7 +211,7 @@ impl TextSheet<'_> {
         }
     }
 
-    /// The function that spells an implicit conversion, where the style wants it and the dialect has it.
+    /// Returns the function that spells an implicit conversion, where the style wants it and the dialect has it.
     fn spelled_conversion(&self, into: &Type, operand: &Expression) -> Option<String> {
         let (&Type::Elementary(from), &Type::Elementary(into)) = (&operand.ty, into) else {
             return None;
@@ -233,7 +233,7 @@ impl TextSheet<'_> {
         }
     }
 
-    /// A bit of a place.
+    /// Writes a bit of a place.
     pub fn bit(&mut self, place: &Place, bit: u32, variables: &[Variable]) {
         self.place(place, variables);
         self.put(match self.style.bits {
@@ -243,7 +243,7 @@ impl TextSheet<'_> {
         self.put(&bit.to_string());
     }
 
-    /// A variable with everything that is selected of it.
+    /// Writes a variable with its selectors.
     pub fn place(&mut self, place: &Place, variables: &[Variable]) {
         let Some(variable) = variables.get(place.variable.0) else {
             return;
@@ -258,7 +258,7 @@ impl TextSheet<'_> {
         }
     }
 
-    /// Writes one selector; gives the type of what it selects.
+    /// Writes one selector and returns the type of the selected part.
     fn selected<'t>(
         &mut self,
         within: &'t Type,

@@ -1,4 +1,4 @@
-//! Literals.
+//! Writing of literals.
 
 use super::notation::long_prefix;
 use super::sheet::TextSheet;
@@ -8,10 +8,10 @@ use std::fmt::Write as _;
 use stickler_types::{ElementaryType, Family, Value};
 
 impl TextSheet<'_> {
-    /// A literal in its canonical spelling, or what the style has instead, with the prefix of its type or without it.
+    /// Writes a literal in its canonical spelling, or in the notation of the style, with or without the prefix of its type.
     ///
-    /// Without it, bit strings are written in base 16, and durations and dates keep the short prefix that the standard
-    /// demands: `T#5ms`, `D#2024-02-29`.
+    /// Without the prefix, bit strings are written in base 16, and durations and dates keep the short prefix that the
+    /// standard demands: `T#5ms`, `D#2024-02-29`.
     pub fn literal(&mut self, value: &Value, form: LiteralForm) {
         let start = self.text.len();
         // Writing to a String does not fail.
@@ -37,7 +37,7 @@ impl TextSheet<'_> {
         }
     }
 
-    /// The digits behind a `#`, which is their first byte.
+    /// Writes the digits after a `#`, which is the first byte of `spelled`.
     fn without_prefix(&mut self, ty: ElementaryType, spelled: &str) {
         match ty.family() {
             Family::Boolean => self.word(&spelled[1..]),
@@ -56,7 +56,7 @@ impl TextSheet<'_> {
     }
 }
 
-/// The type of a value that is no enumerated one.
+/// Returns the elementary type of a value; `None` for an enumerated value.
 pub(super) const fn elementary(value: &Value) -> Option<ElementaryType> {
     match value {
         Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
@@ -64,7 +64,7 @@ pub(super) const fn elementary(value: &Value) -> Option<ElementaryType> {
     }
 }
 
-/// Whether the untyped spelling begins with a minus, which binds more loosely than some operators beside it.
+/// Returns whether the untyped spelling begins with a minus, which has a lower precedence than some operators beside it.
 pub(super) fn begins_with_minus(value: &Value) -> bool {
     let &Value::Plain { ty, raw } = value else {
         return false;

@@ -1,11 +1,11 @@
-//! Other notations of the same literals: bases, underscores, exponents, composed durations, long prefixes, character codes.
+//! Other notations of literals: bases, underscores, exponents, composed durations, long prefixes, character codes.
 
 use super::sheet::TextSheet;
 use crate::model::LiteralForm;
 use stickler_types::{BuiltIn, ElementaryType, Family, Value};
 
 impl TextSheet<'_> {
-    /// A literal behind its prefix in another notation; nothing where there is none but the canonical one.
+    /// Returns the text of a literal after its prefix in another notation; `None` if there is only the canonical one.
     ///
     /// Basis: iec-61131-3: Tables 5 to 9.
     pub fn other_notation(&mut self, value: &Value, form: LiteralForm) -> Option<String> {
@@ -24,7 +24,7 @@ impl TextSheet<'_> {
         }
     }
 
-    /// With an exponent; or without a point, where the dialect takes a bare integer literal for a real.
+    /// Spells a real with an exponent; or without a point, where the dialect takes a bare integer literal for a real.
     fn other_real(&self, ty: ElementaryType, raw: u64, form: LiteralForm, choice: usize) -> Option<String> {
         let single = f32::from_bits(raw as u32);
         let number = if ty == ElementaryType::Real {
@@ -48,6 +48,8 @@ impl TextSheet<'_> {
         Some(text)
     }
 
+    /// Returns whether the dialect takes a bare integer literal for a real.
+    ///
     /// Basis: ironplc-type-conversions: Integer and Real Types ("bare integer literals"); no in matiec, open in PLCnext.
     const fn takes_whole_reals(&self) -> bool {
         matches!(
@@ -57,7 +59,7 @@ impl TextSheet<'_> {
     }
 }
 
-/// The long prefix of a date, a time of day, or both.
+/// Returns the long prefix of a date, a time of day, or both.
 pub(super) const fn long_prefix(ty: ElementaryType) -> &'static str {
     match ty {
         ElementaryType::Tod => "TIME_OF_DAY",
@@ -68,7 +70,7 @@ pub(super) const fn long_prefix(ty: ElementaryType) -> &'static str {
     }
 }
 
-/// In another base, of which negative numbers have none, or with underscores.
+/// Spells an integer in another base, which negative numbers do not have, or with underscores.
 fn other_integer(number: i128, choice: usize) -> String {
     match (number >= 0, choice % 4) {
         (true, 0) => format!("2#{}", grouped(&format!("{number:b}"), 4)),
@@ -79,7 +81,7 @@ fn other_integer(number: i128, choice: usize) -> String {
     }
 }
 
-/// Digits with an underscore between groups, counted from the last digit.
+/// Inserts underscores between groups of digits, counted from the last digit.
 fn grouped(digits: &str, size: usize) -> String {
     let mut grouped = String::with_capacity(digits.len() + digits.len() / size);
     for (place, digit) in digits.chars().enumerate() {
@@ -91,7 +93,7 @@ fn grouped(digits: &str, size: usize) -> String {
     grouped
 }
 
-/// `1d2h3m4s5ms` for whole milliseconds.
+/// Spells a duration of whole milliseconds as `1d2h3m4s5ms`.
 fn other_duration(nanoseconds: i64) -> Option<String> {
     const MILLISECOND: u64 = 1_000_000;
     let length = nanoseconds.unsigned_abs();
@@ -120,7 +122,7 @@ fn other_duration(nanoseconds: i64) -> Option<String> {
     Some(text)
 }
 
-/// Every other character by its code.
+/// Spells every other character by its code.
 fn other_text(units: &[u16], ty: ElementaryType, choice: usize) -> Option<String> {
     let is_wide = ty == ElementaryType::Wstring;
     let quote = if is_wide { '"' } else { '\'' };

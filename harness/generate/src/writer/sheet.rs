@@ -1,10 +1,10 @@
-//! What text is made of: keywords in the style's case, lines, indents, blanks with comments.
+//! The text under construction: keywords in the case of the style, lines, indents, blanks with comments.
 
 use super::style::{Keywords, LineEnds, Style};
 use crate::model::Program;
 use stickler_types::SplitMix64;
 
-/// The text so far, and everything that decides how it goes on.
+/// The text so far, and the state that determines its continuation.
 pub(super) struct TextSheet<'p> {
     pub program: &'p Program,
     pub style: Style,
@@ -12,14 +12,14 @@ pub(super) struct TextSheet<'p> {
     pub raw_lines: Vec<u32>,
     line: u32,
     indent: usize,
-    /// Where the random sequence of the style stands.
+    /// The position in the random sequence of the style.
     random: SplitMix64,
 }
 
-/// Between two comments stand so many blanks, more or less.
+/// The mean number of blanks between two comments.
 const BLANKS_A_COMMENT: u64 = 12;
 
-/// What comments say: things that a scanner may take for something else.
+/// The texts of comments: things that a scanner may take for something else.
 const COMMENTS: [&str; 8] = [
     "(**)",
     "(* END_IF; *)",
@@ -45,12 +45,12 @@ impl<'p> TextSheet<'p> {
         }
     }
 
-    /// Text as it is.
+    /// Appends text unchanged.
     pub fn put(&mut self, text: &str) {
         self.text.push_str(text);
     }
 
-    /// A keyword, or a name that the language defines; given in upper case.
+    /// Appends a keyword, or a name that the language defines; given in upper case.
     pub fn word(&mut self, word: &str) {
         match self.style.keywords {
             Keywords::Upper => self.text.push_str(word),
@@ -70,7 +70,7 @@ impl<'p> TextSheet<'p> {
         }
     }
 
-    /// A blank, or a comment, which separates as a blank does: so there need not be blanks beside it.
+    /// Appends a blank, or a comment, which separates tokens as a blank does.
     pub fn blank(&mut self) {
         if !self.style.comments || !self.next_random().is_multiple_of(BLANKS_A_COMMENT) {
             self.text.push(' ');
@@ -92,7 +92,7 @@ impl<'p> TextSheet<'p> {
         }
     }
 
-    /// An infix operator or `:=`, given as it is, between blanks.
+    /// Appends an infix operator or `:=` between blanks.
     pub fn between_blanks(&mut self, operator: &str) {
         self.blank();
         self.word(operator);
@@ -112,12 +112,12 @@ impl<'p> TextSheet<'p> {
         self.indent += 1;
     }
 
-    /// Lines are indented one step less from here on.
+    /// Reduces the indent of the following lines by one step.
     pub fn shallower(&mut self) {
         self.indent = self.indent.saturating_sub(1);
     }
 
-    /// Text that breaks a rule on purpose; remembers the line on which it begins.
+    /// Appends text that breaks a rule on purpose, and records the line on which it begins.
     pub fn raw(&mut self, text: &str) {
         self.raw_lines.push(self.line);
         for (number, line) in text.split('\n').enumerate() {
@@ -136,7 +136,7 @@ impl<'p> TextSheet<'p> {
         self.line += 1;
     }
 
-    /// The next number of the style's own sequence, which has nothing to do with the program's bytes.
+    /// Advances the random sequence of the style, which is independent of the bytes of the program.
     pub fn next_random(&mut self) -> u64 {
         self.random.draw()
     }

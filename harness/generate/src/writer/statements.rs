@@ -1,4 +1,4 @@
-//! Statements.
+//! Writing of statements.
 
 use super::sheet::TextSheet;
 use crate::model::{
@@ -10,13 +10,13 @@ use crate::model::{
 #[derive(Clone, Copy)]
 pub(super) struct PouText<'p> {
     pub variables: &'p [Variable],
-    /// What the result of a function is called.
+    /// The name of the result of a function.
     pub result: &'p str,
 }
 
 impl TextSheet<'_> {
-    /// Statements, each on a line of its own, one step deeper. Where there are none stands an empty one, for the standard
-    /// demands a statement there.
+    /// Writes statements, each on a line of its own, one step deeper; an empty statement for an empty list, because the
+    /// standard demands a statement.
     pub fn statements(&mut self, statements: &[Statement], pou: PouText<'_>) {
         self.deeper();
         for statement in statements {
@@ -152,7 +152,7 @@ impl TextSheet<'_> {
         self.closing("END_CASE");
     }
 
-    /// A label, whose numbers the second edition writes in decimal digits only.
+    /// Writes a label, whose numbers the second edition writes in decimal digits only.
     fn label(&mut self, label: &CaseLabel, pou: PouText<'_>) {
         let notation = std::mem::take(&mut self.style.notation);
         match label {

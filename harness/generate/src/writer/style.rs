@@ -1,9 +1,9 @@
-//! What may vary in the text of one program.
+//! The spelling of a program.
 
-/// How a program is spelled. Whatever is chosen, the program means the same, as long as its dialect knows the spelling.
+/// The choices of a spelling. Whatever is chosen, the program means the same, as long as its dialect knows the spelling.
 ///
-/// The default is the canonical spelling: upper-case keywords, no comments, `LF`, `.n`, implicit conversions left implicit, and
-/// positional arguments.
+/// The default is the canonical spelling: upper-case keywords, no comments, `LF`, `.n`, implicit conversions left implicit,
+/// and positional arguments.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Style {
     /// The case of keywords and of the names of types and standard functions.
@@ -12,17 +12,17 @@ pub struct Style {
     pub comments: bool,
     /// The characters that end a line.
     pub line_ends: LineEnds,
-    /// How a bit is selected; only some dialects know the longer form.
+    /// The form of bit access; only some dialects know the longer form.
     pub bits: Bits,
-    /// Whether an implicit conversion is spelled by the function that does the same. Where no function of the dialect does,
+    /// Whether an implicit conversion is spelled by the function that does the same. Where the dialect has no such function,
     /// it stays implicit.
     pub widening: WideningForm,
-    /// How the functions of the program are called. Function blocks are always called with names.
+    /// The form of arguments in calls of functions of the program. Function blocks are always called with names.
     pub arguments: ArgumentForm,
-    /// How literals are written.
+    /// The notation of literals.
     pub notation: Notation,
-    /// Decides where comments stand, the case of each letter of [`Keywords::Mixed`], and which of the notations of
-    /// [`Notation::Varied`] a literal gets.
+    /// The seed that determines where comments stand, the case of each letter of [`Keywords::Mixed`], and the notation of
+    /// each literal of [`Notation::Varied`].
     pub seed: u64,
 }
 

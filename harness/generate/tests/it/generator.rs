@@ -1,5 +1,5 @@
-//! What the generator promises: whatever the bytes, its programs are accepted, end, and are settled by documents; and among
-//! many programs is every construct.
+//! Tests of the promises of the generator: its programs are accepted, terminate, and are settled by documents, whatever the
+//! bytes; and many programs contain every construct.
 
 use arbitrary::Unstructured;
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,7 +11,7 @@ use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
-/// The bytes of a seed: programs of every size.
+/// Returns the bytes of a seed, for programs of every size.
 fn bytes(seed: u64) -> Vec<u8> {
     stickler_generate::random::bytes(seed, (seed * 7 % 3000) as usize)
 }
@@ -27,7 +27,7 @@ fn made(dialect: DialectName, seed: u64) -> Program {
     program(&mut Unstructured::new(&bytes(seed)), &of_dialect(dialect))
 }
 
-/// How many programs of a dialect are made: `SEEDS` of the environment, or few.
+/// Returns the number of programs of a dialect to generate: `SEEDS` of the environment, or few.
 fn seeds() -> u64 {
     let asked = std::env::var("SEEDS").ok();
     asked.and_then(|seeds| seeds.parse().ok()).unwrap_or(300)
@@ -125,7 +125,7 @@ fn what_is_open_is_used_only_when_asked_for() {
     assert!(!(0..200).any(|seed| has_bits(&made(DialectName::Plcnext, seed))));
 }
 
-/// Everything that programs of a dialect must have, by the names of its features.
+/// Returns every feature that programs of a dialect must have.
 fn demanded(dialect: DialectName) -> Vec<String> {
     let third_edition = !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec);
     let has = |ty: &ElementaryType| {
@@ -159,7 +159,7 @@ fn demanded(dialect: DialectName) -> Vec<String> {
     demanded
 }
 
-/// The conversion functions between numbers of which documents say what they give for 1.
+/// Returns the conversion functions between numbers for which documents state the result of 1.
 fn settled_functions(dialect: DialectName) -> Vec<String> {
     let mut settled = Vec::new();
     for function in functions(dialect) {

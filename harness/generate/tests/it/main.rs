@@ -1,4 +1,4 @@
-//! The generator from the outside, in one program: each of its own would be linked once more.
+//! Tests of the generator from the outside, in one program, because each program of its own would be linked once more.
 
 mod execute;
 mod generator;

@@ -1,4 +1,5 @@
-//! What programs tell apart: a compiler that gets one of these wrong gives other values for some of them.
+//! Tests that programs tell wrong compilers apart: a compiler with one of these mistakes gives other values for some
+//! programs.
 
 use arbitrary::Unstructured;
 use stickler_generate::evaluate::evaluate;
@@ -11,10 +12,10 @@ use stickler_generate::model::{
 use stickler_generate::random::bytes;
 use stickler_types::{DialectName, ElementaryType, Value};
 
-/// Few enough that a campaign has made as many after some seconds.
+/// The number of programs: a campaign makes as many in some seconds.
 const PROGRAMS: u64 = 6000;
 
-/// So many programs that tell of a mistake are enough: it is found, whatever else the others have.
+/// The number of programs that must show a mistake for it to count as found.
 const ENOUGH: usize = 6;
 
 fn made(seed: u64) -> Program {
@@ -22,7 +23,7 @@ fn made(seed: u64) -> Program {
     program(&mut Unstructured::new(&bytes), &GeneratorSettings::default())
 }
 
-/// A wrong reading of every expression, the parts before the whole.
+/// A wrong reading of every expression, operands before the whole.
 struct Misread<F>(F);
 
 impl<F: FnMut(&mut Expression)> VisitorMut for Misread<F> {
@@ -32,7 +33,7 @@ impl<F: FnMut(&mut Expression)> VisitorMut for Misread<F> {
     }
 }
 
-/// How many programs give other values when every expression is read like this; counted up to [`ENOUGH`].
+/// Counts the programs that give other values when every expression is misread; stops at [`ENOUGH`].
 fn told_apart(misread: impl Fn(&Program, &mut Expression)) -> usize {
     let differs = |seed: &u64| {
         let right = made(*seed);
@@ -141,7 +142,7 @@ fn products_that_are_subnormal_from_zero() {
     assert_eq!(found, ENOUGH);
 }
 
-/// Zero for a product of reals.
+/// Replaces a product of reals by zero.
 fn without_products(expression: &mut Expression) {
     if let (ExpressionKind::Binary(BinaryOperator::Multiply, ..), Type::Elementary(ty)) =
         (&expression.kind, &expression.ty)

@@ -1,4 +1,5 @@
-//! What the writer promises: every style of a program is a text that its dialect accepts, and it remembers where rules break.
+//! Tests of the promises of the writer: every style of a program is accepted by its dialect, and the lines of raw text are
+//! recorded.
 
 use arbitrary::Unstructured;
 use stickler_generate::generator::{GeneratorSettings, program};
@@ -72,7 +73,7 @@ fn styles(dialect: DialectName) -> Vec<Style> {
     styles
 }
 
-/// What the reference gives for a text of this program.
+/// Returns the values that the reference gives for a text of this program.
 fn run(program: &Program, text: &str) -> Result<Vec<(String, Value)>, String> {
     let observed = program.observed();
     let names: Vec<_> = observed

@@ -42,7 +42,7 @@ fn a_function_starts_afresh_and_an_input_not_given_has_its_initial_value() {
     assert_eq!(values_after(&main, 3), ["r = INT#2100"]);
 }
 
-/// A block that adds an input to its output and to an in-out, and two instances of it.
+/// Creates a program with a block that adds an input to its output and to an in-out, and two instances of it.
 fn counters(body: Vec<Statement>) -> Program {
     let sum = |to: usize| set(to, Int, binary(BinaryOperator::Add, read(to, Int), read(0, Int)));
     let block = FunctionBlock {

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// `FOR i := from TO to BY by DO n := n + 1; …`
+/// Creates `FOR i := from TO to BY by DO n := n + 1; …`.
 fn counting(from: &str, to: &str, by: &str, mut body: Vec<Statement>) -> Program {
     body.push(set(
         1,

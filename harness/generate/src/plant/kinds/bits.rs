@@ -1,6 +1,7 @@
-//! Bits that are not there, and forms of access that the dialect does not have.
+//! Accesses to bits that do not exist, and forms of access that the dialect does not have.
 //!
-//! Basis: ironplc-bit-access, which is why most of it is for IronPLC's dialects only; where another stands, the kind names it.
+//! Basis: ironplc-bit-access, which is why most kinds are for the dialects of IronPLC only; a kind with another basis names
+//! it.
 
 use super::super::fault_site::{FaultSite, literal};
 use super::super::scope::elementary;
@@ -9,13 +10,13 @@ use crate::dialect::{has_bits, has_partial_access};
 use crate::model::{AssignmentTarget, Expression, ExpressionKind, Place, Program, StatementKind, Type, Unit};
 use stickler_types::{DialectName, ElementaryType};
 
-/// The number of bits of a type that has bits.
+/// Returns the number of bits of a type that has bits.
 pub(super) fn bits(program: &Program, ty: &Type) -> Option<u32> {
     let ty = elementary(program, ty)?;
     (ty.is_integer() || ty.is_bit_string()).then(|| ty.bits())
 }
 
-/// A bit beyond the last one, read where a BOOL is wanted: anywhere else that it is one would be a second error.
+/// Plants a read of a bit beyond the last one where a BOOL is expected; in any other place the BOOL would be a second error.
 ///
 /// Basis: bit-access/outside-and-no-bool.st.
 pub(super) fn outside_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -28,7 +29,7 @@ pub(super) fn outside_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// A bit of what has no bits, read: of a BOOL, a real, a duration, a text, an aggregate, an enumeration.
+/// Plants a read of a bit of something without bits: a BOOL, a real, a duration, a text, an aggregate, an enumeration.
 pub(super) fn none_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let original = fault.original;
     read(
@@ -43,7 +44,7 @@ fn has_none(program: &Program, place: &Place) -> bool {
     bits(program, &place.ty).is_none() && !matches!(place.ty, Type::Block(_))
 }
 
-/// Puts a bit of some place where any value may stand, in the place of some expression.
+/// Replaces an expression, in a place that takes any value, by a bit of some place.
 fn read(
     fault: &mut FaultSite<'_, '_, '_>,
     gives_way: impl Fn(&Expression) -> bool,
@@ -64,7 +65,7 @@ fn read(
     Some(())
 }
 
-/// A bit beyond the last one, written.
+/// Plants a bit beyond the last one, written.
 pub(super) fn outside_written(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let original = fault.original;
     written(
@@ -74,7 +75,7 @@ pub(super) fn outside_written(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// A bit of what has no bits, written.
+/// Plants a bit of what has no bits, written.
 pub(super) fn none_written(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let original = fault.original;
     written(fault, |place| has_none(original, place), |_| vec![0, 7])
@@ -100,7 +101,7 @@ fn written(
     )
 }
 
-/// A bit by `.%X`, where the dialect does not have the form.
+/// Plants a bit by `.%X`, where the dialect does not have the form.
 ///
 /// Basis: bit-access/partial-access-disabled.toml.
 pub(super) fn percent_disabled(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -110,7 +111,7 @@ pub(super) fn percent_disabled(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> 
     by_text(fault, ElementaryType::Word, &[".%X0", ".%X15", ".%X16", ".%x3"])
 }
 
-/// A byte or word of a bit string, where the dialect has no partial access.
+/// Plants a byte or word of a bit string, where the dialect has no partial access.
 ///
 /// Basis: bit-access/wider-forms-disabled.toml.
 pub(super) fn wider_disabled(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -120,7 +121,7 @@ pub(super) fn wider_disabled(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     by_text(fault, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
 }
 
-/// A byte or word of a bit string, where the dialect has partial access to bits only.
+/// Plants a byte or word of a bit string, where the dialect has partial access to bits only.
 ///
 /// Basis: bit-access/wider-forms-unsupported.toml.
 pub(super) fn wider_unsupported(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -130,7 +131,7 @@ pub(super) fn wider_unsupported(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
     by_text(fault, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
 }
 
-/// A bit in matiec, whose grammar has none.
+/// Plants a bit in matiec, whose grammar has none.
 ///
 /// Basis: bit-access/matiec.toml.
 pub(super) fn in_matiec(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -140,7 +141,7 @@ pub(super) fn in_matiec(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     by_text(fault, ElementaryType::Word, &[".0", ".15", ".%X0"])
 }
 
-/// Puts a variable of the type, and one of the texts behind it, where any value may stand.
+/// Replaces an expression, in a place that takes any value, by a variable of a type followed by one of the texts.
 fn by_text(fault: &mut FaultSite<'_, '_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
     let (number, site, _) = fault.pick_expression(|site, expression: &Expression| {
         site.unit != Unit::Types && stands_for_any_value(site, expression)

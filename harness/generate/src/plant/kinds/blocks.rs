@@ -12,7 +12,7 @@ use crate::model::{
 use stickler_exact::implicit;
 use stickler_types::{ElementaryType, MatrixWord};
 
-/// The function block of an instance.
+/// Returns the function block of an instance.
 fn block_of(program: &Program, unit: Unit, instance: VariableId) -> Option<&FunctionBlock> {
     match unit.variables(program).get(instance.0)?.ty {
         Type::Block(block) => program.blocks.get(block),
@@ -20,7 +20,7 @@ fn block_of(program: &Program, unit: Unit, instance: VariableId) -> Option<&Func
     }
 }
 
-/// The variables of a function block that are neither given nor taken in a call.
+/// Returns the variables of a function block that a call neither gives nor takes.
 fn inner(block: &FunctionBlock) -> Vec<VariableId> {
     let variables = block.variables.iter().enumerate();
     variables
@@ -34,7 +34,7 @@ fn inner(block: &FunctionBlock) -> Vec<VariableId> {
         .collect()
 }
 
-/// Whether a statement calls an instance of a function block with such variables.
+/// Returns whether a statement calls an instance of a function block that has such inner variables.
 fn calls_one_with_inner(program: &Program, unit: Unit, kind: &StatementKind) -> bool {
     match kind {
         StatementKind::Invoke { instance, .. } => {
@@ -44,7 +44,7 @@ fn calls_one_with_inner(program: &Program, unit: Unit, kind: &StatementKind) -> 
     }
 }
 
-/// A value for what is no input of the function block.
+/// Plants a value for a parameter that is no input of the function block.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn unknown_input(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -63,7 +63,7 @@ pub(super) fn unknown_input(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// An input that is given twice.
+/// Plants an input that is given twice.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn input_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -79,7 +79,7 @@ pub(super) fn input_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// A place that takes what is no output.
+/// Plants a place that takes a variable that is no output.
 ///
 /// Basis: ironplc-problem-codes: P4004.
 pub(super) fn unknown_output(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -101,7 +101,7 @@ pub(super) fn unknown_output(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// A place that takes an output of a type that does not convert to its own.
+/// Plants a place that takes an output of a type that does not convert to its own.
 ///
 /// Basis: stickler-design: §7 (`=>` capture: P4035).
 pub(super) fn output_taken(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -126,7 +126,7 @@ pub(super) fn output_taken(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// Arguments by position, one more than the function block has inputs.
+/// Plants arguments by position, one more than the function block has inputs.
 ///
 /// Basis: ironplc-problem-codes: P4003.
 pub(super) fn too_many_by_position(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -145,7 +145,7 @@ pub(super) fn too_many_by_position(fault: &mut FaultSite<'_, '_, '_>) -> Option<
     })
 }
 
-/// Literals for the inputs of a function block; nothing where an input is not elementary, or a variable is needed.
+/// Returns literals for the inputs of a function block; `None` if an input is not elementary, or an in-out needs a variable.
 fn literals(block: &FunctionBlock) -> Option<Vec<String>> {
     let needed = block
         .variables
@@ -159,7 +159,7 @@ fn literals(block: &FunctionBlock) -> Option<Vec<String>> {
         .collect()
 }
 
-/// What is no variable, passed to a VAR_IN_OUT.
+/// Plants an expression other than a variable as argument of a VAR_IN_OUT.
 ///
 /// Basis: language/diagnostics-calls.st.
 pub(super) fn no_variable(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -181,7 +181,7 @@ pub(super) fn no_variable(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A variable of another type, passed to a VAR_IN_OUT, also of one that widens elsewhere.
+/// Plants a variable of another type, also one that widens elsewhere, as argument of a VAR_IN_OUT.
 ///
 /// Basis: language/diagnostics-calls.st; widening/in-out.toml.
 pub(super) fn other_type(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -211,7 +211,7 @@ pub(super) fn other_type(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A constant, passed to a VAR_IN_OUT.
+/// Plants a constant as argument of a VAR_IN_OUT.
 ///
 /// Basis: language/diagnostics-calls.st.
 pub(super) fn constant(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {

@@ -1,4 +1,4 @@
-//! Calls of functions: arguments too many, too few, twice, or by names that nothing has; and calls that never end.
+//! Calls of functions with arguments too many, too few, twice, or by unknown names; and recursive calls.
 
 use super::super::fault_site::{FaultSite, PLANTED, literal, literal_text};
 use super::super::scope::{elementary, types, written};
@@ -11,7 +11,7 @@ use crate::model::{
 };
 use stickler_types::ElementaryType;
 
-/// One argument more than the function has inputs; the style of writing must be positional.
+/// Plants one argument more than the function has inputs; the style must write positional arguments.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn argument_too_many(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -35,7 +35,7 @@ pub(super) fn argument_too_many(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
     Some(())
 }
 
-/// One argument less than the function has inputs, by position.
+/// Plants one argument less than the function has inputs, by position.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn argument_too_few(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -53,7 +53,7 @@ pub(super) fn argument_too_few(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> 
     )
 }
 
-/// A standard function with one argument more or less than it has parameters.
+/// Plants a call of a standard function with one argument more or less than it has parameters.
 ///
 /// Basis: ironplc-problem-codes: P4018; iec-61131-3: Tables 28 to 34.
 pub(super) fn standard_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -75,7 +75,7 @@ pub(super) fn standard_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
     Some(())
 }
 
-/// Of these one argument is too few, for they take any number from two.
+/// Returns whether a function takes any number of arguments from two, so that only one argument is too few.
 const fn takes_any_number(function: StandardFunction) -> bool {
     matches!(
         function,
@@ -83,7 +83,7 @@ const fn takes_any_number(function: StandardFunction) -> bool {
     )
 }
 
-/// A conversion function with two arguments, or with none; its result is of the type that the place expects.
+/// Plants a conversion function with two arguments, or with none; its result is of the type that the place expects.
 ///
 /// Basis: conversion/bad-count.toml.
 pub(super) fn conversion_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -109,7 +109,7 @@ pub(super) fn conversion_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<(
     Some(())
 }
 
-/// The inputs of a function.
+/// Returns the inputs of a function with their elementary types.
 fn inputs(function: &Function) -> Vec<(&Variable, ElementaryType)> {
     let inputs = function.inputs();
     inputs
@@ -120,7 +120,7 @@ fn inputs(function: &Function) -> Vec<(&Variable, ElementaryType)> {
         .collect()
 }
 
-/// The functions all of whose inputs are elementary, and whose arguments can be written as literals.
+/// Returns the functions whose inputs are all elementary, and whose arguments can be written as literals.
 fn callable(program: &Program, unit: Unit) -> Vec<&Function> {
     // A function calls only those before it; a call of itself or of a later one could be recursive.
     let before = match unit {
@@ -140,7 +140,7 @@ fn callable(program: &Program, unit: Unit) -> Vec<&Function> {
         .collect()
 }
 
-/// The arguments of a call by name, each a literal.
+/// Returns the arguments of a call by name, each a literal.
 fn named(function: &Function) -> Vec<String> {
     inputs(function)
         .into_iter()
@@ -148,7 +148,7 @@ fn named(function: &Function) -> Vec<String> {
         .collect()
 }
 
-/// Puts a call of a function of the program, as a text, where a value of the type of its result stands.
+/// Replaces a value of the result type of a function by a call of it, as text.
 fn call(
     fault: &mut FaultSite<'_, '_, '_>,
     eligible: fn(&Function) -> bool,
@@ -172,7 +172,7 @@ fn call(
     Some(())
 }
 
-/// An argument by a name that the function does not have.
+/// Plants an argument by a name that the function does not have.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn unknown_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -187,7 +187,7 @@ pub(super) fn unknown_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// An argument that is given twice.
+/// Plants an argument that is given twice.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn name_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -202,7 +202,7 @@ pub(super) fn name_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// Arguments of which some have names and some have not.
+/// Plants a call in which some arguments have names and some have not.
 ///
 /// Basis: ironplc-problem-codes: P4001.
 pub(super) fn mixed(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -219,7 +219,7 @@ pub(super) fn mixed(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// A function that calls itself.
+/// Plants a function that calls itself.
 ///
 /// Basis: language/diagnostics-recursion.st (the call is the line).
 pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -252,7 +252,7 @@ pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()
     Some(())
 }
 
-/// A function block that holds an instance of itself.
+/// Plants a function block that holds an instance of itself.
 ///
 /// Basis: ironplc-problem-codes: P4005.
 pub(super) fn recursive_block(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {

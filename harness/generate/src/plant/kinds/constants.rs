@@ -1,4 +1,4 @@
-//! Constants, and what lies within them, assigned.
+//! Assignments to constants and to their parts.
 
 use super::super::fault_site::{FaultSite, PLANTED, literal, literal_text};
 use super::super::scope::{elementary, places, types};
@@ -10,7 +10,7 @@ use crate::model::{
 };
 use stickler_types::ElementaryType;
 
-/// Declares a constant with the name of what is planted, at the end of a unit's variables.
+/// Declares a constant with the planted name, after all variables of a unit.
 pub(super) fn declare(
     fault: &mut FaultSite<'_, '_, '_>,
     unit: Unit,
@@ -27,7 +27,7 @@ pub(super) fn declare(
     Some(VariableId(variables.len() - 1))
 }
 
-/// A constant, assigned.
+/// Plants an assignment to a constant.
 ///
 /// Basis: language/diagnostics-calls.st.
 pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -39,7 +39,8 @@ pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// A part of a constant, assigned: a field or an element, a part of such a part, or a bit of one or of the whole.
+/// Plants an assignment to a part of a constant: a field or an element, a part of such a part, or a bit of one or of the
+/// whole.
 ///
 /// Basis: language/diagnostics-beside-a-subscript.st; bit-access/constant-parts-are-not-written.st.
 pub(super) fn part_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -63,7 +64,7 @@ pub(super) fn part_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// Constants of the structures of which a field has an elementary type, with a value for that field.
+/// Returns constants of the structures that have an elementary field, with a value for that field.
 fn structures(program: &Program) -> Vec<(Type, Initializer)> {
     let declared = program.types.iter().enumerate();
     let constants = declared.filter_map(|(number, declaration)| {
@@ -77,7 +78,7 @@ fn structures(program: &Program) -> Vec<(Type, Initializer)> {
     constants.collect()
 }
 
-/// Constants that are arrays, of each elementary type but texts.
+/// Returns constants that are arrays, of each elementary type but texts.
 fn arrays(program: &Program) -> Vec<(Type, Initializer)> {
     let constant = |ty| {
         let array = ArrayType {
@@ -91,7 +92,7 @@ fn arrays(program: &Program) -> Vec<(Type, Initializer)> {
     elements.map(constant).collect()
 }
 
-/// Constants that have bits, where the dialect has access to them.
+/// Returns constants that have bits, where the dialect has access to them.
 fn with_bits(program: &Program) -> Vec<(Type, Initializer)> {
     let has_bits = has_bits(program.dialect);
     let constants = types(program.dialect)
@@ -100,7 +101,7 @@ fn with_bits(program: &Program) -> Vec<(Type, Initializer)> {
     constants.collect()
 }
 
-/// What of a place of a constant is a part of it that can be assigned, with the type of the value.
+/// Returns the assignable parts of a place of a constant, with the types of their values.
 fn targets(program: &Program, place: &Place) -> Vec<(AssignmentTarget, ElementaryType)> {
     let mut found = Vec::new();
     let ty = elementary(program, &place.ty).filter(|ty| !ty.is_text());
@@ -118,7 +119,7 @@ fn targets(program: &Program, place: &Place) -> Vec<(AssignmentTarget, Elementar
     found
 }
 
-/// How the text of a part of what is planted begins; the declaration does not say that.
+/// Returns the first characters of the text of a part of the planted constant, which its declaration does not contain.
 fn beginning(target: &AssignmentTarget) -> String {
     let first = match target {
         AssignmentTarget::Place(place) | AssignmentTarget::Bit(place, _) => place.path.first(),

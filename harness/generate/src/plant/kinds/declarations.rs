@@ -1,17 +1,17 @@
-//! Declarations of what cannot be.
+//! Invalid declarations.
 
 use super::super::fault_site::{FaultSite, PLANTED};
 use crate::dialect::has_third_edition;
 use crate::model::{Unit, VariableSection};
 
-/// Declares one of these, of a name of its own.
+/// Declares one of several types for a variable with a name of its own.
 fn declared(fault: &mut FaultSite<'_, '_, '_>, section: VariableSection, texts: &[&str]) -> Option<()> {
     let unit = fault.unit()?;
     let text = fault.choose(texts.to_vec())?;
     fault.declare_text(unit, &format!("{PLANTED}_one {text}"), section)
 }
 
-/// A type of the third edition, where the dialect has the second.
+/// Plants a type of the third edition, where the dialect has the second.
 ///
 /// Basis: language/third-edition-types.st.
 pub(super) fn third_edition(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -30,7 +30,7 @@ pub(super) fn third_edition(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     declared(fault, VariableSection::Local, &types)
 }
 
-/// A declaration without its colon.
+/// Plants a declaration without its colon.
 ///
 /// Basis: language/syntax-recovery.st.
 pub(super) fn no_colon(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -41,7 +41,7 @@ pub(super) fn no_colon(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// An array whose limits descend.
+/// Plants an array whose limits descend.
 ///
 /// Basis: language/diagnostics-types.st.
 pub(super) fn limits_descend(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -52,7 +52,7 @@ pub(super) fn limits_descend(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// An array that is larger than any memory.
+/// Plants an array that is larger than any memory.
 ///
 /// Basis: language/diagnostics-types.st.
 pub(super) fn too_large(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -63,14 +63,14 @@ pub(super) fn too_large(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// A subrange that descends.
+/// Plants a subrange that descends.
 ///
 /// Basis: language/diagnostics-types.st.
 pub(super) fn subrange_descends(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     declared(fault, VariableSection::Local, &[": INT(9..1)", ": DINT(0..-1)"])
 }
 
-/// A subrange beyond its base type.
+/// Plants a subrange beyond its base type.
 ///
 /// Basis: ironplc-problem-codes: P2016.
 pub(super) fn subrange_outside(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -81,14 +81,14 @@ pub(super) fn subrange_outside(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> 
     )
 }
 
-/// A subrange of what is no integer.
+/// Plants a subrange of a type other than an integer.
 ///
 /// Basis: ironplc-problem-codes: P2015.
 pub(super) fn subrange_of_no_integer(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     declared(fault, VariableSection::Local, &[": REAL(0..1)", ": BOOL(0..1)"])
 }
 
-/// A string that is longer than strings are.
+/// Plants a string longer than the maximum length.
 ///
 /// Basis: ironplc-problem-codes: P2041.
 pub(super) fn too_long(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -99,7 +99,7 @@ pub(super) fn too_long(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// A constant without a value.
+/// Plants a constant without a value.
 ///
 /// Basis: ironplc-problem-codes: P4008.
 pub(super) fn no_value(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -110,7 +110,7 @@ pub(super) fn no_value(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// An instance of a function block that is constant.
+/// Plants an instance of a function block that is constant.
 ///
 /// Basis: ironplc-problem-codes: P4009.
 pub(super) fn constant_instance(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -119,7 +119,7 @@ pub(super) fn constant_instance(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
     fault.declare_text(Unit::Main, &text, VariableSection::Constant)
 }
 
-/// An instance of a function block in a function.
+/// Plants an instance of a function block in a function.
 ///
 /// Basis: ironplc-problem-codes: P4054.
 pub(super) fn instance_in_function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {

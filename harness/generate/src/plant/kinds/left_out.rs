@@ -1,7 +1,7 @@
-//! Conversion functions left out where nothing converts without them.
+//! Conversion functions omitted where no implicit conversion replaces them.
 //!
-//! Basis: stickler-design: §7 (*which code where*), §8; the documents on implicit conversion, as `stickler_exact::implicit` has
-//! them.
+//! Basis: stickler-design: §7 (*which code where*), §8; the documents on implicit conversion, as `stickler_exact::implicit`
+//! has them.
 
 use super::super::fault_site::FaultSite;
 use super::super::scope::written;
@@ -10,7 +10,7 @@ use super::misfits::{converts, never};
 use super::operands::calculates;
 use crate::model::{Expression, ExpressionKind};
 
-/// A conversion left out where a value is assigned.
+/// Omits a conversion from an assigned value.
 pub(super) fn conversion_left_out_of_assignment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let assigned = |context| matches!(context, ExpressionContext::Assigned | ExpressionContext::Result);
     left_out(fault, assigned, |argument| !is_call(argument))?;
@@ -18,7 +18,7 @@ pub(super) fn conversion_left_out_of_assignment(fault: &mut FaultSite<'_, '_, '_
     Some(())
 }
 
-/// A conversion left out of an argument.
+/// Omits a conversion from an argument.
 pub(super) fn conversion_left_out_of_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let argument = |context| matches!(context, ExpressionContext::Argument | ExpressionContext::Input);
     left_out(fault, argument, |_| true)?;
@@ -26,7 +26,7 @@ pub(super) fn conversion_left_out_of_argument(fault: &mut FaultSite<'_, '_, '_>)
     Some(())
 }
 
-/// A conversion left out of a condition.
+/// Omits a conversion from a condition.
 pub(super) fn conversion_left_out_of_condition(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let condition = |context| {
         matches!(
@@ -40,13 +40,13 @@ pub(super) fn conversion_left_out_of_condition(fault: &mut FaultSite<'_, '_, '_>
     left_out(fault, condition, |_| true)
 }
 
-/// A conversion left out of an operand.
+/// Omits a conversion from an operand.
 pub(super) fn conversion_left_out_of_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let operand = |context| matches!(context, ExpressionContext::Operand(_, Some(_)));
     left_out(fault, operand, |_| true)
 }
 
-/// Puts the argument of a conversion function where its call stands.
+/// Replaces a call of a conversion function by its argument.
 fn left_out(
     fault: &mut FaultSite<'_, '_, '_>,
     context: fn(ExpressionContext) -> bool,
@@ -80,7 +80,7 @@ fn left_out(
     Some(())
 }
 
-/// Whether nothing but a call is written.
+/// Returns whether an expression is written as a bare call.
 fn is_call(expression: &Expression) -> bool {
     match &expression.kind {
         ExpressionKind::Widen(operand) => is_call(operand),

@@ -1,4 +1,4 @@
-//! Literals and constant expressions that their types do not hold.
+//! Literals and constant expressions outside the ranges of their types.
 
 use super::super::fault_site::FaultSite;
 use super::super::scope::elementary;
@@ -7,7 +7,7 @@ use super::operands::stands_for_any_value;
 use crate::model::{Expression, ExpressionKind, Type};
 use stickler_types::{DialectName, ElementaryType};
 
-/// An untyped integer literal beyond the type of its target, or one below it.
+/// Plants an untyped integer literal beyond the type of its target, or below it.
 ///
 /// Basis: stickler-design: §7 (*a literal that does not fit its type: P2026*; the sign belongs to it).
 pub(super) fn integer_for_target(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -25,7 +25,7 @@ pub(super) fn integer_for_target(fault: &mut FaultSite<'_, '_, '_>) -> Option<()
     })
 }
 
-/// The same where the other operand gives the type.
+/// Plants an untyped integer literal outside the type of the other operand.
 pub(super) fn integer_for_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     too_large(fault, |site, expression| match site.context {
         // Beside a narrower operand that widens, the literal would make the whole narrower, and other literals with it wrong.
@@ -36,7 +36,7 @@ pub(super) fn integer_for_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<(
     })
 }
 
-/// The same for a label, whose selector gives the type.
+/// Plants an untyped integer literal outside the type of the selector as a label of CASE.
 pub(super) fn integer_for_label(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let original = fault.original;
     too_large(fault, |site, expression| {
@@ -45,7 +45,7 @@ pub(super) fn integer_for_label(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
     })
 }
 
-/// Puts an untyped integer literal in a place whose type, which the function gives, does not hold it.
+/// Puts an untyped integer literal in a place whose type, given by a function, does not hold it.
 fn too_large(
     fault: &mut FaultSite<'_, '_, '_>,
     expected: impl Fn(ExpressionSite, &Expression) -> Option<ElementaryType>,
@@ -60,12 +60,12 @@ fn too_large(
     Some(())
 }
 
-/// The least and the greatest value of an integer type; nothing of a bit string or of BOOL.
+/// Returns the least and the greatest value of an integer type; `None` for a bit string or BOOL.
 fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
     ty.integer_range().filter(|_| ty.is_integer())
 }
 
-/// A based literal with more bits than its bit string has, where the dialect takes one.
+/// Plants a based literal with more bits than its bit string has, where the dialect takes one.
 ///
 /// Basis: stickler-design: §8; widening/literal-too-long-for-a-bit-string.toml.
 pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -91,7 +91,7 @@ pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A literal with its type in front of it, which does not hold it.
+/// Plants a typed literal that its type does not hold.
 ///
 /// Basis: language/literals-outside.toml; widening/typed-literal-that-does-not-fit.toml.
 pub(super) fn typed_integer(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -106,7 +106,7 @@ pub(super) fn typed_integer(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A place for a value of an integer type that is its own, by no implicit conversion.
+/// Picks a place for a value of an integer type without an implicit conversion.
 fn integer_site(fault: &mut FaultSite<'_, '_, '_>) -> Option<(usize, ElementaryType)> {
     let original = fault.original;
     let integer = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_integer());
@@ -116,7 +116,7 @@ fn integer_site(fault: &mut FaultSite<'_, '_, '_>) -> Option<(usize, ElementaryT
     Some((number, integer(&expression)?))
 }
 
-/// A real literal beyond its type.
+/// Plants a real literal beyond its type.
 ///
 /// Basis: language/literals-outside.toml.
 pub(super) fn real(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -145,7 +145,7 @@ pub(super) fn real(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A day that the calendar does not have.
+/// Plants a day that the calendar does not have.
 ///
 /// Basis: language/literals-outside.toml.
 pub(super) fn date(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -158,14 +158,14 @@ pub(super) fn date(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// A duration that is longer than durations are.
+/// Plants a duration longer than the maximum.
 ///
 /// Basis: language/literals-outside.toml.
 pub(super) fn duration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     moment(fault, ElementaryType::Time, &["T#9999999999999d"])
 }
 
-/// Puts one of the texts in a place for a value of the type.
+/// Puts one of the texts in a place for a value of a type.
 fn moment(fault: &mut FaultSite<'_, '_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
     let original = fault.original;
     let (number, ..) = fault.pick_expression(|site, expression| {
@@ -176,7 +176,7 @@ fn moment(fault: &mut FaultSite<'_, '_, '_>, ty: ElementaryType, texts: &[&str])
     Some(())
 }
 
-/// A constant division by zero.
+/// Plants a constant division by zero.
 ///
 /// Basis: language/diagnostics-constants.st.
 pub(super) fn division_by_zero(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -191,7 +191,7 @@ pub(super) fn division_by_zero(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> 
     Some(())
 }
 
-/// A constant sum beyond its type.
+/// Plants a constant sum beyond its type.
 ///
 /// Basis: language/diagnostics-constants.st.
 pub(super) fn overflow(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -207,7 +207,7 @@ pub(super) fn overflow(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A constant sum of untyped literals beyond the type of its target.
+/// Plants a constant sum of untyped literals beyond the type of its target.
 ///
 /// Basis: language/diagnostics-constants.st.
 pub(super) fn untyped_overflow(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -228,7 +228,7 @@ pub(super) fn untyped_overflow(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> 
     Some(())
 }
 
-/// A constant subscript outside the array.
+/// Plants a constant subscript outside the array.
 ///
 /// Basis: language/diagnostics-constants.st.
 pub(super) fn subscript(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -242,14 +242,14 @@ pub(super) fn subscript(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A character that a STRING does not have.
+/// Plants a character that a STRING does not have.
 ///
 /// Basis: ironplc-problem-codes: P4052.
 pub(super) fn character(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     text(fault, "'a€'")
 }
 
-/// An escape that does not exist.
+/// Plants an escape that does not exist.
 ///
 /// Basis: ironplc-problem-codes: P0012.
 pub(super) fn escape(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {

@@ -1,7 +1,7 @@
-//! Values whose types do not fit the place where they stand.
+//! Values whose types do not fit their places.
 //!
-//! Basis of all codes here: stickler-design: §7 (*which code where*), and for what is neither an initial value, nor an argument,
-//! nor the bare result of a call: *all else P4035*, widening/contexts.toml.
+//! Basis of all codes here: stickler-design: §7 (*which code where*), and for all places other than an initial value, an
+//! argument and the bare result of a call: *all else P4035*, widening/contexts.toml.
 
 use super::super::fault_site::{FaultSite, literal};
 use super::super::scope::{elementary, types};
@@ -10,7 +10,7 @@ use crate::model::{Expression, ExpressionKind, Program, StandardFunction, Unit};
 use stickler_exact::{implicit, signatures};
 use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
-/// A value of a type that does not convert to the target's.
+/// Plants a value of a type that does not convert to the type of its target.
 pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -19,7 +19,7 @@ pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// The same for the result of a function, in its body.
+/// Plants a value of another type than that of the result of a function, in its body.
 pub(super) fn result(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -28,7 +28,7 @@ pub(super) fn result(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// Nothing but a call, assigned.
+/// Plants a bare call of another type as an assigned value.
 pub(super) fn call_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -37,7 +37,7 @@ pub(super) fn call_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// An initial value, also of an element or a field.
+/// Plants an initial value of another type, also of an element or a field.
 pub(super) fn initial(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -46,7 +46,7 @@ pub(super) fn initial(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// An argument of a function.
+/// Plants an argument of another type in a call of a function.
 pub(super) fn argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -55,7 +55,7 @@ pub(super) fn argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// An input of a function block.
+/// Plants an input of another type in a call of a function block.
 pub(super) fn input(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -64,7 +64,7 @@ pub(super) fn input(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// The argument of a conversion function whose name says from which type it converts.
+/// Plants an argument of another type in a call of a conversion function whose name states its operand type.
 pub(super) fn converted(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -73,7 +73,7 @@ pub(super) fn converted(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// The condition of IF.
+/// Plants a condition of IF of another type than BOOL.
 pub(super) fn condition_of_if(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -82,7 +82,7 @@ pub(super) fn condition_of_if(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// The condition of ELSIF.
+/// Plants a condition of ELSIF of another type than BOOL.
 pub(super) fn condition_of_elsif(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -91,7 +91,7 @@ pub(super) fn condition_of_elsif(fault: &mut FaultSite<'_, '_, '_>) -> Option<()
     )
 }
 
-/// The condition of WHILE.
+/// Plants a condition of WHILE of another type than BOOL.
 pub(super) fn condition_of_while(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -100,7 +100,7 @@ pub(super) fn condition_of_while(fault: &mut FaultSite<'_, '_, '_>) -> Option<()
     )
 }
 
-/// The condition of REPEAT.
+/// Plants a condition of REPEAT of another type than BOOL.
 pub(super) fn condition_of_repeat(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     misfit(
         fault,
@@ -109,18 +109,18 @@ pub(super) fn condition_of_repeat(fault: &mut FaultSite<'_, '_, '_>) -> Option<(
     )
 }
 
-/// What makes a value of a type.
+/// The form of a planted value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum MisfitForm {
     /// A variable, an element, a field or an output.
     Variable,
-    /// A literal with its type in front of it.
+    /// A typed literal.
     Literal,
     /// An operation on a variable.
     Operation,
     /// The bare call of a conversion function.
     Call,
-    /// A literal without a type, of another kind than the place takes.
+    /// An untyped literal of another kind than the place takes.
     Foreign,
 }
 
@@ -138,8 +138,7 @@ pub(super) const ALL_MISFIT_FORMS: &[MisfitForm] = &[
     MisfitForm::Call,
 ];
 
-/// Puts a value of a type that does not convert to the expected one in a place of one of these contexts, which expect the
-/// type that the value there has.
+/// Replaces an expression in one of some contexts by a value of a type that does not convert to the type of the expression.
 fn misfit(
     fault: &mut FaultSite<'_, '_, '_>,
     context: fn(ExpressionContext) -> bool,
@@ -176,17 +175,18 @@ fn misfit(
     Some(())
 }
 
-/// Whether documents say that a value of the one type never stands for one of the other.
+/// Returns whether documents state that values of one type never convert implicitly to another.
 pub(super) fn never(from: ElementaryType, into: ElementaryType, dialect: DialectName) -> bool {
     implicit(from, into, dialect) == MatrixWord::No
 }
 
-/// Whether the dialect has a conversion function for the pair.
+/// Returns whether the dialect has a conversion function for a pair of types.
 pub(super) fn converts(from: ElementaryType, into: ElementaryType, dialect: DialectName) -> bool {
     !signatures(&format!("{from}_TO_{into}"), dialect).is_empty()
 }
 
-/// A value of a type in a unit, of a shape other than [`MisfitForm::Foreign`]; where nothing is declared, a literal.
+/// Creates a value of a type in a unit, in a form other than [`MisfitForm::Foreign`]; a literal where nothing can be
+/// declared.
 pub(super) fn value(
     fault: &mut FaultSite<'_, '_, '_>,
     unit: Unit,
@@ -202,7 +202,7 @@ pub(super) fn value(
     }
 }
 
-/// A literal without a type, of a kind no type of which fits.
+/// Creates an untyped literal of a kind that does not fit any type of the place.
 ///
 /// Basis: widening/literal-of-another-kind.toml.
 pub(super) fn foreign(
@@ -226,13 +226,13 @@ pub(super) fn foreign(
         .map(|text: &str| ExpressionKind::Raw(text.to_owned()))
 }
 
-/// A subscript that is no integer.
+/// Plants a subscript that is no integer.
 pub(super) fn subscript(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let in_place = |context| matches!(context, ExpressionContext::Subscript(..));
     no_integer(fault, in_place, converts_to_no_integer)
 }
 
-/// A first or last value of FOR that is no integer.
+/// Plants a first or last value of FOR that is no integer.
 pub(super) fn bound(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     no_integer(
         fault,
@@ -241,7 +241,7 @@ pub(super) fn bound(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     )
 }
 
-/// A selector of CASE that is neither an integer nor an enumeration, whatever converts to an integer elsewhere.
+/// Plants a selector of CASE that is neither an integer nor an enumeration, whatever converts to an integer elsewhere.
 ///
 /// Basis: ironplc-problem-codes: P4053; widening/any-integer.toml (nothing widens in the place of a selector).
 pub(super) fn selector(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -253,7 +253,7 @@ pub(super) fn selector(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     no_integer(fault, in_place, wrong)
 }
 
-/// Puts a value of one of these types, which are no integers, in a place of one of these contexts.
+/// Replaces an expression in one of some contexts by a value of a type that is no integer.
 fn no_integer(
     fault: &mut FaultSite<'_, '_, '_>,
     context: fn(ExpressionContext) -> bool,
@@ -268,14 +268,14 @@ fn no_integer(
     Some(())
 }
 
-/// Whether no integer type takes a value of a type without a call. Where one does, as with bit strings and durations in some
-/// dialects, a person may doubt that a subscript is wrong.
+/// Returns whether a type converts implicitly to no integer type. If it converts, as bit strings and durations do in some
+/// dialects, it is doubtful whether a subscript of that type is wrong.
 fn converts_to_no_integer(ty: ElementaryType, dialect: DialectName) -> bool {
     let integers = types(dialect).filter(|into| into.is_integer());
     !ty.is_integer() && { integers }.all(|into| never(ty, into, dialect))
 }
 
-/// An argument of a standard function that its parameter does not take.
+/// Plants an argument of a standard function that its parameter does not take.
 ///
 /// Basis: iec-61131-3: Tables 28 to 34 (the generic types of the parameters).
 pub(super) fn standard(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -289,8 +289,8 @@ pub(super) fn standard(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// The same where the call is all that is assigned or passed: then the type that is wanted of it is known, and with that the
-/// conversion to suggest.
+/// Plants an argument that its parameter does not take in a call of a standard function that is the whole value assigned or
+/// passed: the place determines the type of the call, and so the conversion to suggest.
 pub(super) fn of_call_alone(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let original = fault.original;
     let dialect = original.dialect;
@@ -329,8 +329,8 @@ pub(super) fn of_call_alone(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// The arguments for which a call of a standard function takes only one type, with that type. A number that counts may be of any
-/// integer type, so that no conversion is the one that was meant.
+/// Returns the arguments for which a call of a standard function takes only one type, with that type. A counting argument
+/// may be of any integer type, so that no single conversion is the right one.
 fn of_one_type(
     program: &Program,
     function: StandardFunction,
@@ -346,13 +346,13 @@ fn of_one_type(
         .collect()
 }
 
-/// Whether it is the selector of MUX, or by how much is shifted.
+/// Returns whether an argument counts: the selector of MUX, or the count of a shift.
 fn counts(context: ExpressionContext, ty: ElementaryType) -> bool {
     matches!(context, ExpressionContext::Standard(function, _) if function != StandardFunction::Abs && ty.is_integer())
 }
 
-/// Whether a parameter of a standard function takes a type; nothing where the type has to be that of another argument, or
-/// where a dialect might convert it.
+/// Returns whether a parameter of a standard function takes a type; `None` where the type must be that of another argument,
+/// or where a dialect might convert it.
 fn takes(context: ExpressionContext, ty: ElementaryType) -> Option<bool> {
     use StandardFunction as S;
     let ExpressionContext::Standard(function, number) = context else {

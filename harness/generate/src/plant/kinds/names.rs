@@ -1,4 +1,4 @@
-//! Names that nothing has, that two things have, or that stand for something else.
+//! Unknown names, names declared twice, and names of something else.
 
 use super::super::fault_site::{FaultSite, PLANTED};
 use super::super::scope::elementary;
@@ -9,7 +9,7 @@ use crate::model::{
 };
 use stickler_types::ElementaryType;
 
-/// A variable that is not declared, somewhere in the place of a value.
+/// Plants an undeclared variable in the place of a value.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn variable_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -24,7 +24,7 @@ pub(super) fn variable_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A variable that is not declared, assigned.
+/// Plants an assignment to an undeclared variable.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn variable_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -35,7 +35,7 @@ pub(super) fn variable_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
     })
 }
 
-/// A field that the structure does not have, or a variable that is no output of the function block.
+/// Plants a field that the structure does not have, or a variable that is no output of the function block.
 ///
 /// Basis: ironplc-problem-codes: P4007.
 pub(super) fn field(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -63,7 +63,7 @@ fn has_fields(program: &Program, ty: &Type) -> bool {
     program.fields(ty).is_some() || matches!(ty, Type::Block(_))
 }
 
-/// A function that is not declared, somewhere in the place of a value.
+/// Plants an undeclared function in the place of a value.
 ///
 /// Basis: language/diagnostics-names.st; conversion/bad-name.toml.
 pub(super) fn function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -75,7 +75,7 @@ pub(super) fn function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A call of a variable that is no instance of a function block.
+/// Plants a call of a variable that is no instance of a function block.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn no_instance(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -88,7 +88,7 @@ pub(super) fn no_instance(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// A value that the enumeration does not have, with the enumeration's name in front of it.
+/// Plants a value that the enumeration does not have, with the enumeration's name in front of it.
 ///
 /// Basis: ironplc-problem-codes: P2006.
 pub(super) fn enumerated_value(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -108,7 +108,7 @@ fn is_enumerated(program: &Program, expression: &Expression) -> bool {
         && program.enumerated_values(&expression.ty).is_some()
 }
 
-/// A value of another enumeration.
+/// Plants a value of another enumeration.
 ///
 /// Basis: widening/user-defined.toml.
 pub(super) fn other_enumeration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -140,7 +140,7 @@ pub(super) fn other_enumeration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
     Some(())
 }
 
-/// A literal whose prefix is no enumeration.
+/// Plants a literal whose prefix is no enumeration.
 ///
 /// Basis: ironplc-problem-codes: P2004.
 pub(super) fn enumeration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -149,7 +149,7 @@ pub(super) fn enumeration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A type that is not declared.
+/// Plants a type that is not declared.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn type_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -159,7 +159,7 @@ pub(super) fn type_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     fault.declare_text(unit, &format!("{PLANTED}_type : {ty}"), VariableSection::Local)
 }
 
-/// A variable that is declared twice.
+/// Plants a variable that is declared twice.
 ///
 /// Basis: language/diagnostics-names.st (the second declaration, whatever its case and type).
 pub(super) fn variable_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -171,13 +171,13 @@ pub(super) fn variable_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     fault.declare_text(unit, &format!("{name} : {ty}"), VariableSection::Local)
 }
 
-/// The same name in another case, so that the second declaration is not the first one's text.
+/// Returns a name in another case of its letters, so that the second declaration differs from the text of the first.
 fn other_case(name: &str) -> Option<String> {
     let names = [name.to_ascii_uppercase(), name.to_ascii_lowercase()];
     names.into_iter().find(|other| other != name)
 }
 
-/// A function that is declared twice.
+/// Plants a function that is declared twice.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn function_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -188,7 +188,7 @@ pub(super) fn function_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A function block that is declared twice.
+/// Plants a function block that is declared twice.
 ///
 /// Basis: ironplc-problem-codes: P4013.
 pub(super) fn block_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -199,7 +199,7 @@ pub(super) fn block_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A function with the name of a type, or a function block with that of a function.
+/// Plants a function with the name of a type, or a function block with that of a function.
 ///
 /// Basis: ironplc-problem-codes: P4011.
 pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -221,7 +221,7 @@ pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_, '_>) -> Option
     Some(())
 }
 
-/// A type that is declared twice.
+/// Plants a type that is declared twice.
 ///
 /// Basis: language/diagnostics-types.st.
 pub(super) fn type_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -235,7 +235,7 @@ pub(super) fn type_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// A field that is declared twice.
+/// Plants a field that is declared twice.
 ///
 /// Basis: language/diagnostics-types.st.
 pub(super) fn field_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -250,7 +250,7 @@ pub(super) fn field_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// An enumerated value that is declared twice.
+/// Plants an enumerated value that is declared twice.
 ///
 /// Basis: language/diagnostics-types.st.
 pub(super) fn enumerated_value_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -265,7 +265,7 @@ pub(super) fn enumerated_value_twice(fault: &mut FaultSite<'_, '_, '_>) -> Optio
     })
 }
 
-/// Changes one of the declared types that can be changed.
+/// Changes one of the declared types for which the change is possible.
 fn declared_twice(
     fault: &mut FaultSite<'_, '_, '_>,
     change: impl Fn(&mut DeclaredKind, &mut Option<String>) -> Option<()>,
@@ -279,7 +279,7 @@ fn declared_twice(
     change(&mut fault.program.types.get_mut(number)?.kind, &mut fault.mark)
 }
 
-/// An initial value that names what is not declared.
+/// Plants an initial value that names what is not declared.
 ///
 /// Basis: ironplc-problem-codes: P4007.
 pub(super) fn initial(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {

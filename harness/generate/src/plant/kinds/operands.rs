@@ -1,4 +1,4 @@
-//! Operators beside operands for which they are not defined.
+//! Operators with operands for which they are not defined.
 //!
 //! Basis: ironplc-problem-codes: P4049; stickler-design: §8 (*mixed operands*).
 
@@ -9,7 +9,7 @@ use super::misfits::{ALL_MISFIT_FORMS, MisfitForm, foreign, never, value};
 use crate::model::{BinaryOperator, Expression, ExpressionKind, Type, UnaryOperator, Unit};
 use stickler_types::{ElementaryType, Family};
 
-/// An operand of a type that has nothing in common with the other's.
+/// Plants an operand of a type that has no common type with the other operand.
 pub(super) fn operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let dialect = fault.original.dialect;
     let (number, site, _) =
@@ -31,7 +31,8 @@ pub(super) fn operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// Whether the standard calculates with two different types: durations with numbers, dates and times of day with durations.
+/// Returns whether the standard calculates with two different types: durations with numbers, dates and times of day with
+/// durations.
 ///
 /// Basis: iec-61131-3: Table 35.
 pub(super) fn calculates(operator: BinaryOperator, one: ElementaryType, other: ElementaryType) -> bool {
@@ -47,7 +48,7 @@ pub(super) fn calculates(operator: BinaryOperator, one: ElementaryType, other: E
     }
 }
 
-/// The operand of an operator with one, which is not defined for its type.
+/// Plants an operand of a unary operator that is not defined for its type.
 pub(super) fn only_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let dialect = fault.original.dialect;
     let (number, site, _) =
@@ -61,7 +62,7 @@ pub(super) fn only_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     Some(())
 }
 
-/// Whether an operator is not defined for a type. That unsigned integers have no negatives is not said anywhere.
+/// Returns whether an operator is not defined for a type. That unsigned integers have no negatives is stated nowhere.
 ///
 /// Basis: iec-61131-3: Table 71; language/diagnostics-operators.st.
 fn undefined(operator: UnaryOperator, ty: ElementaryType) -> bool {
@@ -71,7 +72,7 @@ fn undefined(operator: UnaryOperator, ty: ElementaryType) -> bool {
     }
 }
 
-/// An operation that its operands' type does not have, somewhere in the place of a value.
+/// Plants an operation that the type of its operands does not have, in the place of a value.
 pub(super) fn undefined_operation(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     use BinaryOperator as B;
     let dialect = fault.original.dialect;
@@ -105,8 +106,8 @@ pub(super) fn undefined_operation(fault: &mut FaultSite<'_, '_, '_>) -> Option<(
     Some(())
 }
 
-/// Whether any expression may stand there, with an error of its own and no other: neither a constant, nor a variable, nor a
-/// label is wanted.
+/// Returns whether a place takes any expression, so that the planted error is the only one: the context demands neither a
+/// constant, nor a variable, nor a label.
 pub(super) fn stands_for_any_value(site: ExpressionSite, _: &Expression) -> bool {
     site.unit != Unit::Types
         && !matches!(
@@ -118,7 +119,7 @@ pub(super) fn stands_for_any_value(site: ExpressionSite, _: &Expression) -> bool
         )
 }
 
-/// Aggregates where an operator wants elementary values: structures and arrays do not even compare.
+/// Plants aggregates as operands: structures and arrays do not even compare.
 pub(super) fn compared_aggregates(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let original = fault.original;
     let (number, site, _) = fault.pick_expression(stands_for_any_value)?;

@@ -1,17 +1,17 @@
-//! Statements that stand where they mean nothing, labels that hold nothing, and texts that are no statements.
+//! Misplaced statements, empty ranges of labels, and texts that are no statements.
 
 use super::super::fault_site::FaultSite;
 use crate::model::{CaseLabel, Expression, ExpressionKind, LiteralForm, StatementKind};
 use stickler_types::{DialectName, ElementaryType, Value};
 
-/// EXIT outside a loop.
+/// Plants EXIT outside a loop.
 ///
 /// Basis: language/diagnostics-statements.st.
 pub(super) fn exit(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     outside_loops(fault, "EXIT;")
 }
 
-/// CONTINUE outside a loop.
+/// Plants CONTINUE outside a loop.
 ///
 /// Basis: language/diagnostics-statements.st.
 pub(super) fn continue_(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -25,7 +25,7 @@ fn outside_loops(fault: &mut FaultSite<'_, '_, '_>, text: &str) -> Option<()> {
     )
 }
 
-/// A range of labels that descends.
+/// Plants a descending range of labels.
 ///
 /// Basis: language/diagnostics-statements.st.
 pub(super) fn descending_labels(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -52,7 +52,7 @@ pub(super) fn descending_labels(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
     })
 }
 
-/// A label as a range that descends, where it is of integer literals.
+/// Turns a label of integer literals into a descending range.
 fn descending(label: &CaseLabel) -> Option<CaseLabel> {
     match label {
         CaseLabel::Range(low, high) if value(low)? < value(high)? => {
@@ -89,7 +89,7 @@ fn value(expression: &Expression) -> Option<i128> {
     }
 }
 
-/// A comment that is not closed. Nothing that follows it can be said to be wrong.
+/// Plants an unclosed comment; no statement after it can be said to be wrong.
 ///
 /// Basis: ironplc-problem-codes: P0001; the line: stickler-design: §3.1.
 pub(super) fn open_comment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -103,7 +103,7 @@ pub(super) fn open_comment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// A statement that is none. Each begins as one, and ends before the next does.
+/// Plants a malformed statement that begins like a statement, and ends before the next one begins.
 ///
 /// Basis: language/syntax-recovery.st.
 pub(super) fn no_statement(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -125,7 +125,7 @@ pub(super) fn no_statement(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// Characters that are no part of the language.
+/// Plants characters that are no part of the language.
 ///
 /// Basis: ironplc-problem-codes: P0003.
 pub(super) fn no_token(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
@@ -141,7 +141,7 @@ pub(super) fn no_token(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     })
 }
 
-/// A comment to the end of the line, where the dialect does not have it.
+/// Plants a comment to the end of the line, where the dialect does not have it.
 ///
 /// Basis: language/comments.st.
 pub(super) fn line_comment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {

@@ -1,4 +1,4 @@
-//! The table of kinds.
+//! The table of the kinds of errors.
 
 use super::super::fault_site::FaultSite;
 use super::{
@@ -8,15 +8,16 @@ use stickler_types::Code;
 
 /// A kind of error.
 pub(in super::super) struct FaultKind {
-    /// What is wrong, in a few words.
+    /// The kind of the error in a few words.
     pub name: &'static str,
     /// The code of the diagnostic.
     pub code: Code,
-    /// Plants it; nothing where the program has no place for it, and then the fault is of no use any more.
+    /// The function that plants the error; `None` if the program has no place for it, and then the [`FaultSite`] is of no
+    /// further use.
     pub plant: fn(&mut FaultSite<'_, '_, '_>) -> Option<()>,
 }
 
-/// Writes a row as one line.
+/// Builds the table from one line a kind.
 macro_rules! kinds {
     ($($code:ident $name:literal $room:ident::$plant:ident;)*) => {
         &[$(FaultKind { name: $name, code: Code::$code, plant: $room::$plant },)*]

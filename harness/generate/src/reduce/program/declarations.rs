@@ -1,12 +1,12 @@
-//! Declarations dropped.
+//! Passes that drop declarations.
 
 use super::removal::keep_only;
 use super::usage::DeclarationUsage;
 use crate::model::{Program, VariableSection};
 use crate::reduce::Sites;
 
-/// Drops types, functions, function blocks, variables and parameters that nothing refers to. A function keeps one input, for
-/// the second edition of the standard knows no call without arguments.
+/// Drops types, functions, function blocks, variables and parameters that are not used. A function keeps one input, because
+/// the second edition of the standard has no call without arguments.
 pub(super) fn drop_unused(program: &mut Program, sites: &mut Sites) {
     let mut usage = DeclarationUsage::of(program);
     for (function, used) in program.functions.iter().zip(&mut usage.of_functions) {
@@ -35,10 +35,10 @@ pub(super) fn drop_unused(program: &mut Program, sites: &mut Sites) {
     keep_only(program, &usage);
 }
 
-/// Makes an edit, and drops the variables that it leaves without a use.
+/// Applies an edit, and drops the variables that become unused by it.
 ///
-/// A variable that nothing writes any more has the default value of its type, and what that is may be open, as of a date:
-/// so statements and the variable that they wrote can only go together.
+/// A variable that is no longer written has the default value of its type, which may be open, as for dates: so statements
+/// and the variable that they write can only go together.
 pub(super) fn with_variables(program: &mut Program, sites: &mut Sites, edit: fn(&mut Program, &mut Sites)) {
     let before = DeclarationUsage::of(program);
     edit(program, sites);

@@ -1,4 +1,4 @@
-//! Expressions replaced by plainer ones of the same type.
+//! Passes that replace expressions by plainer ones of the same type.
 
 use super::plain::{Simplification, literal_kind, plainest};
 use super::usage::instance_of;
@@ -41,7 +41,7 @@ pub(super) fn to_third_operand(program: &mut Program, sites: &mut Sites) {
     replace(program, sites, |expression, _| operand(expression, 2));
 }
 
-/// The operand of the same type as the whole, counted among those.
+/// Returns the operand with an index among those of the same type as the whole.
 fn operand(expression: &Expression, which: usize) -> Option<Expression> {
     operands(expression)
         .into_iter()
@@ -51,7 +51,7 @@ fn operand(expression: &Expression, which: usize) -> Option<Expression> {
         .map(with_prefix)
 }
 
-/// An untyped literal may stand where it stood only.
+/// Adds the prefix to an untyped literal, which may only stand where it stood.
 fn with_prefix(mut expression: Expression) -> Expression {
     if let ExpressionKind::Literal(value, LiteralForm::Untyped) = expression.kind {
         expression.kind = literal_kind(value);
@@ -59,8 +59,7 @@ fn with_prefix(mut expression: Expression) -> Expression {
     expression
 }
 
-/// Walks over the expressions that may be any of their type, and replaces those that are chosen of the ones that have a
-/// replacement.
+/// Replaces the chosen expressions among those that may be any of their type and have a replacement.
 pub(super) fn replace(
     program: &mut Program,
     sites: &mut Sites,
@@ -105,7 +104,8 @@ impl<F: FnMut(&Expression, &Program) -> Option<Expression>> VisitorMut for Repla
     }
 }
 
-/// An argument of a call of a function block: what stands behind an in-out stays a variable, and only its subscripts may change.
+/// Visits an argument in the call of a function block: the argument of an in-out stays a variable, and only its subscripts
+/// may change.
 pub(super) fn walk_input(
     visitor: &mut impl VisitorMut,
     program: &Program,
@@ -120,7 +120,7 @@ pub(super) fn walk_input(
     }
 }
 
-/// Whether a parameter of an instance is an in-out.
+/// Returns whether a parameter of an instance is an in-out.
 pub(super) fn is_in_out(program: &Program, unit: Unit, instance: VariableId, parameter: VariableId) -> bool {
     instance_of(program, unit, instance)
         .and_then(|block| program.blocks.get(block)?.variables.get(parameter.0))
@@ -142,17 +142,17 @@ pub(super) fn halve_literals(program: &mut Program, sites: &mut Sites) {
     literals(program, sites, Simplification::Half);
 }
 
-/// Takes a tenth off literals, and makes texts of one character.
+/// Takes a tenth off literals, and makes texts repetitions of one character.
 pub(super) fn trim_literals(program: &mut Program, sites: &mut Sites) {
     literals(program, sites, Simplification::Tenth);
 }
 
-/// Makes literals the power of two below, for many limits are such powers.
+/// Makes literals the power of two below, because many limits are powers of two.
 pub(super) fn literals_to_powers(program: &mut Program, sites: &mut Sites) {
     literals(program, sites, Simplification::Power);
 }
 
-/// Makes literals one more than the power of two below: just outside of many limits.
+/// Makes literals one more than the power of two below, just outside of many limits.
 pub(super) fn literals_above_powers(program: &mut Program, sites: &mut Sites) {
     literals(program, sites, Simplification::AbovePower);
 }
@@ -174,9 +174,9 @@ fn literals(program: &mut Program, sites: &mut Sites, step: Simplification) {
     });
 }
 
-/// Writes integers and reals without the prefix of their type where the whole of an assignment or an initial value gives it.
+/// Omits the prefix of integers and reals where the whole of an assignment or an initial value determines the type.
 ///
-/// Only those: whether a bit string takes an untyped literal is a question of the dialect.
+/// Bit strings keep it: whether they take an untyped literal depends on the dialect.
 pub(super) fn drop_prefixes(program: &mut Program, sites: &mut Sites) {
     struct Prefixes<'s>(&'s mut Sites);
     impl Prefixes<'_> {

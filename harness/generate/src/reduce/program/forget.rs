@@ -1,4 +1,4 @@
-//! Variables and functions forgotten: whatever reads them reads a literal instead, and nothing writes them any more.
+//! Passes that forget variables and functions: every read becomes a literal, and every write is dropped.
 
 use super::expressions::is_in_out;
 use super::plain::plainest;
@@ -11,7 +11,7 @@ use crate::model::{
 use crate::reduce::Sites;
 use std::mem;
 
-/// Forgets functions: a call is replaced by the plainest value of its result.
+/// Forgets functions: replaces calls by the plainest value of the result type.
 pub(super) fn forget_functions(program: &mut Program, sites: &mut Sites) {
     let forgotten: Vec<bool> = program.functions.iter().map(|_| sites.here()).collect();
     let mut all = Sites::all();
@@ -23,8 +23,8 @@ pub(super) fn forget_functions(program: &mut Program, sites: &mut Sites) {
     });
 }
 
-/// Forgets variables: statements that write one or hand it to a function block go, and its values are replaced by the
-/// plainest of their type. A statement that reads it as a whole goes as well, where it is no elementary value.
+/// Forgets variables: drops statements that write one or pass it to a function block, and replaces its values by the
+/// plainest of their type. A statement that reads the whole of a variable that is not elementary is dropped too.
 pub(super) fn forget_variables(program: &mut Program, sites: &mut Sites) {
     let mut forgotten = DeclarationUsage::of(program);
     let DeclarationUsage {
@@ -50,11 +50,11 @@ pub(super) fn forget_variables(program: &mut Program, sites: &mut Sites) {
 }
 
 struct Forget<'p> {
-    /// What is forgotten, where a usage says what is used.
+    /// The variables to forget, in the form of a usage.
     forgotten: DeclarationUsage,
     before: &'p Program,
     unit: Unit,
-    /// Something in the statement under way cannot be replaced.
+    /// Whether something in the current statement cannot be replaced.
     impossible: bool,
 }
 
@@ -70,7 +70,7 @@ impl Forget<'_> {
         }
     }
 
-    /// Whether a statement goes for what it writes, before anything in it is looked at.
+    /// Returns whether a statement is dropped for what it writes, before its parts are visited.
     fn writes(&self, statement: &Statement) -> bool {
         match &statement.kind {
             StatementKind::Assign(target, _) => self.forgets_target(target),

@@ -1,4 +1,4 @@
-//! Values taken out of where they stand: of conditions into variables of their own, of variables into what reads them.
+//! Passes that move values: of conditions to variables of their own, of variables to their readers.
 
 use crate::model::visit::{self, Visitor};
 use crate::model::visit_mut::{self, VisitorMut};
@@ -11,10 +11,10 @@ use std::collections::BTreeMap;
 use std::mem;
 use stickler_types::{ElementaryType, Value};
 
-/// Replaces a statement of `PROGRAM main` that asks a condition or selects by a value: by an assignment of that value, or of a
-/// part of it, to a new variable.
+/// Replaces a statement of `PROGRAM main` that tests a condition or selects by a value: by an assignment of that value, or
+/// of a part of it, to a new variable.
 ///
-/// Of `IF f(1) = 0 THEN x := 1; END_IF;` remains `y := f(1);`, which shows as much where `f` is what is wrong.
+/// `IF f(1) = 0 THEN x := 1; END_IF;` becomes `y := f(1);`, which shows the defect as well if it is in `f`.
 pub(super) fn hoist(program: &mut Program, sites: &mut Sites) {
     let mut body = mem::take(&mut program.main.body);
     let mut hoist = Hoist {
@@ -31,7 +31,7 @@ struct Hoist<'p> {
 }
 
 impl Hoist<'_> {
-    /// `new := value;`, of a variable that there was not before.
+    /// Creates `new := value;` and declares the new variable.
     fn assignment(&mut self, value: Expression) -> Statement {
         let place = Place::whole(VariableId(self.variables.len()), value.ty.clone());
         let name = (0..=self.variables.len())
@@ -61,7 +61,7 @@ impl VisitorMut for Hoist<'_> {
     }
 }
 
-/// The values that a statement asks before it does anything else, and their parts that are computed.
+/// Returns the values that a statement evaluates first, and their computed parts.
 fn values(statement: &Statement) -> Vec<Expression> {
     let heads: Vec<&Expression> = match &statement.kind {
         StatementKind::If(branches, _) => branches.iter().map(|(condition, _)| condition).collect(),
@@ -94,7 +94,7 @@ impl Visitor for ComputedParts {
     }
 }
 
-/// Puts what is assigned to a variable, where that is done once, in the place of every value that is read of it.
+/// Replaces reads of variables that are assigned once by the assigned value.
 pub(super) fn propagate(program: &mut Program, sites: &mut Sites) {
     let mut assigned = Assigned {
         values: BTreeMap::new(),
@@ -111,7 +111,8 @@ pub(super) fn propagate(program: &mut Program, sites: &mut Sites) {
     visit_mut::walk_program(&mut Propagate { chosen, unit }, program);
 }
 
-/// What each variable is assigned as a whole; `None` where that is done more than once, or with a value that reads it.
+/// The value that each variable is assigned as a whole; `None` if it is assigned more than once, or with a value that reads
+/// it.
 struct Assigned {
     values: BTreeMap<(Unit, VariableId), Option<Expression>>,
     unit: Unit,
@@ -145,7 +146,7 @@ fn whole_assignment(statement: &Statement) -> Option<(VariableId, &Expression)> 
     }
 }
 
-/// Whether a variable is read.
+/// Finds out whether a variable is read.
 struct Reads(VariableId, bool);
 
 impl Visitor for Reads {
@@ -185,7 +186,8 @@ impl VisitorMut for Propagate {
     }
 }
 
-/// Ends each REPEAT after its first turn. Code that is not run may say anything there; once it is run, it should end.
+/// Ends each REPEAT after its first iteration. Code that is not executed may contain any condition; once it is executed, it
+/// should terminate.
 pub(super) fn end_repeats(program: &mut Program, sites: &mut Sites) {
     struct Repeats<'s>(&'s mut Sites);
     impl VisitorMut for Repeats<'_> {
@@ -203,7 +205,7 @@ pub(super) fn end_repeats(program: &mut Program, sites: &mut Sites) {
     visit_mut::walk_program(&mut Repeats(sites), program);
 }
 
-/// Whether an expression is TRUE.
+/// Returns whether an expression is TRUE.
 pub(super) fn is_true(expression: &Expression) -> bool {
     matches!(
         &expression.kind,

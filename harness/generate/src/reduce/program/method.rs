@@ -1,4 +1,4 @@
-//! The passes over a program in their order, and the one function that runs them.
+//! The order of the passes over a program, and the function that runs them.
 
 use super::soundness::breaches;
 use super::{declarations, expressions, forget, lift, promote, shapes, statements, unwrap, values, weight};
@@ -6,7 +6,7 @@ use crate::model::Program;
 use crate::reduce::search::pass;
 use crate::reduce::{Interestingness, Reduction, ReductionBudget, ReductionMethod, minimise};
 
-/// How programs are reduced: first what makes many lines go at once, last what makes one literal nicer.
+/// The passes for programs: first those that remove many lines, last those that simplify a literal.
 const METHOD: ReductionMethod<Program> = ReductionMethod {
     passes: &[
         pass("drop statements of main and what they used", |program, sites| {
@@ -69,11 +69,11 @@ const METHOD: ReductionMethod<Program> = ReductionMethod {
     key: weight::key,
 };
 
-/// Makes a program as small as it can be while it stays interesting.
+/// Makes a program as small as possible while it stays interesting.
 ///
-/// `interesting` is asked about `start` first, and then about each candidate. It should answer [`Interestingness::Invalid`] where the
-/// evaluator refuses the program or something opens in it, and ask an engine only about the others. The result is the
-/// same for the same answers.
+/// `interesting` is asked about `start` first, and then about each candidate. It should answer [`Interestingness::Invalid`]
+/// if the evaluator refuses the program or meets an open question, and ask an engine only about other candidates. The result
+/// is the same for the same answers.
 pub fn program(
     start: &Program,
     mut interesting: impl FnMut(&Program) -> Interestingness,

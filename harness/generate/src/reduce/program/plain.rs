@@ -1,10 +1,10 @@
-//! The plainest value of a type, and values that are plainer than others.
+//! The plainest value of a type, and simplifications of values.
 
 use crate::model::{Expression, ExpressionKind, LiteralForm, Program, Type};
 use stickler_types::{ElementaryType, Family, Value};
 
-/// The plainest expression of a type: 0, FALSE, the empty text, the first value of an enumeration; nothing for what no
-/// single word can write, such as an array.
+/// Returns the plainest expression of a type: 0, FALSE, the empty text, the first value of an enumeration; `None` for a type
+/// without literals, such as an array.
 pub(super) fn plainest(program: &Program, ty: &Type) -> Option<Expression> {
     let ty = program.unaliased(ty);
     let kind = match ty {
@@ -20,7 +20,7 @@ pub(super) fn plainest(program: &Program, ty: &Type) -> Option<Expression> {
     Some(Expression { ty: ty.clone(), kind })
 }
 
-/// A value as a literal that can stand wherever its type can: with a prefix, but for those whose form tells their type.
+/// Creates a literal that can stand wherever its type can: with a prefix, unless its form determines its type.
 pub(super) fn literal_kind(value: Value) -> ExpressionKind {
     let tells_its_type = elementary(&value).is_some_and(|ty| {
         matches!(
@@ -41,7 +41,7 @@ pub(super) fn literal_kind(value: Value) -> ExpressionKind {
     ExpressionKind::Literal(value, form)
 }
 
-/// The type of a value that is no enumerated one.
+/// Returns the elementary type of a value; `None` for an enumerated value.
 fn elementary(value: &Value) -> Option<ElementaryType> {
     match value {
         Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
@@ -49,27 +49,27 @@ fn elementary(value: &Value) -> Option<ElementaryType> {
     }
 }
 
-/// How a value can be made plainer; from the boldest way to the most careful.
+/// A way to simplify a value, from the boldest to the most careful.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Simplification {
-    /// Nothing is left: 0, or the empty text.
+    /// 0, or the empty text.
     Zero,
     /// 1, or one character.
     One,
-    /// Half the number, or half the text.
+    /// Half the number, or the first half of the text.
     Half,
-    /// One nearer to nothing, or one character less; only of small numbers and short texts, for it is a small step.
+    /// One nearer to 0, or one character less; a small step, for small numbers and short texts only.
     Less,
     /// The power of two below.
     Power,
     /// One more than the power of two below.
     AbovePower,
-    /// Nine tenths of it, which gets past a limit that halves cannot reach.
+    /// Nine tenths of the number, which gets past a limit that halves cannot reach; of a text, repetitions of one character.
     Tenth,
 }
 
 impl Simplification {
-    /// The value after this step; nothing where there is none that differs.
+    /// Returns the simplified value; `None` if it does not differ.
     pub fn of(self, value: &Value) -> Option<Value> {
         let plainer = match value {
             Value::Text { ty, units } => Value::text(*ty, self.of_text(units)),
@@ -116,7 +116,7 @@ impl Simplification {
         })
     }
 
-    /// Of an integer, or of a duration or moment that is counted in units of its own.
+    /// Simplifies an integer, or a duration or moment that is counted in units.
     fn of_number(self, number: i128, unit: i128) -> i128 {
         match self {
             Simplification::Zero => 0,
@@ -132,10 +132,10 @@ impl Simplification {
     }
 }
 
-/// Up to here numbers are made less one by one.
+/// The bound up to which numbers are decremented one by one.
 const SMALL: i128 = 16;
 
-/// The greatest power of two that is no further from nothing, of the same sign.
+/// Returns the greatest power of two that is not further from 0, with the same sign.
 fn power_below(number: i128) -> i128 {
     match number.unsigned_abs().checked_ilog2() {
         Some(bit) => number.signum() << bit,
@@ -143,7 +143,7 @@ fn power_below(number: i128) -> i128 {
     }
 }
 
-/// The steps in which a type is counted by a person: milliseconds and days are kept in nanoseconds.
+/// Returns the unit in which a person counts a type: durations and dates are stored in nanoseconds.
 const fn unit_of(ty: ElementaryType) -> i128 {
     match ty.family() {
         Family::Duration | Family::TimeOfDay => 1_000_000,

@@ -1,4 +1,4 @@
-//! Functions and function blocks put in the place of `PROGRAM main`, and enumerations made numbers.
+//! Passes that put functions and function blocks in the place of `PROGRAM main`, and turn enumerations into numbers.
 
 use super::removal::keep_only;
 use super::usage::DeclarationUsage;
@@ -11,10 +11,10 @@ use crate::model::{
 use crate::reduce::Sites;
 use stickler_types::{ElementaryType, Value};
 
-/// Puts the variables and the body of a function or a function block where those of `PROGRAM main` are.
+/// Replaces the variables and the body of `PROGRAM main` by those of a function or a function block.
 ///
-/// Where a defect does not need the call, that saves its two lines and those around the unit. Literals that were handed to it
-/// become initial values.
+/// If a defect does not need the call, that saves its two lines and those around the unit. Literals that were passed to the
+/// unit become initial values.
 pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
     let functions = program.functions.len();
     for unit in 0..functions + program.blocks.len() {
@@ -82,7 +82,7 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
     }
 }
 
-/// The literals that a program hands to a function or function block; the unit is counted as in [`promote`].
+/// The literals that a program passes to a function or function block; `unit` is counted as in [`promote`].
 struct Calls {
     unit: usize,
     functions: usize,
@@ -121,14 +121,14 @@ impl Visitor for Calls {
     }
 }
 
-/// A name that no variable has.
+/// Returns a name that no variable has.
 fn free_name(variables: &[Variable]) -> Option<String> {
     (0..=variables.len())
         .map(|number| format!("result{number}"))
         .find(|name| variables.iter().all(|variable| variable.name != *name))
 }
 
-/// Assigns what was the result of a function to a variable.
+/// Assigns the former result of a function to a variable.
 struct ResultReplacer(Place);
 
 impl VisitorMut for ResultReplacer {
@@ -142,10 +142,10 @@ impl VisitorMut for ResultReplacer {
     }
 }
 
-/// Makes numbers of the values of enumerations.
+/// Replaces the values of enumerations by numbers.
 ///
-/// No engine is asked for a value of an enumeration; a program that shows one by what it does with it has a line more for
-/// each. LINT is the type of the checksum, in which such a difference is found.
+/// No engine is asked for a value of an enumeration; a program that shows one by its effects needs a line more for each.
+/// LINT is the type of the checksum, in which such a difference is found.
 pub(super) fn enumerations_to_numbers(program: &mut Program, sites: &mut Sites) {
     let chosen: Vec<bool> = program
         .types

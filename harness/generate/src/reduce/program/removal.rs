@@ -1,4 +1,4 @@
-//! Declarations taken out of a program, and every reference to those behind them renumbered.
+//! Removal of declarations, with every later reference renumbered.
 
 use super::usage::{DeclarationUsage, instance_of};
 use crate::model::visit_mut::{
@@ -9,8 +9,8 @@ use crate::model::{
     Unit, VariableId,
 };
 
-/// Takes out of `program` whatever `keep` does not keep; the arguments of parameters that go, go with them. Nothing that stays
-/// may refer to anything that goes.
+/// Removes every declaration that `keep` does not keep, with the arguments of removed parameters. Nothing that stays may
+/// refer to a removed declaration.
 pub(super) fn keep_only(program: &mut Program, keep: &DeclarationUsage) {
     let before = program.clone();
     walk_program(
@@ -38,14 +38,14 @@ fn retain<T>(list: &mut Vec<T>, keep: &[bool]) {
     list.retain(|_| keep.next().copied().unwrap_or(true));
 }
 
-/// The number of something in a list of which only some is kept.
+/// Returns the new index of an element of a list of which only some elements are kept.
 fn renumbered(index: usize, keep: &[bool]) -> usize {
     keep.iter().take(index).filter(|kept| **kept).count()
 }
 
 struct Renumber<'p> {
     keep: &'p DeclarationUsage,
-    /// The program as it was.
+    /// The program before the removal.
     program: &'p Program,
     unit: Unit,
 }

@@ -1,4 +1,4 @@
-//! Declarations made plainer: initial values dropped, aliases resolved, arrays shortened.
+//! Passes that simplify declarations: drop initial values, resolve aliases, shorten arrays.
 
 use super::removal::keep_only;
 use super::usage::DeclarationUsage;
@@ -7,7 +7,7 @@ use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{ArrayType, DeclaredKind, Initializer, Program, Type, Variable, VariableSection};
 use crate::reduce::Sites;
 
-/// Drops initial values of variables and fields, and makes variables of constants.
+/// Drops initial values of variables and fields, and turns constants into variables.
 pub(super) fn drop_initials(program: &mut Program, sites: &mut Sites) {
     struct Initials<'s>(&'s mut Sites);
     impl VisitorMut for Initials<'_> {
@@ -33,7 +33,7 @@ pub(super) fn drop_initials(program: &mut Program, sites: &mut Sites) {
     }
 }
 
-/// Makes variables of constants, which keep their value.
+/// Turns constants into variables, which keep their value.
 pub(super) fn constants_to_variables(program: &mut Program, sites: &mut Sites) {
     struct Constants<'s>(&'s mut Sites);
     impl VisitorMut for Constants<'_> {
@@ -46,7 +46,7 @@ pub(super) fn constants_to_variables(program: &mut Program, sites: &mut Sites) {
     visit_mut::walk_program(&mut Constants(sites), program);
 }
 
-/// Puts the type that an alias stands for wherever the alias stands.
+/// Replaces aliases by the types that they stand for.
 pub(super) fn resolve_aliases(program: &mut Program, sites: &mut Sites) {
     struct Aliases(Vec<Option<Type>>);
     impl VisitorMut for Aliases {
@@ -72,12 +72,12 @@ pub(super) fn resolve_aliases(program: &mut Program, sites: &mut Sites) {
     keep_only(program, &keep);
 }
 
-/// Makes arrays of half the length, in one dimension; wherever a type is the same, it stays the same.
+/// Halves arrays in one dimension; equal types stay equal.
 pub(super) fn halve_arrays(program: &mut Program, sites: &mut Sites) {
     shrink_arrays(program, sites, |low, high| low + (high - low) / 2);
 }
 
-/// Makes arrays one element shorter, in one dimension.
+/// Shortens arrays by one element in one dimension.
 pub(super) fn shorten_arrays(program: &mut Program, sites: &mut Sites) {
     shrink_arrays(program, sites, |_, high| high - 1);
 }
@@ -116,7 +116,7 @@ impl Visitor for Arrays {
     }
 }
 
-/// Puts the second of each pair where the first stands.
+/// Replaces the first type of each pair by the second.
 struct Shrink(Vec<(ArrayType, ArrayType)>);
 
 impl VisitorMut for Shrink {
@@ -138,7 +138,7 @@ impl VisitorMut for Shrink {
     }
 }
 
-/// How many elements an array has.
+/// Returns the number of elements of an array.
 fn elements(array: &ArrayType) -> usize {
     let lengths = array
         .dimensions

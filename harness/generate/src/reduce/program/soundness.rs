@@ -1,8 +1,8 @@
-//! Rules that a candidate must keep although its types are right.
+//! Rules beyond types that a candidate must keep.
 //!
-//! What an untyped literal or an implicit conversion means depends on what stands beside it, and a compiler computes what it
-//! can: so a program whose every node has its type can still be spelled as one that means something else, or is rejected.
-//! The generator makes no such programs; the passes may, and then the search passes the candidate over.
+//! The meaning of an untyped literal or an implicit conversion depends on its neighbours, and a compiler evaluates
+//! constants: so a well-typed model can be spelled as a text that means something else, or is rejected. The generator makes
+//! no such programs; the passes may, and then the search refuses the candidate.
 //!
 //! Basis: stickler-design: §8 (an untyped literal takes the type of the other operand; no third type is sought), §7 (P4039,
 //! P4040, P2027).
@@ -15,7 +15,7 @@ use crate::model::{
 };
 use stickler_types::{Family, Value};
 
-/// How often a program breaks these rules; one of the generator's breaks none.
+/// Counts how often a program breaks these rules; 0 for programs of the generator.
 pub(super) fn breaches(program: &Program) -> usize {
     let mut counter = BreachCounter {
         program,
@@ -37,7 +37,7 @@ impl BreachCounter<'_> {
         self.breaches += usize::from(breach);
     }
 
-    /// The value of an integer that a compiler can compute, as far as it does.
+    /// Returns the value of an integer expression that a compiler can compute.
     fn constant(&self, expression: &Expression) -> Option<i128> {
         let Type::Elementary(ty) = &expression.ty else {
             return None;
@@ -76,7 +76,7 @@ impl BreachCounter<'_> {
         }
     }
 
-    /// Whether a compiler that computes constants finds this one wrong.
+    /// Returns whether a compiler that computes constants rejects an expression.
     fn is_rejected(&self, expression: &Expression) -> bool {
         match &expression.kind {
             ExpressionKind::Unary(UnaryOperator::Negate, operand) => self
@@ -134,12 +134,12 @@ const fn is_comparison(operator: BinaryOperator) -> bool {
     )
 }
 
-/// Whether the text of an expression has its type without a look at what stands around it.
+/// Returns whether the text of an expression determines its type without its context.
 fn has_own_type(expression: &Expression) -> bool {
     !matches!(expression.kind, ExpressionKind::Widen(_)) && !is_bare(expression)
 }
 
-/// Whether it is a number without the prefix that tells its type.
+/// Returns whether an expression is a number without the prefix of its type.
 fn is_bare(expression: &Expression) -> bool {
     match &expression.kind {
         ExpressionKind::Literal(Value::Plain { ty, .. }, LiteralForm::Untyped) => matches!(

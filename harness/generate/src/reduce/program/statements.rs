@@ -1,4 +1,4 @@
-//! Statements dropped, and replaced by the statements that they guard.
+//! Passes that drop statements, or replace them by the statements inside them.
 
 use crate::model::visit::bodies;
 use crate::model::visit_mut::{self, VisitorMut, walk_program, walk_statement, walk_statements};
@@ -6,12 +6,12 @@ use crate::model::{Program, Statement, StatementKind};
 use crate::reduce::Sites;
 use std::mem;
 
-/// Drops statements from the body of `PROGRAM main`, whole with what they guard.
+/// Drops statements from the body of `PROGRAM main`, with the statements inside them.
 pub(super) fn drop_of_main(program: &mut Program, sites: &mut Sites) {
     program.main.body.retain(|_| !sites.here());
 }
 
-/// Drops statements wherever they stand.
+/// Drops statements in any list.
 pub(super) fn drop_anywhere(program: &mut Program, sites: &mut Sites) {
     struct Drop<'s>(&'s mut Sites);
     impl VisitorMut for Drop<'_> {
@@ -23,7 +23,7 @@ pub(super) fn drop_anywhere(program: &mut Program, sites: &mut Sites) {
     walk_program(&mut Drop(sites), program);
 }
 
-/// Puts one of the bodies of a statement in its place: of IF and CASE each branch in turn, of a loop what it repeats.
+/// Replaces a statement by one of its bodies: IF and CASE by each branch in turn, a loop by its body.
 pub(super) fn splice(program: &mut Program, sites: &mut Sites) {
     struct Splice<'s>(&'s mut Sites);
     impl VisitorMut for Splice<'_> {
@@ -46,7 +46,7 @@ pub(super) fn splice(program: &mut Program, sites: &mut Sites) {
     walk_program(&mut Splice(sites), program);
 }
 
-/// Drops each EXIT that would have left the loop of which these statements were the body.
+/// Drops each EXIT that would leave the loop whose body these statements were.
 pub(super) fn drop_exits(statements: &mut Vec<Statement>) {
     statements.retain(|statement| !matches!(statement.kind, StatementKind::Exit));
     for statement in statements.iter_mut().filter(|statement| !statement.is_loop()) {
@@ -81,7 +81,7 @@ pub(super) fn drop_branches(program: &mut Program, sites: &mut Sites) {
     walk_program(&mut Branches(sites), program);
 }
 
-/// Drops what is chosen of a list, but never the last of it.
+/// Drops the chosen elements of a list, but never the last one.
 fn retain_one<T>(list: &mut Vec<T>, sites: &mut Sites) {
     let mut left = list.len();
     if left > 1 {

@@ -1,4 +1,4 @@
-//! Engines with one deliberate bug each, and what the reducer makes of the programs that show it.
+//! Tests with engines that have one deliberate bug each, and the programs that the reducer makes of those that show it.
 
 use crate::evaluate::evaluate;
 use crate::generator::{GeneratorSettings, program as generate};
@@ -15,15 +15,15 @@ use std::ops::Range;
 use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};
 use stickler_types::{ElementaryType, Value};
 
-/// What is wrong with an engine.
+/// The bug of an engine.
 enum Bug {
-    /// It runs another program than it was given.
+    /// The engine runs a changed program.
     Runs(fn(&mut Program)),
-    /// It ends in another way where a program has this statement, or that.
+    /// The engine gives another outcome for a program with such a statement.
     Ends(fn(&Statement) -> bool, fn() -> Outcome),
 }
 
-/// What an engine with a bug does with a program: the reference, before whose eyes the program is changed.
+/// Returns the outcome of an engine with a bug: the reference on a changed program.
 fn outcome(bug: &Bug, given: &Program) -> Outcome {
     let mut run = given.clone();
     match bug {
@@ -45,7 +45,7 @@ fn outcome(bug: &Bug, given: &Program) -> Outcome {
     session.run(&RunRequest::once(given.dialect, &source, &observe))
 }
 
-/// What must come of a program, where the documents settle it.
+/// Returns the expected outcome of a program, where documents settle it.
 fn expected(program: &Program) -> Option<Outcome> {
     let evaluation = evaluate(program, 1)
         .ok()
@@ -68,7 +68,7 @@ fn any_statement(program: &mut Program, shows: fn(&Statement) -> bool) -> bool {
     any.1
 }
 
-/// Changes every expression, from the inside to the outside.
+/// Changes every expression, inner ones first.
 fn expressions(program: &mut Program, change: fn(&mut Expression)) {
     struct Each(fn(&mut Expression));
     impl VisitorMut for Each {
@@ -115,7 +115,7 @@ fn has_if(statements: &[Statement]) -> bool {
         .any(|statement| matches!(statement.kind, StatementKind::If(..)))
 }
 
-/// The bugs by their names.
+/// The bugs with their names.
 const BUGS: [(&str, Bug); 16] = [
     (
         "a conversion to INT stops at the limits",
@@ -309,7 +309,7 @@ const BUGS: [(&str, Bug); 16] = [
     ),
 ];
 
-/// The first program that shows a bug, of as many as a campaign makes in a few seconds, and how it shows.
+/// Returns the first program that shows a bug, among as many as a campaign makes in a few seconds, with its symptom.
 fn shown(bug: &Bug, seeds: Range<u64>) -> Option<(Program, Symptom)> {
     seeds.into_iter().find_map(|seed| {
         let bytes = bytes(seed, 1500);

@@ -1,4 +1,4 @@
-//! Variables that are arrays or structures, replaced by one element or one field; fields that nothing reads, dropped.
+//! Passes that replace array and structure variables by one element or field, and drop unused fields.
 
 use super::usage::variable_type;
 use crate::model::visit::{self, Visitor};
@@ -10,8 +10,8 @@ use crate::model::{
 use crate::reduce::Sites;
 use std::collections::{HashMap, HashSet};
 
-/// Makes a variable of the elements' type of an array of which every use has subscripts, and one of the field's type of a
-/// structure of which only one field is used.
+/// Gives the element type to an array variable whose every use has subscripts, and the field type to a structure variable of
+/// which only one field is used.
 pub(super) fn unwrap_variables(program: &mut Program, sites: &mut Sites) {
     let mut heads = Heads {
         heads: HashMap::new(),
@@ -49,7 +49,7 @@ pub(super) fn unwrap_variables(program: &mut Program, sites: &mut Sites) {
     visit_mut::walk_program(&mut Shorten { places, unit }, program);
 }
 
-/// Gives a variable the type of its part, and the part of its initial value; `meant` is what that type stands for.
+/// Gives a variable the type and the initial value of its part; `meant` is the part type with aliases resolved.
 fn unwrap(variable: &mut Variable, head: Head, ty: Type, meant: &Type) {
     let part = match (variable.initial.take(), head) {
         (Some(Initializer::Array(values)), _) => values.into_iter().next(),
@@ -69,18 +69,18 @@ fn unwrap(variable: &mut Variable, head: Head, ty: Type, meant: &Type) {
     variable.ty = ty;
 }
 
-/// How all places of a variable begin.
+/// The way in which all places of a variable begin.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Head {
-    /// With subscripts.
+    /// All begin with subscripts.
     Index,
-    /// With this field.
+    /// All begin with this field.
     Field(usize),
-    /// Some in one way, some in another, or one with nothing.
+    /// The places begin in different ways, or one is the whole variable.
     Mixed,
 }
 
-/// The type of what the first step of every place selects.
+/// Returns the type of the part that a head selects.
 pub(super) fn inside(program: &Program, ty: &Type, head: Head) -> Option<Type> {
     match (head, program.unaliased(ty)) {
         (Head::Index, Type::Array(array)) => Some(array.element.clone()),
@@ -120,7 +120,7 @@ impl Visitor for Heads {
     }
 }
 
-/// Takes the first step off the places of some variables.
+/// Removes the first selector from the places of some variables.
 struct Shorten {
     places: HashSet<(Unit, VariableId)>,
     unit: Unit,
@@ -139,7 +139,7 @@ impl VisitorMut for Shorten {
     }
 }
 
-/// Drops fields of structures that no place names; each keeps one.
+/// Drops fields of structures that no place names; each structure keeps one.
 pub(super) fn drop_fields(program: &mut Program, sites: &mut Sites) {
     let before = program.clone();
     let mut kept: Vec<Vec<bool>> = before
@@ -188,7 +188,7 @@ fn field_count(declared: &DeclaredKind) -> usize {
     }
 }
 
-/// Comes by each place at which a field is named by its number, with the place of its structure among the types.
+/// Visits each place that names a field by its index, with the index of the structure among the types.
 struct FieldVisitor<'p> {
     program: &'p Program,
     unit: Unit,

@@ -1,4 +1,4 @@
-//! What of a program's declarations anything refers to.
+//! The declarations of a program that are used.
 
 use crate::model::visit::{Visitor, walk_expression, walk_place, walk_program, walk_statement, walk_type};
 use crate::model::{
@@ -6,7 +6,7 @@ use crate::model::{
     Variable, VariableId,
 };
 
-/// For each declaration whether anything refers to it. An argument of a call is no use of its parameter.
+/// Whether each declaration of a program is used. An argument in a call is no use of its parameter.
 #[derive(Clone, Debug)]
 pub(super) struct DeclarationUsage {
     pub functions: Vec<bool>,
@@ -20,7 +20,7 @@ pub(super) struct DeclarationUsage {
 }
 
 impl DeclarationUsage {
-    /// What a program uses.
+    /// Finds the used declarations of a program.
     pub fn of(program: &Program) -> DeclarationUsage {
         let mut gatherer = Gatherer {
             usage: DeclarationUsage::uniform(program, false),
@@ -31,7 +31,7 @@ impl DeclarationUsage {
         gatherer.usage
     }
 
-    /// The same said of every declaration of a program.
+    /// Creates a usage with the same entry for every declaration of a program.
     pub fn uniform(program: &Program, used: bool) -> DeclarationUsage {
         DeclarationUsage {
             functions: vec![used; program.functions.len()],
@@ -69,17 +69,17 @@ impl DeclarationUsage {
     }
 }
 
-/// A variable of a unit.
+/// Returns a variable of a unit.
 pub(super) fn variable_of(program: &Program, unit: Unit, variable: VariableId) -> Option<&Variable> {
     unit.variables(program).get(variable.0)
 }
 
-/// The type of a variable of a unit.
+/// Returns the type of a variable of a unit.
 pub(super) fn variable_type(program: &Program, unit: Unit, variable: VariableId) -> Option<&Type> {
     variable_of(program, unit, variable).map(|variable| &variable.ty)
 }
 
-/// The function block of which a variable is an instance.
+/// Returns the function block of which a variable is an instance.
 pub(super) fn instance_of(program: &Program, unit: Unit, variable: VariableId) -> Option<usize> {
     match variable_type(program, unit, variable)? {
         Type::Block(block) => Some(*block),

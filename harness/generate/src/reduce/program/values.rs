@@ -1,7 +1,7 @@
-//! Expressions replaced by the value that the evaluator finds they have.
+//! A pass that replaces expressions by the values that the evaluator computes.
 //!
-//! That cuts a program off from all that led to a value: of `y := f(a[i] + b)` remains `y := f(INT#70)`, and the statements that
-//! computed `a`, `i` and `b` can go.
+//! It cuts a program off from the computation of a value: `y := f(a[i] + b)` becomes `y := f(INT#70)`, and the statements
+//! that computed `a`, `i` and `b` can go.
 
 use super::expressions::walk_input;
 use super::plain::literal_kind;
@@ -15,7 +15,7 @@ use crate::reduce::Sites;
 use std::mem;
 use stickler_types::{ElementaryType, Value};
 
-/// Replaces expressions in `PROGRAM main` by their values; in a loop by those of its last turn.
+/// Replaces expressions in `PROGRAM main` by their values; in a loop by those of the last iteration.
 pub(super) fn to_value(program: &mut Program, sites: &mut Sites) {
     let mut again = sites.again();
     let before = program.clone();
@@ -37,20 +37,21 @@ pub(super) fn to_value(program: &mut Program, sites: &mut Sites) {
     ValueReplacer::over(program, &before, &mut again, Work::Put(&mut values));
 }
 
-/// What is done with the expressions that are chosen.
+/// The treatment of the chosen expressions.
 enum Work<'w> {
-    /// A statement is put before the one in which it stands that keeps its value in a new variable: one of these.
+    /// Inserts a statement before the enclosing one that stores the value of the expression in a new variable, collected
+    /// here.
     Probe(&'w mut Vec<Variable>),
-    /// The next of these takes its place.
+    /// Replaces the expression by the next of these values.
     Put(&'w mut dyn Iterator<Item = Value>),
 }
 
-/// One of two walks that come by the same expressions.
+/// One of two walks over the same expressions.
 struct ValueReplacer<'w> {
     before: &'w Program,
     sites: &'w mut Sites,
     work: Work<'w>,
-    /// Statements to put before the one under way.
+    /// Statements to insert before the current one.
     pending: Vec<Statement>,
     unit: Unit,
 }
@@ -131,7 +132,7 @@ impl VisitorMut for ValueReplacer<'_> {
     fn variable(&mut self, _: &mut Variable) {}
 }
 
-/// Whether a literal can say this value: there is none of infinities and of what is no number.
+/// Returns whether a literal can express a value: infinities and NaN have none.
 fn can_be_written(value: &Value) -> bool {
     match value {
         Value::Plain { ty, raw } if *ty == ElementaryType::Real => f32::from_bits(*raw as u32).is_finite(),

@@ -1,4 +1,4 @@
-//! How much there is of a program, and which programs are the same.
+//! The weight of a program, and the identity of programs.
 
 use super::lift::is_true;
 use crate::model::visit::{
@@ -11,9 +11,9 @@ use crate::model::{
 use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_types::Value;
 
-/// First how many parts a program has, each counted with a weight; then how large its literals are.
+/// Returns the weight of a program: first the number of its parts, each with a weight, then the size of its literals.
 ///
-/// A line weighs more than all that can stand in its place within a line, and a variable read more than any literal.
+/// A line weighs more than everything that can replace it within a line, and a read of a variable more than any literal.
 pub(super) fn of(program: &Program) -> (u64, u128) {
     let mut scales = Scales { parts: 0, size: 0 };
     scales.parts += 30 * (program.functions.len() + program.blocks.len() + program.types.len()) as u64;
@@ -28,7 +28,7 @@ pub(super) fn of(program: &Program) -> (u64, u128) {
     (scales.parts, scales.size)
 }
 
-/// The same for programs that are written the same.
+/// Returns a key that is equal for programs with the same text.
 pub(super) fn key(program: &Program) -> u64 {
     let mut hasher = DefaultHasher::new();
     crate::writer::write(program, &crate::writer::Style::default())
@@ -125,8 +125,8 @@ impl Visitor for Scales {
     }
 }
 
-/// How far a value is from the plainest one of its type: a number by its size, its sign and the length of its spelling, a text
-/// by its characters.
+/// Returns the distance of a value from the plainest one of its type: of a number by its size, its sign and the length of
+/// its spelling, of a text by its characters.
 pub(super) fn magnitude(value: &Value) -> u128 {
     match value {
         Value::Plain { ty, .. } if ty.is_real() => value.to_string().len() as u128,

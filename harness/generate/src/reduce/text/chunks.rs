@@ -1,14 +1,14 @@
-//! Text dropped without a look at what it means: comments, lines, words, characters.
+//! Passes that drop text regardless of its meaning: comments, lines, words, characters.
 //!
-//! For texts that nobody can parse this is all there is. For others it takes what the passes over the tree have no name for;
-//! nearly every such candidate is refused by the reference, which costs no try.
+//! For texts that cannot be parsed these are the only passes. For others they remove what the passes over the tree do not
+//! know; the reference refuses nearly every such candidate, which costs no try.
 
 use super::draft::{TextChange, TextDraft};
 use super::words::{comments, words};
 use crate::reduce::Sites;
 use std::ops::Range;
 
-/// A text that cannot be read is cut into characters only up to this length; beyond, lines and words must do.
+/// The maximum length of an unreadable text that is reduced by characters; a longer one is reduced by lines and words only.
 const MAX_CHARACTERS: usize = 2000;
 
 /// Drops comments.
@@ -41,7 +41,7 @@ pub(super) fn drop_words(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// Drops characters, of texts that cannot be read.
+/// Drops characters of texts that cannot be read.
 pub(super) fn drop_characters(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("characters", sites, |draft| {
         if !draft.began_unreadable() || draft.text.len() > MAX_CHARACTERS {
@@ -53,7 +53,7 @@ pub(super) fn drop_characters(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// Drops sections between whose first and last word nothing is left.
+/// Drops sections with nothing between their first and last word.
 pub(super) fn drop_empty_sections(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("empty sections", sites, |draft| {
         let words = words(&draft.text);
@@ -66,7 +66,8 @@ pub(super) fn drop_empty_sections(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// Of a text that was accepted, only what can go alone: much together would nearly always be refused.
+/// Keeps the changes worth a try: for an accepted text only those that can be made alone, because larger groups would nearly
+/// always be refused.
 fn worth_trying(draft: &TextDraft, changes: Vec<TextChange>) -> Vec<TextChange> {
     if draft.began_accepted() {
         draft.only_allowed(changes)

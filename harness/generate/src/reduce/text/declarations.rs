@@ -1,4 +1,4 @@
-//! Declarations dropped and made plainer: program organization units, sections, variables, types, initial values.
+//! Passes that drop or simplify declarations: program organization units, sections, variables, types, initial values.
 
 use super::draft::{TextChange, TextDraft, TextEdit};
 use super::expressions::list_items;
@@ -40,7 +40,7 @@ pub(super) fn drop_sections(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// Drops declarations that nothing refers to: of variables, fields and types.
+/// Drops unused declarations of variables, fields and types.
 pub(super) fn drop_unused(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop unused", sites, |draft| {
         let unit = draft.tree();
@@ -78,7 +78,7 @@ pub(super) fn drop_unused(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// From TYPE to END_TYPE around the one declaration that stands between them.
+/// Extends a range from TYPE to END_TYPE if it is the only declaration between them.
 fn around_type(text: &str, from: usize, end: usize) -> Range<usize> {
     let upper = text.to_ascii_uppercase();
     let start = upper
@@ -90,8 +90,8 @@ fn around_type(text: &str, from: usize, end: usize) -> Range<usize> {
     start..if closing { last + "END_TYPE".len() } else { end }
 }
 
-/// Drops a variable together with every statement of its unit that names it, outermost of those that are no longer right
-/// without it.
+/// Drops a variable together with every statement of its unit that names it; of nested statements the outermost that are
+/// invalid without it.
 pub(super) fn forget_variables(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("forget variables", sites, |draft| {
         let unit = draft.tree();
@@ -115,7 +115,7 @@ pub(super) fn forget_variables(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// The innermost statements of a unit in which a variable is named, replaced by empty ones.
+/// Replaces the innermost statements of a unit that name a variable by empty ones.
 fn naming(
     unit: &SourceUnit<'_>,
     pou: &Pou<'_>,
@@ -199,7 +199,7 @@ pub(super) fn drop_initials(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// Makes variables of the elements' type of arrays of which every use has subscripts.
+/// Gives the element type to array variables whose every use has subscripts.
 pub(super) fn unwrap_arrays(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("unwrap arrays", sites, |draft| {
         let unit = draft.tree();
@@ -234,7 +234,7 @@ pub(super) fn unwrap_arrays(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// Puts what a declared type stands for where a variable has it.
+/// Replaces declared types of variables by their definitions.
 pub(super) fn resolve_types(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("resolve types", sites, |draft| {
         let unit = draft.tree();
@@ -257,7 +257,7 @@ pub(super) fn resolve_types(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// All sections of variables, wherever they stand.
+/// Returns all sections of variables.
 fn blocks<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<&'t VariableBlock<'s>> {
     let mut found = Vec::new();
     for declaration in &unit.declarations {
@@ -271,7 +271,7 @@ fn blocks<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<&'t VariableBlock<'s>> {
     found
 }
 
-/// Every type that is written with a variable, a field or a type's name, and the initial value beside it.
+/// Returns the type of every variable, field and type declaration, with the initial value beside it.
 fn specifications<'t, 's>(
     unit: &'t SourceUnit<'s>,
 ) -> Vec<(&'t TypeSpecification<'s>, Option<&'t Initializer<'s>>)> {
@@ -302,7 +302,7 @@ fn specifications<'t, 's>(
     found
 }
 
-/// Drops declarations of a list, and names of those that declare several.
+/// Drops declarations of a list, and single names of declarations of several.
 fn groups(text: &str, groups: &[VariableGroup<'_>]) -> Vec<TextChange> {
     let mut changes = Vec::new();
     for group in groups {
@@ -319,13 +319,13 @@ fn groups(text: &str, groups: &[VariableGroup<'_>]) -> Vec<TextChange> {
     changes
 }
 
-/// From the first name to the semicolon.
+/// Returns the range from the first name to the semicolon.
 fn group_place(text: &str, group: &VariableGroup<'_>) -> Option<Range<usize>> {
     let from = group.names.first()?.span.start as usize;
     Some(from..end_of(text, &group.specification, group.initializer.as_ref()))
 }
 
-/// Behind the semicolon of a declaration.
+/// Returns the end of a declaration after its semicolon.
 fn end_of(text: &str, specification: &TypeSpecification<'_>, initializer: Option<&Initializer<'_>>) -> usize {
     let end = initializer.map_or(specification.span.end, |initializer| initializer.span.end);
     with_semicolon(text, end as usize)

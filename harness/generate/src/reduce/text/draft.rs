@@ -1,4 +1,4 @@
-//! A source text on its way to becoming smaller: changes to it, its weight, and which changes are allowed.
+//! A source text under reduction: its changes, its weight, and the changes that are allowed.
 
 use super::tree::lists;
 use super::words::words;
@@ -12,37 +12,37 @@ use stickler_reference::syntax::tree::SourceUnit;
 use stickler_reference::{Dialect, syntax};
 use stickler_types::{Code, Diagnostic, DialectName};
 
-/// A text, and what must hold for every text made from it.
+/// A candidate text, and the conditions for every text derived from it.
 #[derive(Clone, Debug)]
 pub(super) struct TextDraft {
     pub text: String,
     pub dialect: DialectName,
-    /// What the text may have of what nobody wants: as much as the one that the reduction began with.
+    /// The defects that the text may have: at most those of the first text.
     allowed: Rc<Allowed>,
-    /// The changes that each pass has found for just this text; finding them takes longer than making them.
+    /// The changes that each pass has found for this text; finding them takes longer than applying them.
     found: Rc<RefCell<FoundChanges>>,
 }
 
-/// What the first text had, and so every text made from it may have.
+/// The defects of the first text, which every derived text may have.
 #[derive(Debug)]
 struct Allowed {
-    /// What the reference finds wrong with it.
+    /// The codes that the reference reports.
     codes: BTreeSet<Code>,
-    /// It could not be read to its end.
+    /// Whether the text could not be read to its end.
     unreadable: bool,
-    /// Lists of statements with no statement in them. The reference takes them; the standard demands a statement, and a
-    /// compiler that does so too would reject a candidate for a reason of its own.
+    /// The number of empty lists of statements. The reference accepts them; the standard demands a statement, and a compiler
+    /// that does so too would reject a candidate for a reason of its own.
     empty_lists: usize,
 }
 
 /// Changes by the name of the pass that found them.
 type FoundChanges = HashMap<&'static str, Rc<Vec<TextChange>>>;
 
-/// One thing to do to a text: pieces of it that are replaced, all or none.
+/// A change of a text: edits that are applied all or none.
 #[derive(Clone, Debug)]
 pub(super) struct TextChange(pub Vec<TextEdit>);
 
-/// A piece of a text and what comes in its place.
+/// A range of a text and its replacement.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct TextEdit {
     pub at: Range<usize>,
@@ -69,7 +69,7 @@ impl TextChange {
 }
 
 impl TextDraft {
-    /// The draft that a reduction begins with.
+    /// Creates the first candidate of a reduction.
     pub fn new(text: &str, dialect: DialectName) -> TextDraft {
         TextDraft {
             text: text.to_owned(),
@@ -84,24 +84,24 @@ impl TextDraft {
         syntax::parse(&self.text, &Dialect::of(self.dialect)).0
     }
 
-    /// Whether the reference accepts the text, or finds nothing wrong that it did not find in the first one.
+    /// Returns whether the reference accepts the text, or reports only codes that it reported for the first text.
     pub fn is_allowed(&self) -> bool {
         let now = Allowed::by(&self.text, self.dialect);
         now.codes.is_subset(&self.allowed.codes) && now.empty_lists <= self.allowed.empty_lists
     }
 
-    /// Whether the first text was accepted.
+    /// Returns whether the first text was accepted.
     pub fn began_accepted(&self) -> bool {
         self.allowed.codes.is_empty()
     }
 
-    /// Whether the first text could not be read.
+    /// Returns whether the first text could not be read.
     pub fn began_unreadable(&self) -> bool {
         self.allowed.unreadable
     }
 
-    /// Makes those of a pass's changes that are chosen. `find` gives all of them, in the order in which they are to be tried;
-    /// it is asked once for each text.
+    /// Applies the chosen changes of a pass. `find` returns all changes, in the order in which they are tried; it is called
+    /// once for each text.
     pub fn change(
         &mut self,
         pass: &'static str,
@@ -124,14 +124,14 @@ impl TextDraft {
         }
     }
 
-    /// Those of some changes that leave an allowed text when made alone.
+    /// Keeps the changes that leave an allowed text when applied alone.
     pub fn only_allowed(&self, mut changes: Vec<TextChange>) -> Vec<TextChange> {
         changes.retain(|change| self.after(change.0.iter().collect()).is_allowed());
         changes
     }
 
-    /// The draft after some edits. Of those that overlap, the one that begins first is made, and of two that begin together
-    /// the longer one.
+    /// Applies edits. Of overlapping edits the one that begins first is applied, and of two that begin together the longer
+    /// one.
     fn after(&self, mut edits: Vec<&TextEdit>) -> TextDraft {
         edits.sort_by_key(|edit| (edit.at.start, usize::MAX - edit.at.end));
         let mut text = String::with_capacity(self.text.len());
@@ -169,14 +169,14 @@ impl Allowed {
     }
 }
 
-/// Edits leave lines on which nothing stands.
+/// Removes the blank lines that edits leave.
 fn without_blank_lines(text: &str) -> String {
     let lines = text.split_inclusive('\n').filter(|line| !line.trim().is_empty());
     lines.collect()
 }
 
-/// First how many words and signs there are, then how many characters stand in them; blanks weigh nothing, literals little,
-/// for a literal is what everything is to become.
+/// Returns the weight of a text: first the number of words and signs, then the number of their characters; blanks weigh
+/// nothing, and literals little, because everything is to become a literal.
 pub(super) fn weight(draft: &TextDraft) -> (u64, u128) {
     let mut parts = 0_u64;
     let mut size = 0_u128;
@@ -190,7 +190,7 @@ pub(super) fn weight(draft: &TextDraft) -> (u64, u128) {
     (parts, size)
 }
 
-/// Whether a word is a number, or a value with the prefix of its type, or one of BOOL.
+/// Returns whether a word is a number, a typed literal, TRUE or FALSE.
 fn is_literal(word: &str) -> bool {
     word.starts_with(|first: char| first.is_ascii_digit())
         || word.contains('#')
@@ -198,7 +198,7 @@ fn is_literal(word: &str) -> bool {
         || word.eq_ignore_ascii_case("FALSE")
 }
 
-/// The same for the same text.
+/// Returns a key that is equal for equal texts.
 pub(super) fn key(draft: &TextDraft) -> u64 {
     let mut hasher = DefaultHasher::new();
     draft.text.hash(&mut hasher);

@@ -1,4 +1,4 @@
-//! Expressions replaced by their operands and by literals, and literals made smaller.
+//! Passes that replace expressions by their operands and by literals, and literals by smaller ones.
 
 use super::draft::{TextChange, TextDraft};
 use super::tree::{bytes, expression, operands, place, statements};
@@ -6,10 +6,10 @@ use crate::reduce::Sites;
 use std::ops::Range;
 use stickler_reference::syntax::tree::{Expression, ExpressionKind, LiteralKind, SourceUnit, StatementKind};
 
-/// What is tried in the place of an expression whose type nobody knows; the reference says which of them can stand there.
+/// The literals that are tried in the place of an expression of unknown type; the reference decides which are valid there.
 const PLAIN: [&str; 7] = ["FALSE", "0", "0.0", "''", "T#0s", "TRUE", "1"];
 
-/// A literal of each type that could be what does not fit.
+/// A literal of each type that could be part of a type mismatch.
 const TYPED: [&str; 8] = [
     "DINT#0",
     "INT#0",
@@ -21,7 +21,7 @@ const TYPED: [&str; 8] = [
     "T#0s",
 ];
 
-/// Replaces expressions by a plain literal that can stand in their place, outermost first; what ends REPEAT, by TRUE.
+/// Replaces expressions by a plain literal that is valid in their place, outermost first; the condition of REPEAT by TRUE.
 pub(super) fn to_literal(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("to literal", sites, |draft| {
         let unit = draft.tree();
@@ -46,9 +46,9 @@ pub(super) fn to_literal(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// Replaces expressions of a text that is not accepted by literals of the types that such texts are about.
+/// Replaces expressions of a rejected text by typed literals.
 ///
-/// Where the types do not fit one another, an untyped literal fits too well: it takes the type that is wanted.
+/// In a type mismatch an untyped literal fits too well: it takes the expected type.
 pub(super) fn to_typed_literal(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("to typed literal", sites, |draft| {
         if draft.began_accepted() {
@@ -92,7 +92,7 @@ fn to_operand(draft: &TextDraft, which: usize) -> Vec<TextChange> {
     draft.only_allowed(changes)
 }
 
-/// Drops arguments of calls, and subscripts behind the first.
+/// Drops arguments of calls, and subscripts after the first.
 pub(super) fn drop_arguments(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop arguments", sites, |draft| {
         let unit = draft.tree();
@@ -112,7 +112,7 @@ pub(super) fn drop_arguments(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// Drops each item of a list in brackets, of which `open` is at or before the opening one, together with one comma.
+/// Drops each element of a list in brackets, together with one comma; `open` is at or before the opening bracket.
 pub(super) fn list_items(text: &str, open: usize, ends: &[usize], close: usize) -> Vec<TextChange> {
     let Some(bracket) = text.get(open..close).and_then(|rest| rest.find(['(', '['])) else {
         return Vec::new();
@@ -137,7 +137,7 @@ pub(super) fn list_items(text: &str, open: usize, ends: &[usize], close: usize) 
     changes
 }
 
-/// Expressions, each before what stands in it, in the order of the text.
+/// Returns expressions, outer ones before inner ones, in the order of the text.
 pub(super) fn outermost_first<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<&'t Expression<'s>> {
     let mut all: Vec<&Expression<'s>> = unit.expressions.iter().collect();
     all.sort_by_key(|expression| (expression.span.start, u32::MAX - expression.span.end));
@@ -187,7 +187,7 @@ fn literals(draft: &TextDraft, step: LiteralStep) -> Vec<TextChange> {
     draft.only_allowed(changes)
 }
 
-/// The text of a literal without its prefix, made smaller; nothing where that changes nothing.
+/// Returns the text of a literal without its prefix, made smaller; `None` if that changes nothing.
 fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
     let smaller = match kind {
         LiteralKind::Integer => {

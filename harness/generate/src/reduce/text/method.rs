@@ -1,4 +1,4 @@
-//! The passes over a source text in their order, and the one function that runs them.
+//! The order of the passes over a source text, and the function that runs them.
 
 use super::draft::{self, TextDraft};
 use super::{chunks, declarations, expressions, statements, values};
@@ -6,7 +6,7 @@ use crate::reduce::search::pass;
 use crate::reduce::{Interestingness, Reduction, ReductionBudget, ReductionMethod, StopReason, minimise};
 use stickler_types::DialectName;
 
-/// How texts are reduced: first what makes many lines go at once, last what makes one literal nicer.
+/// The passes for texts: first those that remove many lines, last those that simplify a literal.
 const METHOD: ReductionMethod<TextDraft> = ReductionMethod {
     passes: &[
         pass("drop comments", chunks::drop_comments),
@@ -58,12 +58,12 @@ const METHOD: ReductionMethod<TextDraft> = ReductionMethod {
     key: draft::key,
 };
 
-/// Makes a source text as small as it can be while it stays interesting.
+/// Makes a source text as small as possible while it stays interesting.
 ///
 /// `interesting` is asked about `start` first, and then about each candidate. A candidate of a text that the reference
-/// accepts is accepted by it too; of a text that it rejects, it is rejected for no other reason, or accepted. So no program
-/// becomes ill-formed on the way. The result is the same for the same answers; it is written as the renderer writes it
-/// where that is interesting too.
+/// accepts is accepted too; a candidate of a rejected text is rejected for no other reason, or accepted. So no program
+/// becomes ill-formed on the way. The result is the same for the same answers; it is formatted by the renderer if it stays
+/// interesting.
 pub fn text(
     start: &str,
     dialect: DialectName,

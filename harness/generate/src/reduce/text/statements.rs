@@ -1,4 +1,4 @@
-//! Statements dropped, replaced by what they guard, and relieved of branches.
+//! Passes that drop statements and branches, or replace statements by those inside them.
 
 use super::draft::{TextChange, TextDraft};
 use super::tree::{behind_blanks, bodies, bytes, extent, label, lists, place, statements, with_semicolon};
@@ -6,7 +6,7 @@ use crate::reduce::Sites;
 use std::ops::Range;
 use stickler_reference::syntax::tree::{Statement, StatementKind};
 
-/// Drops statements, whole with what they guard; those of the last program first.
+/// Drops statements with the statements inside them; those of the last program first.
 pub(super) fn drop_statements(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop statements", sites, |draft| {
         let unit = draft.tree();
@@ -17,8 +17,8 @@ pub(super) fn drop_statements(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// Drops the semicolons that stand where statements stood; the last one of a list stays, for the standard demands a
-/// statement there, and a compiler may do so too.
+/// Drops the semicolons of former statements; the last one of a list stays, because the standard demands a statement there,
+/// and a compiler may do so too.
 pub(super) fn drop_empty_statements(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop empty statements", sites, |draft| {
         let unit = draft.tree();
@@ -34,7 +34,7 @@ pub(super) fn drop_empty_statements(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// A statement with its semicolon.
+/// Returns the range of a statement with its semicolon.
 fn whole(text: &str, statement: &Statement) -> Range<usize> {
     let place = bytes(statement.span);
     match statement.kind {
@@ -44,7 +44,7 @@ fn whole(text: &str, statement: &Statement) -> Range<usize> {
     }
 }
 
-/// Puts one of the bodies of a statement in its place.
+/// Replaces a statement by one of its bodies.
 pub(super) fn splice(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("splice", sites, |draft| {
         let unit = draft.tree();
@@ -108,7 +108,7 @@ pub(super) fn drop_branches(draft: &mut TextDraft, sites: &mut Sites) {
     });
 }
 
-/// Drops all from the end of one body to the end of the next: `ELSIF … THEN` or `ELSE` and what it guards.
+/// Drops the text from the end of one body to the end of the next: `ELSIF … THEN` or `ELSE` with its statements.
 fn between_bodies(text: &str, before: &[Statement], next: &[Statement]) -> Option<TextChange> {
     let from = extent(text, before)?.end;
     let to = match extent(text, next) {

@@ -1,10 +1,10 @@
-//! What comes out when texts are reduced: small, well-formed, and with the symptom that they had.
+//! Tests of the reduction of texts: the results are small, well-formed, and keep their symptom.
 
 use super::text;
 use crate::reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
 use stickler_types::DialectName;
 
-/// A text in which there is one of everything.
+/// A text with one of everything.
 const MACHINE: &str = "(* A machine, as somebody might have written it. *)
 TYPE
     Color : (RED, GREEN, BLUE);
@@ -78,7 +78,7 @@ END_VAR
 END_PROGRAM
 ";
 
-/// Reduces while the text has all of these words.
+/// Reduces a text while it contains all of these words.
 fn reduce(start: &str, words: &[&str]) -> Reduction<String> {
     let has = |text: &str| Interestingness::from(words.iter().all(|word| text.contains(word)));
     text(start, DialectName::IronplcEd3, has, &ReductionBudget::default())

@@ -1,4 +1,4 @@
-//! What the passes ask of the reference's syntax tree.
+//! Queries of the passes on the syntax tree of the reference.
 
 use std::ops::Range;
 use stickler_reference::source::Span;
@@ -7,12 +7,12 @@ use stickler_reference::syntax::tree::{
     StatementKind,
 };
 
-/// The bytes of a span.
+/// Converts a span to a range of bytes.
 pub(super) fn bytes(span: Span) -> Range<usize> {
     span.start as usize..span.end as usize
 }
 
-/// The program organization units of a text.
+/// Returns the program organization units of a text.
 pub(super) fn pous<'t, 's>(unit: &'t SourceUnit<'s>) -> impl Iterator<Item = &'t Pou<'s>> {
     unit.declarations
         .iter()
@@ -22,7 +22,7 @@ pub(super) fn pous<'t, 's>(unit: &'t SourceUnit<'s>) -> impl Iterator<Item = &'t
         })
 }
 
-/// The lists of statements inside a statement, in the order of the text.
+/// Returns the lists of statements inside a statement, in the order of the text.
 pub(super) fn bodies(statement: &Statement) -> Vec<&[Statement]> {
     match &statement.kind {
         StatementKind::If { branches, otherwise } => branches
@@ -46,8 +46,8 @@ pub(super) fn bodies(statement: &Statement) -> Vec<&[Statement]> {
     }
 }
 
-/// Every list of statements of a text, each before those inside its statements; those of the last program organization
-/// unit first, for there stands what is run.
+/// Returns every list of statements of a text, outer ones before inner ones; those of the last program organization unit
+/// first, because it is the one that runs.
 pub(super) fn lists<'t>(unit: &'t SourceUnit<'_>) -> Vec<&'t [Statement]> {
     let mut found = Vec::new();
     let pous: Vec<_> = pous(unit).collect();
@@ -61,22 +61,22 @@ pub(super) fn lists<'t>(unit: &'t SourceUnit<'_>) -> Vec<&'t [Statement]> {
     found
 }
 
-/// Every statement of a text, in the order of [`lists`].
+/// Returns every statement of a text, in the order of [`lists`].
 pub(super) fn statements<'t>(unit: &'t SourceUnit<'_>) -> Vec<&'t Statement> {
     lists(unit).into_iter().flatten().collect()
 }
 
-/// An expression by its name.
+/// Returns an expression by its id.
 pub(super) fn expression<'t, 's>(unit: &'t SourceUnit<'s>, id: ExpressionId) -> Option<&'t Expression<'s>> {
     unit.expressions.get(id.0 as usize)
 }
 
-/// Where an expression stands.
+/// Returns the range of an expression.
 pub(super) fn place(unit: &SourceUnit<'_>, id: ExpressionId) -> Range<usize> {
     expression(unit, id).map_or(0..0, |expression| bytes(expression.span))
 }
 
-/// The operands and arguments of an expression, in the order of the text.
+/// Returns the operands and arguments of an expression, in the order of the text.
 pub(super) fn operands(expression: &Expression<'_>) -> Vec<ExpressionId> {
     match &expression.kind {
         ExpressionKind::Unary { operand, .. } | ExpressionKind::Parenthesized(operand) => vec![*operand],
@@ -93,7 +93,7 @@ pub(super) fn operands(expression: &Expression<'_>) -> Vec<ExpressionId> {
     }
 }
 
-/// The expression of an argument.
+/// Returns the expression of an argument.
 pub(super) fn value_of(argument: &Argument<'_>) -> ExpressionId {
     match argument {
         Argument::Positional(value)
@@ -102,7 +102,7 @@ pub(super) fn value_of(argument: &Argument<'_>) -> ExpressionId {
     }
 }
 
-/// From the start to the end of a label of CASE.
+/// Returns the range of a CASE label.
 pub(super) fn label(unit: &SourceUnit<'_>, label: &CaseLabel) -> Range<usize> {
     match label {
         CaseLabel::Value(value) => place(unit, *value),
@@ -110,7 +110,7 @@ pub(super) fn label(unit: &SourceUnit<'_>, label: &CaseLabel) -> Range<usize> {
     }
 }
 
-/// The end of what stands at `end`, with the semicolon behind it where there is one.
+/// Returns `end`, moved past a semicolon that follows.
 pub(super) fn with_semicolon(text: &str, end: usize) -> usize {
     let next = behind_blanks(text, end);
     if text[next..].starts_with(';') {
@@ -120,7 +120,7 @@ pub(super) fn with_semicolon(text: &str, end: usize) -> usize {
     }
 }
 
-/// The next byte that is neither blank nor in a comment.
+/// Returns the next byte that is neither blank nor in a comment.
 pub(super) fn behind_blanks(text: &str, from: usize) -> usize {
     let mut at = from;
     loop {
@@ -141,7 +141,7 @@ pub(super) fn behind_blanks(text: &str, from: usize) -> usize {
     }
 }
 
-/// From the first byte of the first to the end of the last of some statements, its semicolon included.
+/// Returns the range of some statements, with the semicolon of the last one.
 pub(super) fn extent(text: &str, statements: &[Statement]) -> Option<Range<usize>> {
     let first = statements.first()?;
     let last = statements.last()?;

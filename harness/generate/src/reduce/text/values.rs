@@ -1,7 +1,7 @@
-//! Variables replaced by values that the reference finds in them.
+//! Passes that replace variables by values that the reference computes for them.
 //!
-//! That cuts a program off from all that led to a value, as the evaluator does for programs of the model. Which value a
-//! variable has where it is read is not known here; that of the start and that of the end are good guesses.
+//! They cut a program off from the computation of a value, as the evaluator does for programs of the model. The value of a
+//! variable at the place of a read is unknown here; its first and last values are good guesses.
 
 use super::draft::{TextChange, TextDraft};
 use super::expressions::outermost_first;
@@ -12,8 +12,8 @@ use stickler_reference::syntax::tree::ExpressionKind;
 use stickler_reference::{Limits, run, variables};
 use stickler_types::{Observation, Outcome, RunRequest, Value};
 
-/// How many variables are looked at.
-const MAX_STATEMENTS: usize = 300;
+/// The maximum number of variables that are observed.
+const MAX_VARIABLES: usize = 300;
 
 /// Replaces variables by their values at the end.
 pub(super) fn to_final_value(draft: &mut TextDraft, sites: &mut Sites) {
@@ -42,9 +42,9 @@ fn to_value(draft: &TextDraft, scans: u32) -> Vec<TextChange> {
     draft.only_allowed(changes)
 }
 
-/// The values of the variables after some scans, as literals, by their names in lower case.
+/// Returns the values of the variables after some scans, as literals, by their names in lower case.
 fn values(draft: &TextDraft, scans: u32) -> HashMap<String, String> {
-    let names = variables(&draft.text, draft.dialect, MAX_STATEMENTS);
+    let names = variables(&draft.text, draft.dialect, MAX_VARIABLES);
     let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
     let request = RunRequest {
         scans,
@@ -60,7 +60,7 @@ fn values(draft: &TextDraft, scans: u32) -> HashMap<String, String> {
         .collect()
 }
 
-/// BOOL and texts without the prefix of their type, which not every compiler reads.
+/// Spells a value; BOOL and texts without the prefix of their type, which not every compiler reads.
 fn spelled(value: &Value) -> String {
     let canonical = value.to_string();
     let bare = ["BOOL#", "STRING#", "WSTRING#"]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// The places of comments: `(* … *)`, not nested, and `// …`; those in character strings are none.
+/// Returns the ranges of comments outside character strings: `(* … *)`, not nested, and `// …`.
 pub(super) fn comments(text: &str) -> Vec<Range<usize>> {
     let bytes = text.as_bytes();
     let mut found = Vec::new();
@@ -27,14 +27,14 @@ pub(super) fn comments(text: &str) -> Vec<Range<usize>> {
     found
 }
 
-/// The length up to and with `end`, which is sought from `from` on.
+/// Returns the length up to the end of `end`, which is searched from `from` on.
 fn end_of(bytes: &[u8], end: &[u8], from: usize) -> usize {
     let rest = bytes.get(from..).unwrap_or_default();
     let found = rest.windows(end.len()).position(|window| window == end);
     found.map_or(bytes.len(), |at| from + at + end.len())
 }
 
-/// The length of a character string, its quotes included; it ends with its line at the latest.
+/// Returns the length of a character string with its quotes; it ends with its line at the latest.
 fn string_length(bytes: &[u8]) -> usize {
     let quote = bytes.first().copied();
     let mut at = 1;
@@ -49,7 +49,7 @@ fn string_length(bytes: &[u8]) -> usize {
     bytes.len()
 }
 
-/// Words, and every other character that is no blank by itself.
+/// Returns the ranges of words, and of every other character that is no blank by itself.
 pub(super) fn words(text: &str) -> Vec<Range<usize>> {
     let mut found: Vec<Range<usize>> = Vec::new();
     let mut in_word = false;
