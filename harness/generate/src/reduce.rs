@@ -3,8 +3,8 @@
 //! | subject | function |
 //! |---|---|
 //! | anything, by passes and a predicate | [`minimise`] |
-//! | a [`Program`](crate::model::Program) of the generator: every candidate is well-typed by construction | [`program`] |
-//! | any source text, by the syntax tree of the reference: no candidate is ill-formed unless the text was | [`text`] |
+//! | a [`Program`](crate::model::Program) of the generator: every candidate is well-typed by construction | [`program`](program()) |
+//! | any source text, by the syntax tree of the reference: no candidate is ill-formed unless the text was | [`text`](text()) |
 //!
 //! [`Symptom`] says how the outcome of an engine differs from the expected one.
 

@@ -17,7 +17,7 @@ impl<'p> Evaluator<'p> {
         function: usize,
         arguments: &'p [Argument],
     ) -> Result<Vec<MemoryCell>, EvaluationError> {
-        let missing = EvaluationError::IllFormed("a call of a function that there is not");
+        let missing = EvaluationError::IllFormed("a call of an undeclared function");
         let called = self.program.functions.get(function).ok_or(missing)?;
         let offsets = self.layout.functions.get(function).ok_or(missing)?;
         let base = self.memory.len();
@@ -72,7 +72,7 @@ impl<'p> Evaluator<'p> {
         callee: Activation<'p>,
         arguments: &'p [Argument],
     ) -> Result<Vec<(usize, Vec<MemoryCell>)>, EvaluationError> {
-        let unknown = EvaluationError::IllFormed("an argument for a parameter that there is not");
+        let unknown = EvaluationError::IllFormed("an argument for an undeclared parameter");
         let mut given = Vec::with_capacity(arguments.len());
         for argument in arguments {
             let offset = *callee
@@ -98,7 +98,9 @@ impl<'p> Evaluator<'p> {
         argument: &'p Argument,
     ) -> Result<MemoryCell, EvaluationError> {
         let ExpressionKind::Read(place) = &argument.value.kind else {
-            return Err(EvaluationError::IllFormed("an in-out that is no variable"));
+            return Err(EvaluationError::IllFormed(
+                "an in-out argument that is not a variable",
+            ));
         };
         let address = self.locate(caller, place)?;
         Ok(MemoryCell::Plain(address as u64))
@@ -122,7 +124,7 @@ impl<'p> Evaluator<'p> {
         inputs: &'p [Argument],
         outputs: &'p [(VariableId, Place)],
     ) -> Result<(), EvaluationError> {
-        let missing = EvaluationError::IllFormed("an invocation of something that is no instance");
+        let missing = EvaluationError::IllFormed("an invocation of a variable that is not an instance");
         let (base, ty) = self.variable(caller, instance)?;
         let Type::Block(index) = self.resolved(ty) else {
             return Err(missing);

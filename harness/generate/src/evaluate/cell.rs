@@ -22,7 +22,9 @@ impl MemoryCell {
                 Ok(Value::plain(ty, raw))
             }
             MemoryCell::Text(units) if ty.is_text() => Ok(Value::text(ty, units.into_vec())),
-            _ => Err(EvaluationError::IllFormed("a text where there is none")),
+            _ => Err(EvaluationError::IllFormed(
+                "a text where a number is stored, or the reverse",
+            )),
         }
     }
 

@@ -36,7 +36,7 @@ impl<'p> Evaluator<'p> {
             Some(Initializer::Array(values)) => {
                 let Type::Array(array) = self.resolved(&variable.ty) else {
                     return Err(EvaluationError::IllFormed(
-                        "elements of something that is no array",
+                        "elements of a variable that is not an array",
                     ));
                 };
                 let size = self.layout.size(&array.element)?;
@@ -51,7 +51,7 @@ impl<'p> Evaluator<'p> {
                 Ok(())
             }
             Some(Initializer::Structure(fields)) => {
-                let none = EvaluationError::IllFormed("fields of something that has none");
+                let none = EvaluationError::IllFormed("fields of a variable that is not a structure");
                 let Type::Declared(structure) = self.resolved(&variable.ty) else {
                     return Err(none);
                 };
@@ -99,7 +99,7 @@ impl<'p> Evaluator<'p> {
                 _ => self.store(at, MemoryCell::Plain(0)),
             },
             Type::Block(index) => {
-                let missing = EvaluationError::IllFormed("an instance of a function block that there is not");
+                let missing = EvaluationError::IllFormed("an instance of an undeclared function block");
                 let block = self.program.blocks.get(*index).ok_or(missing)?;
                 let instance = Activation {
                     name: &block.name,

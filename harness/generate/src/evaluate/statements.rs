@@ -151,9 +151,9 @@ impl<'p> Evaluator<'p> {
                 self.set_bit(unit, place, *bit, set)?;
             }
             AssignmentTarget::Result => {
-                let (address, ty) = unit.result.ok_or(EvaluationError::IllFormed(
-                    "a result of something that is no function",
-                ))?;
+                let (address, ty) = unit
+                    .result
+                    .ok_or(EvaluationError::IllFormed("a result outside a function"))?;
                 self.assign(unit, address, ty, value)?;
             }
         }

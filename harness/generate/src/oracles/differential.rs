@@ -122,8 +122,8 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOut
         Some(symptom) => {
             let message = format!(
                 "by the documents {}, but the engine {}",
-                told(&expected, &given),
-                told(&given, &expected)
+                describe(&expected, &given),
+                describe(&given, &expected)
             );
             Err(OracleFailure::new(symptom.to_string(), message).of_program(text))
         }
@@ -131,7 +131,7 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOut
 }
 
 /// Describes an outcome; of its values only those that differ from the other outcome.
-fn told(outcome: &Outcome, other: &Outcome) -> String {
+fn describe(outcome: &Outcome, other: &Outcome) -> String {
     match (outcome, other) {
         (Outcome::Executed { values }, Outcome::Executed { values: others }) => {
             let differing = values.iter().filter(|value| !others.contains(value));

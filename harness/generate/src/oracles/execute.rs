@@ -159,8 +159,11 @@ fn reference(
 
 fn rejected(diagnostics: &[Diagnostic]) -> OracleFailure {
     let code = diagnostics.first().and_then(|first| first.code.as_deref());
-    let told: Vec<String> = diagnostics.iter().map(Diagnostic::to_string).collect();
-    let message = format!("the reference rejects a well-typed program: {}", told.join("; "));
+    let described: Vec<String> = diagnostics.iter().map(Diagnostic::to_string).collect();
+    let message = format!(
+        "the reference rejects a well-typed program: {}",
+        described.join("; ")
+    );
     OracleFailure::new(format!("rejected:{}", code.unwrap_or("nothing")), message)
 }
 
@@ -187,7 +190,7 @@ pub(super) fn compare(expected: &[(String, Value)], given: &[(String, Value)]) -
                 ));
             }
             None => {
-                let message = format!("{path} is told nothing of, and by the documents it is {value}");
+                let message = format!("{path} has no value; the documents give {value}");
                 return Err(OracleFailure::new("value:missing", message));
             }
         }

@@ -72,9 +72,9 @@ fn what_is_planted_changes_the_text_on_the_line_that_is_told() {
             );
             assert_ne!(without.text, with.text, "{}", planted.kind);
             let line = usize::try_from(planted.line(&without, &with)).expect("a short text");
-            let told = with.text.lines().nth(line - 1).unwrap_or_default();
-            let known = without.text.lines().filter(|line| *line == told).count();
-            let now = with.text.lines().filter(|line| *line == told).count();
+            let line_text = with.text.lines().nth(line - 1).unwrap_or_default();
+            let known = without.text.lines().filter(|line| *line == line_text).count();
+            let now = with.text.lines().filter(|line| *line == line_text).count();
             assert!(
                 now > known,
                 "{}: line {line} is not new in\n{}",

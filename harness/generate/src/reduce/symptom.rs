@@ -48,7 +48,7 @@ impl Symptom {
             (_, Outcome::Unsupported { .. }) => return Vec::new(),
             (Outcome::Rejected { .. }, Outcome::Rejected { .. }) => return Vec::new(),
             (_, Outcome::Rejected { .. }) => {
-                return rejections(got, code_or_gist)
+                return rejections(got, code_or_message)
                     .into_iter()
                     .map(Symptom::Rejected)
                     .collect();
@@ -81,7 +81,7 @@ impl Symptom {
     /// Returns the symptom of a rejected valid program, by the first of its diagnostics.
     #[must_use]
     pub fn rejected(diagnostics: &[Diagnostic]) -> Symptom {
-        Symptom::Rejected(diagnostics.first().map(code_or_gist).unwrap_or_default())
+        Symptom::Rejected(diagnostics.first().map(code_or_message).unwrap_or_default())
     }
 
     /// Returns whether `wanted`, as named by a person, means this symptom: it is the same, or the code in front of the
@@ -131,20 +131,22 @@ fn code(diagnostic: &Diagnostic) -> String {
 
 /// Returns the code of a diagnostic; without a code, the normalized message. The code for syntax errors is followed by the
 /// normalized message, because it stands for all errors of a parser.
-fn code_or_gist(diagnostic: &Diagnostic) -> String {
+fn code_or_message(diagnostic: &Diagnostic) -> String {
     match &diagnostic.code {
-        Some(code) if code == Code::SyntaxError.as_str() => format!("{code} {}", gist(&diagnostic.message))
-            .trim_end()
-            .to_owned(),
+        Some(code) if code == Code::SyntaxError.as_str() => {
+            format!("{code} {}", normalize_message(&diagnostic.message))
+                .trim_end()
+                .to_owned()
+        }
         Some(code) => code.clone(),
-        None => gist(&diagnostic.message),
+        None => normalize_message(&diagnostic.message),
     }
 }
 
 /// Normalizes the message of a compiler: keeps its first words, and drops quoted text, names and numbers, so that the
 /// message of a smaller program compares equal.
-fn gist(message: &str) -> String {
-    const WORDS: usize = 6;
+fn normalize_message(message: &str) -> String {
+    const MAX_WORDS: usize = 6;
     let quote = |character: char| "'\"`".contains(character);
     // Every other piece stands between quotation marks.
     let said = message.lines().next().unwrap_or_default().split(quote).step_by(2);
@@ -160,18 +162,20 @@ fn gist(message: &str) -> String {
                 .to_ascii_lowercase()
         })
         .filter(|word| !word.is_empty())
-        .take(WORDS)
+        .take(MAX_WORDS)
         .collect();
     words.join(" ")
 }
+
+/// Returns the symptoms of wrong and missing values, one for each type.
 fn values(
     expected: &[(String, stickler_types::Value)],
     got: &[(String, stickler_types::Value)],
 ) -> Vec<Symptom> {
     let mut symptoms = Vec::new();
     for (name, value) in expected {
-        let symptom = match got.iter().find(|(told, _)| told == name) {
-            Some((_, told)) if told == value => continue,
+        let symptom = match got.iter().find(|(other, _)| other == name) {
+            Some((_, found)) if found == value => continue,
             Some(_) => Symptom::Value(value.type_name().to_owned()),
             None => Symptom::Missing(value.type_name().to_owned()),
         };
@@ -244,17 +248,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_gist_of_a_message_has_no_names_and_no_numbers() {
+    fn a_normalized_message_has_no_names_and_no_numbers() {
         assert_eq!(
-            gist("Variable v17 of type 'INT' is not declared (line 5)."),
+            normalize_message("Variable v17 of type 'INT' is not declared (line 5)."),
             "variable of type is not declared"
         );
         assert_eq!(
-            gist("unknown error in program declaration."),
+            normalize_message("unknown error in program declaration."),
             "unknown error in program declaration"
         );
-        assert_eq!(gist("\"x\": 5"), "");
-        assert_eq!(gist(""), "");
+        assert_eq!(normalize_message("\"x\": 5"), "");
+        assert_eq!(normalize_message(""), "");
     }
 
     #[test]

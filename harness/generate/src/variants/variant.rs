@@ -189,7 +189,7 @@ fn rendered(program: &Program, random: &mut Random<'_, '_>) -> String {
     };
     let text = write(program, &style).text;
     render(&text, program.dialect).unwrap_or_else(|diagnostics| {
-        let told: Vec<String> = diagnostics.iter().map(ToString::to_string).collect();
-        format!("(* the renderer refuses the text: {} *)", told.join("; "))
+        let described: Vec<String> = diagnostics.iter().map(ToString::to_string).collect();
+        format!("(* the renderer refuses the text: {} *)", described.join("; "))
     })
 }

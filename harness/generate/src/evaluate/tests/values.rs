@@ -167,14 +167,14 @@ fn what_no_document_settles_is_told_with_its_place() {
     );
     let evaluation = evaluate(&main, 1).unwrap();
     assert_eq!(evaluation.values[0].1.to_string(), "REAL#Infinity");
-    let told: Vec<String> = evaluation.opened.iter().map(ToString::to_string).collect();
+    let opened: Vec<String> = evaluation.opened.iter().map(ToString::to_string).collect();
     assert_eq!(
-        told[0],
+        opened[0],
         "a real divided by zero (main: Divide of REAL; sought in stickler-design: §8 and real-arithmetic)"
     );
     assert!(
-        told[1].starts_with("the initial value of a date (main: it is read;"),
-        "{told:?}"
+        opened[1].starts_with("the initial value of a date (main: it is read;"),
+        "{opened:?}"
     );
     assert!(!evaluation.binds_the_reference());
 }
