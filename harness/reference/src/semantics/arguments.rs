@@ -6,6 +6,7 @@
 use super::lowering::Lowering;
 use super::model::PouEntry;
 use super::standard::mixed;
+use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::tree::{Argument, ExpressionId, Folded, Name, VariableKind};
 use rustc_hash::FxHashSet;
@@ -64,7 +65,7 @@ impl<'m> Lowering<'m> {
                 "`{name}` takes {needed} arguments by position, not {}",
                 positional.len()
             );
-            self.refuse((code, call, message), arguments);
+            self.refuse(Diagnostic::new(code, call, message), arguments);
             return None;
         }
         let mut bound = Bound::default();

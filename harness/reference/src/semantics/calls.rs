@@ -3,9 +3,10 @@
 use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
 use super::model::Definition;
-use super::standard::{Fault, standard_function};
+use super::standard::standard_function;
 use super::types::{Kind, TypeId};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
+use crate::diagnostic::Diagnostic;
 use crate::instruction::{Instruction, StandardFunction};
 use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, Folded, Name, PouKind};
 use stickler_types::{Code, ElementaryType};
@@ -180,8 +181,8 @@ impl<'m> Lowering<'m> {
     }
 
     /// Says what is wrong with the arguments as a whole, and what is wrong inside them.
-    pub(super) fn refuse(&mut self, (code, span, message): Fault, arguments: &[Argument<'_>]) -> Value {
-        self.report(code, span, message);
+    pub(super) fn refuse(&mut self, reason: Diagnostic, arguments: &[Argument<'_>]) -> Value {
+        self.reporter.push(reason);
         self.lower_arguments(arguments);
         Value::ERROR
     }

@@ -4,10 +4,9 @@
 use super::common::settle;
 use super::constants::combine;
 use super::expressions::fitting;
-use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
 use super::operators::{Action, Operation, Signature};
-use super::types::{TypeId, TypeTable};
+use super::types::TypeId;
 use crate::instruction::Instruction;
 use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
 use stickler_types::{Code, ElementaryType};
@@ -152,29 +151,11 @@ impl Lowering<'_> {
             Action::Logic(operator) => self.emit(Instruction::Logic(operator)),
         }
     }
-
-    /// How a message names what was inferred.
-    pub(super) fn describe(&self, inferred: Inferred) -> String {
-        describe(&self.model.types, inferred)
-    }
-}
-
-/// How a message names what was inferred.
-pub(super) fn describe(types: &TypeTable, inferred: Inferred) -> String {
-    match inferred {
-        Inferred::Known(ty) => types.name(ty),
-        Inferred::Integer(_) => "an integer literal".to_owned(),
-        Inferred::Real => "a real literal".to_owned(),
-        Inferred::Text { .. } => "a text literal".to_owned(),
-        Inferred::Nothing => "a call without a result".to_owned(),
-        Inferred::Enumerated => "an enumerated value".to_owned(),
-        Inferred::Pending | Inferred::Error => "an error".to_owned(),
-    }
 }
 
 /// The integer type in which an operation on two constants is done right here. A power with a negative exponent
 /// is left to the machine.
-pub(super) fn folds(action: Action, right: i128) -> Option<ElementaryType> {
+fn folds(action: Action, right: i128) -> Option<ElementaryType> {
     match action {
         Action::Arithmetic(_, ty) => Some(ty),
         Action::Power { base, exponent } if exponent.is_integer() && right >= 0 => Some(base),

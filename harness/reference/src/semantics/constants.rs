@@ -1,165 +1,228 @@
-//! Constant expressions of integers, with exact numbers: limits of arrays and subranges, lengths of texts,
-//! numbers of enumerated values, repetitions. Where types count, [`super::folding`] goes on.
+//! Constant expressions: what may stand in one, and the value that it has.
+//!
+//! Limits of arrays and subranges, lengths of texts, numbers of enumerated values and repetitions take numbers of
+//! any size, so there operators compute with exact numbers. Where types count, in an initial value and in the
+//! arguments of a conversion function, a constant expression is lowered as any other, and is constant where no more
+//! is left of its code than the push of a value.
 
-use super::folding::{Known, not_constant};
-use super::model::{Definition, Source};
-use super::scope::Scope;
-use super::types::TypeTable;
+use super::calls::Callee;
+use super::constant::{Constant, ConstantValue};
+use super::contexts::Context;
+use super::inferred::Inferred;
+use super::lowering::{Lowering, Value};
+use super::types::TypeId;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
-use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind, LiteralKind, Name, UnaryOperator};
+use crate::syntax::tree::{
+    Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Name, UnaryOperator,
+};
 use stickler_types::{Code, ElementaryType, literal};
 
-/// What a name means in a constant expression.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum Constant {
-    /// A number, and the integer type that the constant has, which holds it.
-    Value(i128, ElementaryType),
-    /// A constant of another elementary type; of a text a short one, lest each use of a long one cost much.
-    Typed(Known),
-    /// A constant whose own value was not understood, which has been said.
-    Silent,
-    /// A variable.
-    Variable,
-    /// A constant that is no integer, or whose value only the running program knows.
-    NotInteger,
-    /// A constant without a value.
-    Missing,
-    /// Nothing has this name.
-    Unknown,
-}
-
-impl Constant {
-    /// Whether the value is known.
-    pub(super) const fn is_known(&self) -> bool {
-        matches!(self, Constant::Value(..) | Constant::Typed(_))
-    }
-}
-
-/// Why an expression has no constant value; `None` where that has been said already.
-pub(super) type NotConstant = Option<Diagnostic>;
-
-/// Evaluates constant expressions.
-pub(super) struct Evaluator<'a, 'u> {
-    /// The tree.
-    pub(super) source: Source<'u>,
-    /// The types of the text.
-    pub(super) types: &'a TypeTable,
-    /// What is declared at the top level.
-    pub(super) definitions: &'a Scope<'u, Definition>,
-    /// What names mean.
-    pub(super) lookup: &'a dyn Fn(Name<'u>) -> Constant,
-}
-
-impl<'u> Evaluator<'_, 'u> {
-    /// The exact value of an expression. The left spine of a chain of operators is walked without recursion.
-    pub(super) fn evaluate(&self, id: ExpressionId) -> Result<i128, NotConstant> {
+impl<'m> Lowering<'m> {
+    /// Returns the exact number that an expression stands for; where it stands for none, reports why. The left spine of
+    /// a chain of operators is walked without recursion.
+    pub(super) fn constant_number(&mut self, id: ExpressionId) -> Option<i128> {
         let mut spine = Vec::new();
         let mut at = id;
         while let ExpressionKind::Binary {
             operator,
             left,
             right,
-        } = self.source.expression(at).kind
+        } = self.expression(at).kind
         {
             spine.push((at, operator, right));
             at = left;
         }
-        let mut value = self.leaf(at)?;
+        let mut value = self.constant_operand(at)?;
         for (node, operator, right) in spine.into_iter().rev() {
-            let right = self.evaluate(right)?;
-            value = combine(operator, value, right).map_err(|(code, message)| {
-                Some(Diagnostic::new(code, self.source.expression(node).span, message))
-            })?;
+            let right = self.constant_number(right)?;
+            match combine(operator, value, right) {
+                Ok(result) => value = result,
+                Err((code, message)) => {
+                    return self.no_number(Diagnostic::new(code, self.span(node), message));
+                }
+            }
         }
-        Ok(value)
+        Some(value)
     }
 
-    fn leaf(&self, id: ExpressionId) -> Result<i128, NotConstant> {
-        let expression = self.source.expression(id);
+    fn constant_operand(&mut self, id: ExpressionId) -> Option<i128> {
+        let expression = self.expression(id);
         match &expression.kind {
-            ExpressionKind::Literal(literal)
-                if matches!(literal.kind, LiteralKind::Integer | LiteralKind::BasedInteger) =>
-            {
-                self.integer(id, literal.prefix(), literal.text())
+            ExpressionKind::Literal(literal) => self.integer_literal(literal, expression.span),
+            ExpressionKind::Name(name) => {
+                let constant = self.constant_of(*name);
+                let number = match &constant {
+                    Constant::Known(value) => value.number(),
+                    _ => None,
+                };
+                number.or_else(|| self.no_number(constant.refusal(*name)?))
             }
-            ExpressionKind::Name(name) => self.name(*name),
-            ExpressionKind::Parenthesized(inner) => self.evaluate(*inner),
-            ExpressionKind::Unary {
+            ExpressionKind::Parenthesized(inner)
+            | ExpressionKind::Unary {
                 operator: UnaryOperator::Plus,
-                operand,
-            } => self.evaluate(*operand),
+                operand: inner,
+            } => self.constant_number(*inner),
             ExpressionKind::Unary {
                 operator: UnaryOperator::Negate,
                 operand,
             } => {
-                let value = self.evaluate(*operand)?;
-                value.checked_neg().ok_or_else(|| Some(self.overflow(id)))
+                let negative = self.constant_number(*operand)?.checked_neg();
+                negative.or_else(|| self.no_number(too_large(expression.span)))
             }
-            ExpressionKind::Error => Err(None),
-            ExpressionKind::Call { .. } => {
-                let known = self.call(id, None)?;
-                known.number().ok_or_else(|| no_integer(expression.span))
-            }
-            ExpressionKind::Literal(_) => Err(no_integer(expression.span)),
-            _ => Err(not_constant(expression.span)),
+            ExpressionKind::Call { .. } => self.constant_call(id),
+            ExpressionKind::Error => None,
+            _ => self.no_number(not_constant(expression.span)),
         }
     }
 
-    fn integer(&self, id: ExpressionId, prefix: Option<Name<'_>>, text: &str) -> Result<i128, NotConstant> {
-        let counts = prefix.is_none_or(|prefix| {
-            ElementaryType::from_name(prefix.text).is_some_and(ElementaryType::is_integer)
-        });
-        if !counts {
-            return Err(no_integer(self.source.expression(id).span));
+    fn integer_literal(&mut self, literal: &Literal<'_>, span: Span) -> Option<i128> {
+        let typed = literal.prefix();
+        let integer = matches!(literal.kind, LiteralKind::Integer | LiteralKind::BasedInteger)
+            && typed.is_none_or(|prefix| {
+                ElementaryType::from_name(prefix.text).is_some_and(ElementaryType::is_integer)
+            });
+        if !integer {
+            return self.no_number(no_integer(span));
         }
-        literal::integer(text).map_err(|_| Some(self.overflow(id)))
+        let number = literal::integer(literal.text()).ok();
+        number.or_else(|| self.no_number(too_large(span)))
     }
 
-    fn overflow(&self, id: ExpressionId) -> Diagnostic {
-        Diagnostic::new(
-            Code::ConstantOverflow,
-            self.source.expression(id).span,
-            "the number is too large",
-        )
-    }
-
-    fn name(&self, name: Name<'u>) -> Result<i128, NotConstant> {
-        match (self.lookup)(name) {
-            Constant::Value(value, _) => Ok(value),
-            other => Err(self.refuse(name, &other)),
-        }
-    }
-
-    /// Why a name that means no value has none.
-    pub(super) fn refuse(&self, name: Name<'u>, meaning: &Constant) -> NotConstant {
-        let (code, message) = match meaning {
-            Constant::Value(..) | Constant::Silent => return None,
-            Constant::Variable => (
-                Code::VariableMustBeConst,
-                "is a variable; a constant is needed here",
-            ),
-            Constant::Typed(_) | Constant::NotInteger => (
-                Code::ConstantNotIntegerType,
-                "is no constant of an integer type with a value that is known here",
-            ),
-            Constant::Missing => (Code::ConstantMissingInitializer, "is a constant without a value"),
-            Constant::Unknown => (Code::UndefinedConstantReference, "is not declared"),
+    /// Returns the number that a call of a conversion function gives.
+    fn constant_call(&mut self, id: ExpressionId) -> Option<i128> {
+        let span = self.span(id);
+        let parts = match self.constant_parts(id) {
+            Ok(parts) => parts,
+            Err(reason) => return self.no_number(reason?),
         };
-        Some(Diagnostic::new(
-            code,
-            name.span,
-            format!("`{}` {message}", name.text),
-        ))
+        match self.fold(&parts, |lowering| lowering.value(id, None)) {
+            Constant::Known(value) => value.number().or_else(|| self.no_number(no_integer(span))),
+            Constant::Computed => self.no_number(not_folded(span)),
+            _ => None,
+        }
+    }
+
+    fn no_number(&mut self, reason: Diagnostic) -> Option<i128> {
+        self.reporter.push(reason);
+        None
+    }
+
+    /// Returns what an initial value of a constant of a type stands for; where something is wrong with it,
+    /// [`Constant::Silent`].
+    pub(super) fn constant_initializer(&mut self, id: ExpressionId, ty: ElementaryType) -> Constant {
+        match self.constant_parts(id) {
+            Ok(parts) => self.fold(&parts, |lowering| {
+                lowering.coerce(id, TypeId::of(ty), Context::Initializer)
+            }),
+            // This may well be an initial value, if not one that is known here.
+            Err(Some(reason)) if is_computed(reason.code) => Constant::Computed,
+            Err(_) => Constant::Silent,
+        }
+    }
+
+    /// Lowers an expression that consists of these parts, and takes the value that is all that is left of it.
+    fn fold(&mut self, parts: &[ExpressionId], lower: impl FnOnce(&mut Self) -> Value) -> Constant {
+        self.inferred
+            .resize(self.model.source.unit.expressions.len(), Inferred::Pending);
+        let (start, reported) = (self.emitter.position(), self.reporter.reported());
+        let value = lower(self);
+        let constant = match value.ty.elementary() {
+            _ if self.reporter.reported() > reported => Constant::Silent,
+            None => Constant::Silent,
+            Some(ty) => self.pushed(ty, start).map_or(Constant::Computed, Constant::Known),
+        };
+        self.emitter.truncate(start);
+        // Not everything is declared yet, so that the same names may have other types later.
+        for part in parts {
+            self.inferred[part.0 as usize] = Inferred::Pending;
+        }
+        constant
+    }
+
+    fn pushed(&self, ty: ElementaryType, start: u32) -> Option<ConstantValue> {
+        if ty.is_text() {
+            let units = self.emitter.text_pushed_since(start)?;
+            Some(ConstantValue::Text(ty, units.into()))
+        } else {
+            Some(ConstantValue::Plain(ty, self.emitter.pushed_since(start)?))
+        }
+    }
+
+    /// Returns all parts of an expression, itself the first, if they are literals, constants whose values are known,
+    /// operators and calls of conversion functions. Otherwise returns what is wrong, or nothing where that has been
+    /// reported.
+    fn constant_parts(&mut self, id: ExpressionId) -> Result<Vec<ExpressionId>, Option<Diagnostic>> {
+        let (mut parts, mut waiting) = (Vec::new(), vec![id]);
+        while let Some(id) = waiting.pop() {
+            parts.push(id);
+            let expression = self.expression(id);
+            match &expression.kind {
+                ExpressionKind::Literal(_) => {}
+                ExpressionKind::Name(name) => match self.constant_of(*name) {
+                    Constant::Known(_) => {}
+                    constant => return Err(constant.refusal(*name)),
+                },
+                ExpressionKind::Parenthesized(inner) | ExpressionKind::Unary { operand: inner, .. } => {
+                    waiting.push(*inner);
+                }
+                ExpressionKind::Binary { left, right, .. } => waiting.extend([*right, *left]),
+                ExpressionKind::Call { callee, arguments } => {
+                    self.constant_callee(*callee, expression.span)?;
+                    waiting.extend(arguments.iter().rev().map(|argument| match argument {
+                        Argument::Positional(value)
+                        | Argument::Named { value, .. }
+                        | Argument::Output { target: value, .. } => *value,
+                    }));
+                }
+                ExpressionKind::Error => return Err(None),
+                _ => return Err(Some(not_constant(expression.span))),
+            }
+        }
+        Ok(parts)
+    }
+
+    /// Refuses what is no conversion function: one that nobody declared, or one that computes only as the program runs.
+    fn constant_callee(&mut self, callee: ExpressionId, call: Span) -> Result<(), Option<Diagnostic>> {
+        match self.callee(callee) {
+            Callee::Conversion(_) | Callee::Concatenation(_) => Ok(()),
+            Callee::Nothing(code @ Code::FunctionCallUndeclared, reason) => {
+                let name = self.model.source.text_of(callee);
+                let hint = self.similar_function(name);
+                let message = format!("`{name}` {reason}{hint}");
+                Err(Some(Diagnostic::new(code, self.span(callee), message)))
+            }
+            _ => Err(Some(not_constant(call))),
+        }
+    }
+
+    fn constant_of(&self, name: Name<'_>) -> Constant {
+        let variable = self.variable(name.text);
+        variable.map_or(Constant::Unknown, |(_, variable)| variable.value.clone())
     }
 }
 
-fn no_integer(span: Span) -> NotConstant {
-    Some(Diagnostic::new(
-        Code::ConstantNotIntegerType,
-        span,
-        "an integer is needed here",
-    ))
+/// Whether what is no constant for this reason is perhaps a value that the running program computes.
+const fn is_computed(code: Code) -> bool {
+    matches!(code, Code::VariableMustBeConst | Code::ConstantNotIntegerType)
+}
+
+fn not_constant(span: Span) -> Diagnostic {
+    let message = "only literals, constants, operators and conversion functions may stand here";
+    Diagnostic::new(Code::VariableMustBeConst, span, message)
+}
+
+fn not_folded(span: Span) -> Diagnostic {
+    let message = "in a constant expression operators compute with integers only, which must fit their types";
+    Diagnostic::new(Code::VariableMustBeConst, span, message)
+}
+
+fn no_integer(span: Span) -> Diagnostic {
+    Diagnostic::new(Code::ConstantNotIntegerType, span, "an integer is needed here")
+}
+
+fn too_large(span: Span) -> Diagnostic {
+    Diagnostic::new(Code::ConstantOverflow, span, "the number is too large")
 }
 
 /// The exact result of an operator.

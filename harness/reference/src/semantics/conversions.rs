@@ -4,9 +4,10 @@ use super::calls::Callee;
 use super::contexts::Context;
 use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
-use super::standard::{Fault, Signature, mixed, ordered_by};
+use super::standard::{Signature, mixed, ordered_by};
 use super::types::TypeId;
 use crate::conversion::{Concatenation, ConversionFunction, PARAMETERS, Parameter, ResultType};
+use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind};
 use stickler_types::{Code, ElementaryType};
@@ -68,8 +69,8 @@ impl Lowering<'_> {
         };
         let argument = match single_argument(arguments, span) {
             Ok(argument) => argument,
-            Err(fault) => {
-                self.refuse(fault, arguments);
+            Err(reason) => {
+                self.refuse(reason, arguments);
                 return value;
             }
         };
@@ -114,8 +115,8 @@ impl Lowering<'_> {
         let result = Value::of(concatenation.result);
         let values = match ordered_by(&SIGNATURE, arguments, span) {
             Ok(values) => values,
-            Err(fault) => {
-                self.refuse(fault, arguments);
+            Err(reason) => {
+                self.refuse(reason, arguments);
                 return result;
             }
         };
@@ -148,11 +149,11 @@ pub(super) fn parameter_type(conversion: &ConversionFunction, argument: Inferred
 }
 
 /// The one argument of a conversion function, by position or as `IN`.
-pub(super) fn single_argument(arguments: &[Argument<'_>], call: Span) -> Result<ExpressionId, Fault> {
+pub(super) fn single_argument(arguments: &[Argument<'_>], call: Span) -> Result<ExpressionId, Diagnostic> {
     match arguments {
         [Argument::Positional(value)] => Ok(*value),
         [Argument::Named { name, value }] if name.text.eq_ignore_ascii_case("IN") => Ok(*value),
-        [Argument::Named { name, .. } | Argument::Output { name, .. }] => Err((
+        [Argument::Named { name, .. } | Argument::Output { name, .. }] => Err(Diagnostic::new(
             Code::FunctionCallNamedArgUndeclared,
             name.span,
             format!(
@@ -167,7 +168,7 @@ pub(super) fn single_argument(arguments: &[Argument<'_>], call: Span) -> Result<
         }
         _ => {
             let message = format!("the function takes 1 argument, not {}", arguments.len());
-            Err((Code::FunctionCallWrongArgCount, call, message))
+            Err(Diagnostic::new(Code::FunctionCallWrongArgCount, call, message))
         }
     }
 }

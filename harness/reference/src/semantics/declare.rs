@@ -1,9 +1,9 @@
 //! Collects the declarations of a source text into a [`Model`], in an order in which each finds what it needs:
-//! names, the numbers of global constants, types and function blocks, the other POUs, global variables, and
-//! last the addresses.
+//! names, global variables with the values of constants, types and function blocks, the other POUs, the types of
+//! global variables, and last the addresses.
 
-use super::constants::Constant;
-use super::layout::Memory;
+use super::inferred::Inferred;
+use super::memory::Memory;
 use super::model::{Definition, Initial, InitialValue, Instance, Model, PouEntry, Source};
 use super::reporter::Reporter;
 use super::scope::Scope;
@@ -22,8 +22,6 @@ pub(super) struct Declarer<'u, 'r> {
     pub(super) reporter: &'r mut Reporter,
     /// What is ordered by need: types and function blocks.
     pub(super) nodes: Vec<TypeNode<'u>>,
-    /// What the names of global variables mean in constant expressions.
-    pub(super) exact: Scope<'u, Constant>,
     /// The sections of global variables.
     pub(super) global_blocks: Vec<&'u VariableBlock<'u>>,
     pub(super) configurations: Vec<&'u Configuration<'u>>,
@@ -33,6 +31,8 @@ pub(super) struct Declarer<'u, 'r> {
     pub(super) deferred: Vec<Deferred<'u>>,
     /// A type of a later edition has been met.
     pub(super) later: bool,
+    /// Where constant expressions are lowered: the inferred types of expressions.
+    pub(super) inferred: Vec<Inferred>,
     /// How many more messages may look for a similar name, which takes time.
     pub(super) guesses: u32,
 }
@@ -82,19 +82,19 @@ pub(super) fn declare<'u>(source: Source<'u>, reporter: &mut Reporter) -> (Model
         model,
         reporter,
         nodes: Vec::new(),
-        exact: Scope::default(),
         global_blocks: Vec::new(),
         configurations: Vec::new(),
         current: None,
         deferred: Vec::new(),
         later: false,
+        inferred: Vec::new(),
         guesses: 20,
     };
     declarer.collect_names();
-    declarer.evaluate_global_constants();
+    declarer.declare_globals();
     declarer.resolve_types();
     declarer.declare_other_pous();
-    declarer.declare_globals();
+    declarer.resolve_globals();
     declarer.resolve_deferred();
     declarer.choose_instances();
     let memory = declarer.lay_out();
@@ -183,28 +183,6 @@ impl<'u> Declarer<'u, '_> {
             Definition::Pou(pou) => Some(self.model.pous[pou as usize].pou.kind),
             Definition::Type(_) => None,
         }
-    }
-
-    /// Gives global constants their exact numbers, in the order of the text, so that limits of types can name
-    /// them. Whether the numbers fit the constants' types is looked at when initial values are lowered.
-    fn evaluate_global_constants(&mut self) {
-        let blocks = std::mem::take(&mut self.global_blocks);
-        for block in &blocks {
-            for group in &block.groups {
-                let value = match &group.initializer {
-                    _ if !block.constant => Constant::Variable,
-                    None if self.says_initial_value(group) => Constant::Silent,
-                    None => Constant::Missing,
-                    Some(initializer) => self.exact_initializer(group, initializer),
-                };
-                for name in &group.names {
-                    self.exact
-                        .entry(Folded(name.text))
-                        .or_insert_with(|| value.clone());
-                }
-            }
-        }
-        self.global_blocks = blocks;
     }
 
     /// Hands out a routine, whose code is made later.

@@ -5,7 +5,7 @@ use crate::instruction::{Instruction, Label, Program, RoutineId};
 use rustc_hash::FxHashMap;
 
 /// The code so far. Routines are made one after the other, so it only ever grows at its end.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Emitter {
     code: Vec<Instruction>,
     lines: Vec<u32>,
@@ -23,20 +23,24 @@ pub(super) const SHORT_TEXT: usize = 255;
 #[must_use]
 pub(super) struct Jump(usize);
 
+/// The jumps out of a loop, and to its next turn, whose destinations are not known yet.
+#[derive(Debug, Default)]
+pub(super) struct Loop {
+    /// The jumps of its EXITs.
+    pub(super) exits: Vec<Jump>,
+    /// The jumps of its CONTINUEs.
+    pub(super) continues: Vec<Jump>,
+}
+
 impl Emitter {
-    /// No code, and room for the labels of this many routines and for the instructions that this many expressions
-    /// ordinarily take.
-    pub(super) fn new(routines: RoutineId, expressions: usize) -> Emitter {
+    /// Makes room for the labels of this many routines and for the instructions that this many expressions ordinarily
+    /// take.
+    pub(super) fn reserve(&mut self, routines: RoutineId, expressions: usize) {
         // Each routine ends with a return, and so do start-up and scan, which begin with a little more.
         let instructions = expressions + routines as usize + 8;
-        Emitter {
-            code: Vec::with_capacity(instructions),
-            lines: Vec::with_capacity(instructions),
-            line: 0,
-            routines: vec![0; routines as usize],
-            text_constants: Vec::new(),
-            known_texts: FxHashMap::default(),
-        }
+        self.code.reserve(instructions);
+        self.lines.reserve(instructions);
+        self.routines = vec![0; routines as usize];
     }
 
     /// Begins a routine.
@@ -136,6 +140,14 @@ impl Emitter {
     pub(super) fn pushed_since(&self, position: Label) -> Option<u64> {
         match self.code.get(position as usize..) {
             Some(&[Instruction::Push(raw)]) => Some(raw),
+            _ => None,
+        }
+    }
+
+    /// Returns the text constant that is all that has been pushed since a position.
+    pub(super) fn text_pushed_since(&self, position: Label) -> Option<&[u16]> {
+        match self.code.get(position as usize..) {
+            Some(&[Instruction::PushText(text)]) => Some(&self.text_constants[text as usize]),
             _ => None,
         }
     }

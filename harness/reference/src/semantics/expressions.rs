@@ -1,9 +1,8 @@
 //! Lowers expressions: puts a value on the stack, in its own type or converted to the one that is expected.
 
 use super::common::settle;
-use super::constants::Constant;
+use super::constant::{Constant, ConstantValue};
 use super::contexts::{Context, Fit, fit};
-use super::folding::Known;
 use super::infer::{defined, defined_for};
 use super::inferred::Inferred;
 use super::literals::Signed;
@@ -155,23 +154,17 @@ impl<'m> Lowering<'m> {
 
     /// Puts the value of a named constant on the stack, where it is known.
     fn known(&mut self, constant: &Constant) -> Option<Value> {
-        match constant {
-            &Constant::Value(number, ty) => {
-                self.emit(Instruction::Push(ty.wrap(number)));
-                Some(Value {
-                    ty: TypeId::of(ty),
-                    constant: Some(number),
-                })
-            }
-            Constant::Typed(known) => {
-                match known {
-                    Known::Plain(_, raw) => self.emit(Instruction::Push(*raw)),
-                    Known::Text(_, units) => self.emitter.push_text(units.to_vec()),
-                }
-                Some(Value::of(known.ty()))
-            }
-            _ => None,
+        let Constant::Known(value) = constant else {
+            return None;
+        };
+        match value {
+            ConstantValue::Plain(_, raw) => self.emit(Instruction::Push(*raw)),
+            ConstantValue::Text(_, units) => self.emitter.push_text(units.to_vec()),
         }
+        Some(Value {
+            ty: TypeId::of(value.ty()),
+            constant: value.number(),
+        })
     }
 
     fn enumerated_value(&mut self, ty: TypeId, number: i64) -> Value {

@@ -2,7 +2,7 @@
 //!
 //! A VAR_EXTERNAL without its VAR_GLOBAL is P4007, and one of another type P4035.
 
-use super::constants::Constant;
+use super::constant::Constant;
 use super::declare::{Declarer, narrow};
 use super::model::{Storage, Variable};
 use super::types::TypeId;
@@ -10,20 +10,37 @@ use crate::syntax::tree::{Folded, Name, PouKind, VariableBlock, VariableGroup, V
 use stickler_types::Code;
 
 impl<'u> Declarer<'u, '_> {
-    /// Declares the global variables in the order of the text.
+    /// Declares the global variables in the order of the text, their types aside, so that types can name constants.
     pub(super) fn declare_globals(&mut self) {
+        for block in self.global_blocks.clone() {
+            for group in &block.groups {
+                let value = if block.constant {
+                    self.global_constant(group)
+                } else {
+                    Constant::Variable
+                };
+                for name in &group.names {
+                    self.declare_global(*name, block, group, value.clone());
+                }
+            }
+        }
+    }
+
+    /// Gives the global variables their types.
+    pub(super) fn resolve_globals(&mut self) {
+        let mut index = 0;
         for block in std::mem::take(&mut self.global_blocks) {
             for group in &block.groups {
                 let hint = group.names.first().map_or("", |name| name.text);
                 let ty = self.group_type(group, hint);
                 self.check_group(PouKind::Program, block, group, ty);
-                let value = if block.constant {
-                    self.constant_value(group, ty)
-                } else {
-                    Constant::Variable
-                };
-                for name in &group.names {
-                    self.declare_global(*name, block, group, ty, value.clone());
+                for _ in &group.names {
+                    let variable = &mut self.model.variables[index];
+                    variable.ty = ty;
+                    if ty == TypeId::ERROR && block.constant {
+                        variable.value = Constant::Silent;
+                    }
+                    index += 1;
                 }
             }
         }
@@ -34,7 +51,6 @@ impl<'u> Declarer<'u, '_> {
         name: Name<'u>,
         block: &VariableBlock<'u>,
         group: &'u VariableGroup<'u>,
-        ty: TypeId,
         value: Constant,
     ) {
         let index = narrow(self.model.variables.len());
@@ -45,7 +61,7 @@ impl<'u> Declarer<'u, '_> {
         }
         self.model.variables.push(Variable {
             name,
-            ty,
+            ty: TypeId::ERROR,
             kind: VariableKind::Global,
             constant: block.constant,
             storage: Storage::Absolute(0),
@@ -68,6 +84,14 @@ impl<'u> Declarer<'u, '_> {
             }
         }
         self.current = None;
+    }
+
+    /// Returns what the name of a VAR_EXTERNAL means in constant expressions.
+    pub(super) fn external_constant(&self, name: Name<'_>) -> Constant {
+        match self.model.globals.get(&Folded(name.text)) {
+            Some(&global) => self.model.variable(global).value.clone(),
+            None => Constant::Unknown,
+        }
     }
 
     fn resolve_external(&mut self, index: usize) {

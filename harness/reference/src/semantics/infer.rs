@@ -1,5 +1,6 @@
 //! Infers types, silently: what is wrong infers to [`Inferred::Error`], and is reported when it is lowered.
 
+use super::constant::Constant;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::model::{Definition, EnumeratedName};
@@ -69,7 +70,10 @@ impl<'m> Lowering<'m> {
 
     fn infer_name(&self, name: Name<'m>) -> Inferred {
         if let Some((_, variable)) = self.variable(name.text) {
-            return self.inferred_of(variable.ty);
+            return match &variable.value {
+                Constant::Known(value) => Inferred::from(value.ty()),
+                _ => self.inferred_of(variable.ty),
+            };
         }
         match self.enumerated_name(name.text) {
             Some(EnumeratedName::One(ty, _)) => Inferred::Known(ty),

@@ -2,7 +2,6 @@
 //!
 //! Memory begins with zeros and empty texts, and a function clears its frame, so only what differs is set.
 
-use super::constants::{Constant, Evaluator};
 use super::contexts::Context;
 use super::locations::{Location, Place};
 use super::lowering::Lowering;
@@ -10,7 +9,7 @@ use super::model::{InitialValue, Variable};
 use super::types::{DefaultValue, Kind, TypeId};
 use crate::instruction::{Instruction, RoutineId};
 use crate::source::Span;
-use crate::syntax::tree::{ArrayElement, ExpressionId, Initializer, InitializerKind, Name, VariableKind};
+use crate::syntax::tree::{ArrayElement, Initializer, InitializerKind, Name, VariableKind};
 use stickler_types::Code;
 
 impl<'m> Lowering<'m> {
@@ -174,7 +173,9 @@ impl<'m> Lowering<'m> {
     /// How often an element is repeated.
     fn repetition(&mut self, element: &ArrayElement<'_>) -> u32 {
         let Some(id) = element.repetition else { return 1 };
-        let Some(number) = self.constant(id) else { return 0 };
+        let Some(number) = self.constant_number(id) else {
+            return 0;
+        };
         u32::try_from(number).unwrap_or_else(|_| {
             self.report(
                 Code::ConstantOverflow,
@@ -183,30 +184,6 @@ impl<'m> Lowering<'m> {
             );
             0
         })
-    }
-
-    /// The number that an expression stands for; where it stands for none, that is said.
-    fn constant(&mut self, id: ExpressionId) -> Option<i128> {
-        let lookup = |name: Name<'m>| {
-            let variable = self.variable(name.text);
-            variable.map_or(Constant::Unknown, |(_, variable)| variable.value.clone())
-        };
-        match (Evaluator {
-            source: self.model.source,
-            types: &self.model.types,
-            definitions: &self.model.definitions,
-            lookup: &lookup,
-        })
-        .evaluate(id)
-        {
-            Ok(number) => Some(number),
-            Err(reason) => {
-                reason
-                    .into_iter()
-                    .for_each(|diagnostic| self.reporter.push(diagnostic));
-                None
-            }
-        }
     }
 
     fn fields(&mut self, location: Location, ty: TypeId, fields: &'m [(Name<'m>, Initializer<'m>)]) {

@@ -2,82 +2,11 @@
 //! program instances. Recursion is forbidden, so each function needs one frame only.
 
 use super::declare::{Declarer, narrow};
+use super::memory::{MAX_CELLS, MAX_TEXT, Memory};
 use super::model::{Model, Storage};
-use super::specification::MAXIMUM_CELLS;
-use super::types::{Kind, TypeId, TypeTable};
-use crate::instruction::TextCell;
 use crate::source::Span;
 use crate::syntax::tree::VariableKind;
 use stickler_types::Code;
-
-/// How many code units all text variables together may hold.
-const MAXIMUM_TEXT: u64 = 32 << 20;
-
-/// The memory that has been given out.
-#[derive(Debug, Default)]
-pub(super) struct Memory {
-    next: u64,
-    text_units: u64,
-    /// The text variables in it.
-    pub(super) texts: Vec<TextCell>,
-}
-
-impl Memory {
-    /// How many cells have been given out.
-    pub(super) fn cells(&self) -> u32 {
-        u32::try_from(self.next).unwrap_or(u32::MAX)
-    }
-
-    /// Takes cells for a value; gives their address, or `None` once the limit is reached.
-    pub(super) fn allocate(&mut self, types: &TypeTable, ty: TypeId) -> Option<u32> {
-        let extent = types.extent(ty);
-        let next = self.next + u64::from(extent.size);
-        let text_units = self.text_units.saturating_add(extent.text_units);
-        if next > MAXIMUM_CELLS || text_units > MAXIMUM_TEXT {
-            return None;
-        }
-        let address = self.cells();
-        (self.next, self.text_units) = (next, text_units);
-        collect_texts(types, ty, address, &mut self.texts);
-        Some(address)
-    }
-
-    /// Takes one plain cell.
-    pub(super) fn cell(&mut self) -> Option<u32> {
-        let address = self.cells();
-        (self.next < MAXIMUM_CELLS).then(|| {
-            self.next += 1;
-            address
-        })
-    }
-}
-
-/// Notes the text variables in a value that lies at an address. Types nest no deeper than their limit.
-fn collect_texts(types: &TypeTable, ty: TypeId, address: u32, texts: &mut Vec<TextCell>) {
-    if types.extent(ty).text_units == 0 {
-        return;
-    }
-    match types.kind(ty) {
-        Kind::Text { capacity, .. } => texts.push(TextCell {
-            address,
-            capacity: *capacity,
-        }),
-        Kind::Array(shape) => {
-            let stride = types.extent(shape.element).size;
-            for index in 0..shape.length {
-                collect_texts(types, shape.element, address + index * stride, texts);
-            }
-        }
-        Kind::Structure(structure) | Kind::FunctionBlock(structure) => {
-            for (_, member) in structure.members.iter() {
-                if member.kind != VariableKind::InOut {
-                    collect_texts(types, member.ty, address + member.offset, texts);
-                }
-            }
-        }
-        _ => {}
-    }
-}
 
 impl Declarer<'_, '_> {
     /// Gives everything its address; where memory does not suffice, that is said once.
@@ -85,8 +14,8 @@ impl Declarer<'_, '_> {
         let mut memory = Memory::default();
         if let Err(span) = self.place_all(&mut memory) {
             let message = format!(
-                "the program needs more than {MAXIMUM_CELLS} cells of memory, or texts of more than \
-                 {MAXIMUM_TEXT} characters"
+                "the program needs more than {MAX_CELLS} cells of memory, or texts of more than \
+                 {MAX_TEXT} characters"
             );
             self.report(Code::LimitExceeded, span, message);
         }

@@ -5,12 +5,11 @@
 //! reported the code is thrown away, so code for what is wrong need not make sense.
 
 use super::common::Rules;
-use super::emitter::Emitter;
+use super::emitter::{Emitter, Loop};
 use super::inferred::Inferred;
-use super::layout::Memory;
+use super::memory::Memory;
 use super::model::{Model, PouEntry, Variable};
 use super::reporter::Reporter;
-use super::statements::Loop;
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use crate::source::Span;
@@ -73,9 +72,9 @@ impl<'m> Lowering<'m> {
         Lowering {
             model,
             reporter,
-            emitter: Emitter::new(model.routines, model.source.unit.expressions.len()),
+            emitter: Emitter::default(),
             memory,
-            inferred: vec![Inferred::Pending; model.source.unit.expressions.len()],
+            inferred: Vec::new(),
             pou: None,
             visible: u32::MAX,
             constants_only: false,

@@ -1,7 +1,7 @@
 //! What the declarations of a source text say: types, program organization units, variables and where they
 //! lie. It is made once, by `declare`, and only read while bodies are lowered.
 
-use super::constants::Constant;
+use super::constant::Constant;
 use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
 use crate::dialect::Dialect;

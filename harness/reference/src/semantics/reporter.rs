@@ -12,6 +12,7 @@ const ENOUGH: usize = 20_000;
 pub(super) struct Reporter {
     diagnostics: Vec<Diagnostic>,
     muted: bool,
+    reported: usize,
 }
 
 impl Reporter {
@@ -22,6 +23,7 @@ impl Reporter {
 
     /// Reports a diagnostic that is already made, with its suggestion.
     pub(super) fn push(&mut self, diagnostic: Diagnostic) {
+        self.reported += 1;
         if self.muted || self.diagnostics.len() > ENOUGH {
             return;
         }
@@ -37,6 +39,11 @@ impl Reporter {
     /// Looks away, or no longer; gives what was so before.
     pub(super) fn mute(&mut self, muted: bool) -> bool {
         std::mem::replace(&mut self.muted, muted)
+    }
+
+    /// Returns how many diagnostics have been reported so far, those that were not looked at included.
+    pub(super) fn reported(&self) -> usize {
+        self.reported
     }
 
     /// Whether nothing has been reported yet.

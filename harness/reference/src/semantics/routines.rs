@@ -1,5 +1,6 @@
 //! Makes the routines of a program: initial values, the bodies of POUs, start-up and scan.
 
+use super::inferred::Inferred;
 use super::locations::{Location, Place};
 use super::lowering::Lowering;
 use super::model::{Initial, PouEntry};
@@ -10,6 +11,9 @@ impl<'m> Lowering<'m> {
     /// Lowers everything that is declared.
     pub(super) fn lower(mut self) -> Program {
         let model = self.model;
+        let expressions = model.source.unit.expressions.len();
+        self.emitter.reserve(model.routines, expressions);
+        self.inferred = vec![Inferred::Pending; expressions];
         for &Initial { routine, value, pou } in &model.initial_values {
             (self.pou, self.constants_only) = (pou, true);
             self.initial_value(routine, value);

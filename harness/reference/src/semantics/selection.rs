@@ -140,12 +140,8 @@ impl<'m> Lowering<'m> {
             }
             value
         };
-        // What conversion functions make of constants is seen only by what is left of it.
-        let folded = || {
-            let ty = value.ty.elementary().filter(|ty| ty.is_integer())?;
-            Some(ty.integer_value(self.emitter.pushed_since(start)?))
-        };
-        let Some(number) = value.constant.or_else(folded) else {
+        let ty = value.ty.elementary().unwrap_or(selector.of);
+        let Some(number) = self.emitter.pushed_since(start).map(|raw| ty.integer_value(raw)) else {
             self.report(Code::VariableMustBeConst, span, "a label of CASE is a constant");
             return None;
         };

@@ -1,23 +1,18 @@
 //! What a type that is written in a declaration means.
 
-use super::constants::{Constant, Evaluator, NotConstant};
 use super::declare::Declarer;
+use super::memory::MAX_CELLS;
 use super::model::{Definition, InitialValue};
 use super::scope::Named;
-use super::suggestion::similar_function;
 use super::types::{ArrayShape, DefaultValue, Dimension, Extent, Kind, Member, Structure, Subrange, TypeId};
-use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::tree::{
     ExpressionId, Folded, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
 };
 use stickler_types::{Code, ElementaryType};
 
-/// How many cells one variable, and the whole program, may take.
-pub(super) const MAXIMUM_CELLS: u64 = 4 << 20;
-
 /// How deep declared types may nest.
-const MAXIMUM_DEPTH: u32 = 200;
+const MAX_DEPTH: u32 = 200;
 
 impl<'u> Declarer<'u, '_> {
     /// The type that a declaration writes; `hint` is the name for one that has none of its own. Where it
@@ -183,8 +178,8 @@ impl<'u> Declarer<'u, '_> {
         }
         dimensions.reverse();
         let cells = length.saturating_mul(inner.size.into());
-        let (Ok(size), true) = (u32::try_from(cells), cells <= MAXIMUM_CELLS) else {
-            let message = format!("the array would take {cells} cells; {MAXIMUM_CELLS} are the limit");
+        let (Ok(size), true) = (u32::try_from(cells), cells <= MAX_CELLS) else {
+            let message = format!("the array would take {cells} cells; {MAX_CELLS} are the limit");
             self.report(Code::ArraySizeOverflow, span, message);
             return TypeId::ERROR;
         };
@@ -272,69 +267,19 @@ impl<'u> Declarer<'u, '_> {
 
     /// Says so where types nest deeper than the limit.
     pub(super) fn too_deep(&mut self, depth: u32, span: Span) -> bool {
-        if depth >= MAXIMUM_DEPTH {
-            let message = format!("types nest deeper than {MAXIMUM_DEPTH} levels here");
+        if depth >= MAX_DEPTH {
+            let message = format!("types nest deeper than {MAX_DEPTH} levels here");
             self.report(Code::LimitExceeded, span, message);
         }
-        depth >= MAXIMUM_DEPTH
+        depth >= MAX_DEPTH
     }
 
     /// Says so where a type takes more memory than a program may have.
     pub(super) fn too_large(&mut self, cells: u64, span: Span) -> bool {
-        if cells > MAXIMUM_CELLS {
-            let message = format!("this would take {cells} cells of memory; {MAXIMUM_CELLS} are the limit");
+        if cells > MAX_CELLS {
+            let message = format!("this would take {cells} cells of memory; {MAX_CELLS} are the limit");
             self.report(Code::LimitExceeded, span, message);
         }
-        cells > MAXIMUM_CELLS
-    }
-
-    /// The number that an expression stands for; where it stands for none, that is said.
-    pub(super) fn constant(&mut self, id: ExpressionId) -> Option<i128> {
-        match self.evaluate(id) {
-            Ok(value) => Some(value),
-            Err(reason) => {
-                if let Some(diagnostic) = reason {
-                    self.report_constant(diagnostic);
-                }
-                None
-            }
-        }
-    }
-
-    /// Says why there is no number; of a function that is not declared with the names that are near.
-    fn report_constant(&mut self, mut diagnostic: Diagnostic) {
-        if diagnostic.code == Code::FunctionCallUndeclared {
-            let name = diagnostic.span.text(self.model.source.text);
-            let hint = similar_function(&self.model, name, &mut self.guesses);
-            diagnostic.message.push_str(&hint);
-        }
-        self.reporter.push(diagnostic);
-    }
-
-    /// The number that an expression stands for, without a word where it stands for none.
-    pub(super) fn evaluate(&self, id: ExpressionId) -> Result<i128, NotConstant> {
-        self.evaluating(|evaluator| evaluator.evaluate(id))
-    }
-
-    /// Asks an evaluator that knows the constants declared so far.
-    pub(super) fn evaluating<T>(&self, ask: impl FnOnce(Evaluator<'_, 'u>) -> T) -> T {
-        let lookup = |name: Name<'u>| self.constant_of(name.text);
-        ask(Evaluator {
-            source: self.model.source,
-            types: &self.model.types,
-            definitions: &self.model.definitions,
-            lookup: &lookup,
-        })
-    }
-
-    /// What a name means in a constant expression: a constant of the POU, or else a global one.
-    fn constant_of(&self, name: &str) -> Constant {
-        let name = Folded(name);
-        let local = self.current.and_then(|pou| self.model.pous[pou].scope.get(&name));
-        let variable = local.map(|&index| self.model.variable(index));
-        match variable.filter(|variable| variable.kind != VariableKind::External) {
-            None => self.exact.get(&name).cloned().unwrap_or(Constant::Unknown),
-            Some(variable) => variable.value.clone(),
-        }
+        cells > MAX_CELLS
     }
 }

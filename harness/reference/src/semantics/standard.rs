@@ -6,8 +6,9 @@ use super::common::{Rules, settle};
 use super::contexts::Context;
 use super::inferred::Inferred;
 use super::lowering::{Lowering, Value};
-use super::suggestion::misfit;
+use super::misfit::misfit;
 use super::types::{Kind, TypeId};
+use crate::diagnostic::Diagnostic;
 use crate::instruction::{Instruction, StandardFunction};
 use crate::source::Span;
 use crate::syntax::tree::{Argument, ExpressionId};
@@ -39,9 +40,6 @@ pub(super) fn standard_function(name: &str) -> Option<StandardFunction> {
         .find(|(known, _)| known.eq_ignore_ascii_case(name))
         .map(|&(_, function)| function)
 }
-
-/// Something wrong with a call's arguments as a whole: the code, where, and why.
-pub(super) type Fault = (Code, Span, String);
 
 /// The parameters of a standard function, or of a conversion function with more than one.
 pub(super) struct Signature {
@@ -118,7 +116,7 @@ fn ordered(
     function: StandardFunction,
     arguments: &[Argument<'_>],
     call: Span,
-) -> Result<Vec<ExpressionId>, Fault> {
+) -> Result<Vec<ExpressionId>, Diagnostic> {
     ordered_by(&signature(function), arguments, call)
 }
 
@@ -127,7 +125,7 @@ pub(super) fn ordered_by(
     signature: &Signature,
     arguments: &[Argument<'_>],
     call: Span,
-) -> Result<Vec<ExpressionId>, Fault> {
+) -> Result<Vec<ExpressionId>, Diagnostic> {
     const MOST: usize = u16::MAX as usize;
     let mut places: Vec<Option<ExpressionId>> = Vec::with_capacity(arguments.len());
     for (index, argument) in arguments.iter().enumerate() {
@@ -142,7 +140,7 @@ pub(super) fn ordered_by(
             }
             Argument::Named { name, value } => (name, *value),
             Argument::Output { name, .. } => {
-                return Err((
+                return Err(Diagnostic::new(
                     Code::FunctionCallNamedArgUndeclared,
                     name.span,
                     format!("the function has no output `{}`", name.text),
@@ -154,7 +152,7 @@ pub(super) fn ordered_by(
             .position(name.text)
             .filter(|&position| position < arguments.len() + signature.least);
         let Some(position) = position else {
-            return Err((
+            return Err(Diagnostic::new(
                 Code::FunctionCallNamedArgUndeclared,
                 name.span,
                 format!(
@@ -168,7 +166,7 @@ pub(super) fn ordered_by(
             places.resize(position + 1, None);
         }
         if places[position].replace(value).is_some() {
-            return Err((
+            return Err(Diagnostic::new(
                 Code::FunctionCallDuplicateNamedArg,
                 name.span,
                 format!("`{}` is given twice", name.text),
@@ -188,7 +186,7 @@ pub(super) fn ordered_by(
                 None => least.to_string(),
             };
             let message = format!("the function takes {needed} arguments, not {count}");
-            Err((Code::FunctionCallWrongArgCount, call, message))
+            Err(Diagnostic::new(Code::FunctionCallWrongArgCount, call, message))
         }
     }
 }
@@ -206,9 +204,9 @@ fn held_to(rules: Rules<'_>, arguments: &[Inferred], common: TypeId, wanted: Opt
 }
 
 /// Arguments by name and by position in one call.
-pub(super) fn mixed(call: Span) -> Fault {
+pub(super) fn mixed(call: Span) -> Diagnostic {
     let message = "arguments are given all by name or all by position";
-    (Code::FunctionCallMixedArgTypes, call, message.to_owned())
+    Diagnostic::new(Code::FunctionCallMixedArgTypes, call, message)
 }
 
 impl Lowering<'_> {
@@ -277,7 +275,7 @@ impl Lowering<'_> {
     ) -> Value {
         let values = match ordered(function, arguments, call) {
             Ok(values) => values,
-            Err(fault) => return self.refuse(fault, arguments),
+            Err(reason) => return self.refuse(reason, arguments),
         };
         let (common, selector): (&[_], _) = match function {
             StandardFunction::Sel | StandardFunction::Mux => (&values[1..], Some(values[0])),

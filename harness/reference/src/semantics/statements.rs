@@ -1,21 +1,12 @@
 //! Lowers statements.
 
 use super::contexts::Context;
-use super::emitter::Jump;
+use super::emitter::{Jump, Loop};
 use super::lowering::Lowering;
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use crate::syntax::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
 use stickler_types::Code;
-
-/// A loop around the statement that is being lowered.
-#[derive(Debug, Default)]
-pub(super) struct Loop {
-    /// The jumps of its EXITs.
-    pub(super) exits: Vec<Jump>,
-    /// The jumps of its CONTINUEs.
-    pub(super) continues: Vec<Jump>,
-}
 
 impl<'m> Lowering<'m> {
     /// Lowers statements one after the other.

@@ -1,12 +1,12 @@
 //! What a message suggests: the conversion that would make a value fit, a name that was perhaps meant.
 
-use super::chains::describe;
 use super::contexts::Context;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
+use super::misfit::{describe, misfit, misfit_of_any};
 use super::model::Model;
 use super::near::{Candidate, MOST_CHANGES, distance};
-use super::types::{TypeId, TypeTable};
+use super::types::TypeId;
 use crate::conversion::{self, conversion_function_name};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::ExpressionId;
@@ -75,6 +75,11 @@ impl<'m> Lowering<'m> {
         (!hidden).then(|| format!("{name}({})", source.text_of(id)))
     }
 
+    /// How a message names what was inferred.
+    pub(super) fn describe(&self, inferred: Inferred) -> String {
+        describe(&self.model.types, inferred)
+    }
+
     /// The end of a message about a function that nobody declared.
     pub(super) fn similar_function(&mut self, name: &str) -> String {
         similar_function(self.model, name, &mut self.guesses)
@@ -90,34 +95,9 @@ impl<'m> Lowering<'m> {
     }
 }
 
-/// Why a value does not fit where it stands.
-pub(super) fn misfit(types: &TypeTable, inferred: Inferred, target: TypeId, context: Context) -> String {
-    let name = types.name(target);
-    let value = describe(types, inferred);
-    match (inferred, context) {
-        (Inferred::Nothing, _) => "the call gives no value".to_owned(),
-        (Inferred::Known(_), Context::Condition) => format!("a condition is {name}, not {value}"),
-        (Inferred::Known(_), _) => format!("{value} does not convert implicitly to {name}"),
-        _ => format!("{value} is no {name} here"),
-    }
-}
-
-/// Why a value is no argument of a function that takes several types as they come. A long list would hide the point.
-fn misfit_of_any(types: &TypeTable, inferred: Inferred, allowed: &[ElementaryType]) -> String {
-    let value = describe(types, inferred);
-    let names: Vec<_> = allowed.iter().map(|ty| ty.name()).collect();
-    match (inferred, &names[..]) {
-        (Inferred::Nothing, _) => "the call gives no value".to_owned(),
-        (_, [others @ .., last]) if (1..4).contains(&others.len()) => {
-            format!("the function takes {} or {last}, not {value}", others.join(", "))
-        }
-        _ => format!("the function does not take {value}"),
-    }
-}
-
 /// The end of a message about a function that nobody declared: standard functions, type conversion functions and
 /// functions of the text whose names are near. `guesses` is how many more messages may look for some.
-pub(super) fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32) -> String {
+fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32) -> String {
     let dialect = model.source.dialect;
     if dialect.only_standard_rounding
         && let Some(idiom) = rounding_idiom(name)

@@ -1,6 +1,6 @@
 //! Declares the variables of POUs.
 
-use super::constants::Constant;
+use super::constant::Constant;
 use super::declare::{Declarer, Deferred, narrow};
 use super::model::{Storage, Variable};
 use super::scope::Named;
@@ -125,10 +125,10 @@ impl<'u> Declarer<'u, '_> {
             self.model.pous[pou].in_outs.push(index);
         }
         let fixed = block.constant && matches!(block.kind, VariableKind::Local | VariableKind::Temporary);
-        let value = if fixed {
-            self.constant_value(group, ty)
-        } else {
-            Constant::Variable
+        let value = match kind {
+            VariableKind::External => self.external_constant(name),
+            _ if fixed => self.local_constant(group, ty),
+            _ => Constant::Variable,
         };
         // Only now is the name known: a constant is not made of itself.
         self.enter_variable(pou, name, index);

@@ -170,6 +170,21 @@ fn what_is_wrong_in_a_constant_conversion_is_said_once() {
 }
 
 #[test]
+fn a_constant_made_of_one_that_the_program_computes_is_no_limit() {
+    let text = "END_VAR VAR CONSTANT m : INT := DINT_TO_INT(32767) + 1; n : INT := m; x : REAL := 1.5 + 1.5; END_VAR VAR";
+    assert!(codes(text, "").is_empty());
+    assert_eq!(codes(&format!("{text} a : ARRAY[0..n] OF INT;"), ""), ["P4031"]);
+    assert_eq!(codes(&format!("{text} a : ARRAY[0..TRUNC(x)] OF INT;"), ""), ["P4031"]);
+}
+
+#[test]
+fn a_function_block_that_is_called_like_a_conversion_function_gives_no_constant() {
+    let text = "FUNCTION_BLOCK B END_FUNCTION_BLOCK VAR_GLOBAL INT_TO_DINT : B; END_VAR
+        PROGRAM main VAR_EXTERNAL INT_TO_DINT : B; END_VAR VAR CONSTANT\nn : DINT := INT_TO_DINT(1); END_VAR END_PROGRAM";
+    assert_eq!(says(text), ["3 P4003", "3 P4022"]);
+}
+
+#[test]
 fn a_function_of_the_text_is_no_constant() {
     let text = "FUNCTION DINT_TO_INT : INT VAR_INPUT x : DINT; END_VAR DINT_TO_INT := 1; END_FUNCTION
         PROGRAM main VAR\na : ARRAY[0..DINT_TO_INT(5)] OF INT; END_VAR END_PROGRAM";

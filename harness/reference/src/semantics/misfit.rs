@@ -1,0 +1,44 @@
+//! How messages name values, and why a value does not fit where it stands.
+
+use super::contexts::Context;
+use super::inferred::Inferred;
+use super::types::{TypeId, TypeTable};
+use stickler_types::ElementaryType;
+
+/// How a message names what was inferred.
+pub(super) fn describe(types: &TypeTable, inferred: Inferred) -> String {
+    match inferred {
+        Inferred::Known(ty) => types.name(ty),
+        Inferred::Integer(_) => "an integer literal".to_owned(),
+        Inferred::Real => "a real literal".to_owned(),
+        Inferred::Text { .. } => "a text literal".to_owned(),
+        Inferred::Nothing => "a call without a result".to_owned(),
+        Inferred::Enumerated => "an enumerated value".to_owned(),
+        Inferred::Pending | Inferred::Error => "an error".to_owned(),
+    }
+}
+
+/// Why a value does not fit where it stands.
+pub(super) fn misfit(types: &TypeTable, inferred: Inferred, target: TypeId, context: Context) -> String {
+    let name = types.name(target);
+    let value = describe(types, inferred);
+    match (inferred, context) {
+        (Inferred::Nothing, _) => "the call gives no value".to_owned(),
+        (Inferred::Known(_), Context::Condition) => format!("a condition is {name}, not {value}"),
+        (Inferred::Known(_), _) => format!("{value} does not convert implicitly to {name}"),
+        _ => format!("{value} is no {name} here"),
+    }
+}
+
+/// Why a value is no argument of a function that takes several types as they come. A long list would hide the point.
+pub(super) fn misfit_of_any(types: &TypeTable, inferred: Inferred, allowed: &[ElementaryType]) -> String {
+    let value = describe(types, inferred);
+    let names: Vec<_> = allowed.iter().map(|ty| ty.name()).collect();
+    match (inferred, &names[..]) {
+        (Inferred::Nothing, _) => "the call gives no value".to_owned(),
+        (_, [others @ .., last]) if (1..4).contains(&others.len()) => {
+            format!("the function takes {} or {last}, not {value}", others.join(", "))
+        }
+        _ => format!("the function does not take {value}"),
+    }
+}
