@@ -23,6 +23,7 @@
 //! Architecture Invariant: this crate knows no files, no threads, no cases and no engines.
 
 pub mod conversion;
+pub mod decoding;
 pub mod diagnostic;
 pub mod dialect;
 pub mod execution;

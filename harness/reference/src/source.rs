@@ -1,13 +1,9 @@
-//! Source text: spans in bytes, the line and column that a person counts, and bytes that may be no text.
-
-use crate::diagnostic::{Diagnostic, Diagnostics};
-use std::borrow::Cow;
-use stickler_types::Code;
+//! Source text: spans in bytes, and the line and column that a person counts.
 
 /// The longest source text that is read, in bytes; a longer one is diagnosed with S0002.
 ///
 /// Basis: a decision of the design (depth, size and step limits turn hostile input into a diagnostic).
-pub const MAXIMUM_LENGTH: usize = 64 << 20;
+pub const MAX_LENGTH: usize = 64 << 20;
 
 /// A half-open range of bytes in a source text. Texts are limited to 64 MiB, so 32 bits suffice.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
@@ -76,7 +72,7 @@ impl LineIndex {
         let bytes = text.as_bytes();
         let mut line_starts = Vec::with_capacity(bytes.len() / BYTES_A_LINE + 1);
         line_starts.push(0);
-        line_starts.extend(text.match_indices('\n').map(|(end, _)| narrow(end + 1)));
+        line_starts.extend(text.match_indices('\n').map(|(end, _)| saturating_u32(end + 1)));
         let checkpoints = if text.is_ascii() {
             Vec::new()
         } else {
@@ -92,7 +88,7 @@ impl LineIndex {
     /// stands for the end.
     #[must_use]
     pub fn position(&self, text: &str, byte: u32) -> Position {
-        let byte = byte.min(narrow(text.len()));
+        let byte = byte.min(saturating_u32(text.len()));
         let line = self.line(byte) as usize;
         let start = line
             .checked_sub(1)
@@ -101,7 +97,7 @@ impl LineIndex {
             .unwrap_or(0);
         let column = self.characters_before(text, byte) - self.characters_before(text, start);
         Position {
-            line: narrow(line),
+            line: saturating_u32(line),
             column: column + 1,
         }
     }
@@ -109,13 +105,13 @@ impl LineIndex {
     /// The line of a byte, counted from 1; for who needs no column, which takes longer to find.
     #[must_use]
     pub fn line(&self, byte: u32) -> u32 {
-        narrow(self.line_starts.partition_point(|start| *start <= byte))
+        saturating_u32(self.line_starts.partition_point(|start| *start <= byte))
     }
 
     /// The number of lines; a text that ends with a line feed has an empty last line.
     #[must_use]
     pub fn lines(&self) -> u32 {
-        narrow(self.line_starts.len())
+        saturating_u32(self.line_starts.len())
     }
 
     fn characters_before(&self, text: &str, byte: u32) -> u32 {
@@ -129,7 +125,7 @@ impl LineIndex {
 
 /// The number of scalar values that begin in `bytes`.
 fn characters(bytes: &[u8]) -> u32 {
-    narrow(bytes.iter().filter(|byte| **byte & 0xC0 != 0x80).count())
+    saturating_u32(bytes.iter().filter(|byte| **byte & 0xC0 != 0x80).count())
 }
 
 fn checkpoints(bytes: &[u8]) -> Vec<u32> {
@@ -147,50 +143,9 @@ fn checkpoints(bytes: &[u8]) -> Vec<u32> {
         .collect()
 }
 
-fn narrow(length: usize) -> u32 {
+/// Returns a length of a source text as 32 bits, which hold all that are read.
+pub(crate) fn saturating_u32(length: usize) -> u32 {
     u32::try_from(length).unwrap_or(u32::MAX)
-}
-
-/// What is said of bytes that were no text, and of the characters that stand for them: the same, so that who
-/// hears it twice of one place can drop one.
-pub(crate) const NO_TEXT: &str = "bytes that are no UTF-8 text";
-
-/// Makes text of bytes: a byte-order mark in front is dropped, and each place that is no UTF-8 becomes U+FFFD.
-///
-/// Gives the text, borrowed where nothing had to be replaced, and a P0003 for each such place, whose span
-/// is that of the replacement characters in the text.
-#[must_use]
-pub fn decode(bytes: &[u8]) -> (Cow<'_, str>, Vec<Diagnostic>) {
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    if let Ok(text) = std::str::from_utf8(bytes) {
-        return (Cow::Borrowed(text), Vec::new());
-    }
-    let mut text = String::with_capacity(bytes.len());
-    let mut diagnostics = Diagnostics::default();
-    let mut broken: Option<Span> = None;
-    for chunk in bytes.utf8_chunks() {
-        if !chunk.valid().is_empty() {
-            report_broken(&mut diagnostics, broken.take());
-            text.push_str(chunk.valid());
-        }
-        if !chunk.invalid().is_empty() {
-            let start = narrow(text.len());
-            text.push(char::REPLACEMENT_CHARACTER);
-            let place = Span {
-                start,
-                end: narrow(text.len()),
-            };
-            broken = Some(broken.map_or(place, |before| before.to(place)));
-        }
-    }
-    report_broken(&mut diagnostics, broken);
-    (Cow::Owned(text), diagnostics.into_list())
-}
-
-fn report_broken(diagnostics: &mut Diagnostics, place: Option<Span>) {
-    if let Some(span) = place {
-        diagnostics.report(Code::UnexpectedToken, span, || NO_TEXT.to_owned());
-    }
 }
 
 #[cfg(test)]
@@ -199,8 +154,8 @@ mod tests {
 
     fn position(text: &str, byte: usize) -> (u32, u32) {
         let index = LineIndex::new(text);
-        let Position { line, column } = index.position(text, narrow(byte));
-        assert_eq!(line, index.line(narrow(byte)));
+        let Position { line, column } = index.position(text, saturating_u32(byte));
+        assert_eq!(line, index.line(saturating_u32(byte)));
         (line, column)
     }
 
@@ -225,22 +180,8 @@ mod tests {
     fn columns_of_a_long_line_agree_with_counting() {
         for length in [STRIDE - 1, STRIDE, STRIDE + 1, 5 * STRIDE] {
             let text = format!("\n{}", "é".repeat(length));
-            assert_eq!(position(&text, text.len()), (2, narrow(length + 1)));
-            assert_eq!(position(&text, text.len() - 2), (2, narrow(length)));
+            assert_eq!(position(&text, text.len()), (2, saturating_u32(length + 1)));
+            assert_eq!(position(&text, text.len() - 2), (2, saturating_u32(length)));
         }
-    }
-
-    #[test]
-    fn a_byte_order_mark_is_dropped() {
-        let (text, diagnostics) = decode(b"\xEF\xBB\xBFPROGRAM");
-        assert_eq!((text.as_ref(), diagnostics.len()), ("PROGRAM", 0));
-    }
-
-    #[test]
-    fn each_place_that_is_no_text_is_reported_once() {
-        let (text, diagnostics) = decode(b"a\xFF\xFEb\xC3");
-        assert_eq!(text, "a\u{FFFD}\u{FFFD}b\u{FFFD}");
-        let spans: Vec<_> = diagnostics.iter().map(|d| d.span.text(&text)).collect();
-        assert_eq!(spans, ["\u{FFFD}\u{FFFD}", "\u{FFFD}"]);
     }
 }

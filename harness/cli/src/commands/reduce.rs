@@ -14,7 +14,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, ProcessEngine, ProcessLimits};
 use stickler_generate::reduce::{self, Interestingness, Reduction, ReductionBudget, StopReason, Symptom};
-use stickler_reference::source;
+use stickler_reference::decoding::decode;
 use stickler_types::DialectName;
 use subject::Subject;
 
@@ -24,7 +24,7 @@ use subject::Subject;
 /// A file that cannot be read or written; an engine that cannot be run.
 pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let (bytes, path) = source_file::read(&arguments.file)?;
-    let (text, broken) = source::decode(&bytes);
+    let (text, broken) = decode(&bytes);
     if !broken.is_empty() {
         output::note(format!(
             "{path} has {}, which stand as U+FFFD from here on",

@@ -4,7 +4,7 @@ use crate::arguments::SourceArguments;
 use crate::exit::Exit;
 use crate::{output, snippet, source_file};
 use std::io::Write;
-use stickler_reference::source;
+use stickler_reference::decoding::decode;
 
 /// Prints the normalised source; of a file that cannot be read as a program, the diagnostics go to stderr.
 ///
@@ -12,7 +12,7 @@ use stickler_reference::source;
 /// A file that cannot be read.
 pub fn execute(arguments: &SourceArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let (bytes, path) = source_file::read(&arguments.file)?;
-    let (text, broken) = source::decode(&bytes);
+    let (text, broken) = decode(&bytes);
     // Bytes that are no text were replaced; giving the replacement back as the source would hide that.
     let rendered = match broken.is_empty() {
         true => stickler_reference::render(&text, arguments.dialect),

@@ -3,10 +3,11 @@
 use super::places::{hold_places, is_inside};
 use super::words::{census, missing};
 use super::{InputOutcome, OracleFailure};
+use stickler_reference::decoding::decode;
 use stickler_reference::diagnostic::Diagnostic;
 use stickler_reference::dialect::Dialect;
 use stickler_reference::semantics;
-use stickler_reference::source::{LineIndex, decode};
+use stickler_reference::source::LineIndex;
 use stickler_reference::syntax::tree::SourceUnit;
 use stickler_reference::syntax::{parse, render};
 use stickler_types::DialectName;

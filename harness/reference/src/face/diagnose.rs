@@ -1,10 +1,11 @@
 //! Checking and rendering: all that can be said about a source text without running it.
 
 use super::located::locate;
+use crate::decoding::decode;
 use crate::diagnostic::Diagnostic as SpannedDiagnostic;
 use crate::dialect::Dialect;
 use crate::semantics::{self, CheckedProgram};
-use crate::source::{self, LineIndex};
+use crate::source::LineIndex;
 use crate::syntax;
 use stickler_types::{Code, Diagnostic, DialectName};
 
@@ -40,11 +41,11 @@ pub fn check(source: &str, dialect: DialectName) -> Vec<Diagnostic> {
     locate(checked.diagnostics, source, &checked.lines)
 }
 
-/// Checks a source text that may be no text: gives it as it was read (see [`source::decode`]), which is
+/// Checks a source text that may be no text: gives it as it was read (see [`decode`]), which is
 /// what the positions refer to, and everything that is wrong with it.
 #[must_use]
 pub fn check_bytes(bytes: &[u8], dialect: DialectName) -> (String, Vec<Diagnostic>) {
-    let (text, mut diagnostics) = source::decode(bytes);
+    let (text, mut diagnostics) = decode(bytes);
     let checked = Checked::new(&text, &Dialect::of(dialect));
     diagnostics.extend(checked.diagnostics);
     let located = locate(diagnostics, &text, &checked.lines);

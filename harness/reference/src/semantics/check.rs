@@ -3,21 +3,13 @@
 use super::declare::declare;
 use super::lowering::Lowering;
 use super::model::{Model, Source};
-use super::observation::Directory;
+use super::observation::{CheckedProgram, Directory};
 use super::reporter::Reporter;
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::instruction::Program;
 use crate::source::LineIndex;
 use crate::syntax::tree::SourceUnit;
-
-/// A program that can run, and where its variables lie.
-#[derive(Debug)]
-pub struct CheckedProgram {
-    /// The program.
-    pub program: Program,
-    pub(super) directory: Directory,
-}
 
 /// Checks names and types of a source text, and lowers it.
 ///

@@ -5,7 +5,6 @@
 
 use super::contexts::{Context, Fit, fit};
 use super::inferred::Inferred;
-use super::operators::Signature;
 use super::types::{TypeId, TypeTable};
 use crate::conversion::implicit;
 use crate::dialect::Dialect;
@@ -19,15 +18,13 @@ pub(super) struct Rules<'a> {
 }
 
 impl Rules<'_> {
-    /// What an operator makes of two untyped numbers.
-    pub(super) fn untyped(self, left: Inferred, right: Inferred) -> Signature {
+    /// Returns what two untyped numbers are together; [`Inferred::Error`] where they do not go together.
+    pub(super) fn untyped(self, left: Inferred, right: Inferred) -> Inferred {
         match (left, right) {
-            (Inferred::Integer(left), Inferred::Integer(right)) => {
-                Signature::Untyped(Inferred::Integer(left.max(right)))
-            }
-            (Inferred::Real, Inferred::Real) => Signature::Untyped(Inferred::Real),
-            _ if self.dialect.integer_literal_as_real => Signature::Untyped(Inferred::Real),
-            _ => Signature::Undefined,
+            (Inferred::Integer(left), Inferred::Integer(right)) => Inferred::Integer(left.max(right)),
+            (Inferred::Real, Inferred::Real) => Inferred::Real,
+            _ if self.dialect.integer_literal_as_real => Inferred::Real,
+            _ => Inferred::Error,
         }
     }
 
@@ -90,10 +87,7 @@ impl Rules<'_> {
                 wide,
                 single: single && too,
             },
-            _ if left.is_untyped_number() && right.is_untyped_number() => match self.untyped(left, right) {
-                Signature::Untyped(inferred) => inferred,
-                _ => Inferred::Error,
-            },
+            _ if left.is_untyped_number() && right.is_untyped_number() => self.untyped(left, right),
             _ => self.common(left, right).map_or(Inferred::Error, Inferred::Known),
         }
     }

@@ -9,7 +9,7 @@ use super::reporter::Reporter;
 use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
 use crate::instruction::RoutineId;
-use crate::source::Span;
+use crate::source::{Span, saturating_u32};
 use crate::syntax::tree::{
     Configuration, Declaration, Folded, Name, Pou, PouKind, TypeDeclaration, TypeSpecification, VariableBlock,
 };
@@ -147,7 +147,7 @@ impl<'u> Declarer<'u, '_> {
             initial,
             cleared: 0..0,
         });
-        self.define(pou.name, Definition::Pou(narrow(index)), Some(pou.kind));
+        self.define(pou.name, Definition::Pou(saturating_u32(index)), Some(pou.kind));
     }
 
     fn collect_type(&mut self, ty: &'u TypeDeclaration<'u>) {
@@ -156,7 +156,7 @@ impl<'u> Declarer<'u, '_> {
             declared: Declared::Type(ty),
             id: None,
         });
-        self.define(ty.name, Definition::Type(narrow(node)), None);
+        self.define(ty.name, Definition::Type(saturating_u32(node)), None);
     }
 
     /// Gives a name its meaning at the top level, unless it has one.
@@ -193,7 +193,7 @@ impl<'u> Declarer<'u, '_> {
 
     /// Says what a routine does that has been handed out: it makes the default value of a type.
     pub(super) fn define_routine(&mut self, routine: RoutineId, value: InitialValue<'u>) {
-        let pou = self.current.map(narrow);
+        let pou = self.current.map(saturating_u32);
         self.model.initial_values.push(Initial { routine, value, pou });
     }
 
@@ -280,9 +280,4 @@ impl<'u> Declarer<'u, '_> {
             }
         }
     }
-}
-
-/// Source texts are bounded, so that everything in them can be counted in 32 bits.
-pub(super) fn narrow(count: usize) -> u32 {
-    u32::try_from(count).unwrap_or(u32::MAX)
 }

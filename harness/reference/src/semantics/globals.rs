@@ -3,9 +3,10 @@
 //! A VAR_EXTERNAL without its VAR_GLOBAL is P4007, and one of another type P4035.
 
 use super::constant::Constant;
-use super::declare::{Declarer, narrow};
+use super::declare::Declarer;
 use super::model::{Storage, Variable};
 use super::types::TypeId;
+use crate::source::saturating_u32;
 use crate::syntax::tree::{Folded, Name, PouKind, VariableBlock, VariableGroup, VariableKind};
 use stickler_types::Code;
 
@@ -53,7 +54,7 @@ impl<'u> Declarer<'u, '_> {
         group: &'u VariableGroup<'u>,
         value: Constant,
     ) {
-        let index = narrow(self.model.variables.len());
+        let index = saturating_u32(self.model.variables.len());
         let known = *self.model.globals.entry(Folded(name.text)).or_insert(index);
         if known != index {
             let message = format!("global variable `{}` is already declared", name.text);

@@ -1,10 +1,10 @@
 //! Gives everything that lives for the whole run its address: global variables, the frames of functions,
 //! program instances. Recursion is forbidden, so each function needs one frame only.
 
-use super::declare::{Declarer, narrow};
+use super::declare::Declarer;
 use super::memory::{MAX_CELLS, MAX_TEXT, Memory};
 use super::model::{Model, Storage};
-use crate::source::Span;
+use crate::source::{Span, saturating_u32};
 use crate::syntax::tree::VariableKind;
 use stickler_types::Code;
 
@@ -25,7 +25,7 @@ impl Declarer<'_, '_> {
     fn place_all(&mut self, memory: &mut Memory) -> Result<(), Span> {
         for index in 0..self.model.variables.len() {
             if self.model.variables[index].kind == VariableKind::Global {
-                self.place_variable(narrow(index), memory)?;
+                self.place_variable(saturating_u32(index), memory)?;
             }
         }
         for index in 0..self.model.variables.len() {

@@ -54,5 +54,5 @@ mod tests;
 mod types;
 mod variables;
 
-pub use check::{CheckedProgram, check};
-pub use observation::{Observed, ObservedType};
+pub use check::check;
+pub use observation::{CheckedProgram, Observed, ObservedType};

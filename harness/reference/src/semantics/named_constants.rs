@@ -1,12 +1,13 @@
 //! What the names of declared constants mean in constant expressions.
 
 use super::constant::{Constant, ConstantValue};
-use super::declare::{Declared, Declarer, narrow};
+use super::declare::{Declared, Declarer};
 use super::emitter::SHORT_TEXT;
 use super::lowering::Lowering;
 use super::memory::Memory;
 use super::model::Definition;
 use super::types::{DEFAULT_CAPACITY, Kind, TypeId};
+use crate::source::saturating_u32;
 use crate::syntax::tree::{
     ExpressionId, Folded, InitializerKind, Name, TypeSpecification, TypeSpecificationKind, VariableGroup,
 };
@@ -79,7 +80,7 @@ impl<'u> Declarer<'u, '_> {
     /// Lowers with what is declared so far. No code is left of it.
     fn lowering<T>(&mut self, lower: impl FnOnce(&mut Lowering<'_>) -> T) -> T {
         let mut lowering = Lowering::new(&self.model, Memory::default(), self.reporter);
-        lowering.pou = self.current.map(narrow);
+        lowering.pou = self.current.map(saturating_u32);
         lowering.guesses = self.guesses;
         lowering.inferred = std::mem::take(&mut self.inferred);
         let answer = lower(&mut lowering);

@@ -2,12 +2,20 @@
 
 mod listing;
 
-use super::check::CheckedProgram;
 use super::model::{Model, Storage};
 use super::scope::Named;
 use super::types::{Kind, Member, TypeId, TypeTable};
+use crate::instruction::Program;
 use crate::syntax::tree::VariableKind;
 use stickler_types::ElementaryType;
+
+/// A program that can run, and where its variables lie.
+#[derive(Debug)]
+pub struct CheckedProgram {
+    /// The program.
+    pub program: Program,
+    pub(super) directory: Directory,
+}
 
 /// A variable that can be observed.
 #[derive(Clone, PartialEq, Eq, Debug)]

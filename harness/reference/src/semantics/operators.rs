@@ -67,7 +67,12 @@ impl Rules<'_> {
             Group::Power if left == Inferred::Real && is_integer(right) => {
                 return Signature::Untyped(Inferred::Real);
             }
-            _ if left.is_untyped_number() && right.is_untyped_number() => return self.untyped(left, right),
+            _ if left.is_untyped_number() && right.is_untyped_number() => {
+                return match self.untyped(left, right) {
+                    Inferred::Error => Signature::Undefined,
+                    inferred => Signature::Untyped(inferred),
+                };
+            }
             Group::Logic(logic) => self.logic(logic, left, right),
             Group::Arithmetic(arithmetic) => self.arithmetic(arithmetic, left, right),
             Group::Power => self.power(left, right),

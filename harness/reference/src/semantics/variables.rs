@@ -1,10 +1,11 @@
 //! Declares the variables of POUs.
 
 use super::constant::Constant;
-use super::declare::{Declarer, Deferred, narrow};
+use super::declare::{Declarer, Deferred};
 use super::model::{Storage, Variable};
 use super::scope::Named;
 use super::types::{DefaultValue, Extent, Kind, Member, Structure, TypeId};
+use crate::source::saturating_u32;
 use crate::syntax::tree::{
     Folded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
@@ -24,7 +25,7 @@ impl<'u> Declarer<'u, '_> {
         if pou.kind == PouKind::Function {
             self.declare_result(index);
         }
-        self.model.pous[index].variables = narrow(first)..narrow(self.model.variables.len());
+        self.model.pous[index].variables = saturating_u32(first)..saturating_u32(self.model.variables.len());
         if pou.kind != PouKind::Function {
             self.make_instance_type(index);
         }
@@ -112,7 +113,7 @@ impl<'u> Declarer<'u, '_> {
         group: &'u VariableGroup<'u>,
         ty: TypeId,
     ) {
-        let index = narrow(self.model.variables.len());
+        let index = saturating_u32(self.model.variables.len());
         let in_program = self.model.pous[pou].pou.kind == PouKind::Program;
         let kind = match block.kind {
             VariableKind::InOut if in_program => VariableKind::Local,
@@ -166,7 +167,7 @@ impl<'u> Declarer<'u, '_> {
             let message = "a function block cannot be the result of a function";
             self.report(Code::FunctionBlockInFunction, result.span, message);
         }
-        let index = narrow(self.model.variables.len());
+        let index = saturating_u32(self.model.variables.len());
         self.model.variables.push(Variable {
             name,
             ty,
@@ -234,7 +235,7 @@ impl<'u> Declarer<'u, '_> {
         }
         let structure = Box::new(Structure {
             name: name.text.into(),
-            pou: narrow(pou),
+            pou: saturating_u32(pou),
             members,
         });
         let kind = if program {

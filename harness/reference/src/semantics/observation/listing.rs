@@ -1,7 +1,7 @@
 //! Lists what can be observed: the elementary values of the program, by their paths.
 
-use super::super::check::CheckedProgram;
 use super::super::types::{ArrayShape, Kind, Structure, TypeId, TypeTable};
+use super::CheckedProgram;
 use crate::syntax::tree::VariableKind;
 
 impl CheckedProgram {

@@ -174,7 +174,10 @@ fn a_constant_made_of_one_that_the_program_computes_is_no_limit() {
     let text = "END_VAR VAR CONSTANT m : INT := DINT_TO_INT(32767) + 1; n : INT := m; x : REAL := 1.5 + 1.5; END_VAR VAR";
     assert!(codes(text, "").is_empty());
     assert_eq!(codes(&format!("{text} a : ARRAY[0..n] OF INT;"), ""), ["P4031"]);
-    assert_eq!(codes(&format!("{text} a : ARRAY[0..TRUNC(x)] OF INT;"), ""), ["P4031"]);
+    assert_eq!(
+        codes(&format!("{text} a : ARRAY[0..TRUNC(x)] OF INT;"), ""),
+        ["P4031"]
+    );
 }
 
 #[test]

@@ -1,9 +1,10 @@
 //! The lexer's main loop, words and punctuation.
 
 use super::class::{Class, class, is_word, mark};
+use crate::decoding::NO_TEXT;
 use crate::diagnostic::Diagnostics;
 use crate::dialect::Dialect;
-use crate::source::{MAXIMUM_LENGTH, NO_TEXT, Span};
+use crate::source::{MAX_LENGTH, Span};
 use crate::syntax::keyword;
 use crate::syntax::token::{Token, TokenKind};
 use std::fmt::Write as _;
@@ -60,8 +61,8 @@ impl<'s, 'd> Lexer<'s, 'd> {
             ended: false,
             dropped: 0,
         };
-        if text.len() > MAXIMUM_LENGTH {
-            lexer.give_up(|| format!("a source text is longer than {} MiB", MAXIMUM_LENGTH >> 20));
+        if text.len() > MAX_LENGTH {
+            lexer.give_up(|| format!("a source text is longer than {} MiB", MAX_LENGTH >> 20));
         }
         lexer
     }
@@ -143,7 +144,7 @@ impl<'s, 'd> Lexer<'s, 'd> {
     /// The span from `start` to here.
     #[inline]
     pub(super) fn span_from(&self, start: usize) -> Span {
-        // Texts are no longer than `MAXIMUM_LENGTH`, which 32 bits hold.
+        // Texts are no longer than `MAX_LENGTH`, which 32 bits hold.
         Span {
             start: start as u32,
             end: self.at as u32,

@@ -184,7 +184,7 @@ fn unknown_characters_are_reported_once_a_run() {
 
 #[test]
 fn bytes_that_are_no_text_are_reported_in_the_same_words_as_by_their_decoder() {
-    let (text, diagnostics) = crate::source::decode(b"a \xFF\xFE b");
+    let (text, diagnostics) = crate::decoding::decode(b"a \xFF\xFE b");
     assert_eq!(lex(&text, ED2).diagnostics.into_list(), diagnostics);
 }
 
@@ -224,7 +224,7 @@ fn direct_variables_are_one_token() {
 
 #[test]
 fn a_text_beyond_the_limit_is_not_read() {
-    let text = " ".repeat(crate::source::MAXIMUM_LENGTH + 1);
+    let text = " ".repeat(crate::source::MAX_LENGTH + 1);
     assert_eq!(codes(&text, ED2), [(Code::LimitExceeded, "")]);
 }
 

@@ -1,35 +1,9 @@
 //! The statements that have statements in them: IF, CASE, FOR, WHILE, REPEAT.
 
+use super::open::Block;
 use super::state::{Parsed, Parser, quoted};
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{CaseBranch, CaseLabel, ExpressionId, ExpressionKind, Statement, StatementKind};
-
-/// What is open, and which keywords it waits for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Block {
-    Pou,
-    If,
-    Case,
-    /// The ELSE branch of an IF or a CASE.
-    Else(TokenKind),
-    For,
-    While,
-    Repeat,
-}
-
-impl Block {
-    fn awaits(self, kind: TokenKind) -> bool {
-        match self {
-            Block::Pou => kind.closes_pou() || kind.opens_declaration() || kind == TokenKind::End,
-            Block::If => matches!(kind, TokenKind::EndIf | TokenKind::Elsif | TokenKind::Else),
-            Block::Case => matches!(kind, TokenKind::EndCase | TokenKind::Else),
-            Block::Else(closer) => kind == closer,
-            Block::For => kind == TokenKind::EndFor,
-            Block::While => kind == TokenKind::EndWhile,
-            Block::Repeat => matches!(kind, TokenKind::Until | TokenKind::EndRepeat),
-        }
-    }
-}
 
 impl<'s> Parser<'s, '_> {
     /// A block which is open waits for this keyword; or it closes a statement, and the innermost block is one,

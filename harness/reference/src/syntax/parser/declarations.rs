@@ -1,6 +1,6 @@
 //! The top level of a text, and the program organization units.
 
-use super::blocks::Block;
+use super::open::Block;
 use super::state::{Parsed, Parser};
 use crate::source::Span;
 use crate::syntax::token::TokenKind;

@@ -1,20 +1,11 @@
 //! Expressions: operators by precedence, prefix operators, parentheses, literals.
 
+use super::open::Pending;
 use super::state::{HEIGHT_LIMIT, Parsed, Parser};
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{
     BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Prefixed, UnaryOperator,
 };
-
-/// An infix operator that waits for its right operand.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pending {
-    /// `None` for one that is not implemented.
-    operator: Option<BinaryOperator>,
-    precedence: u8,
-    left: ExpressionId,
-    left_height: u32,
-}
 
 impl<'s> Parser<'s, '_> {
     /// An expression. Operators wait on a stack, so that neither a long chain nor many precedences take room on

@@ -1,10 +1,9 @@
 //! What every production leans on: the tokens, the arena, the limits, and the one way to report an error.
 
-use super::blocks::Block;
-use super::expressions::Pending;
+use super::open::{Block, Pending};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::source::{MAXIMUM_LENGTH, Span};
+use crate::source::{MAX_LENGTH, Span};
 use crate::syntax::lexer::Lexer;
 use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::tree::{Expression, ExpressionId, ExpressionKind, SourceUnit, VariableBlock};
@@ -86,7 +85,7 @@ impl<'s, 'd> Parser<'s, 'd> {
             index: 0,
             dropped: 0,
             // About as many as ordinary texts have.
-            expressions: Vec::with_capacity(text.len().min(MAXIMUM_LENGTH) / 8),
+            expressions: Vec::with_capacity(text.len().min(MAX_LENGTH) / 8),
             pending: Vec::new(),
             height: 0,
             open: 0,

@@ -1,0 +1,42 @@
+//! What the parser has open: blocks that wait for their ends, and operators that wait for operands.
+
+use crate::syntax::token::TokenKind;
+use crate::syntax::tree::{BinaryOperator, ExpressionId};
+
+/// What is open, and which keywords it waits for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Block {
+    Pou,
+    If,
+    Case,
+    /// The ELSE branch of an IF or a CASE.
+    Else(TokenKind),
+    For,
+    While,
+    Repeat,
+}
+
+impl Block {
+    /// Whether a keyword ends the block, or the part of it that is being read.
+    pub(super) fn awaits(self, kind: TokenKind) -> bool {
+        match self {
+            Block::Pou => kind.closes_pou() || kind.opens_declaration() || kind == TokenKind::End,
+            Block::If => matches!(kind, TokenKind::EndIf | TokenKind::Elsif | TokenKind::Else),
+            Block::Case => matches!(kind, TokenKind::EndCase | TokenKind::Else),
+            Block::Else(closer) => kind == closer,
+            Block::For => kind == TokenKind::EndFor,
+            Block::While => kind == TokenKind::EndWhile,
+            Block::Repeat => matches!(kind, TokenKind::Until | TokenKind::EndRepeat),
+        }
+    }
+}
+
+/// An infix operator that waits for its right operand.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pending {
+    /// `None` for one that is not implemented.
+    pub(super) operator: Option<BinaryOperator>,
+    pub(super) precedence: u8,
+    pub(super) left: ExpressionId,
+    pub(super) left_height: u32,
+}
