@@ -3,14 +3,14 @@
 use crate::source::Span;
 use stickler_types::Code;
 
-/// Something wrong with a source text.
+/// An error in a source text.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Diagnostic {
-    /// What kind of thing is wrong.
+    /// The kind of error.
     pub code: Code,
-    /// Where: the value's span for a type error.
+    /// The place: the value's span for a type error.
     pub span: Span,
-    /// What is wrong here, as a lower-case fragment without a full stop.
+    /// The message: a lower-case fragment without a full stop.
     pub message: String,
     /// Text that replaces exactly `span` and makes the program acceptable.
     pub suggestion: Option<String>,
@@ -35,7 +35,7 @@ pub(crate) struct Diagnostics {
 }
 
 impl Diagnostics {
-    /// One stage says no more than this about one text.
+    /// The most diagnostics of one stage about one text.
     const MAXIMUM: usize = 20_000;
 
     /// Adds a diagnostic; when the list is full, a last S0002 says so, and what follows is left out.
@@ -51,7 +51,7 @@ impl Diagnostics {
         }
     }
 
-    /// What has been collected, in the order of the text.
+    /// Returns the diagnostics in the order of the text.
     pub(crate) fn into_list(mut self) -> Vec<Diagnostic> {
         self.list.sort_by_key(|diagnostic| diagnostic.span.start);
         self.list

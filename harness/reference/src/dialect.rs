@@ -12,9 +12,9 @@ use stickler_types::{
 /// name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Dialect {
-    /// Its name.
+    /// The name.
     pub name: DialectName,
-    /// Which pairs of elementary types convert implicitly.
+    /// The pairs of elementary types that convert implicitly.
     pub widening: Widening,
     /// The pairs of which a definition says something else.
     pub cells: Option<&'static Cells>,
@@ -27,7 +27,7 @@ pub struct Dialect {
     pub integer_literal_as_bit_string: bool,
     /// `.n` selects a bit.
     pub bit_access: bool,
-    /// What becomes of `.%Xn`, `.%Bn` …
+    /// The treatment of `.%Xn`, `.%Bn` …
     pub partial_access: PartialAccess,
     /// `//` begins a comment.
     pub line_comments: bool,
@@ -37,11 +37,11 @@ pub struct Dialect {
     pub third_edition_types: bool,
     /// ROUND, CEIL, CEILING, FLOOR are not known.
     pub only_standard_rounding: bool,
-    /// What conversion functions, and implicit conversions, do where systems differ.
+    /// The choices of conversion functions, and of implicit conversions, where systems differ.
     pub conversions: ConversionChoices,
 }
 
-/// What every documented system chooses unless it says otherwise: truncation, wrapping, whole texts, and values written as the wire
+/// The choices of every documented system unless it says otherwise: truncation, wrapping, whole texts, and values written as the wire
 /// protocol has them.
 ///
 /// Basis: forgeiec-conversion-functions: Range and precision, matiec conformance; ironplc-type-conversions: Explicit Conversion
@@ -54,10 +54,10 @@ pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
     bit_string_text: BitStringText::FullWidth,
 };
 
-/// What a definition states of pairs of types: of the value, and of the target.
+/// The statements of a definition about pairs of types: of the value, and of the target.
 pub type Cells = BTreeMap<(ElementaryType, ElementaryType), Stated<MatrixWord>>;
 
-/// Which pairs of elementary types convert implicitly.
+/// The pairs of elementary types that convert implicitly.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Widening {
     /// IronPLC's three matrices and its general rule.
@@ -68,7 +68,7 @@ pub enum Widening {
     Plcnext,
 }
 
-/// What a dialect makes of `.%Xn` and its kin.
+/// The treatment of `.%Xn` and its kin.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PartialAccess {
     /// `.%Xn` selects a bit; the wider forms are P0003.

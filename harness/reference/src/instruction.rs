@@ -29,13 +29,13 @@ pub struct Program {
     pub code: Vec<Instruction>,
     /// The 1-based source line of each instruction, for faults; as long as `code`.
     pub lines: Vec<u32>,
-    /// Where each routine's code begins. A routine ends with [`Instruction::Return`].
+    /// The labels where the code of the routines begins. A routine ends with [`Instruction::Return`].
     pub routines: Vec<Label>,
     /// Run once before the first scan: initial values of globals and program instances.
     pub startup: RoutineId,
     /// Run once a scan: all program instances in order.
     pub scan: RoutineId,
-    /// How many cells the program needs.
+    /// The number of cells that the program needs.
     pub memory: u32,
     /// The text variables: their cells and capacities. Cells not named here are plain.
     pub texts: Vec<TextCell>,
@@ -46,7 +46,7 @@ pub struct Program {
 /// A text variable.
 #[derive(Clone, Copy, Debug)]
 pub struct TextCell {
-    /// Its cell.
+    /// The cell.
     pub address: Address,
     /// The declared maximum length in code units; a longer text is cut when stored.
     pub capacity: u32,
@@ -108,7 +108,7 @@ pub enum Instruction {
     Replicate {
         /// Cells an element takes.
         stride: u32,
-        /// How many elements there are, the first included.
+        /// The number of elements, the first included.
         count: u32,
     },
     /// Pops an address: sets that many cells to zero and their texts to empty.
@@ -169,11 +169,11 @@ pub enum Instruction {
     LoopStep(LoopTypes),
     /// A standard function over plain values; see [`StandardFunction`] for what it pops.
     Standard {
-        /// Which one.
+        /// The function.
         function: StandardFunction,
         /// The type of its values.
         of: ElementaryType,
-        /// How many values it takes besides a selector.
+        /// The number of values that it takes besides a selector.
         count: u16,
     },
 

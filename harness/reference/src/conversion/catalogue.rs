@@ -9,7 +9,7 @@ use crate::dialect::Dialect;
 use std::sync::LazyLock;
 use stickler_types::{ConversionChoices, ElementaryType, Rounding};
 
-/// What a conversion function takes.
+/// The parameter of a conversion function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Parameter {
     /// One type; an argument may widen to it.
@@ -33,7 +33,7 @@ impl Parameter {
     }
 }
 
-/// What a conversion function gives.
+/// The result type of a conversion function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ResultType {
     /// One type.
@@ -52,14 +52,14 @@ pub enum ResultType {
 /// A type conversion function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ConversionFunction {
-    /// Its one parameter, which named arguments call `IN`.
+    /// The one parameter, which named arguments call `IN`.
     pub parameter: Parameter,
-    /// Its result.
+    /// The type of the result.
     pub result: ResultType,
     meaning: Meaning,
 }
 
-/// How the rule is found once both types are known.
+/// The way in which the rule is found once both types are known.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Meaning {
     /// By the pair of types.
@@ -83,7 +83,7 @@ const UNSIGNED: &[ElementaryType] = &[
     ElementaryType::Ulint,
 ];
 const REALS: &[ElementaryType] = &[ElementaryType::Real, ElementaryType::Lreal];
-/// What the ForgeIEC page lists for BCD_TO_INT and INT_TO_BCD.
+/// The types that the ForgeIEC page lists for BCD_TO_INT and INT_TO_BCD.
 const BCD_BITS: &[ElementaryType] = &[ElementaryType::Byte, ElementaryType::Word];
 const BCD_INTEGERS: &[ElementaryType] = &[ElementaryType::Int, ElementaryType::Dint];
 

@@ -15,7 +15,7 @@ pub struct Concatenation {
     pub result: ElementaryType,
 }
 
-/// What named arguments call the two parameters.
+/// The names of the two parameters.
 pub const PARAMETERS: [&str; 2] = ["IN1", "IN2"];
 
 /// Their names.

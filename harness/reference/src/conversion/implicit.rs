@@ -119,7 +119,7 @@ mod tests {
         implicit(from, to, &Dialect::of(dialect)).is_some()
     }
 
-    /// How many pairs of different types convert.
+    /// Counts the pairs of different types that convert.
     fn pairs(dialect: DialectName) -> usize {
         let all = ElementaryType::ALL;
         let convert = |from| {

@@ -32,7 +32,7 @@ pub fn to_real_units(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 
     Exact::quotient(nanoseconds < 0, magnitude, unit(from).unsigned_abs(), 0).to_real(to)
 }
 
-/// That many units, modulo 2^64 nanoseconds. A bit string, BOOL and an unsigned integer count as such: their
+/// Returns so many units, modulo 2^64 nanoseconds. A bit string, BOOL and an unsigned integer count as such: their
 /// product modulo 2^64 is the same.
 #[inline]
 #[must_use]
@@ -40,7 +40,7 @@ pub fn from_units(raw: u64, to: ElementaryType) -> u64 {
     whole(raw.cast_signed().wrapping_mul(unit(to)), to)
 }
 
-/// That many units, rounded to the nearest nanosecond, ties to even, modulo 2^64 nanoseconds; NaN and the
+/// Returns so many units, rounded to the nearest nanosecond, ties to even, modulo 2^64 nanoseconds; NaN and the
 /// infinities give 0.
 #[inline]
 #[must_use]

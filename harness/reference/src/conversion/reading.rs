@@ -87,7 +87,7 @@ fn sign_length(text: &str) -> usize {
     usize::from(text.starts_with(['+', '-']))
 }
 
-/// How many bytes at the beginning are digits of a base, single underscores between them counted.
+/// Counts the bytes at the beginning that are digits of a base, single underscores between them counted.
 fn digits_length(text: &str, base: u32) -> usize {
     let digit = |byte: Option<&u8>| byte.is_some_and(|&byte| char::from(byte).is_digit(base));
     let bytes = text.as_bytes();
@@ -166,7 +166,7 @@ fn read_moment(text: &str, to: ElementaryType) -> u64 {
     plain(behind_prefix, to)
 }
 
-/// What stands behind a type's prefix, read by the one reader of typed literals.
+/// Reads the text behind a type's prefix with the one reader of typed literals.
 fn plain(text: &str, to: ElementaryType) -> u64 {
     match Value::parse(&format!("{}#{text}", to.name())) {
         Ok(Value::Plain { raw, .. }) => raw,

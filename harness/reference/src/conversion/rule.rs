@@ -1,4 +1,4 @@
-//! What a conversion does to a value: one small rule a pair of types, said once for the implicit rule and for
+//! The rules by which conversions change values: one small rule a pair of types, said once for the implicit rule and for
 //! the catalogue of functions alike.
 
 use super::{moment, reading, real, text, writing};
@@ -14,11 +14,11 @@ pub struct Conversion {
     pub from: ElementaryType,
     /// The type of the result.
     pub to: ElementaryType,
-    /// What happens to the value.
+    /// The change of the value.
     pub rule: ConversionRule,
 }
 
-/// What a conversion does to the value.
+/// The rule by which a conversion changes the value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ConversionRule {
     /// The raw form stays as it is: the same type, and pairs that share a raw form (TIME and LTIME, DATE and DT).
@@ -42,12 +42,12 @@ pub enum ConversionRule {
     /// A duration, date or time of day as the number of its units, the fraction dropped, modulo 2^n.
     /// Basis: forgeiec-conversion-functions: The naming pattern (TIME in ms); dates and times of day are open.
     ToUnits,
-    /// The same as a real number, rounded once.
+    /// Counts the units as a real number, rounded once.
     ToRealUnits,
     /// A number of units as a duration, date or time of day.
     /// Basis: forgeiec-conversion-functions: The naming pattern (`DINT_TO_TIME` "interprets as ms").
     FromUnits,
-    /// The same from a real number, rounded to the nearest nanosecond, ties to even.
+    /// Returns a real number of units, rounded to the nearest nanosecond, ties to even.
     FromRealUnits,
     /// The day of a date and time, also before 1970.
     /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_DATE`).
@@ -218,7 +218,7 @@ impl Conversion {
     }
 
     /// Converts many values, none of them a text: calls `sink` with the raw forms of each operand and its result.
-    /// The same as [`Self::apply`] for each, but the rule is chosen once, outside the loop, which is what makes
+    /// Converts each raw form as [`Self::apply`] does, but the rule is chosen once, outside the loop, which is what makes
     /// sweeps over all values of a type quick.
     pub fn apply_to_all(self, operands: impl Iterator<Item = u64>, mut sink: impl FnMut(u64, u64)) {
         one_loop_for_each_rule!(self, conversion => {
@@ -226,7 +226,7 @@ impl Conversion {
         });
     }
 
-    /// The same from one slice into another, which is quicker still; the shorter of the two decides how many.
+    /// Converts from one slice into another, which is quicker than in place; the shorter of the two decides how many.
     pub fn apply_to_slice(self, operands: &[u64], results: &mut [u64]) {
         one_loop_for_each_rule!(self, conversion => {
             for (operand, result) in operands.iter().zip(results) {

@@ -128,7 +128,7 @@ mod tests {
         assert_eq!([short(1, Bool), short(255, Int)], ["TRUE", "255"]);
     }
 
-    /// What C's `printf("%.{n}g")` writes for these.
+    /// The texts that C's `printf("%.{n}g")` writes for these.
     #[test]
     fn reals_are_written_with_so_many_significant_digits_where_that_is_chosen() {
         for (value, digits, expected) in [

@@ -113,7 +113,7 @@ mod tests {
     use crate::instruction::ArithmeticOperator::{Add, Divide, Modulo, Multiply, Subtract};
     use ElementaryType::{Dint, Int, Lint, Lreal, Real, Sint, Time, Tod, Udint, Uint, Ulint, Usint};
 
-    /// What the standard's arithmetic gives, computed where nothing can overflow.
+    /// Computes as the standard's arithmetic does, where nothing can overflow.
     fn exact(operator: ArithmeticOperator, a: i128, b: i128) -> Option<i128> {
         match operator {
             Add => Some(a + b),

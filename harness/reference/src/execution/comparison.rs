@@ -13,7 +13,7 @@ pub fn compare(operator: ComparisonOperator, ty: ElementaryType, left: u64, righ
     holds(operator, order(ty, left, right))
 }
 
-/// How two raw forms of a type lie to each other; `None` where one is a NaN.
+/// Orders two raw forms of a type; `None` where one is a NaN.
 #[inline]
 #[must_use]
 pub fn order(ty: ElementaryType, left: u64, right: u64) -> Option<Ordering> {
@@ -27,7 +27,7 @@ pub fn order(ty: ElementaryType, left: u64, right: u64) -> Option<Ordering> {
     }
 }
 
-/// Whether an operator holds for operands that lie so to each other.
+/// Whether an operator holds for operands of this order.
 #[inline]
 #[must_use]
 pub fn holds(operator: ComparisonOperator, order: Option<Ordering>) -> bool {

@@ -32,7 +32,7 @@ pub struct Machine<'p> {
     steps_left: u64,
 }
 
-/// What a return goes back to.
+/// The state that a return goes back to.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
     this: Address,
@@ -350,7 +350,7 @@ impl<'p> Machine<'p> {
     }
 }
 
-/// How many elements lie before the one with this subscript.
+/// Counts the elements before the one with this subscript.
 fn element(subscript: u64, (low, high): (i64, i64), unsigned: bool) -> Result<u64, Halt> {
     let value = subscript.cast_signed();
     // No dimension reaches beyond an i64, so an unsigned subscript that does lies outside.

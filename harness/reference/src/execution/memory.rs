@@ -128,7 +128,7 @@ impl<'p> Memory<'p> {
         Ok(start..end)
     }
 
-    /// Which texts have their cells in the range.
+    /// Returns the texts that have their cells in the range.
     fn texts_in(&self, range: &Range<usize>) -> Range<usize> {
         let first = self
             .text_cells

@@ -12,7 +12,7 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 use stickler_types::ElementaryType;
 
-/// How many plain operands a function takes from the stack, its selector included.
+/// Counts the plain operands that a function takes from the stack, its selector included.
 pub(super) fn operand_count(function: StandardFunction, count: u16) -> usize {
     match function {
         StandardFunction::Abs => 1,
@@ -89,7 +89,7 @@ fn rotated_left(value: u64, count: i64, of: ElementaryType) -> u64 {
 /// A text on the machine's stack: a constant of the program, or what the run made.
 pub(super) type Text<'p> = Cow<'p, [u16]>;
 
-/// How many texts a function takes from the stack.
+/// Counts the texts that a function takes from the stack.
 pub(super) fn text_count(function: StandardFunction, count: u16) -> usize {
     match function {
         StandardFunction::Len => 1,

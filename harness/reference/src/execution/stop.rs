@@ -6,7 +6,7 @@ use std::fmt;
 /// A fault of the running program, and where it happened.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RaisedFault {
-    /// What happened.
+    /// The kind of fault.
     pub kind: FaultKind,
     /// The 1-based line of the source text; 0 where the program names none.
     pub line: u32,
@@ -16,7 +16,7 @@ pub struct RaisedFault {
 /// code. The checker builds no such program, so this is a defect of the reference and never of a source text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Inconsistency {
-    /// What the machine found missing.
+    /// The thing that the machine found missing.
     pub what: &'static str,
     /// The index of the instruction.
     pub at: u32,

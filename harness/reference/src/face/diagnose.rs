@@ -11,9 +11,9 @@ use stickler_types::{Code, Diagnostic, DialectName};
 
 /// A source text after all stages but the last.
 pub(super) struct Checked {
-    /// What can be run; `None` where the text has an error or no PROGRAM.
+    /// The program that can be run; `None` where the text has an error or no PROGRAM.
     pub program: Option<CheckedProgram>,
-    /// What is wrong with the text.
+    /// The errors of the text.
     pub diagnostics: Vec<SpannedDiagnostic>,
     /// Lines and columns of the text.
     pub lines: LineIndex,
@@ -85,7 +85,7 @@ pub fn render(source: &str, dialect: DialectName) -> Result<String, Vec<Diagnost
     }
 }
 
-/// What is said of a text that is acceptable and has nothing to run; it belongs to the last token.
+/// Returns the diagnostic for a text that is acceptable and has nothing to run, at its last token.
 pub(super) fn nothing_to_run(source: &str, dialect: &Dialect) -> SpannedDiagnostic {
     let span = syntax::last_token(source, dialect);
     SpannedDiagnostic::new(Code::NoProgramDeclaration, span, "there is no PROGRAM to run")

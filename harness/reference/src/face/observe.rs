@@ -8,9 +8,9 @@ use stickler_types::{ElementaryType, NamedValue, Observation, Value};
 /// The values that a request asks for.
 pub(super) struct Observer<'a> {
     wanted: Vec<Wanted<'a>>,
-    /// Those of `wanted` that are asked for after a certain scan, by that scan.
+    /// The entries of `wanted` that are asked for after a certain scan, by that scan.
     by_scan: Vec<(u32, usize)>,
-    /// How many of `by_scan` have been taken down.
+    /// The number of entries of `by_scan` that have been taken down.
     taken: usize,
 }
 

@@ -10,7 +10,7 @@ use stickler_types::{Setting, Value};
 pub(super) struct Settings<'a> {
     /// By scan, and for one scan in the order of the request.
     list: Vec<ResolvedSetting<'a>>,
-    /// How many have been applied.
+    /// The number of settings that have been applied.
     applied: usize,
 }
 

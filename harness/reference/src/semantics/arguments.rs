@@ -1,4 +1,4 @@
-//! Which argument of a call is for which parameter, of functions and function blocks that the text declares.
+//! Binds the arguments of a call to parameters, of functions and function blocks that the text declares.
 //!
 //! Basis: ironplc-problem-codes: P4001 to P4004, P4018, P4023, P4024. Arguments by position are as many as there
 //! are parameters; by name, inputs may be left out, VAR_IN_OUT may not.

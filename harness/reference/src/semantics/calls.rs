@@ -11,7 +11,7 @@ use crate::instruction::{Instruction, StandardFunction};
 use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, Folded, Name, PouKind};
 use stickler_types::{Code, ElementaryType};
 
-/// What a call calls.
+/// The callee of a call.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Callee {
     /// An instance of a function block.
@@ -31,7 +31,7 @@ pub(super) enum Callee {
 }
 
 impl<'m> Lowering<'m> {
-    /// What an expression calls. A function of the text hides a standard one of the same name.
+    /// Finds what an expression calls. A function of the text hides a standard one of the same name.
     ///
     /// Basis: stickler-design: §3.1 (where acceptance is open the reference accepts).
     pub(super) fn callee(&mut self, id: ExpressionId) -> Callee {

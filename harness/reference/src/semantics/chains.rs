@@ -49,7 +49,7 @@ impl Lowering<'_> {
         value
     }
 
-    /// What an operator does; `None`, and a diagnostic, where it is not defined.
+    /// Returns the operation of an operator; `None`, and a diagnostic, where it is not defined.
     fn operation(
         &mut self,
         node: ExpressionId,
@@ -114,7 +114,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// What integer arithmetic makes of two constants that have just been pushed, one of them at least the
+    /// Computes integer arithmetic on two constants that have just been pushed, one of them at least the
     /// result of a conversion function. Where it does not fit the type that is no error: the machine does what
     /// it does with variables.
     ///

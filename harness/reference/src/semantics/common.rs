@@ -1,4 +1,4 @@
-//! What values of different types have in common.
+//! The types that values of different types have in common.
 //!
 //! Basis: stickler-design: §8 (if one converts implicitly to the other, it does; no third type is sought; an
 //! untyped literal takes the other's type).
@@ -92,7 +92,7 @@ impl Rules<'_> {
         }
     }
 
-    /// The same for two known types.
+    /// Returns the type that two values of known types take.
     pub(super) fn common_of_known(self, left: TypeId, right: TypeId) -> Option<TypeId> {
         if left == right {
             return Some(left);

@@ -8,9 +8,9 @@ use stickler_types::{Code, ElementaryType};
 /// The value of a constant of an elementary type.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum ConstantValue {
-    /// Its type and raw form.
+    /// The type and raw form.
     Plain(ElementaryType, u64),
-    /// Its type and code units.
+    /// The type and code units of a text.
     Text(ElementaryType, Arc<[u16]>),
 }
 
@@ -41,7 +41,7 @@ impl ConstantValue {
     }
 }
 
-/// What a name, or an initial value, means in a constant expression.
+/// The meaning of a name, or of an initial value, in a constant expression.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum Constant {
     /// A constant with this value; of a text a short one, lest each use of a long one cost much.

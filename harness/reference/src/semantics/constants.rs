@@ -1,4 +1,4 @@
-//! Constant expressions: what may stand in one, and the value that it has.
+//! Constant expressions: their operands and their values.
 //!
 //! Limits of arrays and subranges, lengths of texts, numbers of enumerated values and repetitions take numbers of
 //! any size, so there operators compute with exact numbers. Where types count, in an initial value and in the

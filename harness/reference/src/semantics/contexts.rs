@@ -1,4 +1,4 @@
-//! THE place that says whether a value may stand where a type is expected.
+//! Decides whether a value may stand where a type is expected: the one place that does.
 
 use super::inferred::Inferred;
 use super::types::{Kind, TypeId, TypeTable};
@@ -6,12 +6,12 @@ use crate::conversion::implicit;
 use crate::dialect::Dialect;
 use stickler_types::{Code, ElementaryType};
 
-/// Where a value stands.
+/// The place in a program where a value stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Context {
     /// The right side of `:=` in a statement.
     Assignment,
-    /// The same where the value is nothing but a call.
+    /// The right side of `:=` in a statement, where it is nothing but a call.
     CallResult,
     /// An initial value, an array element or a structure element in one.
     Initializer,
@@ -61,12 +61,12 @@ impl Context {
     }
 }
 
-/// Whether a value fits.
+/// The answer to whether a value fits.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Fit {
-    /// It does, by an implicit conversion where the types differ, or by taking the type that is expected.
+    /// The value fits, by an implicit conversion where the types differ, or by taking the type that is expected.
     Yes,
-    /// It does not.
+    /// The value does not fit.
     No,
     /// Something has been said already, about the value or about the type that is expected.
     Silent,

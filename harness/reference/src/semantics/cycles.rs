@@ -1,6 +1,6 @@
 //! Cycles in a graph, found without recursion: types that contain themselves, functions that call themselves.
 
-/// How many members of a cycle are told; a long chain may hold as many long cycles as it has nodes.
+/// The most members of a cycle that are named; a long chain may hold as many long cycles as it has nodes.
 const SHOWN: usize = 50;
 
 /// Walks a graph depth first, from each node in turn, and tells of two things as it meets them.
@@ -48,7 +48,7 @@ pub(super) fn walk<N: Copy>(
     }
 }
 
-/// What a walk meets.
+/// An event of a walk.
 #[derive(Debug)]
 pub(super) enum Event<N> {
     /// A node, all that it needs having been met before, save what closes a cycle.

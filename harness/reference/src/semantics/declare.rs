@@ -20,7 +20,7 @@ use stickler_types::Code;
 pub(super) struct Declarer<'u, 'r> {
     pub(super) model: Model<'u>,
     pub(super) reporter: &'r mut Reporter,
-    /// What is ordered by need: types and function blocks.
+    /// The declarations that are ordered by need: types and function blocks.
     pub(super) nodes: Vec<TypeNode<'u>>,
     /// The sections of global variables.
     pub(super) global_blocks: Vec<&'u VariableBlock<'u>>,
@@ -31,9 +31,9 @@ pub(super) struct Declarer<'u, 'r> {
     pub(super) deferred: Vec<Deferred<'u>>,
     /// A type of a later edition has been met.
     pub(super) later: bool,
-    /// Where constant expressions are lowered: the inferred types of expressions.
+    /// Room for the inferred types of constant expressions, which are lowered one by one.
     pub(super) inferred: Vec<Inferred>,
-    /// How many more messages may look for a similar name, which takes time.
+    /// The number of messages that may still look for a similar name, which takes time.
     pub(super) guesses: u32,
 }
 
@@ -45,7 +45,7 @@ pub(super) struct TypeNode<'u> {
     pub(super) id: Option<TypeId>,
 }
 
-/// What a node of the order is.
+/// The declaration of a node.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Declared<'u> {
     Type(&'u TypeDeclaration<'u>),
@@ -211,7 +211,7 @@ impl<'u> Declarer<'u, '_> {
         }
     }
 
-    /// Which programs run: those of the configurations, or else the one called `main`, or else the first.
+    /// Chooses the programs that run: those of the configurations, or else the one called `main`, or else the first.
     fn choose_instances(&mut self) {
         if self
             .configurations

@@ -1,4 +1,4 @@
-//! Where code is put together, routine after routine.
+//! Puts code together, routine after routine.
 
 use crate::conversion::{Concatenation, Conversion};
 use crate::instruction::{Instruction, Label, Program, RoutineId};
@@ -15,7 +15,7 @@ pub(super) struct Emitter {
     known_texts: FxHashMap<Box<[u16]>, u32>,
 }
 
-/// Up to so many code units a text is copied without a thought.
+/// The most code units of a text that is copied freely.
 pub(super) const SHORT_TEXT: usize = 255;
 
 /// A jump whose destination is not known yet.
@@ -102,7 +102,7 @@ impl Emitter {
         }
     }
 
-    /// The same where the constant is a text. A long one that stays a text is left to the machine, lest the
+    /// Adds a conversion of a text constant. A long one that stays a text is left to the machine, lest the
     /// program hold many of them.
     fn convert_text(&mut self, text: u32, conversion: Conversion) {
         let units = &self.text_constants[text as usize];
@@ -158,7 +158,7 @@ impl Emitter {
         self.emit(by);
     }
 
-    /// Where the next instruction will stand.
+    /// Returns the label of the next instruction.
     pub(super) fn position(&self) -> Label {
         u32::try_from(self.code.len()).unwrap_or(u32::MAX)
     }

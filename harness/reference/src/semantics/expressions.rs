@@ -209,7 +209,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Where an enumeration is expected and a lone unknown name stands, that is a value which it does not have.
+    /// Reports a lone unknown name where an enumeration is expected as a value that the enumeration does not have.
     fn reports_unknown_value(&mut self, id: ExpressionId, target: TypeId) -> bool {
         let Kind::Enumeration(enumeration) = self.model.types.kind(target) else {
             return false;

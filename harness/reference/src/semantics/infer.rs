@@ -171,7 +171,7 @@ pub(super) fn defined(operator: UnaryOperator, operand: Inferred) -> bool {
     }
 }
 
-/// The same for a type.
+/// Whether a prefix operator is defined for a type.
 pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType) -> bool {
     match operator {
         UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),

@@ -3,7 +3,7 @@
 use super::types::TypeId;
 use stickler_types::ElementaryType;
 
-/// What is known of an expression's type.
+/// The knowledge of an expression's type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Inferred {
     /// Not looked at yet.

@@ -170,7 +170,7 @@ impl<'m> Lowering<'m> {
         matches!(self.model.types.kind(ty), Kind::Array(_))
     }
 
-    /// How often an element is repeated.
+    /// Returns how often an element is repeated.
     fn repetition(&mut self, element: &ArrayElement<'_>) -> u32 {
         let Some(id) = element.repetition else { return 1 };
         let Some(number) = self.constant_number(id) else {

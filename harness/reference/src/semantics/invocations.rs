@@ -17,7 +17,7 @@ use crate::source::Span;
 use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, VariableKind};
 use stickler_types::{Code, ElementaryType};
 
-/// What a cell that holds an address counts as.
+/// The type that a cell with an address counts as.
 const ADDRESS: TypeId = TypeId::of(ElementaryType::Ulint);
 
 impl<'m> Lowering<'m> {
@@ -96,7 +96,7 @@ impl<'m> Lowering<'m> {
         self.capture(&bound.captures, Some(location), span);
     }
 
-    /// Where a variable of the callee lies, for the caller; of a VAR_IN_OUT, the cell for the address.
+    /// Returns where a variable of the callee lies for the caller; of a VAR_IN_OUT, the cell for the address.
     fn outside(&mut self, variable: &Variable<'_>, instance: Option<Location>) -> Place {
         let (location, ty) = match (variable.storage, instance) {
             (Storage::Instance(offset), Some(base)) => (self.shifted(base, offset), variable.ty),

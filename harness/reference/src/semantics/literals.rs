@@ -19,11 +19,11 @@ use stickler_types::{Code, ElementaryType, Family, LiteralError, literal};
 pub(super) struct Signed<'u> {
     pub(super) literal: &'u Literal<'u>,
     pub(super) negative: bool,
-    /// Of the sign and the literal.
+    /// The span of the sign and the literal.
     pub(super) span: Span,
 }
 
-/// What a literal is read to.
+/// The value of a literal.
 pub(super) enum Read {
     /// A raw form.
     Plain(u64),

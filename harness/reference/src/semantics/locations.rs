@@ -1,4 +1,4 @@
-//! Where a variable lies, and the code that reads and writes it there.
+//! The locations of variables, and the code that reads and writes them there.
 
 use super::lowering::{Lowering, Value};
 use super::model::{Storage, Variable};
@@ -7,7 +7,7 @@ use crate::instruction::Instruction;
 use crate::source::Span;
 use stickler_types::ElementaryType;
 
-/// Where a value lies.
+/// The location of a value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Location {
     /// At an address.
@@ -30,7 +30,7 @@ pub(super) struct Place {
     pub(super) ty: TypeId,
     /// The bit that is selected.
     pub(super) bit: Option<u8>,
-    /// It belongs to a CONSTANT.
+    /// Whether it belongs to a CONSTANT.
     pub(super) constant: bool,
 }
 
@@ -52,7 +52,7 @@ impl Place {
 }
 
 impl Location {
-    /// Where a variable lies; of a VAR_IN_OUT, its argument.
+    /// Returns the location of a variable; of a VAR_IN_OUT, that of its argument.
     pub(super) fn of(storage: Storage) -> Location {
         match storage {
             Storage::Absolute(address) => Location::Absolute(address),
@@ -63,7 +63,7 @@ impl Location {
     }
 }
 
-/// How a value is stored: what kind of cells it takes.
+/// The kind of cells that a value takes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Cells {
     Plain,
@@ -169,7 +169,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// What must be on the stack before the value that is to be stored.
+    /// Puts on the stack what must lie below the value that is to be stored.
     pub(super) fn begin_store(&mut self, place: Place) {
         let known = matches!(place.location, Location::Absolute(_));
         match self.cells(place.ty) {

@@ -17,7 +17,7 @@ use crate::syntax::tree::{Expression, ExpressionId, Folded, VariableKind};
 use rustc_hash::FxHashSet;
 use stickler_types::{Code, ElementaryType};
 
-/// What lowering works with.
+/// The state of lowering.
 pub(super) struct Lowering<'m> {
     pub(super) model: &'m Model<'m>,
     pub(super) reporter: &'m mut Reporter,
@@ -33,11 +33,11 @@ pub(super) struct Lowering<'m> {
     pub(super) constants_only: bool,
     /// The loops around the statement, the innermost last.
     pub(super) loops: Vec<Loop>,
-    /// Which POU calls which, with the first place where it does.
+    /// The calls of POUs, as pairs of caller and callee with the first place of each.
     pub(super) calls: Vec<(u32, u32, Span)>,
     /// The pairs in `calls`.
     pub(super) known_calls: FxHashSet<(u32, u32)>,
-    /// How many more messages may look for a similar name, which takes time.
+    /// The number of messages that may still look for a similar name, which takes time.
     pub(super) guesses: u32,
 }
 
@@ -67,7 +67,7 @@ impl Value {
 }
 
 impl<'m> Lowering<'m> {
-    /// Ready to lower.
+    /// Prepares lowering.
     pub(super) fn new(model: &'m Model<'m>, memory: Memory, reporter: &'m mut Reporter) -> Lowering<'m> {
         Lowering {
             model,

@@ -4,10 +4,10 @@ use super::types::{Kind, TypeId, TypeTable};
 use crate::instruction::TextCell;
 use crate::syntax::tree::VariableKind;
 
-/// How many cells one variable, and the whole program, may take.
+/// The most cells that one variable, and the whole program, may take.
 pub(super) const MAX_CELLS: u64 = 4 << 20;
 
-/// How many code units all text variables together may hold.
+/// The most code units that all text variables together may hold.
 pub(super) const MAX_TEXT: u64 = 32 << 20;
 
 /// The memory that has been given out.
@@ -20,7 +20,7 @@ pub(super) struct Memory {
 }
 
 impl Memory {
-    /// How many cells have been given out.
+    /// Returns the number of cells that have been given out.
     pub(super) fn cells(&self) -> u32 {
         u32::try_from(self.next).unwrap_or(u32::MAX)
     }

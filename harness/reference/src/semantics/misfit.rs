@@ -1,11 +1,11 @@
-//! How messages name values, and why a value does not fit where it stands.
+//! Messages about values that do not fit where they stand.
 
 use super::contexts::Context;
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeTable};
 use stickler_types::ElementaryType;
 
-/// How a message names what was inferred.
+/// Names an inferred type in a message.
 pub(super) fn describe(types: &TypeTable, inferred: Inferred) -> String {
     match inferred {
         Inferred::Known(ty) => types.name(ty),
@@ -18,7 +18,7 @@ pub(super) fn describe(types: &TypeTable, inferred: Inferred) -> String {
     }
 }
 
-/// Why a value does not fit where it stands.
+/// Says why a value does not fit where it stands.
 pub(super) fn misfit(types: &TypeTable, inferred: Inferred, target: TypeId, context: Context) -> String {
     let name = types.name(target);
     let value = describe(types, inferred);
@@ -30,7 +30,7 @@ pub(super) fn misfit(types: &TypeTable, inferred: Inferred, target: TypeId, cont
     }
 }
 
-/// Why a value is no argument of a function that takes several types as they come. A long list would hide the point.
+/// Says why a value is no argument of a function that takes several types as they come. A long list would hide the point.
 pub(super) fn misfit_of_any(types: &TypeTable, inferred: Inferred, allowed: &[ElementaryType]) -> String {
     let value = describe(types, inferred);
     let names: Vec<_> = allowed.iter().map(|ty| ty.name()).collect();

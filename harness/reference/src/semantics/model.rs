@@ -1,4 +1,4 @@
-//! What the declarations of a source text say: types, program organization units, variables and where they
+//! The model that declarations make: types, program organization units, variables and where they
 //! lie. It is made once, by `declare`, and only read while bodies are lowered.
 
 use super::constant::Constant;
@@ -46,7 +46,7 @@ impl<'u> Source<'u> {
     }
 }
 
-/// Everything that is declared.
+/// All declarations of a source text.
 #[derive(Debug)]
 pub(super) struct Model<'u> {
     pub(super) source: Source<'u>,
@@ -64,15 +64,15 @@ pub(super) struct Model<'u> {
     pub(super) enumerated: Scope<'u, EnumeratedName>,
     /// Routines that give the variables of a type their default value.
     pub(super) initial_values: Vec<Initial<'u>>,
-    /// Where initial values begin that are passed over, because their type needs a later edition.
+    /// The starts of initial values that are passed over because their type needs a later edition.
     pub(super) passed_over: FxHashSet<u32>,
     /// The program instances in the order in which they run.
     pub(super) instances: Vec<Instance<'u>>,
-    /// How many routines have been given out.
+    /// The number of routines that have been given out.
     pub(super) routines: RoutineId,
 }
 
-/// What a name at the top level stands for.
+/// The meaning of a name at the top level.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Definition {
     /// A type: an index into [`Model::declared_types`].
@@ -84,13 +84,13 @@ pub(super) enum Definition {
 /// A program organization unit.
 #[derive(Debug)]
 pub(super) struct PouEntry<'u> {
-    /// Its declaration.
+    /// The declaration.
     pub(super) pou: &'u Pou<'u>,
     /// The node of a function block in the order of types.
     pub(super) node: Option<usize>,
-    /// Its variables among [`Model::variables`].
+    /// The variables among [`Model::variables`].
     pub(super) variables: Range<u32>,
-    /// Its variables by name, the result of a function among them.
+    /// The variables by name, the result of a function among them.
     pub(super) scope: Scope<'u, u32>,
     /// The values of enumerations that are declared with its variables.
     pub(super) enumerated: Scope<'u, EnumeratedName>,
@@ -111,7 +111,7 @@ pub(super) struct PouEntry<'u> {
 }
 
 impl PouEntry<'_> {
-    /// Whether it is a function, whose variables lie in a frame of its own.
+    /// Whether the POU is a function, whose variables lie in a frame of its own.
     pub(super) fn is_function(&self) -> bool {
         self.pou.kind == PouKind::Function
     }
@@ -120,43 +120,43 @@ impl PouEntry<'_> {
 /// A variable.
 #[derive(Clone, Debug)]
 pub(super) struct Variable<'u> {
-    /// Its name.
+    /// The name.
     pub(super) name: Name<'u>,
-    /// Its declared type.
+    /// The declared type.
     pub(super) ty: TypeId,
-    /// Its section.
+    /// The section.
     pub(super) kind: VariableKind,
-    /// It is a CONSTANT.
+    /// Whether it is a CONSTANT.
     pub(super) constant: bool,
-    /// Where it lies.
+    /// The location.
     pub(super) storage: Storage,
-    /// Its initial value.
+    /// The initial value.
     pub(super) initializer: Option<&'u Initializer<'u>>,
-    /// It shares the initial value with a variable before it, which is not to be complained about twice.
+    /// Whether it shares the initial value with a variable before it, whose errors are not reported twice.
     pub(super) repeated: bool,
-    /// What its name means in a constant expression.
+    /// The meaning of its name in a constant expression.
     pub(super) value: Constant,
 }
 
-/// Where a variable lies.
+/// The location of a variable.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Storage {
     /// At an address.
     Absolute(u32),
     /// Behind the address of the instance.
     Instance(u32),
-    /// Where the cell at an address points (VAR_IN_OUT of a function).
+    /// The address in the cell at an address (VAR_IN_OUT of a function).
     AbsolutePointer(u32),
-    /// Where a cell of the instance points (VAR_IN_OUT of a function block).
+    /// The address in a cell of the instance (VAR_IN_OUT of a function block).
     InstancePointer(u32),
 }
 
 /// An enumerated value without its type's name in front.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum EnumeratedName {
-    /// One enumeration has it.
+    /// The value of one enumeration.
     One(TypeId, i64),
-    /// More than one has it.
+    /// The value of more than one enumeration.
     Several,
 }
 
@@ -169,25 +169,25 @@ pub(super) struct Initial<'u> {
     pub(super) pou: Option<u32>,
 }
 
-/// What the variables of a type begin with.
+/// The default value of the variables of a type.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum InitialValue<'u> {
     /// The elements of a structure, each its own.
     Structure(TypeId, &'u [VariableGroup<'u>]),
     /// Every element of an array the default of its type.
     Elements(TypeId),
-    /// What a declaration says; the type is the one that it gives a name, with that type's own default.
+    /// The value that a declaration writes; the type is the one that it gives a name, with that type's own default.
     Declared(TypeId, &'u Initializer<'u>),
 }
 
 /// A program that runs once a scan.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Instance<'u> {
-    /// Its name; where there is no CONFIGURATION, the program's own.
+    /// The name; where there is no CONFIGURATION, the program's own.
     pub(super) name: &'u str,
     /// The program.
     pub(super) pou: u32,
-    /// Where its variables lie.
+    /// The address of its variables.
     pub(super) base: u32,
 }
 

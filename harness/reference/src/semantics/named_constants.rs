@@ -1,4 +1,4 @@
-//! What the names of declared constants mean in constant expressions.
+//! The meanings of the names of declared constants in constant expressions.
 
 use super::constant::{Constant, ConstantValue};
 use super::declare::{Declared, Declarer};

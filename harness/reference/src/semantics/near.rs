@@ -1,9 +1,9 @@
-//! Which names are near another, for who mistyped one: by how many characters have to change.
+//! Finds names that are similar to a mistyped one, by the number of characters that have to change.
 
-/// Names that differ by more changes than this are not near.
+/// The most changes between similar names.
 pub(super) const MOST_CHANGES: usize = 2;
 
-/// A name that may be near another, and the letters in it.
+/// A name that may be similar to another, and the letters in it.
 #[derive(Clone, Copy)]
 pub(super) struct Candidate<'n> {
     /// The name.
@@ -12,7 +12,7 @@ pub(super) struct Candidate<'n> {
 }
 
 impl<'n> Candidate<'n> {
-    /// The name with what is to be known of it.
+    /// Prepares a name for comparison.
     pub(super) fn new(name: &'n str) -> Candidate<'n> {
         // Letters count without regard to case. That some digits share the bit of a letter hides no near name.
         let bit = |byte: &u8| 1_u64 << (byte.to_ascii_lowercase() & 63);
@@ -30,7 +30,7 @@ impl<'n> Candidate<'n> {
     }
 }
 
-/// How many characters must be changed, added, left out, or exchanged with their neighbour to make one name of
+/// Counts the characters that must be changed, added, left out, or exchanged with their neighbour to make one name of
 /// another; `None` where that is more than [`MOST_CHANGES`]. Case does not count.
 pub(super) fn distance(left: &str, right: &str) -> Option<usize> {
     // Of the table whose lines are the characters of one name and whose columns those of the other, only the places near its
@@ -86,7 +86,7 @@ mod tests {
     use super::{Candidate, MOST_CHANGES, distance};
     use crate::semantics::suggestion::STANDARD;
 
-    /// The same by trying every first step, in which a name is as long as it is.
+    /// Counts the changes by trying every first step, in which a name is as long as it is.
     fn by_trial(left: &[u8], right: &[u8], most: usize) -> Option<usize> {
         let ([one, rest @ ..], [other, others @ ..]) = (left, right) else {
             return Some(left.len() + right.len()).filter(|changes| *changes <= most);

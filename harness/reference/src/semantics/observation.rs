@@ -20,9 +20,9 @@ pub struct CheckedProgram {
 /// A variable that can be observed.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Observed {
-    /// Its cell.
+    /// The cell.
     pub address: u32,
-    /// Its type.
+    /// The type.
     pub ty: ObservedType,
 }
 
@@ -35,14 +35,14 @@ pub enum ObservedType {
     Text(ElementaryType),
     /// An enumeration.
     Enumerated {
-        /// Its name.
+        /// The name.
         type_name: String,
         /// The raw forms of its values, and their names.
         values: Vec<(i64, String)>,
     },
 }
 
-/// Where the variables of a checked program lie.
+/// The addresses of the variables of a checked program.
 #[derive(Debug)]
 pub(super) struct Directory {
     types: TypeTable,
@@ -52,7 +52,7 @@ pub(super) struct Directory {
 }
 
 impl Directory {
-    /// What is left of a model once its source text is gone.
+    /// Takes the addresses out of a model, whose source text may then go.
     pub(super) fn new(model: Model<'_>) -> Directory {
         let mut globals = Named::new();
         for variable in model

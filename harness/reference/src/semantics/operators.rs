@@ -1,4 +1,4 @@
-//! Which operators are defined for which operands, and what they give.
+//! The operand types for which operators are defined, and the types of their results.
 //!
 //! Basis: stickler-design: §8 (mixed operands: one converts to the other, or nothing; no third type is sought);
 //! iec-61131-3: the tables of the arithmetic, comparison, bitwise and time functions.
@@ -20,7 +20,7 @@ pub(super) struct Operation {
     pub(super) result: TypeId,
 }
 
-/// What an operator does.
+/// The action of an operator.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Action {
     Arithmetic(ArithmeticOperator, ElementaryType),
@@ -39,21 +39,21 @@ pub(super) enum Action {
     Logic(LogicOperator),
 }
 
-/// What an operator makes of its operands.
+/// The meaning of an operator for operands of certain types.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Signature {
     /// This operation.
     Defined(Operation),
     /// Both operands, or the base of a power, are untyped literals, and so is the result.
     Untyped(Inferred),
-    /// It is not defined for them.
+    /// The operator is not defined for them.
     Undefined,
     /// Something has been said already.
     Silent,
 }
 
 impl Rules<'_> {
-    /// What an operator makes of its operands.
+    /// Finds the meaning of an operator for its operands.
     pub(super) fn signature(self, operator: BinaryOperator, left: Inferred, right: Inferred) -> Signature {
         if let (Inferred::Error, _) | (_, Inferred::Error) = (left, right) {
             return Signature::Silent;

@@ -1,13 +1,13 @@
-//! Where the checker's diagnostics are collected.
+//! Collects the checker's diagnostics.
 
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use stickler_types::Code;
 
-/// More diagnostics than this help nobody, and a hostile source could ask for millions.
+/// The most diagnostics of one text: more help nobody, and a hostile source could ask for millions.
 const ENOUGH: usize = 20_000;
 
-/// Collects diagnostics, and can be told to look away while something is lowered once more.
+/// Collects diagnostics; can be muted while something is lowered once more.
 #[derive(Debug, Default)]
 pub(super) struct Reporter {
     diagnostics: Vec<Diagnostic>,
@@ -36,12 +36,12 @@ impl Reporter {
         }
     }
 
-    /// Looks away, or no longer; gives what was so before.
+    /// Mutes or unmutes; returns the state before.
     pub(super) fn mute(&mut self, muted: bool) -> bool {
         std::mem::replace(&mut self.muted, muted)
     }
 
-    /// Returns how many diagnostics have been reported so far, those that were not looked at included.
+    /// Returns how many diagnostics have been reported so far, the muted ones included.
     pub(super) fn reported(&self) -> usize {
         self.reported
     }
@@ -51,7 +51,7 @@ impl Reporter {
         self.diagnostics.is_empty()
     }
 
-    /// Everything that was reported, in the order in which it was.
+    /// Returns all diagnostics in the order in which they were reported.
     pub(super) fn finish(self) -> Vec<Diagnostic> {
         self.diagnostics
     }

@@ -128,7 +128,7 @@ impl<'m> Lowering<'m> {
         self.visible = u32::MAX;
     }
 
-    /// The same for a variable that has been used before.
+    /// Clears a variable that has been used before, and gives it its initial value.
     fn begin_anew(&mut self, index: u32) {
         let variable = self.model.variable(index);
         let location = Place::of(variable).location;

@@ -16,7 +16,7 @@ pub(super) struct Named<T> {
     index: FxHashMap<Box<str>, u32>,
 }
 
-/// How many names are still looked through one by one.
+/// The most names that are looked through one by one.
 const SHORT: usize = 12;
 
 impl<T> Named<T> {

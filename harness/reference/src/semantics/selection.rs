@@ -12,10 +12,10 @@ use crate::instruction::{ComparisonOperator, Instruction, LogicOperator};
 use crate::syntax::tree::{CaseBranch, CaseLabel, ExpressionId, Statement};
 use stickler_types::{Code, ElementaryType};
 
-/// What the labels are compared with.
+/// The selector, which labels are compared with.
 #[derive(Clone, Copy)]
 struct Selector {
-    /// Where it is kept.
+    /// The cell that keeps it.
     cell: u32,
     /// An integer type or an enumeration; [`TypeId::ERROR`] where it is neither.
     ty: TypeId,

@@ -1,4 +1,4 @@
-//! What a type that is written in a declaration means.
+//! Resolves the types that are written in declarations.
 
 use super::declare::Declarer;
 use super::memory::MAX_CELLS;
@@ -11,7 +11,7 @@ use crate::syntax::tree::{
 };
 use stickler_types::{Code, ElementaryType};
 
-/// How deep declared types may nest.
+/// The greatest depth of nested types.
 const MAX_DEPTH: u32 = 200;
 
 impl<'u> Declarer<'u, '_> {

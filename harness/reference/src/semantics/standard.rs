@@ -1,4 +1,4 @@
-//! The standard functions that are no conversions: what they take and what they give.
+//! The standard functions that are no conversions: their parameters and results.
 //!
 //! Basis: iec-61131-3: the tables of the numeric, bit shift, selection and string functions.
 
@@ -45,9 +45,9 @@ pub(super) fn standard_function(name: &str) -> Option<StandardFunction> {
 pub(super) struct Signature {
     /// The names of the first parameters.
     fixed: &'static [&'static str],
-    /// What any more parameters are called, before their number, and the first one's number.
+    /// The name of any more parameters, before their number, and the first one's number.
     more: Option<(&'static str, usize)>,
-    /// How many there must be at least.
+    /// The least number of arguments.
     least: usize,
 }
 
@@ -67,7 +67,7 @@ fn signature(function: StandardFunction) -> Signature {
 }
 
 impl Signature {
-    /// That of a function with these parameters and no others.
+    /// Describes a function with these parameters and no others.
     pub(super) const fn exactly(names: &'static [&'static str]) -> Signature {
         Signature {
             fixed: names,
@@ -92,7 +92,7 @@ impl Signature {
         }
     }
 
-    /// Which parameter a name is.
+    /// Returns the index of the parameter of a name.
     fn position(&self, name: &str) -> Option<usize> {
         let fixed = self
             .fixed

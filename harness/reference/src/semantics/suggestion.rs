@@ -1,4 +1,4 @@
-//! What a message suggests: the conversion that would make a value fit, a name that was perhaps meant.
+//! Suggestions in messages: the conversion that would make a value fit, a name that was perhaps meant.
 
 use super::contexts::Context;
 use super::inferred::Inferred;
@@ -13,7 +13,7 @@ use crate::syntax::tree::ExpressionId;
 use std::sync::LazyLock;
 use stickler_types::ElementaryType;
 
-/// No more names of the text than this are compared with one that is not known.
+/// The most names of the text that are compared with an unknown one.
 const CANDIDATES: usize = 2000;
 
 impl<'m> Lowering<'m> {
@@ -31,7 +31,7 @@ impl<'m> Lowering<'m> {
         self.report_misfit_as(id, inferred, target, context, message);
     }
 
-    /// The same for an argument that may be of any of several types, with the one that a suggestion converts to.
+    /// Reports an argument that is of none of the types that a parameter takes, with the one that a suggestion converts to.
     pub(super) fn report_misfit_of_any(
         &mut self,
         id: ExpressionId,
@@ -75,17 +75,17 @@ impl<'m> Lowering<'m> {
         (!hidden).then(|| format!("{name}({})", source.text_of(id)))
     }
 
-    /// How a message names what was inferred.
+    /// Names an inferred type in a message.
     pub(super) fn describe(&self, inferred: Inferred) -> String {
         describe(&self.model.types, inferred)
     }
 
-    /// The end of a message about a function that nobody declared.
+    /// Returns the end of a message about a function that nobody declared.
     pub(super) fn similar_function(&mut self, name: &str) -> String {
         similar_function(self.model, name, &mut self.guesses)
     }
 
-    /// The end of a message about a variable that nobody declared.
+    /// Returns the end of a message about a variable that nobody declared.
     pub(super) fn similar_variable(&mut self, name: &str) -> String {
         let local = self.entry().map(|entry| entry.scope.keys()).into_iter().flatten();
         let known = local
@@ -133,7 +133,7 @@ pub(super) static STANDARD: LazyLock<Vec<Candidate<'static>>> = LazyLock::new(||
     all
 });
 
-/// Those that a few changes can make as long as this.
+/// Returns the standard names that a few changes can make as long as this.
 fn standard_of_about(length: usize) -> &'static [Candidate<'static>] {
     let first = STANDARD.partition_point(|candidate| candidate.name.len() + MOST_CHANGES < length);
     let end = STANDARD.partition_point(|candidate| candidate.name.len() <= length + MOST_CHANGES);
@@ -175,7 +175,7 @@ fn similar<'n>(
     }
 }
 
-/// What the ForgeIEC page says instead of a rounding function.
+/// Returns the advice of the ForgeIEC page instead of a rounding function.
 ///
 /// Basis: forgeiec-conversion-functions: TRUNC vs. ROUND.
 fn rounding_idiom(name: &str) -> Option<&'static str> {

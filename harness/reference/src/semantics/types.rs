@@ -29,7 +29,7 @@ impl TypeId {
     }
 }
 
-/// What a type is.
+/// The kind of a type.
 #[derive(Debug)]
 pub(super) enum Kind {
     /// Nothing is known about it.
@@ -66,7 +66,7 @@ pub(super) struct Subrange {
 /// The values of an enumeration.
 #[derive(Debug)]
 pub(super) struct Enumeration {
-    /// Its name, or the name of the variable that it is declared with.
+    /// The name, or the name of the variable that it is declared with.
     pub(super) name: Box<str>,
     /// The values and their numbers.
     pub(super) values: Named<i64>,
@@ -79,7 +79,7 @@ pub(super) struct ArrayShape {
     pub(super) element: TypeId,
     /// The dimensions, the first varying slowest.
     pub(super) dimensions: Box<[Dimension]>,
-    /// How many elements there are.
+    /// The number of elements.
     pub(super) length: u32,
 }
 
@@ -90,12 +90,12 @@ pub(super) struct Dimension {
     pub(super) low: i64,
     /// The highest subscript.
     pub(super) high: i64,
-    /// How many cells lie between neighbours.
+    /// The number of cells from one element to the next.
     pub(super) stride: u32,
 }
 
 impl Dimension {
-    /// How many subscripts there are. Arrays are bounded, so 32 bits suffice.
+    /// Returns the number of subscripts. Arrays are bounded, so 32 bits suffice.
     pub(super) fn length(self) -> u32 {
         u32::try_from(self.high.wrapping_sub(self.low).wrapping_add(1)).unwrap_or(0)
     }
@@ -104,7 +104,7 @@ impl Dimension {
 /// The elements of a structure, or the variables of a function block or program.
 #[derive(Debug)]
 pub(super) struct Structure {
-    /// Its name.
+    /// The name.
     pub(super) name: Box<str>,
     /// The index of the function block among the POUs; without meaning for a structure.
     pub(super) pou: u32,
@@ -115,18 +115,18 @@ pub(super) struct Structure {
 /// An element of a structure, or a variable of a function block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Member {
-    /// Its declared type.
+    /// The declared type.
     pub(super) ty: TypeId,
-    /// Where its cells begin, from those of the whole.
+    /// The offset of its cells from those of the whole.
     pub(super) offset: u32,
-    /// Which section it is declared in; a structure's elements count as VAR.
+    /// The section that it is declared in; a structure's elements count as VAR.
     pub(super) kind: VariableKind,
-    /// It is a CONSTANT.
+    /// Whether it is a CONSTANT.
     pub(super) constant: bool,
 }
 
 impl Kind {
-    /// What `x.name` reaches in a variable of this type: any element of a structure, and of a function block its
+    /// Returns the member that `x.name` reaches in a variable of this type: any element of a structure, and of a function block its
     /// inputs and outputs; its other variables are its own.
     ///
     /// Basis: iec-61131-3: 2.5.2 of the second edition (only inputs and outputs are accessible from outside).
@@ -149,7 +149,7 @@ pub(super) enum DefaultValue {
     Zero,
     /// This raw form.
     Constant(u64),
-    /// What this routine makes, run on the variable as its instance.
+    /// The value that this routine makes, run on the variable as its instance.
     Routine(RoutineId),
 }
 
@@ -164,14 +164,14 @@ struct Entry {
     name: Option<Box<str>>,
 }
 
-/// What a value of a type takes.
+/// The room that a value of a type takes, and its default.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extent {
-    /// How many cells a value takes.
+    /// The number of cells that a value takes.
     pub(super) size: u32,
-    /// How many code units its texts may have in all.
+    /// The most code units that its texts may have in all.
     pub(super) text_units: u64,
-    /// How deep types nest in it.
+    /// The depth of the types nested in it.
     pub(super) depth: u32,
     /// A function block is part of it.
     pub(super) has_block: bool,
@@ -196,7 +196,7 @@ pub(super) const DEFAULT_CAPACITY: u32 = 254;
 /// Every type of a source text.
 #[derive(Debug)]
 pub(super) struct TypeTable {
-    /// Those that are declared; before them come the [`BUILT_IN`].
+    /// The declared types; before them come the [`BUILT_IN`].
     declared: Vec<Entry>,
     texts: FxHashMap<(ElementaryType, u32), TypeId>,
     subranges: FxHashMap<Subrange, TypeId>,
@@ -324,7 +324,7 @@ impl TypeTable {
             .unwrap_or(&BUILT_IN[TypeId::ERROR.0 as usize])
     }
 
-    /// What a type in the end is: never an alias.
+    /// Returns what a type in the end is: never an alias.
     pub(super) fn kind(&self, id: TypeId) -> &Kind {
         &self.entry(self.entry(id).root).kind
     }
@@ -347,12 +347,12 @@ impl TypeTable {
         }
     }
 
-    /// What a value of the type takes.
+    /// Returns the room that a value of the type takes, and its default.
     pub(super) fn extent(&self, id: TypeId) -> &Extent {
         &self.entry(id).extent
     }
 
-    /// How a message names a type.
+    /// Names a type in a message.
     pub(super) fn name(&self, id: TypeId) -> String {
         let entry = self.entry(id);
         if let Some(name) = &entry.name {

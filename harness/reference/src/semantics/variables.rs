@@ -60,7 +60,7 @@ impl<'u> Declarer<'u, '_> {
         }
     }
 
-    /// What the rules say about a whole group at once.
+    /// Checks what concerns a whole group at once.
     pub(super) fn check_group(
         &mut self,
         pou: PouKind,

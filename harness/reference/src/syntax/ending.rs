@@ -1,4 +1,4 @@
-//! Where a source text ends for a person: at its last token.
+//! Finds the last token of a source text, where it ends for a person.
 
 use super::lexer;
 use crate::dialect::Dialect;

@@ -1,4 +1,4 @@
-//! Which words are keywords: one probe of a table whose hash is free of collisions, without allocation.
+//! Recognizes keywords: one probe of a table whose hash is free of collisions, without allocation.
 
 use super::token::{TokenKind, keywords};
 

@@ -5,21 +5,21 @@ use crate::source::Span;
 /// A token: its kind and where it stands. Its text is a slice of the source.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Token {
-    /// What it is.
+    /// The kind.
     pub(super) kind: TokenKind,
-    /// Where it stands.
+    /// The place in the text.
     pub(super) span: Span,
 }
 
 macro_rules! token_kinds {
     ($($group:literal { $($kind:ident = $text:literal,)* })*) => {
-        /// What a token is. Keywords are those of every edition; the words of constructs that are not
+        /// The kind of a token. Keywords are those of every edition; the words of constructs that are not
         /// implemented are names to the lexer, so that `step` or `class` can name a variable.
         #[derive(Clone, Copy, PartialEq, Eq, Debug)]
         pub(super) enum TokenKind { $($(#[doc = concat!($group, ": `", $text, "`")] $kind,)*)* }
 
         impl TokenKind {
-            /// How the kind is spelled, or what it is called where its text differs.
+            /// Returns the spelling of the kind, or what it is called where its text differs.
             pub(super) const fn text(self) -> &'static str {
                 match self { $($(TokenKind::$kind => $text,)*)* }
             }

@@ -2,7 +2,7 @@
 
 use crate::syntax::token::TokenKind;
 
-/// What a byte begins.
+/// The kind of token that a byte begins.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Class {
     /// Whitespace: space, tab, line feed, carriage return, form feed.

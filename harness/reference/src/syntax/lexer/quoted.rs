@@ -5,7 +5,7 @@ use crate::source::Span;
 use crate::syntax::token::TokenKind;
 use stickler_types::Code;
 
-/// How a quoted text ended.
+/// The end of a quoted text.
 pub(super) enum Quoted {
     /// With its quote.
     Closed,

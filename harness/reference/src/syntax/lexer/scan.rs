@@ -26,13 +26,13 @@ pub(in crate::syntax) struct Lexer<'s, 'd> {
     pub(super) dialect: &'d Dialect,
     /// The tokens that have been read and not been dropped.
     pub(in crate::syntax) tokens: Vec<Token>,
-    /// What is wrong so far; the parser adds to it.
+    /// The diagnostics so far; the parser adds to them.
     pub(in crate::syntax) diagnostics: Diagnostics,
     /// The text did not end where it seems to: a comment ran to its end, or a limit was met.
     pub(in crate::syntax) truncated: bool,
     /// The token at the end has been given.
     ended: bool,
-    /// How many tokens have been dropped.
+    /// The number of tokens that have been dropped.
     dropped: usize,
 }
 

@@ -1,4 +1,4 @@
-//! What stands between tokens: comments and pragmas.
+//! Comments and pragmas, which stand between tokens.
 
 use super::scan::Lexer;
 use crate::source::Span;
@@ -78,7 +78,7 @@ impl Lexer<'_, '_> {
         }
     }
 
-    /// The same for comments that nest; they are counted, so that any depth does.
+    /// Skips a comment where comments nest; they are counted, so that any depth does.
     fn skip_nested(&mut self, opening: &[u8; 2], closing: &[u8; 2]) -> bool {
         let mut depth = 1_usize;
         while depth > 0 {

@@ -8,7 +8,7 @@ use crate::syntax::token::TokenKind;
 use stickler_types::literal::{date, date_and_time, duration, time_of_day};
 use stickler_types::{ElementaryType, Family, LiteralError};
 
-/// What may stand behind a prefix.
+/// The kind of text that may stand behind a prefix.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Prefix {
     Number,

@@ -13,7 +13,7 @@ impl<'s> Parser<'s, '_> {
         mistaken || kind == TokenKind::End || self.blocks.iter().rev().any(|block| block.awaits(kind))
     }
 
-    /// What stands here was meant for an end that the innermost block may have.
+    /// Whether the next tokens were meant for an end that an open block waits for.
     pub(super) fn at_misspelt_end(&self) -> bool {
         self.misspelt_end()
             .is_some_and(|(meant, _)| self.is_awaited(meant))
@@ -119,7 +119,7 @@ impl<'s> Parser<'s, '_> {
         })
     }
 
-    /// What `production` gives, and the keyword behind it; or where the error stands.
+    /// Returns what `production` gives, and the keyword behind it; or where the error stands.
     fn header_of<T>(
         &mut self,
         closer: TokenKind,

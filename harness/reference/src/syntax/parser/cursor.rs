@@ -6,13 +6,13 @@ use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::tree::Name;
 
-/// How many tokens the lexer reads at a time.
+/// The number of tokens that the lexer reads at a time.
 const CHUNK: usize = 512;
 
-/// How far ahead a production may look.
+/// The number of tokens that a production may look ahead.
 const AHEAD: usize = 16;
 
-/// How many tokens are kept behind the next one.
+/// The number of tokens that are kept behind the next one.
 const BEHIND: usize = 4;
 
 impl<'s> Parser<'s, '_> {
@@ -42,7 +42,7 @@ impl<'s> Parser<'s, '_> {
         self.current
     }
 
-    /// How many tokens have been read.
+    /// Returns the number of tokens that have been read.
     #[inline]
     pub(super) fn position(&self) -> usize {
         self.dropped + self.index

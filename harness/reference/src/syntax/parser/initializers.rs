@@ -5,7 +5,7 @@ use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{ArrayElement, Initializer, InitializerKind, Name};
 
 impl<'s> Parser<'s, '_> {
-    /// What stands behind `:=` in a declaration.
+    /// Reads the initial value behind `:=` in a declaration.
     pub(super) fn initializer(&mut self) -> Parsed<Initializer<'s>> {
         let start = self.token().span;
         let kind = match self.kind() {

@@ -1,9 +1,9 @@
-//! What the parser has open: blocks that wait for their ends, and operators that wait for operands.
+//! The open constructs of the parser: blocks that wait for their ends, and operators that wait for operands.
 
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{BinaryOperator, ExpressionId};
 
-/// What is open, and which keywords it waits for.
+/// An open block, which waits for certain keywords.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Block {
     Pou,

@@ -65,7 +65,7 @@ impl Parser<'_, '_> {
     }
 }
 
-/// Which form `text` has, and the number in it; `u64::MAX` for one that is larger.
+/// Returns the form that `text` has, and the number in it; `u64::MAX` for one that is larger.
 fn form_and_index(kind: TokenKind, text: &str) -> (Form, u64) {
     let form = match text.as_bytes().get(1).map(u8::to_ascii_uppercase) {
         _ if kind == TokenKind::Integer => Form::Short,

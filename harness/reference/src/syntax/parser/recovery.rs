@@ -1,4 +1,4 @@
-//! Where reading goes on after an error. Everything here moves forward only, and none of it recurses.
+//! Recovery: finds where reading goes on after an error. Everything here moves forward only, and none of it recurses.
 
 use super::state::{Broken, Parsed, Parser};
 use crate::syntax::token::TokenKind;

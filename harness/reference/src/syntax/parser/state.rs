@@ -1,4 +1,4 @@
-//! What every production leans on: the tokens, the arena, the limits, and the one way to report an error.
+//! The state that every production uses: the tokens, the arena, the limits, and the one way to report an error.
 
 use super::open::{Block, Pending};
 use crate::diagnostic::Diagnostic;
@@ -9,21 +9,21 @@ use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::tree::{Expression, ExpressionId, ExpressionKind, SourceUnit, VariableBlock};
 use stickler_types::Code;
 
-/// How deep parentheses, subscripts, calls, prefix operators, statements, types and initial values may stand in
+/// The greatest depth of parentheses, subscripts, calls, prefix operators, statements, types and initial values in
 /// one another; anything deeper is diagnosed with S0002.
 ///
 /// Basis: a decision of the design (depth, size and step limits turn hostile input into a diagnostic).
 pub const NESTING_LIMIT: usize = 200;
 
-/// How deep an expression's tree may be, the left operands of infix operators not counted. It is more than
+/// The greatest depth of an expression's tree, the left operands of infix operators not counted. It is more than
 /// [`NESTING_LIMIT`] because suffixes and right operands make a tree deeper without nesting what is written.
 pub(super) const HEIGHT_LIMIT: u32 = NESTING_LIMIT as u32 * 3 / 2;
 
-/// What was being read is not there; the diagnostic about it has been given.
+/// The error of a production that did not find what it reads; the diagnostic about it has been given.
 #[derive(Debug)]
 pub(super) struct Broken;
 
-/// What a production gives.
+/// The result of a production.
 pub(super) type Parsed<T> = Result<T, Broken>;
 
 /// Reads `text` by the rules of `dialect`.
@@ -48,16 +48,16 @@ pub(super) struct Parser<'s, 'd> {
     pub(super) lexer: Lexer<'s, 'd>,
     /// The next token.
     pub(super) current: Token,
-    /// Its place among the lexer's tokens.
+    /// The index of the next token among the lexer's tokens.
     pub(super) index: usize,
-    /// How many tokens have been dropped before those.
+    /// The number of tokens that have been dropped before those.
     pub(super) dropped: usize,
     pub(super) expressions: Vec<Expression<'s>>,
     /// Operators that wait for their right operand, of all expressions that are being read.
     pub(super) pending: Vec<Pending>,
     /// The height of the expression that was read last.
     pub(super) height: u32,
-    /// How many brackets the statement or declaration that is being read has open.
+    /// The number of brackets that the statement or declaration has open that is being read.
     pub(super) open: usize,
     /// The statements and POUs that are open.
     pub(super) blocks: Vec<Block>,
@@ -110,7 +110,7 @@ impl<'s, 'd> Parser<'s, 'd> {
         id
     }
 
-    /// Where an expression stands.
+    /// Returns the span of an expression.
     #[inline]
     pub(super) fn span_of(&self, id: ExpressionId) -> Span {
         self.expressions
@@ -149,7 +149,7 @@ impl<'s, 'd> Parser<'s, 'd> {
         Broken
     }
 
-    /// Keeps silent about the next token, whatever is expected in its place.
+    /// Suppresses errors at the next token, whatever is expected in its place.
     pub(super) fn hush(&mut self) {
         self.reported = Some(self.position());
     }
@@ -172,7 +172,7 @@ impl<'s, 'd> Parser<'s, 'd> {
         self.expected_at(span, what)
     }
 
-    /// The same about something that belongs to what stands before it: where the next token is on another line,
+    /// Reports that something is missing that belongs to what stands before it: where the next token is on another line,
     /// the place is behind the previous one.
     #[cold]
     pub(super) fn missing(&mut self, what: &str) -> Broken {
@@ -183,7 +183,7 @@ impl<'s, 'd> Parser<'s, 'd> {
         }
     }
 
-    /// The same at a place of the caller's choice.
+    /// Reports at a place of the caller's choice that `what` does not stand where the next token does.
     #[cold]
     pub(super) fn expected_at(&mut self, span: Span, what: &str) -> Broken {
         let (kind, word) = (self.kind(), self.word());

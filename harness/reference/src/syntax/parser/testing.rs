@@ -1,4 +1,4 @@
-//! What the tests beside the productions share.
+//! Helpers of the tests beside the productions.
 
 use super::parse;
 use crate::dialect::Dialect;
@@ -23,7 +23,7 @@ pub(super) fn errors(text: &str) -> Vec<String> {
     diagnostics.iter().map(show).collect()
 }
 
-/// The same of the body of a program that begins on the first line; columns count from the body.
+/// Returns the errors of the body of a program that begins on the first line; columns count from the body.
 pub(super) fn body_errors(body: &str) -> Vec<String> {
     let text = format!("PROGRAM p\n{body}\nEND_PROGRAM");
     let shift = |error: &String| {

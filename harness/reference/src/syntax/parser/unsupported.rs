@@ -1,4 +1,4 @@
-//! What belongs to the standard, or to what is often taken for it, and is not implemented: each construct is
+//! Constructs of the standard, or of what is often taken for it, that are not implemented: each construct is
 //! named in one diagnostic, and reading goes on behind it. The words are no keywords here, so that they remain
 //! names where they cannot begin the construct.
 
@@ -199,7 +199,7 @@ impl<'s> Parser<'s, '_> {
         Ok(true)
     }
 
-    /// What begins with a name, stands where a statement is expected, and is none: an instruction list, an element
+    /// Recognizes what begins with a name, stands where a statement is expected, and is none: an instruction list, an element
     /// of a chart, a method, a jump or a label.
     pub(super) fn unsupported_statement(&mut self) -> Parsed<()> {
         let next = self.nth(1);

@@ -89,7 +89,7 @@ impl<'u, 's> Writer<'u, 's> {
         self.line("END_TYPE");
     }
 
-    /// What stands behind the name in a declaration.
+    /// Writes the type and the initial value behind the name in a declaration.
     fn declared(
         &mut self,
         specification: &'u TypeSpecification<'s>,

@@ -1,4 +1,4 @@
-//! How the declarations of a text spell its names, found without checking types: enough is known of the shape of
+//! Spells names as the declarations of a text do, found without checking types: enough is known of the shape of
 //! variables to spell fields too.
 
 use crate::syntax::tree::{
@@ -7,22 +7,22 @@ use crate::syntax::tree::{
 };
 use rustc_hash::FxHashMap;
 
-/// What is known of a name or of an expression.
+/// The knowledge of the type of a name or of an expression.
 #[derive(Clone, Copy, Default)]
 pub(super) enum Shape<'u, 's> {
     /// Nothing.
     #[default]
     Unknown,
-    /// It is a variable of this type.
+    /// A variable of this type.
     Typed(&'u TypeSpecification<'s>),
-    /// It is a POU, or a variable that is an instance of one.
+    /// A POU, or a variable that is an instance of one.
     Pou(&'u Pou<'s>),
 }
 
 /// A declaration: its spelling, and what is declared.
 type Entry<'u, 's> = (&'s str, Shape<'u, 's>);
 
-/// How many aliases are followed; a cycle of them is no type.
+/// The most aliases that are followed; a cycle of them is no type.
 const ALIASES: usize = 64;
 
 /// The declarations of a text.
@@ -175,7 +175,7 @@ impl<'u, 's> Names<'u, 's> {
             .map_or(name, |(spelling, _)| *spelling)
     }
 
-    /// What the names of types stand for in the end.
+    /// Returns the types that names of types stand for in the end.
     fn resolve(&self, mut shape: Shape<'u, 's>) -> Shape<'u, 's> {
         for _ in 0..ALIASES {
             let Shape::Typed(TypeSpecification {

@@ -35,7 +35,7 @@ pub(super) struct Writer<'u, 's> {
     pub(super) indent: usize,
     /// Between brackets, where no spaces are written.
     pub(super) dense: bool,
-    /// Where the POU stands whose variables are in scope.
+    /// The start of the POU whose variables are in scope.
     pub(super) pou: Option<u32>,
 }
 

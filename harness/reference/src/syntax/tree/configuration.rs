@@ -7,7 +7,7 @@ use crate::source::Span;
 /// instance once a scan, so of a task only the name is kept.
 #[derive(Debug)]
 pub struct Configuration<'s> {
-    /// Its name.
+    /// The name.
     pub name: Name<'s>,
     /// VAR_GLOBAL sections of the configuration and of its resources.
     pub globals: Vec<VariableBlock<'s>>,
@@ -31,7 +31,7 @@ pub struct Resource<'s> {
 /// A task.
 #[derive(PartialEq, Debug)]
 pub struct Task<'s> {
-    /// Its name.
+    /// The name.
     pub name: Name<'s>,
     /// INTERVAL, PRIORITY, SINGLE and their values.
     pub properties: Vec<(Name<'s>, ExpressionId)>,

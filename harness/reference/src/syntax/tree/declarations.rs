@@ -32,7 +32,7 @@ pub enum PouKind {
 pub struct Pou<'s> {
     /// PROGRAM, FUNCTION or FUNCTION_BLOCK.
     pub kind: PouKind,
-    /// Its name.
+    /// The name.
     pub name: Name<'s>,
     /// The result type of a function; `None` for other kinds, and for a function without a result.
     pub result: Option<TypeSpecification<'s>>,
@@ -46,7 +46,7 @@ pub struct Pou<'s> {
     pub end: Span,
 }
 
-/// Which section a variable is declared in.
+/// The section that a variable is declared in.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum VariableKind {
     /// VAR.
@@ -68,7 +68,7 @@ pub enum VariableKind {
 /// One variable section, VAR … END_VAR.
 #[derive(Debug)]
 pub struct VariableBlock<'s> {
-    /// Which section it is.
+    /// The kind of section.
     pub kind: VariableKind,
     /// CONSTANT stands behind the section's keyword.
     pub constant: bool,
@@ -96,7 +96,7 @@ pub struct VariableGroup<'s> {
 pub struct TypeDeclaration<'s> {
     /// The new type's name.
     pub name: Name<'s>,
-    /// What it stands for.
+    /// The type that it stands for.
     pub specification: TypeSpecification<'s>,
     /// The default initial value.
     pub initializer: Option<Initializer<'s>>,
@@ -105,9 +105,9 @@ pub struct TypeDeclaration<'s> {
 /// A type as written in a declaration.
 #[derive(Debug)]
 pub struct TypeSpecification<'s> {
-    /// What is written.
+    /// The form.
     pub kind: TypeSpecificationKind<'s>,
-    /// Where it stands.
+    /// The place in the text.
     pub span: Span,
 }
 
@@ -146,7 +146,7 @@ pub enum TypeSpecificationKind<'s> {
     },
     /// `STRUCT … END_STRUCT`.
     Structure(Vec<VariableGroup<'s>>),
-    /// Where the text could not be read, or names something that is not implemented; a diagnostic has been
+    /// A type that could not be read, or that names something that is not implemented; a diagnostic has been
     /// given, and nothing more is said about what is declared with it.
     Error,
 }
@@ -154,9 +154,9 @@ pub enum TypeSpecificationKind<'s> {
 /// An initial value.
 #[derive(Debug)]
 pub struct Initializer<'s> {
-    /// What is written.
+    /// The form.
     pub kind: InitializerKind<'s>,
-    /// Where it stands.
+    /// The place in the text.
     pub span: Span,
 }
 

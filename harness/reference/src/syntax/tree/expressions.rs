@@ -6,7 +6,7 @@ use crate::source::Span;
 /// An expression.
 #[derive(Debug)]
 pub struct Expression<'s> {
-    /// What it is.
+    /// The form.
     pub kind: ExpressionKind<'s>,
     /// From its first token to its last.
     pub span: Span,
@@ -44,7 +44,7 @@ pub enum ExpressionKind<'s> {
     },
     /// A call of a function, a function block or (as TIME()) anything that looks like one.
     Call {
-        /// What is called.
+        /// The function or instance that is called.
         callee: ExpressionId,
         /// The arguments.
         arguments: Vec<Argument<'s>>,
@@ -53,7 +53,7 @@ pub enum ExpressionKind<'s> {
     Unary {
         /// The operator.
         operator: UnaryOperator,
-        /// Its operand.
+        /// The operand.
         operand: ExpressionId,
     },
     /// An infix operator.
@@ -67,7 +67,7 @@ pub enum ExpressionKind<'s> {
     },
     /// `(inner)`.
     Parenthesized(ExpressionId),
-    /// Where the text could not be read; a diagnostic has been given, and nothing more is said about it.
+    /// An expression that could not be read; a diagnostic has been given, and nothing more is said about it.
     Error,
 }
 

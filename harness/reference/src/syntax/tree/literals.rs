@@ -14,7 +14,7 @@ pub struct Prefixed<'s> {
 }
 
 impl<'s> Prefixed<'s> {
-    /// What is written as `written` and begins at byte `start`; without a `#` all of it is the prefix.
+    /// Takes the word that is written as `written` and begins at byte `start`; without a `#` all of it is the prefix.
     pub(in crate::syntax) fn new(written: &'s str, start: u32) -> Prefixed<'s> {
         let prefix = written.find('#').unwrap_or(written.len()) as u32;
         Prefixed {
@@ -24,13 +24,13 @@ impl<'s> Prefixed<'s> {
         }
     }
 
-    /// The word before the `#`: `COLOR` of `COLOR#RED`.
+    /// Returns the word before the `#`: `COLOR` of `COLOR#RED`.
     #[must_use]
     pub fn prefix(&self) -> Name<'s> {
         self.piece(0, self.prefix)
     }
 
-    /// What stands behind the `#`: `RED` of `COLOR#RED`.
+    /// Returns the word behind the `#`: `RED` of `COLOR#RED`.
     #[must_use]
     pub fn value(&self) -> Name<'s> {
         self.piece(self.prefix + 1, self.written.len() as u32)
@@ -52,7 +52,7 @@ impl<'s> Prefixed<'s> {
 /// known, by `stickler_types::literal`.
 #[derive(Clone, Copy, Debug)]
 pub struct Literal<'s> {
-    /// Which kind of literal it is.
+    /// The kind of literal.
     pub kind: LiteralKind,
     /// The length of what stands before the `#` of a prefix; 0 where there is no prefix.
     prefix: u16,
@@ -76,7 +76,7 @@ impl<'s> Literal<'s> {
         }
     }
 
-    /// The type in front of `#`, where one is written: `INT` of `INT#5`, `T` of `T#1s`.
+    /// Returns the type in front of `#`, where one is written: `INT` of `INT#5`, `T` of `T#1s`.
     #[must_use]
     pub fn prefix(&self) -> Option<Name<'s>> {
         let end = self.start + u32::from(self.prefix);
@@ -93,7 +93,7 @@ impl<'s> Literal<'s> {
         })
     }
 
-    /// What stands behind the prefix, with a sign where the prefix allows one inside (`INT#-5`).
+    /// Returns the text behind the prefix, with a sign where the prefix allows one inside (`INT#-5`).
     #[must_use]
     pub fn text(&self) -> &'s str {
         let from = if self.prefix == 0 {
@@ -120,12 +120,12 @@ pub enum LiteralKind {
     SingleByteText,
     /// `"text"`, with its quotes.
     DoubleByteText,
-    /// What stands behind `T#`, `TIME#`, `LT#`, `LTIME#`.
+    /// The text behind `T#`, `TIME#`, `LT#`, `LTIME#`.
     Duration,
-    /// What stands behind `D#`, `DATE#`, `LD#`, `LDATE#`.
+    /// The text behind `D#`, `DATE#`, `LD#`, `LDATE#`.
     Date,
-    /// What stands behind `TOD#`, `TIME_OF_DAY#`, `LTOD#` …
+    /// The text behind `TOD#`, `TIME_OF_DAY#`, `LTOD#` …
     TimeOfDay,
-    /// What stands behind `DT#`, `DATE_AND_TIME#`, `LDT#` …
+    /// The text behind `DT#`, `DATE_AND_TIME#`, `LDT#` …
     DateAndTime,
 }

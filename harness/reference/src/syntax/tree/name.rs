@@ -10,7 +10,7 @@ use std::hash::{Hash, Hasher};
 pub struct Name<'s> {
     /// The identifier as written.
     pub text: &'s str,
-    /// Where it stands.
+    /// The place in the text.
     pub span: Span,
 }
 

@@ -6,7 +6,7 @@ use crate::source::Span;
 /// A statement.
 #[derive(Debug)]
 pub struct Statement {
-    /// What it does.
+    /// The form.
     pub kind: StatementKind,
     /// From its first token to its last, the semicolon left out.
     pub span: Span,
@@ -44,9 +44,9 @@ pub enum StatementKind {
     For {
         /// The control variable.
         control: ExpressionId,
-        /// Its first value.
+        /// The first value.
         from: ExpressionId,
-        /// Its limit.
+        /// The limit.
         to: ExpressionId,
         /// The increment.
         by: Option<ExpressionId>,
