@@ -17,14 +17,14 @@ pub use stickler_types::Fault as FaultKind;
 
 /// An index into the memory.
 pub type Address = u32;
-/// An index into [`Program::code`].
+/// An index into [`MachineProgram::code`].
 pub type Label = u32;
-/// An index into [`Program::routines`].
+/// An index into [`MachineProgram::routines`].
 pub type RoutineId = u32;
 
 /// A checked program, ready to run.
 #[derive(Debug, Default)]
-pub struct Program {
+pub struct MachineProgram {
     /// All code, routine after routine.
     pub code: Vec<Instruction>,
     /// The 1-based source line of each instruction, for faults; as long as `code`.

@@ -56,12 +56,12 @@ pub struct ConversionFunction {
     pub parameter: Parameter,
     /// The type of the result.
     pub result: ResultType,
-    meaning: Meaning,
+    meaning: RuleLookup,
 }
 
 /// The way in which the rule is found once both types are known.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Meaning {
+enum RuleLookup {
     /// By the pair of types.
     Pair(ConversionChoices),
     /// [`ConversionRule::FromBcd`].
@@ -141,9 +141,9 @@ impl ConversionFunction {
     #[must_use]
     pub fn conversion(&self, argument: ElementaryType, result: ElementaryType) -> Conversion {
         let rule = match self.meaning {
-            Meaning::Pair(choices) => ConversionRule::between(argument, result, &choices),
-            Meaning::FromBcd => Some(ConversionRule::FromBcd),
-            Meaning::ToBcd => Some(ConversionRule::ToBcd),
+            RuleLookup::Pair(choices) => ConversionRule::between(argument, result, &choices),
+            RuleLookup::FromBcd => Some(ConversionRule::FromBcd),
+            RuleLookup::ToBcd => Some(ConversionRule::ToBcd),
         };
         Conversion {
             from: argument,
@@ -175,8 +175,8 @@ impl ConversionFunction {
 #[must_use]
 pub fn function(name: &str, dialect: &Dialect) -> Option<ConversionFunction> {
     // No name of the catalogue is longer; a hostile one is not worth upper-casing.
-    const LONGEST: usize = "LDATE_AND_TIME_TO_LTIME_OF_DAY".len();
-    let mut buffer = [0; LONGEST];
+    const MAX_NAME_LEN: usize = "LDATE_AND_TIME_TO_LTIME_OF_DAY".len();
+    let mut buffer = [0; MAX_NAME_LEN];
     let upper = buffer.get_mut(..name.len())?;
     upper.copy_from_slice(name.as_bytes());
     upper.make_ascii_uppercase();
@@ -211,7 +211,7 @@ fn pair(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<C
     (from != to && has_meaning(from, to)).then_some(ConversionFunction {
         parameter: Parameter::Exactly(from),
         result: ResultType::Exactly(to),
-        meaning: Meaning::Pair(dialect.conversions),
+        meaning: RuleLookup::Pair(dialect.conversions),
     })
 }
 
@@ -228,7 +228,7 @@ fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
             default: ElementaryType::Dint,
         },
         result: ResultType::Exactly(to),
-        meaning: Meaning::Pair(dialect.conversions),
+        meaning: RuleLookup::Pair(dialect.conversions),
     })
 }
 
@@ -253,7 +253,7 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
     (!dialect.only_standard_rounding).then_some(ConversionFunction {
         parameter: any_real,
         result: ResultType::OfArgument,
-        meaning: Meaning::Pair(dialect.conversions.with_rounding(rounding)),
+        meaning: RuleLookup::Pair(dialect.conversions.with_rounding(rounding)),
     })
 }
 
@@ -265,7 +265,7 @@ fn truncation(parameter: Parameter, to: ElementaryType, dialect: &Dialect) -> Op
     (takes_real && to.is_integer()).then_some(ConversionFunction {
         parameter,
         result: ResultType::Exactly(to),
-        meaning: Meaning::Pair(dialect.conversions.with_rounding(Rounding::Truncate)),
+        meaning: RuleLookup::Pair(dialect.conversions.with_rounding(Rounding::Truncate)),
     })
 }
 
@@ -281,7 +281,7 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
                 allowed: BCD_INTEGERS,
                 default: ElementaryType::Int,
             },
-            meaning: Meaning::FromBcd,
+            meaning: RuleLookup::FromBcd,
         }),
         ("INT", "BCD") => Some(ConversionFunction {
             parameter: Parameter::AnyOf {
@@ -292,7 +292,7 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
                 allowed: BCD_BITS,
                 default: ElementaryType::Word,
             },
-            meaning: Meaning::ToBcd,
+            meaning: RuleLookup::ToBcd,
         }),
         ("BCD", to) => Some(ConversionFunction {
             parameter: Parameter::AnyOf {
@@ -300,7 +300,7 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
                 default: ElementaryType::Word,
             },
             result: ResultType::Exactly(one_of(UNSIGNED, to)?),
-            meaning: Meaning::FromBcd,
+            meaning: RuleLookup::FromBcd,
         }),
         _ => bcd_of_pair(from, to),
     }
@@ -308,12 +308,12 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
 
 fn bcd_of_pair(from: &str, to: &str) -> Option<ConversionFunction> {
     let (parameter, result, meaning) = if let Some(bits) = from.strip_suffix("_BCD") {
-        (one_of(BITS, bits)?, one_of(UNSIGNED, to)?, Meaning::FromBcd)
+        (one_of(BITS, bits)?, one_of(UNSIGNED, to)?, RuleLookup::FromBcd)
     } else {
         (
             one_of(UNSIGNED, from)?,
             one_of(BITS, to.strip_prefix("BCD_")?)?,
-            Meaning::ToBcd,
+            RuleLookup::ToBcd,
         )
     };
     Some(ConversionFunction {
@@ -330,7 +330,7 @@ fn any_to_bcd(to: ElementaryType) -> Option<ConversionFunction> {
             default: ElementaryType::Uint,
         },
         result: ResultType::Exactly(to),
-        meaning: Meaning::ToBcd,
+        meaning: RuleLookup::ToBcd,
     })
 }
 

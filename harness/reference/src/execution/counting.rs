@@ -7,17 +7,17 @@ use crate::instruction::LoopTypes;
 
 /// The control value, the limit and the step of a loop, as numbers of any size.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Counting {
+pub(super) struct LoopCounter {
     types: LoopTypes,
     control: i128,
     limit: i128,
     step: i128,
 }
 
-impl Counting {
+impl LoopCounter {
     /// Takes the raw forms of the three.
-    pub fn new(types: LoopTypes, [control, limit, step]: [u64; 3]) -> Counting {
-        Counting {
+    pub fn new(types: LoopTypes, [control, limit, step]: [u64; 3]) -> LoopCounter {
+        LoopCounter {
             types,
             control: types.control.integer_value(control),
             limit: types.limit.integer_value(limit),
@@ -56,13 +56,13 @@ mod tests {
     use super::*;
     use stickler_types::ElementaryType::{Dint, Int, Sint, Usint};
 
-    fn counting(control: i64, limit: i64, step: i64) -> Counting {
+    fn counting(control: i64, limit: i64, step: i64) -> LoopCounter {
         let types = LoopTypes {
             control: Sint,
             limit: Dint,
             step: Int,
         };
-        Counting::new(types, [control, limit, step].map(i64::cast_unsigned))
+        LoopCounter::new(types, [control, limit, step].map(i64::cast_unsigned))
     }
 
     #[test]
@@ -79,7 +79,7 @@ mod tests {
         assert_eq!(counting(127, 127, 1).next(), ((-128_i64).cast_unsigned(), false));
         assert_eq!(counting(127, 1000, 1).next(), ((-128_i64).cast_unsigned(), false));
         assert_eq!(counting(-128, -128, -1).next(), (127, false));
-        let down = Counting::new(
+        let down = LoopCounter::new(
             LoopTypes {
                 control: Usint,
                 limit: Usint,

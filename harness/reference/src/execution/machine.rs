@@ -5,25 +5,25 @@
 
 mod operations;
 
-use super::counting::Counting;
-use super::memory::Memory;
+use super::counting::LoopCounter;
+use super::memory::MachineMemory;
 use super::standard::Text;
 use super::stop::{Halt, Inconsistency, RaisedFault, Stop};
 use super::{arithmetic, comparison, duration, power};
 use crate::instruction::{
-    Address, FaultKind, Instruction, Label, LogicOperator, LoopTypes, Program, RoutineId,
+    Address, FaultKind, Instruction, Label, LogicOperator, LoopTypes, MachineProgram, RoutineId,
 };
 use crate::raw::narrow;
 
-/// Runs one [`Program`]. Variables keep their values from scan to scan; a machine that has stopped may be
+/// Runs one [`MachineProgram`]. Variables keep their values from scan to scan; a machine that has stopped may be
 /// asked for the values so far.
 #[derive(Debug)]
 pub struct Machine<'p> {
-    program: &'p Program,
-    memory: Memory<'p>,
+    program: &'p MachineProgram,
+    memory: MachineMemory<'p>,
     operands: Vec<u64>,
     texts: Vec<Text<'p>>,
-    frames: Vec<Frame>,
+    frames: Vec<CallFrame>,
     /// The next instruction.
     next: Label,
     /// The first instruction whose step has not been counted yet: steps are counted where control jumps.
@@ -34,7 +34,7 @@ pub struct Machine<'p> {
 
 /// The state that a return goes back to.
 #[derive(Clone, Copy, Debug)]
-struct Frame {
+struct CallFrame {
     this: Address,
     next: Label,
 }
@@ -42,10 +42,10 @@ struct Frame {
 impl<'p> Machine<'p> {
     /// A machine whose memory is all zero; `step_limit` is for the whole run.
     #[must_use]
-    pub fn new(program: &'p Program, step_limit: u64) -> Machine<'p> {
+    pub fn new(program: &'p MachineProgram, step_limit: u64) -> Machine<'p> {
         Machine {
             program,
-            memory: Memory::new(program.memory, &program.texts),
+            memory: MachineMemory::new(program.memory, &program.texts),
             operands: Vec::with_capacity(16),
             texts: Vec::new(),
             frames: Vec::new(),
@@ -316,7 +316,7 @@ impl<'p> Machine<'p> {
         if self.frames.len() > self.program.routines.len() {
             return Err(Halt::Missing("end to its calls"));
         }
-        self.frames.push(Frame {
+        self.frames.push(CallFrame {
             this: self.this,
             next: self.next,
         });
@@ -335,9 +335,9 @@ impl<'p> Machine<'p> {
         Ok((self.pop()?, second))
     }
 
-    fn pop_counting(&mut self, types: LoopTypes) -> Result<Counting, Halt> {
+    fn pop_counting(&mut self, types: LoopTypes) -> Result<LoopCounter, Halt> {
         let (limit, step) = self.pop_pair()?;
-        Ok(Counting::new(types, [self.pop()?, limit, step]))
+        Ok(LoopCounter::new(types, [self.pop()?, limit, step]))
     }
 
     #[inline]

@@ -7,22 +7,22 @@ use std::ops::Range;
 
 /// All variables of a run.
 #[derive(Debug)]
-pub(super) struct Memory<'p> {
+pub(super) struct MachineMemory<'p> {
     cells: Vec<u64>,
     /// By address. The cell of the nth holds n, its place in `texts`.
     text_cells: Cow<'p, [TextCell]>,
     texts: Vec<Vec<u16>>,
 }
 
-impl<'p> Memory<'p> {
+impl<'p> MachineMemory<'p> {
     /// A memory of that many cells, all zero, with empty texts.
-    pub fn new(size: u32, text_cells: &'p [TextCell]) -> Memory<'p> {
+    pub fn new(size: u32, text_cells: &'p [TextCell]) -> MachineMemory<'p> {
         let mut text_cells = Cow::Borrowed(text_cells);
         if !text_cells.is_sorted_by_key(|cell| cell.address) {
             text_cells.to_mut().sort_by_key(|cell| cell.address);
         }
         let texts = vec![Vec::new(); text_cells.len()];
-        let mut memory = Memory {
+        let mut memory = MachineMemory {
             cells: vec![0; size as usize],
             text_cells,
             texts,
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn texts_are_cut_to_their_capacity_and_copied_by_content() {
-        let mut memory = Memory::new(6, &TEXTS);
+        let mut memory = MachineMemory::new(6, &TEXTS);
         memory.store_text(1, &[1, 2, 3]).expect("a text");
         memory.store(2, 7).expect("a cell");
         assert_eq!(memory.copy(1, 5, 1), Ok(3));
@@ -175,7 +175,7 @@ mod tests {
 
     #[test]
     fn clearing_empties_texts_and_leaves_them_usable() {
-        let mut memory = Memory::new(6, &TEXTS);
+        let mut memory = MachineMemory::new(6, &TEXTS);
         memory.store_text(3, &[1]).expect("a text");
         memory.store(4, 9).expect("a cell");
         memory.clear(2, 3).expect("cells");
@@ -186,7 +186,7 @@ mod tests {
 
     #[test]
     fn an_address_outside_the_memory_is_an_error() {
-        let mut memory = Memory::new(6, &TEXTS);
+        let mut memory = MachineMemory::new(6, &TEXTS);
         assert!(memory.load(6).is_err());
         assert!(memory.store(u32::MAX, 0).is_err());
         assert!(memory.copy(0, 5, 2).is_err());

@@ -4,7 +4,7 @@ use super::{Inconsistency, Machine, RaisedFault, Stop};
 use crate::COMMON_CHOICES;
 use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::{
-    ArithmeticOperator, ComparisonOperator, FaultKind, Instruction, LogicOperator, LoopTypes, Program,
+    ArithmeticOperator, ComparisonOperator, FaultKind, Instruction, LogicOperator, LoopTypes, MachineProgram,
     StandardFunction, TextCell,
 };
 use Instruction::{
@@ -19,10 +19,10 @@ use stickler_types::{BitStringText, RealText};
 const STEPS: u64 = 10_000;
 
 /// A program of one routine after another; the first is the scan. Cell 8 is a text of 4 units, cell 9 of 8.
-fn program(routines: &[&[Instruction]]) -> Program {
-    let mut program = Program {
+fn program(routines: &[&[Instruction]]) -> MachineProgram {
+    let mut program = MachineProgram {
         memory: 16,
-        ..Program::default()
+        ..MachineProgram::default()
     };
     for routine in routines {
         program.routines.push(program.code.len() as u32);
@@ -335,7 +335,7 @@ fn a_program_that_contradicts_itself_is_an_error() {
     assert_eq!(what(result(&[Jump(99)])), "instruction at this label");
     assert_eq!(what(result(&[Call(0)])), "end to its calls");
     assert_eq!(
-        what(Machine::new(&Program::default(), 1).startup().map(|()| 0)),
+        what(Machine::new(&MachineProgram::default(), 1).startup().map(|()| 0)),
         "routine of this number"
     );
 }

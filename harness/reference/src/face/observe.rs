@@ -2,7 +2,7 @@
 
 use super::request::RequestError;
 use crate::execution::Machine;
-use crate::semantics::{CheckedProgram, Observed, ObservedType};
+use crate::semantics::{CheckedProgram, ObservedType, ObservedVariable};
 use stickler_types::{ElementaryType, NamedValue, Observation, Value};
 
 /// The values that a request asks for.
@@ -16,7 +16,7 @@ pub(super) struct Observer<'a> {
 
 struct Wanted<'a> {
     observation: &'a Observation,
-    place: Observed,
+    place: ObservedVariable,
     value: Option<Value>,
 }
 
@@ -87,7 +87,7 @@ pub(super) fn check_scan(name: &str, scan: u32, scans: u32) -> Result<(), Reques
 }
 
 /// The place of a value.
-pub(super) fn resolve(program: &CheckedProgram, name: &str) -> Result<Observed, RequestError> {
+pub(super) fn resolve(program: &CheckedProgram, name: &str) -> Result<ObservedVariable, RequestError> {
     let unknown = |reason| RequestError::UnknownName {
         name: name.to_owned(),
         reason,
@@ -95,7 +95,7 @@ pub(super) fn resolve(program: &CheckedProgram, name: &str) -> Result<Observed, 
     program.resolve(name).map_err(unknown)
 }
 
-fn read(place: &Observed, machine: &Machine<'_>) -> Option<Value> {
+fn read(place: &ObservedVariable, machine: &Machine<'_>) -> Option<Value> {
     match &place.ty {
         ObservedType::Plain(ty) => Some(Value::plain(*ty, machine.plain(place.address)?)),
         ObservedType::Text(ty) => Some(Value::text(*ty, machine.text(place.address)?.to_vec())),

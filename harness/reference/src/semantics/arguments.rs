@@ -8,13 +8,13 @@ use super::model::PouEntry;
 use super::standard::mixed;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
-use crate::syntax::tree::{Argument, ExpressionId, Folded, Name, VariableKind};
+use crate::syntax::tree::{Argument, CaseFolded, ExpressionId, Name, VariableKind};
 use rustc_hash::FxHashSet;
 use stickler_types::Code;
 
 /// The arguments of a call with the parameters that they are for.
 #[derive(Debug, Default)]
-pub(super) struct Bound {
+pub(super) struct BoundArguments {
     /// VAR_INPUT and VAR_IN_OUT, as indices of variables, and what is given for them.
     pub(super) inputs: Vec<(u32, ExpressionId)>,
     /// VAR_OUTPUT that are copied after the call.
@@ -37,7 +37,12 @@ pub(super) struct Capture {
 impl<'m> Lowering<'m> {
     /// Binds arguments to parameters; `None` where they do not go together at all. What is wrong with single
     /// arguments is said, and the others are bound all the same.
-    pub(super) fn bind(&mut self, pou: u32, arguments: &'m [Argument<'m>], call: Span) -> Option<Bound> {
+    pub(super) fn bind(
+        &mut self,
+        pou: u32,
+        arguments: &'m [Argument<'m>],
+        call: Span,
+    ) -> Option<BoundArguments> {
         let entry = &self.model.pous[pou as usize];
         let positional: Vec<_> = arguments
             .iter()
@@ -68,7 +73,7 @@ impl<'m> Lowering<'m> {
             self.refuse(Diagnostic::new(code, call, message), arguments);
             return None;
         }
-        let mut bound = Bound::default();
+        let mut bound = BoundArguments::default();
         bound
             .inputs
             .extend(entry.parameters.iter().copied().zip(positional));
@@ -79,7 +84,12 @@ impl<'m> Lowering<'m> {
         Some(bound)
     }
 
-    fn bind_names(&mut self, entry: &'m PouEntry<'m>, arguments: &'m [Argument<'m>], bound: &mut Bound) {
+    fn bind_names(
+        &mut self,
+        entry: &'m PouEntry<'m>,
+        arguments: &'m [Argument<'m>],
+        bound: &mut BoundArguments,
+    ) {
         let mut given = FxHashSet::default();
         for argument in arguments {
             match argument {
@@ -110,7 +120,7 @@ impl<'m> Lowering<'m> {
     }
 
     fn parameter(&mut self, entry: &PouEntry<'_>, name: Name<'_>, given: &mut FxHashSet<u32>) -> Option<u32> {
-        let found = entry.scope.get(&Folded(name.text)).copied().filter(|&index| {
+        let found = entry.scope.get(&CaseFolded(name.text)).copied().filter(|&index| {
             matches!(
                 self.model.variable(index).kind,
                 VariableKind::Input | VariableKind::InOut
@@ -125,7 +135,7 @@ impl<'m> Lowering<'m> {
     }
 
     fn output(&mut self, entry: &PouEntry<'_>, name: Name<'_>, given: &mut FxHashSet<u32>) -> Option<u32> {
-        let found = entry.scope.get(&Folded(name.text)).copied().filter(|&index| {
+        let found = entry.scope.get(&CaseFolded(name.text)).copied().filter(|&index| {
             self.model.variable(index).kind == VariableKind::Output && entry.result != Some(index)
         });
         let Some(output) = found else {
@@ -152,7 +162,7 @@ impl<'m> Lowering<'m> {
 
     /// Notes whether inputs are left out, and says so of VAR_IN_OUT: of the first only, lest each of many calls
     /// be held against each of many parameters.
-    fn find_omitted(&mut self, entry: &PouEntry<'_>, call: Span, bound: &mut Bound) {
+    fn find_omitted(&mut self, entry: &PouEntry<'_>, call: Span, bound: &mut BoundArguments) {
         if bound.inputs.len() == entry.parameters.len() {
             return;
         }

@@ -1,14 +1,14 @@
 //! Calls: what is called, and what comes of it.
 
 use super::inferred::Inferred;
-use super::lowering::{Lowering, Value};
-use super::model::Definition;
+use super::lowering::{LoweredValue, Lowering};
+use super::model::TopLevelName;
 use super::standard::standard_function;
-use super::types::{Kind, TypeId};
+use super::types::{TypeId, TypeKind};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
 use crate::diagnostic::Diagnostic;
 use crate::instruction::{Instruction, StandardFunction};
-use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, Folded, Name, PouKind};
+use crate::syntax::tree::{Argument, CaseFolded, ExpressionId, ExpressionKind, Name, PouKind};
 use stickler_types::{Code, ElementaryType};
 
 /// The callee of a call.
@@ -56,8 +56,8 @@ impl<'m> Lowering<'m> {
 
     fn block_or_not(&self, ty: TypeId) -> Callee {
         match self.model.types.kind(ty) {
-            Kind::FunctionBlock(block) => Callee::Block(block.pou),
-            Kind::Error => Callee::Silent,
+            TypeKind::FunctionBlock(block) => Callee::Block(block.pou),
+            TypeKind::Error => Callee::Silent,
             _ => Callee::Nothing(
                 Code::FunctionBlockNotInScope,
                 "is a variable, but no function block",
@@ -66,8 +66,8 @@ impl<'m> Lowering<'m> {
     }
 
     fn named_callee(&self, name: Name<'_>) -> Callee {
-        match self.model.definitions.get(&Folded(name.text)) {
-            Some(&Definition::Pou(pou)) => match self.model.pous[pou as usize].pou.kind {
+        match self.model.definitions.get(&CaseFolded(name.text)) {
+            Some(&TopLevelName::Pou(pou)) => match self.model.pous[pou as usize].pou.kind {
                 PouKind::Function => return Callee::Function(pou),
                 PouKind::FunctionBlock => {
                     return Callee::Nothing(
@@ -79,7 +79,7 @@ impl<'m> Lowering<'m> {
                     return Callee::Nothing(Code::FunctionCallUndeclared, "is a program, no function");
                 }
             },
-            Some(Definition::Type(_)) => {
+            Some(TopLevelName::Type(_)) => {
                 return Callee::Nothing(Code::FunctionCallUndeclared, "is a type, no function");
             }
             None => {}
@@ -119,12 +119,12 @@ impl<'m> Lowering<'m> {
         callee: ExpressionId,
         arguments: &'m [Argument<'m>],
         wanted: Option<TypeId>,
-    ) -> Value {
+    ) -> LoweredValue {
         let span = self.span(id);
         match self.callee(callee) {
             Callee::Block(pou) => {
                 self.call_block(span, callee, pou, arguments);
-                Value::ERROR
+                LoweredValue::ERROR
             }
             Callee::Function(pou) => self.call_function(span, pou, arguments, true),
             Callee::Standard(standard) => self.call_standard(span, standard, arguments, wanted),
@@ -134,7 +134,7 @@ impl<'m> Lowering<'m> {
             Callee::Silent => {
                 self.value(callee, None);
                 self.lower_arguments(arguments);
-                Value::ERROR
+                LoweredValue::ERROR
             }
         }
     }
@@ -169,7 +169,7 @@ impl<'m> Lowering<'m> {
         callee: ExpressionId,
         reason: &str,
         arguments: &[Argument<'_>],
-    ) -> Value {
+    ) -> LoweredValue {
         let name = self.model.source.text_of(callee);
         let hint = match code {
             Code::FunctionCallUndeclared => self.similar_function(name),
@@ -177,14 +177,14 @@ impl<'m> Lowering<'m> {
         };
         self.report(code, self.span(callee), format!("`{name}` {reason}{hint}"));
         self.lower_arguments(arguments);
-        Value::ERROR
+        LoweredValue::ERROR
     }
 
     /// Says what is wrong with the arguments as a whole, and what is wrong inside them.
-    pub(super) fn refuse(&mut self, reason: Diagnostic, arguments: &[Argument<'_>]) -> Value {
+    pub(super) fn refuse(&mut self, reason: Diagnostic, arguments: &[Argument<'_>]) -> LoweredValue {
         self.reporter.push(reason);
         self.lower_arguments(arguments);
-        Value::ERROR
+        LoweredValue::ERROR
     }
 
     /// Lowers arguments for what is wrong inside them only.

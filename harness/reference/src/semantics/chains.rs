@@ -4,8 +4,8 @@
 use super::common::settle;
 use super::constants::combine;
 use super::expressions::fitting;
-use super::lowering::{Lowering, Value};
-use super::operators::{Action, Operation, Signature};
+use super::lowering::{LoweredValue, Lowering};
+use super::operators::{Action, OperatorSignature, TypedOperation};
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
@@ -16,12 +16,12 @@ struct Link {
     node: ExpressionId,
     operator: BinaryOperator,
     right: ExpressionId,
-    operation: Option<Operation>,
+    operation: Option<TypedOperation>,
 }
 
 impl Lowering<'_> {
     /// Puts the value of an infix operator on the stack.
-    pub(super) fn chain(&mut self, id: ExpressionId, wanted: Option<TypeId>) -> Value {
+    pub(super) fn chain(&mut self, id: ExpressionId, wanted: Option<TypeId>) -> LoweredValue {
         self.infer(id);
         let mut links = Vec::new();
         let (mut at, mut wanted) = (id, wanted);
@@ -56,16 +56,16 @@ impl Lowering<'_> {
         operator: BinaryOperator,
         (left, right): (ExpressionId, ExpressionId),
         wanted: Option<TypeId>,
-    ) -> Option<Operation> {
+    ) -> Option<TypedOperation> {
         let (left, right) = (self.infer(left), self.infer(right));
         let rules = self.rules();
         let operation = match rules.signature(operator, left, right) {
-            Signature::Defined(operation) => Some(operation),
-            Signature::Untyped(inferred) => {
+            OperatorSignature::Defined(operation) => Some(operation),
+            OperatorSignature::Untyped(inferred) => {
                 settle(inferred, wanted).and_then(|ty| rules.at(operator, right, ty))
             }
-            Signature::Undefined => None,
-            Signature::Silent => return None,
+            OperatorSignature::Undefined => None,
+            OperatorSignature::Silent => return None,
         };
         if operation.is_none() {
             let (left, right) = (self.describe(left), self.describe(right));
@@ -76,17 +76,17 @@ impl Lowering<'_> {
     }
 
     /// Lowers the right operand and the operator, the left operand being on the stack.
-    fn link(&mut self, link: &Link, left: Value, start: u32) -> Value {
+    fn link(&mut self, link: &Link, left: LoweredValue, start: u32) -> LoweredValue {
         let Some(operation) = link.operation else {
             self.value(link.right, None);
-            return Value::ERROR;
+            return LoweredValue::ERROR;
         };
         let left = self.adapt(left, operation.left);
         let right = self.value(link.right, Some(operation.right));
         let right = self.adapt(right, operation.right);
         if left.ty == TypeId::ERROR || right.ty == TypeId::ERROR {
             // An operation on enumerated values has no elementary type, yet nothing is wrong with it.
-            return Value::ERROR;
+            return LoweredValue::ERROR;
         }
         if let (Some(left), Some(right)) = (left.constant, right.constant)
             && let Some(ty) = folds(operation.action, right)
@@ -98,7 +98,7 @@ impl Lowering<'_> {
                         self.span(link.node),
                         message,
                     );
-                    Value::ERROR
+                    LoweredValue::ERROR
                 }
                 result => self.folded(link.node, start, ty, result.ok()),
             };
@@ -108,7 +108,7 @@ impl Lowering<'_> {
         } else {
             self.act(link, operation.action);
         }
-        Value {
+        LoweredValue {
             ty: operation.result,
             constant: None,
         }

@@ -2,12 +2,12 @@
 
 use super::declare::declare;
 use super::lowering::Lowering;
-use super::model::{Model, Source};
-use super::observation::{CheckedProgram, Directory};
+use super::model::{Model, SourceText};
+use super::observation::{CheckedProgram, VariableTable};
 use super::reporter::Reporter;
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
-use crate::instruction::Program;
+use crate::instruction::MachineProgram;
 use crate::source::LineIndex;
 use crate::syntax::tree::SourceUnit;
 
@@ -23,7 +23,7 @@ pub fn check(
     dialect: &Dialect,
 ) -> (Option<CheckedProgram>, Vec<Diagnostic>) {
     let mut reporter = Reporter::default();
-    let source = Source {
+    let source = SourceText {
         unit,
         text,
         lines,
@@ -35,12 +35,12 @@ pub fn check(
     (checked, reporter.finish())
 }
 
-fn finish(model: Model<'_>, program: Program, reporter: &Reporter) -> Option<CheckedProgram> {
+fn finish(model: Model<'_>, program: MachineProgram, reporter: &Reporter) -> Option<CheckedProgram> {
     if !reporter.is_empty() || model.instances.is_empty() {
         return None;
     }
     Some(CheckedProgram {
         program,
-        directory: Directory::new(model),
+        directory: VariableTable::new(model),
     })
 }

@@ -3,7 +3,7 @@
 //! Basis: stickler-design: §8 (if one converts implicitly to the other, it does; no third type is sought; an
 //! untyped literal takes the other's type).
 
-use super::contexts::{Context, Fit, fit};
+use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeTable};
 use crate::conversion::implicit;
@@ -12,12 +12,12 @@ use stickler_types::ElementaryType;
 
 /// The rules that decide: the table of types and the dialect.
 #[derive(Clone, Copy)]
-pub(super) struct Rules<'a> {
+pub(super) struct TypeRules<'a> {
     pub(super) types: &'a TypeTable,
     pub(super) dialect: &'a Dialect,
 }
 
-impl Rules<'_> {
+impl TypeRules<'_> {
     /// Returns what two untyped numbers are together; [`Inferred::Error`] where they do not go together.
     pub(super) fn untyped(self, left: Inferred, right: Inferred) -> Inferred {
         match (left, right) {
@@ -71,7 +71,13 @@ impl Rules<'_> {
 
     /// Whether a value goes with others that have a type in common.
     pub(super) fn goes_with(self, value: Inferred, common: TypeId) -> bool {
-        fit(value, common, Context::CommonArgument, self.types, self.dialect) == Fit::Yes
+        fit(
+            value,
+            common,
+            ValueContext::CommonArgument,
+            self.types,
+            self.dialect,
+        ) == Fit::Yes
     }
 
     fn unite(self, left: Inferred, right: Inferred) -> Inferred {
@@ -113,7 +119,7 @@ impl Rules<'_> {
     }
 
     fn fits(self, value: Inferred, ty: TypeId) -> bool {
-        fit(value, ty, Context::Operand, self.types, self.dialect) == Fit::Yes
+        fit(value, ty, ValueContext::Operand, self.types, self.dialect) == Fit::Yes
     }
 }
 

@@ -7,9 +7,9 @@
 
 use super::calls::Callee;
 use super::constant::{Constant, ConstantValue};
-use super::contexts::Context;
+use super::contexts::ValueContext;
 use super::inferred::Inferred;
-use super::lowering::{Lowering, Value};
+use super::lowering::{LoweredValue, Lowering};
 use super::types::TypeId;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
@@ -113,7 +113,7 @@ impl<'m> Lowering<'m> {
     pub(super) fn constant_initializer(&mut self, id: ExpressionId, ty: ElementaryType) -> Constant {
         match self.constant_parts(id) {
             Ok(parts) => self.fold(&parts, |lowering| {
-                lowering.coerce(id, TypeId::of(ty), Context::Initializer)
+                lowering.coerce(id, TypeId::of(ty), ValueContext::Initializer)
             }),
             // This may well be an initial value, if not one that is known here.
             Err(Some(reason)) if is_computed(reason.code) => Constant::Computed,
@@ -122,7 +122,7 @@ impl<'m> Lowering<'m> {
     }
 
     /// Lowers an expression that consists of these parts, and takes the value that is all that is left of it.
-    fn fold(&mut self, parts: &[ExpressionId], lower: impl FnOnce(&mut Self) -> Value) -> Constant {
+    fn fold(&mut self, parts: &[ExpressionId], lower: impl FnOnce(&mut Self) -> LoweredValue) -> Constant {
         self.inferred
             .resize(self.model.source.unit.expressions.len(), Inferred::Pending);
         let (start, reported) = (self.emitter.position(), self.reporter.reported());

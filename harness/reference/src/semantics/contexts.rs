@@ -1,14 +1,14 @@
 //! Decides whether a value may stand where a type is expected: the one place that does.
 
 use super::inferred::Inferred;
-use super::types::{Kind, TypeId, TypeTable};
+use super::types::{TypeId, TypeKind, TypeTable};
 use crate::conversion::implicit;
 use crate::dialect::Dialect;
 use stickler_types::{Code, ElementaryType};
 
 /// The place in a program where a value stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Context {
+pub(super) enum ValueContext {
     /// The right side of `:=` in a statement.
     Assignment,
     /// The right side of `:=` in a statement, where it is nothing but a call.
@@ -31,20 +31,21 @@ pub(super) enum Context {
     Operand,
 }
 
-impl Context {
+impl ValueContext {
     /// The code of a value that does not fit here.
     ///
     /// Basis: stickler-design: §7 ("Which code where").
     pub(super) const fn code(self) -> Code {
         match self {
-            Context::Assignment | Context::Capture | Context::Integer | Context::Label => {
-                Code::AssignmentTypeMismatch
-            }
-            Context::CallResult => Code::FunctionCallReturnTypeMismatch,
-            Context::Initializer => Code::InitializerTypeMismatch,
-            Context::Argument | Context::CommonArgument => Code::FunctionCallArgTypeMismatch,
-            Context::Condition => Code::ConditionTypeInvalid,
-            Context::Operand => Code::OperatorOperandTypeMismatch,
+            ValueContext::Assignment
+            | ValueContext::Capture
+            | ValueContext::Integer
+            | ValueContext::Label => Code::AssignmentTypeMismatch,
+            ValueContext::CallResult => Code::FunctionCallReturnTypeMismatch,
+            ValueContext::Initializer => Code::InitializerTypeMismatch,
+            ValueContext::Argument | ValueContext::CommonArgument => Code::FunctionCallArgTypeMismatch,
+            ValueContext::Condition => Code::ConditionTypeInvalid,
+            ValueContext::Operand => Code::OperatorOperandTypeMismatch,
         }
     }
 
@@ -56,7 +57,7 @@ impl Context {
         dialect.integer_literal_as_bit_string
             || matches!(
                 self,
-                Context::Initializer | Context::Operand | Context::CommonArgument
+                ValueContext::Initializer | ValueContext::Operand | ValueContext::CommonArgument
             )
     }
 }
@@ -79,7 +80,7 @@ pub(super) enum Fit {
 pub(super) fn fit(
     value: Inferred,
     target: TypeId,
-    context: Context,
+    context: ValueContext,
     types: &TypeTable,
     dialect: &Dialect,
 ) -> Fit {
@@ -105,7 +106,7 @@ pub(super) fn fit(
             _ => false,
         },
         Inferred::Enumerated => match types.kind(target) {
-            Kind::Enumeration(_) => true,
+            TypeKind::Enumeration(_) => true,
             // Without an enumeration around it the name is ambiguous, and that is what is to be said.
             _ => return Fit::Silent,
         },
@@ -115,7 +116,7 @@ pub(super) fn fit(
 
 /// Whether an untyped integer literal may stand for a value of a type. Whether its number fits is looked at
 /// when the literal is read.
-fn integer_fits(ty: ElementaryType, context: Context, dialect: &Dialect) -> bool {
+fn integer_fits(ty: ElementaryType, context: ValueContext, dialect: &Dialect) -> bool {
     if ty.is_real() {
         dialect.integer_literal_as_real
     } else if ty.is_bit_string() {

@@ -1,10 +1,10 @@
 //! Calls of type conversion functions.
 
 use super::calls::Callee;
-use super::contexts::Context;
+use super::contexts::ValueContext;
 use super::inferred::Inferred;
-use super::lowering::{Lowering, Value};
-use super::standard::{Signature, mixed, ordered_by};
+use super::lowering::{LoweredValue, Lowering};
+use super::standard::{ParameterList, mixed, ordered_by};
 use super::types::TypeId;
 use crate::conversion::{Concatenation, ConversionFunction, PARAMETERS, Parameter, ResultType};
 use crate::diagnostic::Diagnostic;
@@ -62,10 +62,10 @@ impl Lowering<'_> {
         conversion: &ConversionFunction,
         arguments: &[Argument<'_>],
         wanted: Option<TypeId>,
-    ) -> Value {
+    ) -> LoweredValue {
         let value = match conversion.result {
-            ResultType::Exactly(ty) => Value::of(ty),
-            _ => Value::ERROR,
+            ResultType::Exactly(ty) => LoweredValue::of(ty),
+            _ => LoweredValue::ERROR,
         };
         let argument = match single_argument(arguments, span) {
             Ok(argument) => argument,
@@ -78,13 +78,13 @@ impl Lowering<'_> {
             self.refuse_converted(conversion, argument);
             return value;
         };
-        let given = self.coerce(argument, TypeId::of(from), Context::Argument);
+        let given = self.coerce(argument, TypeId::of(from), ValueContext::Argument);
         let to = conversion.result_type(from, wanted.and_then(TypeId::elementary));
         self.emitter.convert(conversion.conversion(from, to));
         if given.ty == TypeId::ERROR {
             value
         } else {
-            Value::of(to)
+            LoweredValue::of(to)
         }
     }
 
@@ -95,7 +95,7 @@ impl Lowering<'_> {
         if value.ty != TypeId::ERROR || inferred == Inferred::Nothing {
             match conversion.parameter {
                 Parameter::Exactly(ty) => {
-                    self.report_misfit(argument, inferred, TypeId::of(ty), Context::Argument);
+                    self.report_misfit(argument, inferred, TypeId::of(ty), ValueContext::Argument);
                 }
                 Parameter::AnyOf { allowed, default } => {
                     self.report_misfit_of_any(argument, inferred, allowed, default);
@@ -110,9 +110,9 @@ impl Lowering<'_> {
         span: Span,
         concatenation: Concatenation,
         arguments: &[Argument<'_>],
-    ) -> Value {
-        const SIGNATURE: Signature = Signature::exactly(&PARAMETERS);
-        let result = Value::of(concatenation.result);
+    ) -> LoweredValue {
+        const SIGNATURE: ParameterList = ParameterList::exactly(&PARAMETERS);
+        let result = LoweredValue::of(concatenation.result);
         let values = match ordered_by(&SIGNATURE, arguments, span) {
             Ok(values) => values,
             Err(reason) => {
@@ -121,7 +121,7 @@ impl Lowering<'_> {
             }
         };
         for (value, ty) in values.into_iter().zip(concatenation.operands) {
-            self.coerce(value, TypeId::of(ty), Context::Argument);
+            self.coerce(value, TypeId::of(ty), ValueContext::Argument);
         }
         self.emitter.concatenate(concatenation);
         result

@@ -1,7 +1,7 @@
 //! Cycles in a graph, found without recursion: types that contain themselves, functions that call themselves.
 
 /// The most members of a cycle that are named; a long chain may hold as many long cycles as it has nodes.
-const SHOWN: usize = 50;
+const MAX_MEMBERS: usize = 50;
 
 /// Walks a graph depth first, from each node in turn, and tells of two things as it meets them.
 ///
@@ -10,7 +10,7 @@ const SHOWN: usize = 50;
 pub(super) fn walk<N: Copy>(
     nodes: usize,
     mut edges: impl FnMut(usize) -> Vec<(usize, N)>,
-    mut visit: impl FnMut(Event<N>),
+    mut visit: impl FnMut(WalkEvent<N>),
 ) {
     let mut states = vec![State::New; nodes];
     let mut depths = vec![0; nodes];
@@ -26,14 +26,14 @@ pub(super) fn walk<N: Copy>(
             let Some((next, note)) = rest.next() else {
                 states[node] = State::Done;
                 path.pop();
-                visit(Event::Done(node));
+                visit(WalkEvent::Done(node));
                 continue;
             };
             match states[next] {
                 State::Done => {}
                 State::Open => {
-                    let members = path.iter().skip(depths[next]).take(SHOWN);
-                    visit(Event::Cycle {
+                    let members = path.iter().skip(depths[next]).take(MAX_MEMBERS);
+                    visit(WalkEvent::Cycle {
                         note,
                         members: members.map(|&(open, _)| open).collect(),
                     });
@@ -50,7 +50,7 @@ pub(super) fn walk<N: Copy>(
 
 /// An event of a walk.
 #[derive(Debug)]
-pub(super) enum Event<N> {
+pub(super) enum WalkEvent<N> {
     /// A node, all that it needs having been met before, save what closes a cycle.
     Done(usize),
     /// An edge that closes a cycle.
@@ -71,7 +71,7 @@ enum State {
 
 #[cfg(test)]
 mod tests {
-    use super::{Event, walk};
+    use super::{WalkEvent, walk};
 
     fn events(graph: &[&[usize]]) -> (Vec<usize>, Vec<Vec<usize>>) {
         let (mut order, mut cycles) = (Vec::new(), Vec::new());
@@ -79,8 +79,8 @@ mod tests {
             graph.len(),
             |node| graph[node].iter().map(|&next| (next, ())).collect(),
             |event| match event {
-                Event::Done(node) => order.push(node),
-                Event::Cycle { members, .. } => cycles.push(members),
+                WalkEvent::Done(node) => order.push(node),
+                WalkEvent::Cycle { members, .. } => cycles.push(members),
             },
         );
         (order, cycles)
@@ -111,7 +111,7 @@ mod tests {
                 }
             },
             |event| {
-                if let Event::Done(node) = event {
+                if let WalkEvent::Done(node) = event {
                     last = node;
                 }
             },

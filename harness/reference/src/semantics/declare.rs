@@ -3,15 +3,16 @@
 //! global variables, and last the addresses.
 
 use super::inferred::Inferred;
-use super::memory::Memory;
-use super::model::{Definition, Initial, InitialValue, Instance, Model, PouEntry, Source};
+use super::memory::MemoryLayout;
+use super::model::{InitialRoutine, InitialValue, Instance, Model, PouEntry, SourceText, TopLevelName};
 use super::reporter::Reporter;
 use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
 use crate::instruction::RoutineId;
 use crate::source::{Span, saturating_u32};
 use crate::syntax::tree::{
-    Configuration, Declaration, Folded, Name, Pou, PouKind, TypeDeclaration, TypeSpecification, VariableBlock,
+    CaseFolded, Configuration, Declaration, Name, Pou, PouKind, TypeDeclaration, TypeSpecification,
+    VariableBlock,
 };
 use rustc_hash::{FxHashMap, FxHashSet};
 use stickler_types::Code;
@@ -40,14 +41,14 @@ pub(super) struct Declarer<'u, 'r> {
 /// A type or function block to be resolved.
 #[derive(Debug)]
 pub(super) struct TypeNode<'u> {
-    pub(super) declared: Declared<'u>,
+    pub(super) declared: DeclaredNode<'u>,
     /// `None` until it is resolved.
     pub(super) id: Option<TypeId>,
 }
 
 /// The declaration of a node.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Declared<'u> {
+pub(super) enum DeclaredNode<'u> {
     Type(&'u TypeDeclaration<'u>),
     /// An index into [`Model::pous`].
     Block(usize),
@@ -63,7 +64,7 @@ pub(super) struct Deferred<'u> {
 }
 
 /// Collects all declarations of a source text; gives the memory that they take, too.
-pub(super) fn declare<'u>(source: Source<'u>, reporter: &mut Reporter) -> (Model<'u>, Memory) {
+pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (Model<'u>, MemoryLayout) {
     let model = Model {
         source,
         types: TypeTable::new(),
@@ -128,7 +129,7 @@ impl<'u> Declarer<'u, '_> {
         let initial = self.routine();
         let node = (pou.kind == PouKind::FunctionBlock).then(|| {
             self.nodes.push(TypeNode {
-                declared: Declared::Block(index),
+                declared: DeclaredNode::Block(index),
                 id: None,
             });
             self.nodes.len() - 1
@@ -147,25 +148,25 @@ impl<'u> Declarer<'u, '_> {
             initial,
             cleared: 0..0,
         });
-        self.define(pou.name, Definition::Pou(saturating_u32(index)), Some(pou.kind));
+        self.define(pou.name, TopLevelName::Pou(saturating_u32(index)), Some(pou.kind));
     }
 
     fn collect_type(&mut self, ty: &'u TypeDeclaration<'u>) {
         let node = self.nodes.len();
         self.nodes.push(TypeNode {
-            declared: Declared::Type(ty),
+            declared: DeclaredNode::Type(ty),
             id: None,
         });
-        self.define(ty.name, Definition::Type(saturating_u32(node)), None);
+        self.define(ty.name, TopLevelName::Type(saturating_u32(node)), None);
     }
 
     /// Gives a name its meaning at the top level, unless it has one.
-    fn define(&mut self, name: Name<'u>, definition: Definition, kind: Option<PouKind>) {
+    fn define(&mut self, name: Name<'u>, definition: TopLevelName, kind: Option<PouKind>) {
         if name.text.is_empty() {
             return;
         }
-        let Some(&earlier) = self.model.definitions.get(&Folded(name.text)) else {
-            self.model.definitions.insert(Folded(name.text), definition);
+        let Some(&earlier) = self.model.definitions.get(&CaseFolded(name.text)) else {
+            self.model.definitions.insert(CaseFolded(name.text), definition);
             return;
         };
         let code = match (self.kind_of(earlier), kind) {
@@ -178,10 +179,10 @@ impl<'u> Declarer<'u, '_> {
             .report(code, name.span, format!("`{}` is already declared", name.text));
     }
 
-    fn kind_of(&self, definition: Definition) -> Option<PouKind> {
+    fn kind_of(&self, definition: TopLevelName) -> Option<PouKind> {
         match definition {
-            Definition::Pou(pou) => Some(self.model.pous[pou as usize].pou.kind),
-            Definition::Type(_) => None,
+            TopLevelName::Pou(pou) => Some(self.model.pous[pou as usize].pou.kind),
+            TopLevelName::Type(_) => None,
         }
     }
 
@@ -194,7 +195,9 @@ impl<'u> Declarer<'u, '_> {
     /// Says what a routine does that has been handed out: it makes the default value of a type.
     pub(super) fn define_routine(&mut self, routine: RoutineId, value: InitialValue<'u>) {
         let pou = self.current.map(saturating_u32);
-        self.model.initial_values.push(Initial { routine, value, pou });
+        self.model
+            .initial_values
+            .push(InitialRoutine { routine, value, pou });
     }
 
     /// Reports something wrong.
@@ -239,22 +242,22 @@ impl<'u> Declarer<'u, '_> {
 
     fn configured_instances(&mut self) {
         for configuration in std::mem::take(&mut self.configurations) {
-            let mut names: FxHashMap<Folded<'u>, ()> = FxHashMap::default();
+            let mut names: FxHashMap<CaseFolded<'u>, ()> = FxHashMap::default();
             for resource in &configuration.resources {
-                let mut tasks: FxHashMap<Folded<'u>, ()> = FxHashMap::default();
+                let mut tasks: FxHashMap<CaseFolded<'u>, ()> = FxHashMap::default();
                 for task in &resource.tasks {
-                    if tasks.insert(Folded(task.name.text), ()).is_some() {
+                    if tasks.insert(CaseFolded(task.name.text), ()).is_some() {
                         let message = format!("task `{}` is already declared", task.name.text);
                         self.report(Code::DuplicateTaskName, task.name.span, message);
                     }
                 }
                 for program in &resource.programs {
-                    if names.insert(Folded(program.name.text), ()).is_some() {
+                    if names.insert(CaseFolded(program.name.text), ()).is_some() {
                         let message = format!("`{}` is already declared", program.name.text);
                         self.report(Code::SymbolDeclDuplicated, program.name.span, message);
                     }
                     if let Some(task) = program.task
-                        && !tasks.contains_key(&Folded(task.text))
+                        && !tasks.contains_key(&CaseFolded(task.text))
                     {
                         let message = format!("task `{}` is not declared", task.text);
                         self.report(Code::ProgramMissingTaskConfig, task.span, message);
@@ -266,8 +269,8 @@ impl<'u> Declarer<'u, '_> {
     }
 
     fn configured_instance(&mut self, name: Name<'u>, program: Name<'u>) {
-        match self.model.definitions.get(&Folded(program.text)) {
-            Some(&Definition::Pou(pou)) if self.model.pous[pou as usize].pou.kind == PouKind::Program => {
+        match self.model.definitions.get(&CaseFolded(program.text)) {
+            Some(&TopLevelName::Pou(pou)) if self.model.pous[pou as usize].pou.kind == PouKind::Program => {
                 self.model.instances.push(Instance {
                     name: name.text,
                     pou,

@@ -1,7 +1,7 @@
 //! Puts code together, routine after routine.
 
 use crate::conversion::{Concatenation, Conversion};
-use crate::instruction::{Instruction, Label, Program, RoutineId};
+use crate::instruction::{Instruction, Label, MachineProgram, RoutineId};
 use rustc_hash::FxHashMap;
 
 /// The code so far. Routines are made one after the other, so it only ever grows at its end.
@@ -16,7 +16,7 @@ pub(super) struct Emitter {
 }
 
 /// The most code units of a text that is copied freely.
-pub(super) const SHORT_TEXT: usize = 255;
+pub(super) const MAX_SHORT_TEXT: usize = 255;
 
 /// A jump whose destination is not known yet.
 #[derive(Clone, Copy, Debug)]
@@ -109,7 +109,7 @@ impl Emitter {
         if !conversion.to.is_text() {
             let raw = conversion.apply_from_text(units);
             self.replace(1, Instruction::Push(raw));
-        } else if units.len() <= SHORT_TEXT {
+        } else if units.len() <= MAX_SHORT_TEXT {
             let units = conversion.text_to_text(units);
             self.truncate(self.position().saturating_sub(1));
             self.push_text(units);
@@ -190,13 +190,13 @@ impl Emitter {
     }
 
     /// The code, with nothing said yet of memory and of which routine runs when.
-    pub(super) fn finish(self) -> Program {
-        Program {
+    pub(super) fn finish(self) -> MachineProgram {
+        MachineProgram {
             code: self.code,
             lines: self.lines,
             routines: self.routines,
             text_constants: self.text_constants,
-            ..Program::default()
+            ..MachineProgram::default()
         }
     }
 }

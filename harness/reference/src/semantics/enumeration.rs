@@ -2,9 +2,9 @@
 
 use super::declare::Declarer;
 use super::model::EnumeratedName;
-use super::scope::Named;
-use super::types::{DefaultValue, Enumeration, Extent, Kind, TypeId};
-use crate::syntax::tree::{ExpressionId, Folded, Name};
+use super::scope::NamedList;
+use super::types::{DefaultValue, Enumeration, Extent, TypeId, TypeKind};
+use crate::syntax::tree::{CaseFolded, ExpressionId, Name};
 use stickler_types::{Code, ElementaryType};
 
 impl<'u> Declarer<'u, '_> {
@@ -16,7 +16,7 @@ impl<'u> Declarer<'u, '_> {
         name: &str,
     ) -> TypeId {
         let range = self.range_of(base);
-        let mut list = Named::new();
+        let mut list = NamedList::new();
         let mut next = Some(0_i128);
         let mut first = None;
         for (value, written) in values {
@@ -54,7 +54,7 @@ impl<'u> Declarer<'u, '_> {
         let id = self
             .model
             .types
-            .add(Kind::Enumeration(Box::new(enumeration)), extent);
+            .add(TypeKind::Enumeration(Box::new(enumeration)), extent);
         for (value, number) in numbers {
             self.enter(value, id, number);
         }
@@ -90,7 +90,7 @@ impl<'u> Declarer<'u, '_> {
             None => &mut self.model.enumerated,
         };
         scope
-            .entry(Folded(value))
+            .entry(CaseFolded(value))
             .and_modify(|name| match *name {
                 EnumeratedName::One(other, _) if other == ty => {}
                 _ => *name = EnumeratedName::Several,

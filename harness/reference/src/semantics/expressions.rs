@@ -2,14 +2,14 @@
 
 use super::common::settle;
 use super::constant::{Constant, ConstantValue};
-use super::contexts::{Context, Fit, fit};
+use super::contexts::{Fit, ValueContext, fit};
 use super::infer::{defined, defined_for};
 use super::inferred::Inferred;
 use super::literals::Signed;
 use super::locations::check_range;
-use super::lowering::{Lowering, Value};
+use super::lowering::{LoweredValue, Lowering};
 use super::model::EnumeratedName;
-use super::types::{Kind, Subrange, TypeId};
+use super::types::{Subrange, TypeId, TypeKind};
 use crate::conversion::implicit;
 use crate::instruction::Instruction;
 use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, UnaryOperator};
@@ -18,11 +18,11 @@ use stickler_types::{Code, ElementaryType};
 impl<'m> Lowering<'m> {
     /// Puts a value on the stack where a declared type is expected: checks that it may stand there, converts
     /// it, and checks the limits of a subrange.
-    pub(super) fn coerce(&mut self, id: ExpressionId, target: TypeId, context: Context) -> Value {
+    pub(super) fn coerce(&mut self, id: ExpressionId, target: TypeId, context: ValueContext) -> LoweredValue {
         let to = self.model.types.value_type(target);
         let inferred = self.infer(id);
         if self.reports_unknown_value(id, to) {
-            return Value::ERROR;
+            return LoweredValue::ERROR;
         }
         let flexible = self.flexible_result(id, to).map_or(inferred, Inferred::from);
         let fits = fit(
@@ -40,7 +40,7 @@ impl<'m> Lowering<'m> {
         let value = self.value(id, wanted.then_some(to));
         if fits == Fit::No {
             self.report_lowered_misfit(id, inferred, value, to, context);
-            return Value::ERROR;
+            return LoweredValue::ERROR;
         }
         let value = self.adapt(value, to);
         self.check_limits(id, value, target)
@@ -54,9 +54,9 @@ impl<'m> Lowering<'m> {
         &mut self,
         id: ExpressionId,
         inferred: Inferred,
-        value: Value,
+        value: LoweredValue,
         expected: TypeId,
-        context: Context,
+        context: ValueContext,
     ) {
         let known = matches!(inferred, Inferred::Known(_) | Inferred::Nothing);
         if known || value.ty != TypeId::ERROR {
@@ -65,26 +65,31 @@ impl<'m> Lowering<'m> {
     }
 
     /// Converts the value on the stack to a type that it may convert to.
-    pub(super) fn adapt(&mut self, value: Value, to: TypeId) -> Value {
+    pub(super) fn adapt(&mut self, value: LoweredValue, to: TypeId) -> LoweredValue {
         if value.ty == to {
             return value;
         }
         let dialect = self.model.source.dialect;
         let conversion = value.ty.elementary().zip(to.elementary());
         let Some(conversion) = conversion.and_then(|(from, to)| implicit(from, to, dialect)) else {
-            return Value::ERROR;
+            return LoweredValue::ERROR;
         };
         self.emitter.convert(conversion);
         let exact = conversion.from.is_integer() && conversion.to.is_integer();
-        Value {
+        LoweredValue {
             ty: to,
             constant: value.constant.filter(|_| exact),
         }
     }
 
     /// Lets no value outside a subrange through to a variable that has one.
-    pub(super) fn check_limits(&mut self, id: ExpressionId, value: Value, target: TypeId) -> Value {
-        let Kind::Subrange(limits) = *self.model.types.kind(target) else {
+    pub(super) fn check_limits(
+        &mut self,
+        id: ExpressionId,
+        value: LoweredValue,
+        target: TypeId,
+    ) -> LoweredValue {
+        let TypeKind::Subrange(limits) = *self.model.types.kind(target) else {
             return value;
         };
         let Subrange { low, high, .. } = limits;
@@ -94,7 +99,7 @@ impl<'m> Lowering<'m> {
             Some(number) => {
                 let message = format!("{number} does not lie in {low}..{high}");
                 self.report(Code::ConstantOverflow, self.span(id), message);
-                return Value::ERROR;
+                return LoweredValue::ERROR;
             }
             None => self.emit_at(self.span(id), check_range(limits)),
         }
@@ -102,7 +107,7 @@ impl<'m> Lowering<'m> {
     }
 
     /// Puts a value on the stack: in its own type, or where it is untyped in the type that is wanted.
-    pub(super) fn value(&mut self, id: ExpressionId, wanted: Option<TypeId>) -> Value {
+    pub(super) fn value(&mut self, id: ExpressionId, wanted: Option<TypeId>) -> LoweredValue {
         let expression = self.expression(id);
         match &expression.kind {
             ExpressionKind::Literal(literal) => self.literal(
@@ -122,11 +127,11 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Unary { operator, operand } => self.unary(id, *operator, *operand, wanted),
             ExpressionKind::Binary { .. } => self.chain(id, wanted),
             ExpressionKind::Parenthesized(inner) => self.value(*inner, wanted),
-            ExpressionKind::Error => Value::ERROR,
+            ExpressionKind::Error => LoweredValue::ERROR,
         }
     }
 
-    fn name(&mut self, id: ExpressionId, name: Name<'m>, wanted: Option<TypeId>) -> Value {
+    fn name(&mut self, id: ExpressionId, name: Name<'m>, wanted: Option<TypeId>) -> LoweredValue {
         if let Some((_, variable)) = self.variable(name.text) {
             return self.known(&variable.value).unwrap_or_else(|| self.read(id));
         }
@@ -135,7 +140,7 @@ impl<'m> Lowering<'m> {
             Some(EnumeratedName::Several) => {
                 let types = &self.model.types;
                 let number = wanted.and_then(|ty| match types.kind(ty) {
-                    Kind::Enumeration(enumeration) => Some((ty, *enumeration.values.find(name.text)?)),
+                    TypeKind::Enumeration(enumeration) => Some((ty, *enumeration.values.find(name.text)?)),
                     _ => None,
                 });
                 if let Some((ty, number)) = number {
@@ -146,14 +151,14 @@ impl<'m> Lowering<'m> {
                     name.text
                 );
                 self.report(Code::EnumValueAmbiguous, name.span, message);
-                Value::ERROR
+                LoweredValue::ERROR
             }
             None => self.read(id),
         }
     }
 
     /// Puts the value of a named constant on the stack, where it is known.
-    fn known(&mut self, constant: &Constant) -> Option<Value> {
+    fn known(&mut self, constant: &Constant) -> Option<LoweredValue> {
         let Constant::Known(value) = constant else {
             return None;
         };
@@ -161,21 +166,21 @@ impl<'m> Lowering<'m> {
             ConstantValue::Plain(_, raw) => self.emit(Instruction::Push(*raw)),
             ConstantValue::Text(_, units) => self.emitter.push_text(units.to_vec()),
         }
-        Some(Value {
+        Some(LoweredValue {
             ty: TypeId::of(value.ty()),
             constant: value.number(),
         })
     }
 
-    fn enumerated_value(&mut self, ty: TypeId, number: i64) -> Value {
+    fn enumerated_value(&mut self, ty: TypeId, number: i64) -> LoweredValue {
         self.emit(Instruction::Push(number.cast_unsigned()));
-        Value {
+        LoweredValue {
             ty: self.model.types.value_type(ty),
             constant: Some(number.into()),
         }
     }
 
-    fn enumerated(&mut self, type_name: Name<'m>, value: Name<'m>) -> Value {
+    fn enumerated(&mut self, type_name: Name<'m>, value: Name<'m>) -> LoweredValue {
         let types = &self.model.types;
         let Some(ty) = self.declared_type(type_name.text) else {
             let (code, message) = match ElementaryType::from_name(type_name.text) {
@@ -189,29 +194,29 @@ impl<'m> Lowering<'m> {
                 ),
             };
             self.report(code, type_name.span, message);
-            return Value::ERROR;
+            return LoweredValue::ERROR;
         };
         match types.kind(ty) {
-            Kind::Enumeration(enumeration) => match enumeration.values.find(value.text) {
+            TypeKind::Enumeration(enumeration) => match enumeration.values.find(value.text) {
                 Some(&number) => self.enumerated_value(ty, number),
                 None => {
                     let message = format!("`{}` has no value `{}`", types.name(ty), value.text);
                     self.report(Code::EnumValueNotDefined, value.span, message);
-                    Value::ERROR
+                    LoweredValue::ERROR
                 }
             },
-            Kind::Error => Value::ERROR,
+            TypeKind::Error => LoweredValue::ERROR,
             _ => {
                 let message = format!("`{}` is no enumeration", type_name.text);
                 self.report(Code::EnumNotDeclared, type_name.span, message);
-                Value::ERROR
+                LoweredValue::ERROR
             }
         }
     }
 
     /// Reports a lone unknown name where an enumeration is expected as a value that the enumeration does not have.
     fn reports_unknown_value(&mut self, id: ExpressionId, target: TypeId) -> bool {
-        let Kind::Enumeration(enumeration) = self.model.types.kind(target) else {
+        let TypeKind::Enumeration(enumeration) = self.model.types.kind(target) else {
             return false;
         };
         let ExpressionKind::Name(name) = self.expression(id).kind else {
@@ -231,7 +236,7 @@ impl<'m> Lowering<'m> {
         operator: UnaryOperator,
         operand: ExpressionId,
         wanted: Option<TypeId>,
-    ) -> Value {
+    ) -> LoweredValue {
         let span = self.span(id);
         if operator == UnaryOperator::Negate
             && let ExpressionKind::Literal(literal) = &self.expression(operand).kind
@@ -262,7 +267,7 @@ impl<'m> Lowering<'m> {
             let name = self.model.types.name(value.ty);
             let message = format!("`{}` is not defined for {name}", symbol(operator));
             self.report(Code::OperatorOperandTypeMismatch, span, message);
-            return Value::ERROR;
+            return LoweredValue::ERROR;
         };
         match operator {
             UnaryOperator::Plus => return value,
@@ -274,7 +279,7 @@ impl<'m> Lowering<'m> {
                 self.negate(start, ty);
             }
         }
-        Value {
+        LoweredValue {
             ty: value.ty,
             constant: None,
         }
@@ -301,12 +306,12 @@ impl<'m> Lowering<'m> {
         start: u32,
         ty: ElementaryType,
         number: Option<i128>,
-    ) -> Value {
+    ) -> LoweredValue {
         match fitting(ty, number) {
             Some(raw) => {
                 self.emitter.truncate(start);
                 self.emit(Instruction::Push(raw));
-                Value {
+                LoweredValue {
                     ty: TypeId::of(ty),
                     constant: number,
                 }
@@ -315,7 +320,7 @@ impl<'m> Lowering<'m> {
                 let (low, high) = ty.integer_range().unwrap_or((0, 0));
                 let message = format!("the result does not fit {} ({low}..{high})", ty.name());
                 self.report(Code::ConstantExpressionOverflow, self.span(id), message);
-                Value::ERROR
+                LoweredValue::ERROR
             }
         }
     }

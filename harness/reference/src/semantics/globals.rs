@@ -4,10 +4,10 @@
 
 use super::constant::Constant;
 use super::declare::Declarer;
-use super::model::{Storage, Variable};
+use super::model::{DeclaredVariable, Storage};
 use super::types::TypeId;
 use crate::source::saturating_u32;
-use crate::syntax::tree::{Folded, Name, PouKind, VariableBlock, VariableGroup, VariableKind};
+use crate::syntax::tree::{CaseFolded, Name, PouKind, VariableBlock, VariableGroup, VariableKind};
 use stickler_types::Code;
 
 impl<'u> Declarer<'u, '_> {
@@ -55,12 +55,12 @@ impl<'u> Declarer<'u, '_> {
         value: Constant,
     ) {
         let index = saturating_u32(self.model.variables.len());
-        let known = *self.model.globals.entry(Folded(name.text)).or_insert(index);
+        let known = *self.model.globals.entry(CaseFolded(name.text)).or_insert(index);
         if known != index {
             let message = format!("global variable `{}` is already declared", name.text);
             self.report(Code::SymbolDeclDuplicated, name.span, message);
         }
-        self.model.variables.push(Variable {
+        self.model.variables.push(DeclaredVariable {
             name,
             ty: TypeId::ERROR,
             kind: VariableKind::Global,
@@ -89,7 +89,7 @@ impl<'u> Declarer<'u, '_> {
 
     /// Returns what the name of a VAR_EXTERNAL means in constant expressions.
     pub(super) fn external_constant(&self, name: Name<'_>) -> Constant {
-        match self.model.globals.get(&Folded(name.text)) {
+        match self.model.globals.get(&CaseFolded(name.text)) {
             Some(&global) => self.model.variable(global).value.clone(),
             None => Constant::Unknown,
         }
@@ -97,13 +97,13 @@ impl<'u> Declarer<'u, '_> {
 
     fn resolve_external(&mut self, index: usize) {
         let (name, ty) = (self.model.variables[index].name, self.model.variables[index].ty);
-        let Some(&global) = self.model.globals.get(&Folded(name.text)) else {
+        let Some(&global) = self.model.globals.get(&CaseFolded(name.text)) else {
             let message = format!("there is no global variable `{}`", name.text);
             self.report(Code::VariableUndefined, name.span, message);
             self.model.variables[index].ty = TypeId::ERROR;
             return;
         };
-        let Variable {
+        let DeclaredVariable {
             ty: other,
             constant,
             ref value,

@@ -3,10 +3,10 @@
 use super::constant::Constant;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
-use super::model::{Definition, EnumeratedName};
-use super::operators::Signature;
-use super::types::{Kind, TypeId};
-use crate::syntax::tree::{ExpressionId, ExpressionKind, Folded, Name, UnaryOperator};
+use super::model::{EnumeratedName, TopLevelName};
+use super::operators::OperatorSignature;
+use super::types::{TypeId, TypeKind};
+use crate::syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, UnaryOperator};
 use stickler_types::ElementaryType;
 
 impl<'m> Lowering<'m> {
@@ -37,9 +37,9 @@ impl<'m> Lowering<'m> {
             let right = self.infer(right);
             let left = self.inferred[left.0 as usize];
             self.inferred[node.0 as usize] = match self.rules().signature(operator, left, right) {
-                Signature::Defined(operation) => Inferred::Known(operation.result),
-                Signature::Untyped(inferred) => inferred,
-                Signature::Undefined | Signature::Silent => Inferred::Error,
+                OperatorSignature::Defined(operation) => Inferred::Known(operation.result),
+                OperatorSignature::Untyped(inferred) => inferred,
+                OperatorSignature::Undefined | OperatorSignature::Silent => Inferred::Error,
             };
         }
         self.inferred[id.0 as usize]
@@ -84,16 +84,18 @@ impl<'m> Lowering<'m> {
 
     /// The enumerated value of a name: one that is declared with a variable of the POU, or else of a type.
     pub(super) fn enumerated_name(&self, name: &str) -> Option<EnumeratedName> {
-        let local = self.entry().and_then(|entry| entry.enumerated.get(&Folded(name)));
+        let local = self
+            .entry()
+            .and_then(|entry| entry.enumerated.get(&CaseFolded(name)));
         local
-            .or_else(|| self.model.enumerated.get(&Folded(name)))
+            .or_else(|| self.model.enumerated.get(&CaseFolded(name)))
             .copied()
     }
 
     /// The type that a name declares; of the third edition's, the one that the text declares wins.
     pub(super) fn declared_type(&self, name: &str) -> Option<TypeId> {
-        match self.model.definitions.get(&Folded(name)) {
-            Some(&Definition::Type(index)) => self.model.declared_types.get(index as usize).copied(),
+        match self.model.definitions.get(&CaseFolded(name)) {
+            Some(&TopLevelName::Type(index)) => self.model.declared_types.get(index as usize).copied(),
             _ => None,
         }
     }
@@ -101,7 +103,7 @@ impl<'m> Lowering<'m> {
     fn infer_enumerated(&self, type_name: Name<'m>, value: Name<'m>) -> Inferred {
         match self.declared_type(type_name.text) {
             Some(ty) => match self.model.types.kind(ty) {
-                Kind::Enumeration(enumeration) if enumeration.values.find(value.text).is_some() => {
+                TypeKind::Enumeration(enumeration) if enumeration.values.find(value.text).is_some() => {
                     self.inferred_of(ty)
                 }
                 _ => Inferred::Error,
@@ -125,7 +127,7 @@ impl<'m> Lowering<'m> {
             return Inferred::Error;
         };
         match self.model.types.kind(ty) {
-            Kind::Array(shape) if shape.dimensions.len() == subscripts => self.inferred_of(shape.element),
+            TypeKind::Array(shape) if shape.dimensions.len() == subscripts => self.inferred_of(shape.element),
             _ => Inferred::Error,
         }
     }

@@ -2,11 +2,11 @@
 //!
 //! Memory begins with zeros and empty texts, and a function clears its frame, so only what differs is set.
 
-use super::contexts::Context;
-use super::locations::{Location, Place};
+use super::contexts::ValueContext;
+use super::locations::{Location, VariablePlace};
 use super::lowering::Lowering;
-use super::model::{InitialValue, Variable};
-use super::types::{DefaultValue, Kind, TypeId};
+use super::model::{DeclaredVariable, InitialValue};
+use super::types::{DefaultValue, TypeId, TypeKind};
 use crate::instruction::{Instruction, RoutineId};
 use crate::source::Span;
 use crate::syntax::tree::{ArrayElement, Initializer, InitializerKind, Name, VariableKind};
@@ -14,8 +14,8 @@ use stickler_types::Code;
 
 impl<'m> Lowering<'m> {
     /// Gives a variable its initial value.
-    pub(super) fn initialize_variable(&mut self, variable: &Variable<'m>) {
-        let place = Place::of(variable);
+    pub(super) fn initialize_variable(&mut self, variable: &DeclaredVariable<'m>) {
+        let place = VariablePlace::of(variable);
         self.set_line(variable.name.span);
         let muted = self.reporter.mute(variable.repeated);
         self.initialize(place.location, variable.ty, variable.initializer);
@@ -40,17 +40,17 @@ impl<'m> Lowering<'m> {
         }
         match (&initializer.kind, self.model.types.kind(ty)) {
             (InitializerKind::Expression(id), _) => {
-                let place = Place {
+                let place = VariablePlace {
                     location,
                     ty,
                     bit: None,
                     constant: false,
                 };
                 self.begin_store(place);
-                self.coerce(*id, ty, Context::Initializer);
+                self.coerce(*id, ty, ValueContext::Initializer);
                 self.finish_store(place, initializer.span);
             }
-            (InitializerKind::Array(elements), Kind::Array(shape)) => {
+            (InitializerKind::Array(elements), TypeKind::Array(shape)) => {
                 self.default_value(location, ty);
                 let lengths: Vec<_> = shape
                     .dimensions
@@ -59,7 +59,7 @@ impl<'m> Lowering<'m> {
                     .collect();
                 self.elements(location, shape.element, &lengths, elements, initializer.span);
             }
-            (InitializerKind::Structure(fields), Kind::Structure(_) | Kind::FunctionBlock(_)) => {
+            (InitializerKind::Structure(fields), TypeKind::Structure(_) | TypeKind::FunctionBlock(_)) => {
                 self.default_value(location, ty);
                 self.fields(location, ty, fields);
             }
@@ -80,7 +80,7 @@ impl<'m> Lowering<'m> {
         match self.model.types.extent(ty).default {
             DefaultValue::Zero => {}
             DefaultValue::Constant(raw) => {
-                let place = Place {
+                let place = VariablePlace {
                     location,
                     ty,
                     bit: None,
@@ -167,7 +167,7 @@ impl<'m> Lowering<'m> {
     }
 
     fn is_array(&self, ty: TypeId) -> bool {
-        matches!(self.model.types.kind(ty), Kind::Array(_))
+        matches!(self.model.types.kind(ty), TypeKind::Array(_))
     }
 
     /// Returns how often an element is repeated.
@@ -187,7 +187,8 @@ impl<'m> Lowering<'m> {
     }
 
     fn fields(&mut self, location: Location, ty: TypeId, fields: &'m [(Name<'m>, Initializer<'m>)]) {
-        let (Kind::Structure(structure) | Kind::FunctionBlock(structure)) = self.model.types.kind(ty) else {
+        let (TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure)) = self.model.types.kind(ty)
+        else {
             return;
         };
         let mut given = rustc_hash::FxHashSet::default();
@@ -218,7 +219,7 @@ impl<'m> Lowering<'m> {
         self.emitter.begin(routine);
         match value {
             InitialValue::Structure(ty, groups) => {
-                let Kind::Structure(structure) = model.types.kind(ty) else {
+                let TypeKind::Structure(structure) = model.types.kind(ty) else {
                     return;
                 };
                 for group in groups {
@@ -238,7 +239,7 @@ impl<'m> Lowering<'m> {
                 }
             }
             InitialValue::Elements(ty) => {
-                let Kind::Array(shape) = model.types.kind(ty) else {
+                let TypeKind::Array(shape) = model.types.kind(ty) else {
                     return;
                 };
                 self.default_value(start, shape.element);

@@ -4,12 +4,12 @@
 //! All arguments are evaluated before any is stored in the callee's frame, and the result is taken out of the
 //! frame before any output is looked at, so that `F(F(1))` and `F(q => a[F(2)])` do what they say.
 
-use super::arguments::{Bound, Capture};
-use super::contexts::{Context, Fit, fit};
+use super::arguments::{BoundArguments, Capture};
+use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;
-use super::locations::{Location, Place};
-use super::lowering::{Lowering, Value};
-use super::model::{Storage, Variable};
+use super::locations::{Location, VariablePlace};
+use super::lowering::{LoweredValue, Lowering};
+use super::model::{DeclaredVariable, Storage};
 use super::types::TypeId;
 use crate::diagnostic::Diagnostic;
 use crate::instruction::Instruction;
@@ -28,16 +28,16 @@ impl<'m> Lowering<'m> {
         pou: u32,
         arguments: &'m [Argument<'m>],
         used: bool,
-    ) -> Value {
+    ) -> LoweredValue {
         self.note_call(pou, span);
         let entry = &self.model.pous[pou as usize];
         let result = entry.result.map(|result| self.model.variable(result));
         let value = match result {
-            Some(result) => Value {
+            Some(result) => LoweredValue {
                 ty: self.model.types.value_type(result.ty),
                 constant: None,
             },
-            None => Value::ERROR,
+            None => LoweredValue::ERROR,
         };
         let Some(bound) = self.bind(pou, arguments, span) else {
             return value;
@@ -56,11 +56,11 @@ impl<'m> Lowering<'m> {
     }
 
     /// Puts the result of a function on the stack. An aggregate is copied, for the next call overwrites it.
-    fn take_result(&mut self, result: &'m Variable<'m>, span: Span) {
-        let place = Place::of(result);
+    fn take_result(&mut self, result: &'m DeclaredVariable<'m>, span: Span) {
+        let place = VariablePlace::of(result);
         if self.is_aggregate(result.ty) {
             let address = self.temporary_of(result.ty, span);
-            let copy = Place {
+            let copy = VariablePlace {
                 location: Location::Absolute(address),
                 ..place
             };
@@ -97,14 +97,14 @@ impl<'m> Lowering<'m> {
     }
 
     /// Returns where a variable of the callee lies for the caller; of a VAR_IN_OUT, the cell for the address.
-    fn outside(&mut self, variable: &Variable<'_>, instance: Option<Location>) -> Place {
+    fn outside(&mut self, variable: &DeclaredVariable<'_>, instance: Option<Location>) -> VariablePlace {
         let (location, ty) = match (variable.storage, instance) {
             (Storage::Instance(offset), Some(base)) => (self.shifted(base, offset), variable.ty),
             (Storage::InstancePointer(cell), Some(base)) => (self.shifted(base, cell), ADDRESS),
             (Storage::AbsolutePointer(cell), _) => (Location::Absolute(cell), ADDRESS),
             (storage, _) => (Location::of(storage), variable.ty),
         };
-        Place {
+        VariablePlace {
             location,
             ty,
             bit: None,
@@ -113,7 +113,7 @@ impl<'m> Lowering<'m> {
     }
 
     /// Evaluates the arguments and leaves them on the stack; gives the places where they belong.
-    fn pass(&mut self, bound: &Bound, instance: Option<Location>) -> Vec<Place> {
+    fn pass(&mut self, bound: &BoundArguments, instance: Option<Location>) -> Vec<VariablePlace> {
         let mut places = Vec::with_capacity(bound.inputs.len());
         for &(parameter, argument) in &bound.inputs {
             let variable = &self.model.variables[parameter as usize];
@@ -122,14 +122,14 @@ impl<'m> Lowering<'m> {
             if variable.kind == VariableKind::InOut {
                 self.pass_by_reference(argument, variable);
             } else {
-                self.coerce(argument, variable.ty, Context::Argument);
+                self.coerce(argument, variable.ty, ValueContext::Argument);
             }
             places.push(place);
         }
         places
     }
 
-    fn finish_passing(&mut self, places: Vec<Place>, span: Span) {
+    fn finish_passing(&mut self, places: Vec<VariablePlace>, span: Span) {
         for place in places.into_iter().rev() {
             self.finish_store(place, span);
         }
@@ -138,7 +138,7 @@ impl<'m> Lowering<'m> {
     /// Puts the address of an argument on the stack.
     ///
     /// Basis: stickler-design: §8 (VAR_IN_OUT needs the same type); ironplc-problem-codes: P4058, P4059, P4060.
-    fn pass_by_reference(&mut self, argument: ExpressionId, parameter: &Variable<'_>) {
+    fn pass_by_reference(&mut self, argument: ExpressionId, parameter: &DeclaredVariable<'_>) {
         let ty = parameter.ty;
         let span = self.span(argument);
         if !self.is_variable(argument) {
@@ -214,7 +214,7 @@ impl<'m> Lowering<'m> {
 
     /// Puts an output on the stack, as its target takes it; an aggregate is left where it is. Gives whether it
     /// fits its target.
-    fn read_output(&mut self, capture: &Capture, output: Place) -> bool {
+    fn read_output(&mut self, capture: &Capture, output: VariablePlace) -> bool {
         let span = self.span(capture.target);
         let target = self.infer(capture.target);
         let types = &self.model.types;
@@ -229,14 +229,14 @@ impl<'m> Lowering<'m> {
         }
         let Inferred::Known(to) = target else { return false };
         let dialect = self.model.source.dialect;
-        if fit(Inferred::Known(from), to, Context::Capture, types, dialect) != Fit::Yes {
+        if fit(Inferred::Known(from), to, ValueContext::Capture, types, dialect) != Fit::Yes {
             let message = format!(
                 "{} does not convert implicitly to {}",
                 types.name(from),
                 types.name(to)
             );
             self.reporter
-                .push(Diagnostic::new(Context::Capture.code(), span, message));
+                .push(Diagnostic::new(ValueContext::Capture.code(), span, message));
             return false;
         }
         if self.is_aggregate(output.ty) {

@@ -2,7 +2,7 @@
 //! program instances. Recursion is forbidden, so each function needs one frame only.
 
 use super::declare::Declarer;
-use super::memory::{MAX_CELLS, MAX_TEXT, Memory};
+use super::memory::{MAX_CELLS, MAX_TEXT, MemoryLayout};
 use super::model::{Model, Storage};
 use crate::source::{Span, saturating_u32};
 use crate::syntax::tree::VariableKind;
@@ -10,8 +10,8 @@ use stickler_types::Code;
 
 impl Declarer<'_, '_> {
     /// Gives everything its address; where memory does not suffice, that is said once.
-    pub(super) fn lay_out(&mut self) -> Memory {
-        let mut memory = Memory::default();
+    pub(super) fn lay_out(&mut self) -> MemoryLayout {
+        let mut memory = MemoryLayout::default();
         if let Err(span) = self.place_all(&mut memory) {
             let message = format!(
                 "the program needs more than {MAX_CELLS} cells of memory, or texts of more than \
@@ -22,7 +22,7 @@ impl Declarer<'_, '_> {
         memory
     }
 
-    fn place_all(&mut self, memory: &mut Memory) -> Result<(), Span> {
+    fn place_all(&mut self, memory: &mut MemoryLayout) -> Result<(), Span> {
         for index in 0..self.model.variables.len() {
             if self.model.variables[index].kind == VariableKind::Global {
                 self.place_variable(saturating_u32(index), memory)?;
@@ -34,7 +34,7 @@ impl Declarer<'_, '_> {
                 && let Some(&global) = self
                     .model
                     .globals
-                    .get(&crate::syntax::tree::Folded(variable.name.text))
+                    .get(&crate::syntax::tree::CaseFolded(variable.name.text))
             {
                 self.model.variables[index].storage = self.model.variable(global).storage;
             }
@@ -56,7 +56,7 @@ impl Declarer<'_, '_> {
     }
 
     /// The parameters of a function come first, then what it clears at each call.
-    fn place_frame(&mut self, pou: usize, memory: &mut Memory) -> Result<(), Span> {
+    fn place_frame(&mut self, pou: usize, memory: &mut MemoryLayout) -> Result<(), Span> {
         for parameter in self.model.pous[pou].parameters.clone() {
             self.place_variable(parameter, memory)?;
         }
@@ -74,7 +74,7 @@ impl Declarer<'_, '_> {
         Ok(())
     }
 
-    fn place_variable(&mut self, index: u32, memory: &mut Memory) -> Result<(), Span> {
+    fn place_variable(&mut self, index: u32, memory: &mut MemoryLayout) -> Result<(), Span> {
         let Model { types, variables, .. } = &mut self.model;
         let variable = &mut variables[index as usize];
         let (pointer, span) = (variable.kind == VariableKind::InOut, variable.name.span);

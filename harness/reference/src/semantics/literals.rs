@@ -5,7 +5,7 @@
 
 use super::common::settle;
 use super::inferred::{Inferred, Magnitude};
-use super::lowering::{Lowering, Value};
+use super::lowering::{LoweredValue, Lowering};
 use super::types::TypeId;
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
@@ -24,7 +24,7 @@ pub(super) struct Signed<'u> {
 }
 
 /// The value of a literal.
-pub(super) enum Read {
+pub(super) enum LiteralValue {
     /// A raw form.
     Plain(u64),
     /// Code units.
@@ -38,26 +38,26 @@ impl<'m> Lowering<'m> {
     }
 
     /// Pushes the value of a literal in the type that it has or takes.
-    pub(super) fn literal(&mut self, signed: Signed<'m>, wanted: Option<TypeId>) -> Value {
+    pub(super) fn literal(&mut self, signed: Signed<'m>, wanted: Option<TypeId>) -> LoweredValue {
         let source = self.model.source;
         let wanted = wanted.and_then(TypeId::elementary);
         let read = literal_type(signed, wanted, source.dialect)
             .and_then(|ty| Ok((ty, read_literal(signed, ty, source.text)?)));
         match read {
-            Ok((ty, Read::Plain(raw))) => {
+            Ok((ty, LiteralValue::Plain(raw))) => {
                 self.emit(Instruction::Push(raw));
-                Value {
+                LoweredValue {
                     ty: TypeId::of(ty),
                     constant: counts(ty).then(|| ty.integer_value(raw)),
                 }
             }
-            Ok((ty, Read::Text(units))) => {
+            Ok((ty, LiteralValue::Text(units))) => {
                 self.emitter.push_text(units);
-                Value::of(ty)
+                LoweredValue::of(ty)
             }
             Err(diagnostic) => {
                 self.reporter.push(diagnostic);
-                Value::ERROR
+                LoweredValue::ERROR
             }
         }
     }
@@ -121,12 +121,16 @@ pub(super) fn literal_type(
 }
 
 /// The value of a literal in its type, or why it has none; `text` is the source text.
-pub(super) fn read_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<Read, Diagnostic> {
+pub(super) fn read_literal(
+    signed: Signed<'_>,
+    ty: ElementaryType,
+    text: &str,
+) -> Result<LiteralValue, Diagnostic> {
     match ty.family() {
-        _ if counts(ty) => integer_literal(signed, ty, text).map(Read::Plain),
+        _ if counts(ty) => integer_literal(signed, ty, text).map(LiteralValue::Plain),
         Family::Text | Family::Character => quoted_literal(signed, ty, text),
         _ => read(signed, ty)
-            .map(Read::Plain)
+            .map(LiteralValue::Plain)
             .map_err(|error| misread(signed, ty, text, error)),
     }
 }
@@ -160,7 +164,7 @@ fn integer_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result
     Err(Diagnostic::new(Code::ConstantOverflow, signed.span, message))
 }
 
-fn quoted_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<Read, Diagnostic> {
+fn quoted_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<LiteralValue, Diagnostic> {
     let literal = signed.literal;
     let wide = matches!(ty, ElementaryType::Wstring | ElementaryType::Wchar);
     if wide != (literal.kind == LiteralKind::DoubleByteText) {
@@ -173,9 +177,9 @@ fn quoted_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<
         ));
     }
     match literal::text(literal.text()) {
-        Ok(units) if ty.is_text() => Ok(Read::Text(units)),
+        Ok(units) if ty.is_text() => Ok(LiteralValue::Text(units)),
         Ok(units) => match units[..] {
-            [unit] => Ok(Read::Plain(unit.into())),
+            [unit] => Ok(LiteralValue::Plain(unit.into())),
             _ => {
                 let message = format!("a {} is one character, not {}", ty.name(), units.len());
                 Err(Diagnostic::new(Code::ConstantOverflow, signed.span, message))

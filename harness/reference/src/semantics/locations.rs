@@ -1,8 +1,8 @@
 //! The locations of variables, and the code that reads and writes them there.
 
-use super::lowering::{Lowering, Value};
-use super::model::{Storage, Variable};
-use super::types::{Kind, Subrange, TypeId};
+use super::lowering::{LoweredValue, Lowering};
+use super::model::{DeclaredVariable, Storage};
+use super::types::{Subrange, TypeId, TypeKind};
 use crate::instruction::Instruction;
 use crate::source::Span;
 use stickler_types::ElementaryType;
@@ -24,7 +24,7 @@ pub(super) enum Location {
 
 /// A variable, an element of one, or a bit.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct VariablePlace {
     pub(super) location: Location,
     /// The declared type; of a bit, the type that it is part of.
     pub(super) ty: TypeId,
@@ -34,10 +34,10 @@ pub(super) struct Place {
     pub(super) constant: bool,
 }
 
-impl Place {
+impl VariablePlace {
     /// A whole variable.
-    pub(super) fn of(variable: &Variable<'_>) -> Place {
-        Place {
+    pub(super) fn of(variable: &DeclaredVariable<'_>) -> VariablePlace {
+        VariablePlace {
             location: Location::of(variable.storage),
             ty: variable.ty,
             bit: None,
@@ -65,31 +65,31 @@ impl Location {
 
 /// The kind of cells that a value takes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Cells {
+enum CellKind {
     Plain,
     Text,
     Many(u32),
 }
 
 impl Lowering<'_> {
-    fn cells(&self, ty: TypeId) -> Cells {
+    fn cells(&self, ty: TypeId) -> CellKind {
         match self.model.types.kind(ty) {
-            Kind::Text { .. } => Cells::Text,
-            Kind::Array(_) | Kind::Structure(_) | Kind::FunctionBlock(_) => {
-                Cells::Many(self.model.types.extent(ty).size)
+            TypeKind::Text { .. } => CellKind::Text,
+            TypeKind::Array(_) | TypeKind::Structure(_) | TypeKind::FunctionBlock(_) => {
+                CellKind::Many(self.model.types.extent(ty).size)
             }
-            _ => Cells::Plain,
+            _ => CellKind::Plain,
         }
     }
 
     /// Whether values of a type are addresses of where they lie.
     pub(super) fn is_aggregate(&self, ty: TypeId) -> bool {
-        matches!(self.cells(ty), Cells::Many(_))
+        matches!(self.cells(ty), CellKind::Many(_))
     }
 
     /// Whether values of a type are texts.
     pub(super) fn is_text(&self, ty: TypeId) -> bool {
-        self.cells(ty) == Cells::Text
+        self.cells(ty) == CellKind::Text
     }
 
     /// The location some cells further on.
@@ -147,15 +147,15 @@ impl Lowering<'_> {
     }
 
     /// Puts what lies somewhere on the stack; of an aggregate, its address.
-    pub(super) fn load(&mut self, place: Place) -> Value {
+    pub(super) fn load(&mut self, place: VariablePlace) -> LoweredValue {
         match (self.cells(place.ty), place.location) {
-            (Cells::Many(_), location) => self.push_address(location),
-            (Cells::Text, location) => {
+            (CellKind::Many(_), location) => self.push_address(location),
+            (CellKind::Text, location) => {
                 self.push_address(location);
                 self.emit(Instruction::LoadText);
             }
-            (Cells::Plain, Location::Absolute(address)) => self.emit(Instruction::Load(address)),
-            (Cells::Plain, location) => {
+            (CellKind::Plain, Location::Absolute(address)) => self.emit(Instruction::Load(address)),
+            (CellKind::Plain, location) => {
                 self.push_address(location);
                 self.emit(Instruction::LoadIndirect);
             }
@@ -163,65 +163,65 @@ impl Lowering<'_> {
         if let Some(bit) = place.bit {
             self.emit(Instruction::Bit(bit));
         }
-        Value {
+        LoweredValue {
             ty: self.model.types.value_type(place.content()),
             constant: None,
         }
     }
 
     /// Puts on the stack what must lie below the value that is to be stored.
-    pub(super) fn begin_store(&mut self, place: Place) {
+    pub(super) fn begin_store(&mut self, place: VariablePlace) {
         let known = matches!(place.location, Location::Absolute(_));
         match self.cells(place.ty) {
             _ if place.location == Location::Stack => {}
             _ if place.bit.is_some() => self.push_address(place.location),
-            Cells::Text => {}
-            Cells::Plain if known => {}
-            Cells::Plain | Cells::Many(_) => self.push_address(place.location),
+            CellKind::Text => {}
+            CellKind::Plain if known => {}
+            CellKind::Plain | CellKind::Many(_) => self.push_address(place.location),
         }
     }
 
     /// Stores the value on the stack, [`Self::begin_store`] having come before it.
-    pub(super) fn finish_store(&mut self, place: Place, span: Span) {
+    pub(super) fn finish_store(&mut self, place: VariablePlace, span: Span) {
         if let (Some(bit), Some(of)) = (place.bit, self.model.elementary(place.ty)) {
             return self.store_bit(place, bit, of, span);
         }
         match (self.cells(place.ty), place.location) {
-            (Cells::Many(size), _) => self.emit(Instruction::Copy(size)),
-            (Cells::Text, location) => {
+            (CellKind::Many(size), _) => self.emit(Instruction::Copy(size)),
+            (CellKind::Text, location) => {
                 self.push_address(location);
                 self.emit(Instruction::StoreText);
             }
-            (Cells::Plain, Location::Absolute(address)) => self.emit(Instruction::Store(address)),
-            (Cells::Plain, _) => self.emit(Instruction::StoreIndirect),
+            (CellKind::Plain, Location::Absolute(address)) => self.emit(Instruction::Store(address)),
+            (CellKind::Plain, _) => self.emit(Instruction::StoreIndirect),
         }
     }
 
     /// Stores the value on the stack, nothing having been said of the place before; the limits of a subrange
     /// are checked.
-    pub(super) fn store(&mut self, place: Place, span: Span) {
+    pub(super) fn store(&mut self, place: VariablePlace, span: Span) {
         let known = matches!(place.location, Location::Absolute(_));
         match self.cells(place.ty) {
-            Cells::Text => {}
-            Cells::Plain if known && place.bit.is_none() => {}
+            CellKind::Text => {}
+            CellKind::Plain if known && place.bit.is_none() => {}
             _ => {
                 self.push_address(place.location);
                 self.emit(Instruction::Swap);
             }
         }
-        if let (Kind::Subrange(limits), None) = (self.model.types.kind(place.ty), place.bit) {
+        if let (TypeKind::Subrange(limits), None) = (self.model.types.kind(place.ty), place.bit) {
             self.emit_at(span, check_range(*limits));
         }
         self.finish_store(place, span);
     }
 
     /// Sets a bit; a variable with limits must still keep to them.
-    fn store_bit(&mut self, place: Place, bit: u8, of: ElementaryType, span: Span) {
+    fn store_bit(&mut self, place: VariablePlace, bit: u8, of: ElementaryType, span: Span) {
         self.emit(Instruction::StoreBit { bit, of });
-        if let Kind::Subrange(limits) = *self.model.types.kind(place.ty)
+        if let TypeKind::Subrange(limits) = *self.model.types.kind(place.ty)
             && place.location != Location::Stack
         {
-            self.load(Place { bit: None, ..place });
+            self.load(VariablePlace { bit: None, ..place });
             self.emit_at(span, check_range(limits));
             self.emit(Instruction::Drop);
         }

@@ -7,10 +7,10 @@
 //! Basis: stickler-design: §8 (FOR bounds take any integer); iec-61131-3: FOR statement (the control variable's
 //! value after the loop is left to the implementer).
 
-use super::contexts::Context;
-use super::locations::{Place, check_range};
-use super::lowering::{Lowering, Value};
-use super::types::{Kind, TypeId};
+use super::contexts::ValueContext;
+use super::locations::{VariablePlace, check_range};
+use super::lowering::{LoweredValue, Lowering};
+use super::types::{TypeId, TypeKind};
 use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::{Instruction, LoopTypes};
 use crate::source::Span;
@@ -19,7 +19,7 @@ use stickler_types::{Code, ElementaryType};
 
 /// A limit or a step that is kept while the loop runs.
 #[derive(Clone, Copy)]
-struct Kept {
+struct LoopBound {
     cell: u32,
     ty: ElementaryType,
 }
@@ -34,7 +34,7 @@ impl<'m> Lowering<'m> {
     ) {
         let Some((place, ty)) = self.control(control) else {
             for bound in [Some(from), Some(to), by].into_iter().flatten() {
-                self.integer(bound, ElementaryType::Lint, Context::Integer);
+                self.integer(bound, ElementaryType::Lint, ValueContext::Integer);
             }
             self.body(body);
             return;
@@ -66,7 +66,7 @@ impl<'m> Lowering<'m> {
     }
 
     /// The control variable and its type.
-    fn control(&mut self, control: ExpressionId) -> Option<(Place, ElementaryType)> {
+    fn control(&mut self, control: ExpressionId) -> Option<(VariablePlace, ElementaryType)> {
         let place = self.place(control)?;
         if place.constant {
             self.refuse_constant(control);
@@ -79,12 +79,12 @@ impl<'m> Lowering<'m> {
             return None;
         };
         let location = self.pinned(place.location, self.span(control));
-        Some((Place { location, ..place }, ty))
+        Some((VariablePlace { location, ..place }, ty))
     }
 
     /// Puts the first value on the stack, as the control variable holds it.
-    fn first_value(&mut self, from: ExpressionId, place: Place, ty: ElementaryType) {
-        let Some(value) = self.integer(from, ty, Context::Integer) else {
+    fn first_value(&mut self, from: ExpressionId, place: VariablePlace, ty: ElementaryType) {
+        let Some(value) = self.integer(from, ty, ValueContext::Integer) else {
             return;
         };
         if let Some(own) = value.ty.elementary().filter(|&own| own != ty) {
@@ -96,7 +96,7 @@ impl<'m> Lowering<'m> {
         }
         self.check_limits(
             from,
-            Value {
+            LoweredValue {
                 constant: None,
                 ..value
             },
@@ -104,43 +104,43 @@ impl<'m> Lowering<'m> {
         );
     }
 
-    fn keep(&mut self, bound: ExpressionId, wanted: ElementaryType) -> Kept {
-        let value = self.integer(bound, wanted, Context::Integer);
+    fn keep(&mut self, bound: ExpressionId, wanted: ElementaryType) -> LoopBound {
+        let value = self.integer(bound, wanted, ValueContext::Integer);
         let cell = self.temporary(self.span(bound));
         self.emit(Instruction::Store(cell));
-        Kept {
+        LoopBound {
             cell,
             ty: value.and_then(|value| value.ty.elementary()).unwrap_or(wanted),
         }
     }
 
     /// The step. An untyped one may be negative whatever the control variable's type is.
-    fn keep_step(&mut self, by: Option<ExpressionId>, span: Span) -> Kept {
+    fn keep_step(&mut self, by: Option<ExpressionId>, span: Span) -> LoopBound {
         if let Some(by) = by {
             return self.keep(by, ElementaryType::Lint);
         }
         let cell = self.temporary(span);
         self.emit(Instruction::Push(1));
         self.emit(Instruction::Store(cell));
-        Kept {
+        LoopBound {
             cell,
             ty: ElementaryType::Lint,
         }
     }
 
-    fn load_three(&mut self, place: Place, limit: Kept, step: Kept) {
+    fn load_three(&mut self, place: VariablePlace, limit: LoopBound, step: LoopBound) {
         self.load(place);
         self.emit(Instruction::Load(limit.cell));
         self.emit(Instruction::Load(step.cell));
     }
 
     /// The next value, and above it whether the loop goes on, are on the stack.
-    fn next_turn(&mut self, place: Place, top: u32, span: Span) {
-        if let Kind::Subrange(limits) = *self.model.types.kind(place.ty) {
+    fn next_turn(&mut self, place: VariablePlace, top: u32, span: Span) {
+        if let TypeKind::Subrange(limits) = *self.model.types.kind(place.ty) {
             let last = self.emitter.jump_if_false();
             self.emit_at(span, check_range(limits));
             self.store(
-                Place {
+                VariablePlace {
                     ty: TypeId::of(limits.base),
                     ..place
                 },

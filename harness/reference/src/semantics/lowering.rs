@@ -4,16 +4,16 @@
 //! wrong is said once, and nothing is said about what follows from something wrong. Once anything has been
 //! reported the code is thrown away, so code for what is wrong need not make sense.
 
-use super::common::Rules;
+use super::common::TypeRules;
 use super::emitter::{Emitter, Loop};
 use super::inferred::Inferred;
-use super::memory::Memory;
-use super::model::{Model, PouEntry, Variable};
+use super::memory::MemoryLayout;
+use super::model::{DeclaredVariable, Model, PouEntry};
 use super::reporter::Reporter;
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use crate::source::Span;
-use crate::syntax::tree::{Expression, ExpressionId, Folded, VariableKind};
+use crate::syntax::tree::{CaseFolded, Expression, ExpressionId, VariableKind};
 use rustc_hash::FxHashSet;
 use stickler_types::{Code, ElementaryType};
 
@@ -22,7 +22,7 @@ pub(super) struct Lowering<'m> {
     pub(super) model: &'m Model<'m>,
     pub(super) reporter: &'m mut Reporter,
     pub(super) emitter: Emitter,
-    pub(super) memory: Memory,
+    pub(super) memory: MemoryLayout,
     /// The inferred type of each expression.
     pub(super) inferred: Vec<Inferred>,
     /// The POU whose code is being made; `None` for what belongs to the top level.
@@ -43,23 +43,23 @@ pub(super) struct Lowering<'m> {
 
 /// A value on top of the stack: of which type, and which number where that is known.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Value {
+pub(super) struct LoweredValue {
     /// A value's type; [`TypeId::ERROR`] where something wrong has been reported.
     pub(super) ty: TypeId,
     /// The number of a constant expression of an integer type or an enumeration.
     pub(super) constant: Option<i128>,
 }
 
-impl Value {
+impl LoweredValue {
     /// Nothing that more should be said about.
-    pub(super) const ERROR: Value = Value {
+    pub(super) const ERROR: LoweredValue = LoweredValue {
         ty: TypeId::ERROR,
         constant: None,
     };
 
     /// A value that is computed as the program runs.
-    pub(super) const fn of(ty: ElementaryType) -> Value {
-        Value {
+    pub(super) const fn of(ty: ElementaryType) -> LoweredValue {
+        LoweredValue {
             ty: TypeId::of(ty),
             constant: None,
         }
@@ -68,7 +68,11 @@ impl Value {
 
 impl<'m> Lowering<'m> {
     /// Prepares lowering.
-    pub(super) fn new(model: &'m Model<'m>, memory: Memory, reporter: &'m mut Reporter) -> Lowering<'m> {
+    pub(super) fn new(
+        model: &'m Model<'m>,
+        memory: MemoryLayout,
+        reporter: &'m mut Reporter,
+    ) -> Lowering<'m> {
         Lowering {
             model,
             reporter,
@@ -109,8 +113,8 @@ impl<'m> Lowering<'m> {
     }
 
     /// The rules of operators.
-    pub(super) fn rules(&self) -> Rules<'m> {
-        Rules {
+    pub(super) fn rules(&self) -> TypeRules<'m> {
+        TypeRules {
             types: &self.model.types,
             dialect: self.model.source.dialect,
         }
@@ -133,10 +137,10 @@ impl<'m> Lowering<'m> {
 
     /// The variable of a name: one of the POU, or else a global one. In an initial value those of its own scope
     /// that are declared later do not count.
-    pub(super) fn variable(&self, name: &str) -> Option<(u32, &'m Variable<'m>)> {
-        let local = self.entry().and_then(|entry| entry.scope.get(&Folded(name)));
+    pub(super) fn variable(&self, name: &str) -> Option<(u32, &'m DeclaredVariable<'m>)> {
+        let local = self.entry().and_then(|entry| entry.scope.get(&CaseFolded(name)));
         let limited = local.is_some() || self.pou.is_none();
-        let index = *local.or_else(|| self.model.globals.get(&Folded(name)))?;
+        let index = *local.or_else(|| self.model.globals.get(&CaseFolded(name)))?;
         let variable = &self.model.variables[index as usize];
         let external = variable.kind == VariableKind::External;
         let later = limited && index >= self.visible && !external;

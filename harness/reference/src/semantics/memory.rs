@@ -1,6 +1,6 @@
 //! The memory of a program: which cells have been given out, and which of them hold texts.
 
-use super::types::{Kind, TypeId, TypeTable};
+use super::types::{TypeId, TypeKind, TypeTable};
 use crate::instruction::TextCell;
 use crate::syntax::tree::VariableKind;
 
@@ -12,14 +12,14 @@ pub(super) const MAX_TEXT: u64 = 32 << 20;
 
 /// The memory that has been given out.
 #[derive(Debug, Default)]
-pub(super) struct Memory {
+pub(super) struct MemoryLayout {
     next: u64,
     text_units: u64,
     /// The text variables in it.
     pub(super) texts: Vec<TextCell>,
 }
 
-impl Memory {
+impl MemoryLayout {
     /// Returns the number of cells that have been given out.
     pub(super) fn cells(&self) -> u32 {
         u32::try_from(self.next).unwrap_or(u32::MAX)
@@ -55,17 +55,17 @@ fn collect_texts(types: &TypeTable, ty: TypeId, address: u32, texts: &mut Vec<Te
         return;
     }
     match types.kind(ty) {
-        Kind::Text { capacity, .. } => texts.push(TextCell {
+        TypeKind::Text { capacity, .. } => texts.push(TextCell {
             address,
             capacity: *capacity,
         }),
-        Kind::Array(shape) => {
+        TypeKind::Array(shape) => {
             let stride = types.extent(shape.element).size;
             for index in 0..shape.length {
                 collect_texts(types, shape.element, address + index * stride, texts);
             }
         }
-        Kind::Structure(structure) | Kind::FunctionBlock(structure) => {
+        TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => {
             for (_, member) in structure.members.iter() {
                 if member.kind != VariableKind::InOut {
                     collect_texts(types, member.ty, address + member.offset, texts);

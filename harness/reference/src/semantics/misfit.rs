@@ -1,6 +1,6 @@
 //! Messages about values that do not fit where they stand.
 
-use super::contexts::Context;
+use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeTable};
 use stickler_types::ElementaryType;
@@ -19,12 +19,12 @@ pub(super) fn describe(types: &TypeTable, inferred: Inferred) -> String {
 }
 
 /// Says why a value does not fit where it stands.
-pub(super) fn misfit(types: &TypeTable, inferred: Inferred, target: TypeId, context: Context) -> String {
+pub(super) fn misfit(types: &TypeTable, inferred: Inferred, target: TypeId, context: ValueContext) -> String {
     let name = types.name(target);
     let value = describe(types, inferred);
     match (inferred, context) {
         (Inferred::Nothing, _) => "the call gives no value".to_owned(),
-        (Inferred::Known(_), Context::Condition) => format!("a condition is {name}, not {value}"),
+        (Inferred::Known(_), ValueContext::Condition) => format!("a condition is {name}, not {value}"),
         (Inferred::Known(_), _) => format!("{value} does not convert implicitly to {name}"),
         _ => format!("{value} is no {name} here"),
     }

@@ -16,14 +16,14 @@ use stickler_types::ElementaryType;
 
 /// The source text and the rules that it is read by.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Source<'u> {
+pub(super) struct SourceText<'u> {
     pub(super) unit: &'u SourceUnit<'u>,
     pub(super) text: &'u str,
     pub(super) lines: &'u LineIndex,
     pub(super) dialect: &'u Dialect,
 }
 
-impl<'u> Source<'u> {
+impl<'u> SourceText<'u> {
     /// An expression of the tree.
     pub(super) fn expression(&self, id: ExpressionId) -> &'u Expression<'u> {
         &self.unit.expressions[id.0 as usize]
@@ -49,21 +49,21 @@ impl<'u> Source<'u> {
 /// All declarations of a source text.
 #[derive(Debug)]
 pub(super) struct Model<'u> {
-    pub(super) source: Source<'u>,
+    pub(super) source: SourceText<'u>,
     pub(super) types: TypeTable,
     /// Types and program organization units by their names.
-    pub(super) definitions: Scope<'u, Definition>,
-    /// The types of [`Definition::Type`].
+    pub(super) definitions: Scope<'u, TopLevelName>,
+    /// The types of [`TopLevelName::Type`].
     pub(super) declared_types: Vec<TypeId>,
     pub(super) pous: Vec<PouEntry<'u>>,
     /// All variables; those of one POU stand together.
-    pub(super) variables: Vec<Variable<'u>>,
+    pub(super) variables: Vec<DeclaredVariable<'u>>,
     /// Global variables by name: indices into `variables`.
     pub(super) globals: Scope<'u, u32>,
     /// The values of enumerations that have a name.
     pub(super) enumerated: Scope<'u, EnumeratedName>,
     /// Routines that give the variables of a type their default value.
-    pub(super) initial_values: Vec<Initial<'u>>,
+    pub(super) initial_values: Vec<InitialRoutine<'u>>,
     /// The starts of initial values that are passed over because their type needs a later edition.
     pub(super) passed_over: FxHashSet<u32>,
     /// The program instances in the order in which they run.
@@ -74,7 +74,7 @@ pub(super) struct Model<'u> {
 
 /// The meaning of a name at the top level.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Definition {
+pub(super) enum TopLevelName {
     /// A type: an index into [`Model::declared_types`].
     Type(u32),
     /// A program organization unit: an index into [`Model::pous`].
@@ -119,7 +119,7 @@ impl PouEntry<'_> {
 
 /// A variable.
 #[derive(Clone, Debug)]
-pub(super) struct Variable<'u> {
+pub(super) struct DeclaredVariable<'u> {
     /// The name.
     pub(super) name: Name<'u>,
     /// The declared type.
@@ -162,7 +162,7 @@ pub(super) enum EnumeratedName {
 
 /// A routine that gives a variable, which is its instance, the default value of its type.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Initial<'u> {
+pub(super) struct InitialRoutine<'u> {
     pub(super) routine: RoutineId,
     pub(super) value: InitialValue<'u>,
     /// The POU with whose variables the type is declared, if it is; of these only constants are known there.
@@ -193,7 +193,7 @@ pub(super) struct Instance<'u> {
 
 impl Model<'_> {
     /// A variable.
-    pub(super) fn variable(&self, index: u32) -> &Variable<'_> {
+    pub(super) fn variable(&self, index: u32) -> &DeclaredVariable<'_> {
         &self.variables[index as usize]
     }
 

@@ -1,15 +1,15 @@
 //! The meanings of the names of declared constants in constant expressions.
 
 use super::constant::{Constant, ConstantValue};
-use super::declare::{Declared, Declarer};
-use super::emitter::SHORT_TEXT;
+use super::declare::{DeclaredNode, Declarer};
+use super::emitter::MAX_SHORT_TEXT;
 use super::lowering::Lowering;
-use super::memory::Memory;
-use super::model::Definition;
-use super::types::{DEFAULT_CAPACITY, Kind, TypeId};
+use super::memory::MemoryLayout;
+use super::model::TopLevelName;
+use super::types::{DEFAULT_CAPACITY, TypeId, TypeKind};
 use crate::source::saturating_u32;
 use crate::syntax::tree::{
-    ExpressionId, Folded, InitializerKind, Name, TypeSpecification, TypeSpecificationKind, VariableGroup,
+    CaseFolded, ExpressionId, InitializerKind, Name, TypeSpecification, TypeSpecificationKind, VariableGroup,
 };
 use stickler_types::ElementaryType;
 
@@ -34,10 +34,10 @@ impl<'u> Declarer<'u, '_> {
     /// Returns what a constant of a resolved type means.
     pub(super) fn local_constant(&mut self, group: &'u VariableGroup<'u>, ty: TypeId) -> Constant {
         let ty = match *self.model.types.kind(ty) {
-            Kind::Elementary(ty) => ConstantType::Elementary(ty, 0),
-            Kind::Text { ty, capacity } => ConstantType::Elementary(ty, capacity),
-            Kind::Subrange(limits) => ConstantType::Elementary(limits.base, 0),
-            Kind::Error => ConstantType::Unknown,
+            TypeKind::Elementary(ty) => ConstantType::Elementary(ty, 0),
+            TypeKind::Text { ty, capacity } => ConstantType::Elementary(ty, capacity),
+            TypeKind::Subrange(limits) => ConstantType::Elementary(limits.base, 0),
+            TypeKind::Error => ConstantType::Unknown,
             _ => ConstantType::Other,
         };
         self.constant_of_type(group, ty)
@@ -63,7 +63,7 @@ impl<'u> Declarer<'u, '_> {
         self.reporter.mute(muted);
         match constant {
             Constant::Known(value) => match value.cut(capacity) {
-                ConstantValue::Text(_, units) if units.len() > SHORT_TEXT => Constant::Computed,
+                ConstantValue::Text(_, units) if units.len() > MAX_SHORT_TEXT => Constant::Computed,
                 value => Constant::Known(value),
             },
             // Whatever its value is, it is no integer.
@@ -79,7 +79,7 @@ impl<'u> Declarer<'u, '_> {
 
     /// Lowers with what is declared so far. No code is left of it.
     fn lowering<T>(&mut self, lower: impl FnOnce(&mut Lowering<'_>) -> T) -> T {
-        let mut lowering = Lowering::new(&self.model, Memory::default(), self.reporter);
+        let mut lowering = Lowering::new(&self.model, MemoryLayout::default(), self.reporter);
         lowering.pou = self.current.map(saturating_u32);
         lowering.guesses = self.guesses;
         lowering.inferred = std::mem::take(&mut self.inferred);
@@ -103,15 +103,15 @@ impl<'u> Declarer<'u, '_> {
                 _ => return ConstantType::Other,
             };
             let elementary = ElementaryType::from_name(name.text);
-            let named = match self.model.definitions.get(&Folded(name.text)) {
+            let named = match self.model.definitions.get(&CaseFolded(name.text)) {
                 _ if elementary.is_some_and(|ty| !ty.is_third_edition()) => None,
-                Some(&Definition::Type(node)) => Some(self.nodes[node as usize].declared),
-                Some(Definition::Pou(_)) => return ConstantType::Other,
+                Some(&TopLevelName::Type(node)) => Some(self.nodes[node as usize].declared),
+                Some(TopLevelName::Pou(_)) => return ConstantType::Other,
                 None => None,
             };
             match (named, elementary) {
-                (Some(Declared::Type(declared)), _) => kind = &declared.specification.kind,
-                (Some(Declared::Block(_)), _) => return ConstantType::Other,
+                (Some(DeclaredNode::Type(declared)), _) => kind = &declared.specification.kind,
+                (Some(DeclaredNode::Block(_)), _) => return ConstantType::Other,
                 (None, Some(ty)) if self.model.source.dialect.has(ty) => {
                     return ConstantType::Elementary(ty, DEFAULT_CAPACITY);
                 }

@@ -3,9 +3,9 @@
 mod listing;
 
 use super::model::{Model, Storage};
-use super::scope::Named;
-use super::types::{Kind, Member, TypeId, TypeTable};
-use crate::instruction::Program;
+use super::scope::NamedList;
+use super::types::{TypeId, TypeKind, TypeMember, TypeTable};
+use crate::instruction::MachineProgram;
 use crate::syntax::tree::VariableKind;
 use stickler_types::ElementaryType;
 
@@ -13,13 +13,13 @@ use stickler_types::ElementaryType;
 #[derive(Debug)]
 pub struct CheckedProgram {
     /// The program.
-    pub program: Program,
-    pub(super) directory: Directory,
+    pub program: MachineProgram,
+    pub(super) directory: VariableTable,
 }
 
 /// A variable that can be observed.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Observed {
+pub struct ObservedVariable {
     /// The cell.
     pub address: u32,
     /// The type.
@@ -44,17 +44,17 @@ pub enum ObservedType {
 
 /// The addresses of the variables of a checked program.
 #[derive(Debug)]
-pub(super) struct Directory {
+pub(super) struct VariableTable {
     types: TypeTable,
-    globals: Named<Member>,
+    globals: NamedList<TypeMember>,
     /// The program instances: name, type, and address.
     instances: Vec<(Box<str>, TypeId, u32)>,
 }
 
-impl Directory {
+impl VariableTable {
     /// Takes the addresses out of a model, whose source text may then go.
-    pub(super) fn new(model: Model<'_>) -> Directory {
-        let mut globals = Named::new();
+    pub(super) fn new(model: Model<'_>) -> VariableTable {
+        let mut globals = NamedList::new();
         for variable in model
             .variables
             .iter()
@@ -64,7 +64,7 @@ impl Directory {
                 let kind = VariableKind::Global;
                 globals.push(
                     variable.name.text,
-                    Member {
+                    TypeMember {
                         ty: variable.ty,
                         offset,
                         kind,
@@ -85,7 +85,7 @@ impl Directory {
             .collect();
         // Plain names are those of PROGRAM main, wherever in the configuration it runs.
         instances.sort_by_cached_key(|(_, ty, _)| !model.types.name(*ty).eq_ignore_ascii_case("main"));
-        Directory {
+        VariableTable {
             types: model.types,
             globals,
             instances,
@@ -126,7 +126,8 @@ impl Directory {
     }
 
     fn member(&self, ty: TypeId, base: u32, name: &str) -> Option<(TypeId, u32)> {
-        let (Kind::Structure(structure) | Kind::FunctionBlock(structure)) = self.types.kind(ty) else {
+        let (TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure)) = self.types.kind(ty)
+        else {
             return None;
         };
         let member = structure
@@ -142,7 +143,7 @@ impl Directory {
         base: u32,
         subscripts: &'p str,
     ) -> Result<(TypeId, u32, &'p str), String> {
-        let Kind::Array(shape) = self.types.kind(ty) else {
+        let TypeKind::Array(shape) = self.types.kind(ty) else {
             return Err(format!("{} has no elements", self.types.name(ty)));
         };
         let (inside, rest) = subscripts.split_once(']').ok_or("`]` is missing")?;
@@ -168,12 +169,12 @@ impl Directory {
         }
     }
 
-    fn observed(&self, ty: TypeId, address: u32) -> Result<Observed, String> {
+    fn observed(&self, ty: TypeId, address: u32) -> Result<ObservedVariable, String> {
         let ty = match self.types.kind(ty) {
-            Kind::Elementary(ty) => ObservedType::Plain(*ty),
-            Kind::Subrange(subrange) => ObservedType::Plain(subrange.base),
-            Kind::Text { ty, .. } => ObservedType::Text(*ty),
-            Kind::Enumeration(enumeration) => ObservedType::Enumerated {
+            TypeKind::Elementary(ty) => ObservedType::Plain(*ty),
+            TypeKind::Subrange(subrange) => ObservedType::Plain(subrange.base),
+            TypeKind::Text { ty, .. } => ObservedType::Text(*ty),
+            TypeKind::Enumeration(enumeration) => ObservedType::Enumerated {
                 type_name: enumeration.name.to_string(),
                 values: enumeration
                     .values
@@ -183,7 +184,7 @@ impl Directory {
             },
             _ => return Err(format!("{} is no elementary type", self.types.name(ty))),
         };
-        Ok(Observed { address, ty })
+        Ok(ObservedVariable { address, ty })
     }
 }
 
@@ -197,7 +198,7 @@ impl CheckedProgram {
     /// A message where nothing has that name, or what has it is of no elementary type.
     ///
     /// Basis: stickler-design: §3.1, §4 (an observed name may be a path to an elementary value).
-    pub fn resolve(&self, path: &str) -> Result<Observed, String> {
+    pub fn resolve(&self, path: &str) -> Result<ObservedVariable, String> {
         let directory = &self.directory;
         let (mut ty, mut address, mut rest) = directory.root(path)?;
         loop {

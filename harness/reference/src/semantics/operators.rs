@@ -3,9 +3,9 @@
 //! Basis: stickler-design: §8 (mixed operands: one converts to the other, or nothing; no third type is sought);
 //! iec-61131-3: the tables of the arithmetic, comparison, bitwise and time functions.
 
-use super::common::Rules;
+use super::common::TypeRules;
 use super::inferred::Inferred;
-use super::types::{Kind, TypeId};
+use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
 use crate::syntax::tree::BinaryOperator;
@@ -13,7 +13,7 @@ use stickler_types::{ElementaryType, Family};
 
 /// An operator whose operands are known: what each is converted to, what is done, and what comes of it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Operation {
+pub(super) struct TypedOperation {
     pub(super) left: TypeId,
     pub(super) right: TypeId,
     pub(super) action: Action,
@@ -41,9 +41,9 @@ pub(super) enum Action {
 
 /// The meaning of an operator for operands of certain types.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Signature {
+pub(super) enum OperatorSignature {
     /// This operation.
-    Defined(Operation),
+    Defined(TypedOperation),
     /// Both operands, or the base of a power, are untyped literals, and so is the result.
     Untyped(Inferred),
     /// The operator is not defined for them.
@@ -52,32 +52,37 @@ pub(super) enum Signature {
     Silent,
 }
 
-impl Rules<'_> {
+impl TypeRules<'_> {
     /// Finds the meaning of an operator for its operands.
-    pub(super) fn signature(self, operator: BinaryOperator, left: Inferred, right: Inferred) -> Signature {
+    pub(super) fn signature(
+        self,
+        operator: BinaryOperator,
+        left: Inferred,
+        right: Inferred,
+    ) -> OperatorSignature {
         if let (Inferred::Error, _) | (_, Inferred::Error) = (left, right) {
-            return Signature::Silent;
+            return OperatorSignature::Silent;
         }
         if let (Inferred::Enumerated, Inferred::Enumerated) = (left, right) {
-            return Signature::Silent;
+            return OperatorSignature::Silent;
         }
         let operation = match group(operator) {
-            Group::Comparison(comparison) => self.comparison(comparison, left, right),
+            OperatorGroup::Comparison(comparison) => self.comparison(comparison, left, right),
             // The exponent keeps a type of its own, so there is no operand whose type the base could take.
-            Group::Power if left == Inferred::Real && is_integer(right) => {
-                return Signature::Untyped(Inferred::Real);
+            OperatorGroup::Power if left == Inferred::Real && is_integer(right) => {
+                return OperatorSignature::Untyped(Inferred::Real);
             }
             _ if left.is_untyped_number() && right.is_untyped_number() => {
                 return match self.untyped(left, right) {
-                    Inferred::Error => Signature::Undefined,
-                    inferred => Signature::Untyped(inferred),
+                    Inferred::Error => OperatorSignature::Undefined,
+                    inferred => OperatorSignature::Untyped(inferred),
                 };
             }
-            Group::Logic(logic) => self.logic(logic, left, right),
-            Group::Arithmetic(arithmetic) => self.arithmetic(arithmetic, left, right),
-            Group::Power => self.power(left, right),
+            OperatorGroup::Logic(logic) => self.logic(logic, left, right),
+            OperatorGroup::Arithmetic(arithmetic) => self.arithmetic(arithmetic, left, right),
+            OperatorGroup::Power => self.power(left, right),
         };
-        operation.map_or(Signature::Undefined, Signature::Defined)
+        operation.map_or(OperatorSignature::Undefined, OperatorSignature::Defined)
     }
 
     /// The operation on untyped operands that take a type from outside.
@@ -86,26 +91,31 @@ impl Rules<'_> {
         operator: BinaryOperator,
         right: Inferred,
         ty: ElementaryType,
-    ) -> Option<Operation> {
+    ) -> Option<TypedOperation> {
         let known = Inferred::from(ty);
         match group(operator) {
-            Group::Comparison(_) => None,
-            Group::Logic(logic) => self.logic(logic, known, known),
-            Group::Arithmetic(arithmetic) => self.arithmetic(arithmetic, known, known),
-            Group::Power => self.power(known, right),
+            OperatorGroup::Comparison(_) => None,
+            OperatorGroup::Logic(logic) => self.logic(logic, known, known),
+            OperatorGroup::Arithmetic(arithmetic) => self.arithmetic(arithmetic, known, known),
+            OperatorGroup::Power => self.power(known, right),
         }
     }
 
-    fn comparison(self, operator: ComparisonOperator, left: Inferred, right: Inferred) -> Option<Operation> {
+    fn comparison(
+        self,
+        operator: ComparisonOperator,
+        left: Inferred,
+        right: Inferred,
+    ) -> Option<TypedOperation> {
         let common = self.common(left, right)?;
         let equality = matches!(operator, ComparisonOperator::Equal | ComparisonOperator::NotEqual);
         let action = match (common.elementary(), self.types.kind(common)) {
             (Some(ty), _) if ty.is_text() => Action::CompareText(operator),
             (Some(ty), _) => Action::Compare(operator, ty),
-            (None, Kind::Enumeration(_)) if equality => Action::Compare(operator, ElementaryType::Lint),
+            (None, TypeKind::Enumeration(_)) if equality => Action::Compare(operator, ElementaryType::Lint),
             _ => return None,
         };
-        Some(Operation {
+        Some(TypedOperation {
             left: common,
             right: common,
             action,
@@ -113,10 +123,10 @@ impl Rules<'_> {
         })
     }
 
-    fn logic(self, operator: LogicOperator, left: Inferred, right: Inferred) -> Option<Operation> {
+    fn logic(self, operator: LogicOperator, left: Inferred, right: Inferred) -> Option<TypedOperation> {
         let common = self.common(left, right)?;
         let ty = common.elementary()?;
-        (ty == ElementaryType::Bool || ty.is_bit_string()).then_some(Operation {
+        (ty == ElementaryType::Bool || ty.is_bit_string()).then_some(TypedOperation {
             left: common,
             right: common,
             action: Action::Logic(operator),
@@ -124,7 +134,12 @@ impl Rules<'_> {
         })
     }
 
-    fn arithmetic(self, operator: ArithmeticOperator, left: Inferred, right: Inferred) -> Option<Operation> {
+    fn arithmetic(
+        self,
+        operator: ArithmeticOperator,
+        left: Inferred,
+        right: Inferred,
+    ) -> Option<TypedOperation> {
         if let Some(operation) = self
             .scale(operator, left, right)
             .or_else(|| self.moment(operator, left, right))
@@ -141,7 +156,7 @@ impl Rules<'_> {
             _ => false,
         };
         let action = Action::Arithmetic(operator, ty);
-        defined.then_some(Operation {
+        defined.then_some(TypedOperation {
             left: common,
             right: common,
             action,
@@ -150,7 +165,7 @@ impl Rules<'_> {
     }
 
     /// A duration multiplied or divided by a number, or a number by which a duration is multiplied.
-    fn scale(self, operator: ArithmeticOperator, left: Inferred, right: Inferred) -> Option<Operation> {
+    fn scale(self, operator: ArithmeticOperator, left: Inferred, right: Inferred) -> Option<TypedOperation> {
         let (duration, number, swapped) = match (left.elementary(), right.elementary()) {
             (Some(ty), other) if ty.is_duration() && other.is_none_or(is_number) => (ty, right, false),
             (other, Some(ty)) if ty.is_duration() && other.is_none_or(is_number) => (ty, left, true),
@@ -177,7 +192,7 @@ impl Rules<'_> {
             number,
             swapped,
         };
-        defined.then_some(Operation {
+        defined.then_some(TypedOperation {
             left,
             right,
             action,
@@ -186,7 +201,7 @@ impl Rules<'_> {
     }
 
     /// Differences of dates and times of day, and a duration added to one or taken from it.
-    fn moment(self, operator: ArithmeticOperator, left: Inferred, right: Inferred) -> Option<Operation> {
+    fn moment(self, operator: ArithmeticOperator, left: Inferred, right: Inferred) -> Option<TypedOperation> {
         let (from, by) = (left.elementary()?, right.elementary()?);
         if !from.is_date_or_time() {
             return None;
@@ -200,7 +215,7 @@ impl Rules<'_> {
                 ElementaryType::Time
             };
             let action = Action::Arithmetic(operator, result);
-            return (operator == ArithmeticOperator::Subtract).then_some(Operation {
+            return (operator == ArithmeticOperator::Subtract).then_some(TypedOperation {
                 left: common,
                 right: common,
                 action,
@@ -215,7 +230,7 @@ impl Rules<'_> {
             ElementaryType::Time
         };
         implicit(by, duration, self.dialect).filter(|_| by.is_duration())?;
-        (takes_duration && additive).then_some(Operation {
+        (takes_duration && additive).then_some(TypedOperation {
             left: TypeId::of(from),
             right: TypeId::of(duration),
             action: Action::Arithmetic(operator, from),
@@ -224,7 +239,7 @@ impl Rules<'_> {
     }
 
     /// The base's type is the result's; the exponent is any number.
-    fn power(self, left: Inferred, right: Inferred) -> Option<Operation> {
+    fn power(self, left: Inferred, right: Inferred) -> Option<TypedOperation> {
         let exponent = match right {
             Inferred::Integer(magnitude) => magnitude.ty(),
             Inferred::Real => left
@@ -242,7 +257,7 @@ impl Rules<'_> {
             Inferred::Real => ElementaryType::Lreal,
             _ => left.elementary().filter(|&ty| is_number(ty))?,
         };
-        Some(Operation {
+        Some(TypedOperation {
             left: TypeId::of(base),
             right: TypeId::of(exponent),
             action: Action::Power { base, exponent },
@@ -262,29 +277,29 @@ fn is_number(ty: ElementaryType) -> bool {
     ty.is_integer() || ty.is_real()
 }
 
-enum Group {
+enum OperatorGroup {
     Arithmetic(ArithmeticOperator),
     Comparison(ComparisonOperator),
     Logic(LogicOperator),
     Power,
 }
 
-fn group(operator: BinaryOperator) -> Group {
+fn group(operator: BinaryOperator) -> OperatorGroup {
     match operator {
-        BinaryOperator::Or => Group::Logic(LogicOperator::Or),
-        BinaryOperator::Xor => Group::Logic(LogicOperator::Xor),
-        BinaryOperator::And => Group::Logic(LogicOperator::And),
-        BinaryOperator::Equal => Group::Comparison(ComparisonOperator::Equal),
-        BinaryOperator::NotEqual => Group::Comparison(ComparisonOperator::NotEqual),
-        BinaryOperator::Less => Group::Comparison(ComparisonOperator::Less),
-        BinaryOperator::Greater => Group::Comparison(ComparisonOperator::Greater),
-        BinaryOperator::LessOrEqual => Group::Comparison(ComparisonOperator::LessOrEqual),
-        BinaryOperator::GreaterOrEqual => Group::Comparison(ComparisonOperator::GreaterOrEqual),
-        BinaryOperator::Add => Group::Arithmetic(ArithmeticOperator::Add),
-        BinaryOperator::Subtract => Group::Arithmetic(ArithmeticOperator::Subtract),
-        BinaryOperator::Multiply => Group::Arithmetic(ArithmeticOperator::Multiply),
-        BinaryOperator::Divide => Group::Arithmetic(ArithmeticOperator::Divide),
-        BinaryOperator::Modulo => Group::Arithmetic(ArithmeticOperator::Modulo),
-        BinaryOperator::Power => Group::Power,
+        BinaryOperator::Or => OperatorGroup::Logic(LogicOperator::Or),
+        BinaryOperator::Xor => OperatorGroup::Logic(LogicOperator::Xor),
+        BinaryOperator::And => OperatorGroup::Logic(LogicOperator::And),
+        BinaryOperator::Equal => OperatorGroup::Comparison(ComparisonOperator::Equal),
+        BinaryOperator::NotEqual => OperatorGroup::Comparison(ComparisonOperator::NotEqual),
+        BinaryOperator::Less => OperatorGroup::Comparison(ComparisonOperator::Less),
+        BinaryOperator::Greater => OperatorGroup::Comparison(ComparisonOperator::Greater),
+        BinaryOperator::LessOrEqual => OperatorGroup::Comparison(ComparisonOperator::LessOrEqual),
+        BinaryOperator::GreaterOrEqual => OperatorGroup::Comparison(ComparisonOperator::GreaterOrEqual),
+        BinaryOperator::Add => OperatorGroup::Arithmetic(ArithmeticOperator::Add),
+        BinaryOperator::Subtract => OperatorGroup::Arithmetic(ArithmeticOperator::Subtract),
+        BinaryOperator::Multiply => OperatorGroup::Arithmetic(ArithmeticOperator::Multiply),
+        BinaryOperator::Divide => OperatorGroup::Arithmetic(ArithmeticOperator::Divide),
+        BinaryOperator::Modulo => OperatorGroup::Arithmetic(ArithmeticOperator::Modulo),
+        BinaryOperator::Power => OperatorGroup::Power,
     }
 }

@@ -3,13 +3,13 @@
 //!
 //! Basis: ironplc-problem-codes: P2010 (types), P4005 (function blocks).
 
-use super::cycles::{Event, walk};
-use super::declare::{Declared, Declarer, TypeNode};
-use super::model::{Definition, InitialValue, Model};
-use super::types::{DefaultValue, Kind, TypeId};
+use super::cycles::{WalkEvent, walk};
+use super::declare::{DeclaredNode, Declarer, TypeNode};
+use super::model::{InitialValue, Model, TopLevelName};
+use super::types::{DefaultValue, TypeId, TypeKind};
 use crate::source::Span;
 use crate::syntax::tree::{
-    ExpressionKind, Folded, Initializer, InitializerKind, Name, TypeDeclaration, TypeSpecification,
+    CaseFolded, ExpressionKind, Initializer, InitializerKind, Name, TypeDeclaration, TypeSpecification,
     TypeSpecificationKind, VariableKind,
 };
 use rustc_hash::FxHashSet;
@@ -24,8 +24,8 @@ impl<'u> Declarer<'u, '_> {
             self.nodes.len(),
             |node| needs(&self.model, self.nodes[node].declared),
             |event| match event {
-                Event::Done(node) => order.push(node),
-                Event::Cycle { note, members } => cycles.push((note, members)),
+                WalkEvent::Done(node) => order.push(node),
+                WalkEvent::Cycle { note, members } => cycles.push((note, members)),
             },
         );
         for (span, members) in cycles {
@@ -33,8 +33,8 @@ impl<'u> Declarer<'u, '_> {
         }
         for node in order {
             let id = match self.nodes[node].declared {
-                Declared::Type(ty) => self.declared_type(ty),
-                Declared::Block(pou) => {
+                DeclaredNode::Type(ty) => self.declared_type(ty),
+                DeclaredNode::Block(pou) => {
                     self.declare_variables(pou);
                     self.model.pous[pou].ty
                 }
@@ -44,7 +44,7 @@ impl<'u> Declarer<'u, '_> {
     }
 
     fn report_cycle(&mut self, span: Span, members: &[usize]) {
-        let is_block = |node: &usize| matches!(self.nodes[*node].declared, Declared::Block(_));
+        let is_block = |node: &usize| matches!(self.nodes[*node].declared, DeclaredNode::Block(_));
         let code = if members.iter().any(is_block) {
             Code::RecursiveCycle
         } else {
@@ -61,8 +61,8 @@ impl<'u> Declarer<'u, '_> {
 
     fn name_of(&self, node: &TypeNode<'u>) -> &'u str {
         match node.declared {
-            Declared::Type(ty) => ty.name.text,
-            Declared::Block(pou) => self.model.pous[pou].pou.name.text,
+            DeclaredNode::Type(ty) => ty.name.text,
+            DeclaredNode::Block(pou) => self.model.pous[pou].pou.name.text,
         }
     }
 
@@ -95,7 +95,7 @@ impl<'u> Declarer<'u, '_> {
 
     /// The number of the value that a declared enumeration begins with, where it is plainly one of its own.
     fn enumerated_default(&self, ty: TypeId, initializer: &Initializer<'u>) -> Option<i64> {
-        let Kind::Enumeration(enumeration) = self.model.types.kind(ty) else {
+        let TypeKind::Enumeration(enumeration) = self.model.types.kind(ty) else {
             return None;
         };
         let InitializerKind::Expression(id) = initializer.kind else {
@@ -109,15 +109,15 @@ impl<'u> Declarer<'u, '_> {
 }
 
 /// The nodes that a node contains, each once, with the place where it says so.
-fn needs(model: &Model<'_>, declared: Declared<'_>) -> Vec<(usize, Span)> {
+fn needs(model: &Model<'_>, declared: DeclaredNode<'_>) -> Vec<(usize, Span)> {
     let mut needs = Needs {
         model,
         found: Vec::new(),
         seen: FxHashSet::default(),
     };
     match declared {
-        Declared::Type(ty) => needs.specification(&ty.specification),
-        Declared::Block(pou) => {
+        DeclaredNode::Type(ty) => needs.specification(&ty.specification),
+        DeclaredNode::Block(pou) => {
             let blocks = model.pous[pou].pou.blocks.iter();
             let held = blocks
                 .filter(|block| !matches!(block.kind, VariableKind::InOut | VariableKind::External))
@@ -152,9 +152,9 @@ impl Needs<'_, '_> {
     }
 
     fn name(&mut self, name: Name<'_>) {
-        let node = match self.model.definitions.get(&Folded(name.text)) {
-            Some(&Definition::Type(node)) => node as usize,
-            Some(&Definition::Pou(pou)) => match self.model.pous[pou as usize].node {
+        let node = match self.model.definitions.get(&CaseFolded(name.text)) {
+            Some(&TopLevelName::Type(node)) => node as usize,
+            Some(&TopLevelName::Pou(pou)) => match self.model.pous[pou as usize].node {
                 Some(node) => node,
                 None => return,
             },

@@ -3,28 +3,28 @@
 //! Basis: ironplc-bit-access: Valid Base Types; stickler-design: §7 (P2027, P4007, P4025, P4069). A wrong number
 //! of subscripts is P2024, and a subscript of what is no array P4049.
 
-use super::contexts::Context;
+use super::contexts::ValueContext;
 use super::inferred::Inferred;
-use super::locations::{Location, Place};
-use super::lowering::{Lowering, Value};
-use super::types::{ArrayShape, Dimension, Kind, TypeId};
+use super::locations::{Location, VariablePlace};
+use super::lowering::{LoweredValue, Lowering};
+use super::types::{ArrayShape, Dimension, TypeId, TypeKind};
 use crate::instruction::Instruction;
 use crate::source::Span;
-use crate::syntax::tree::{ExpressionId, ExpressionKind, Folded, Name};
+use crate::syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name};
 use stickler_types::{Code, ElementaryType};
 
 impl<'m> Lowering<'m> {
     /// Puts the value of a variable, element, field or bit on the stack.
-    pub(super) fn read(&mut self, id: ExpressionId) -> Value {
+    pub(super) fn read(&mut self, id: ExpressionId) -> LoweredValue {
         match self.place(id) {
             Some(place) => self.load(place),
-            None => Value::ERROR,
+            None => LoweredValue::ERROR,
         }
     }
 
     /// The place that an expression names; `None`, and a diagnostic, where it names none. Where the address is
     /// only known as the program runs, it is on the stack.
-    pub(super) fn place(&mut self, id: ExpressionId) -> Option<Place> {
+    pub(super) fn place(&mut self, id: ExpressionId) -> Option<VariablePlace> {
         let expression = self.expression(id);
         match &expression.kind {
             ExpressionKind::Name(name) => self.named_place(*name),
@@ -43,13 +43,13 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn named_place(&mut self, name: Name<'m>) -> Option<Place> {
+    fn named_place(&mut self, name: Name<'m>) -> Option<VariablePlace> {
         if let Some((_, variable)) = self.variable(name.text) {
-            return (variable.ty != TypeId::ERROR).then(|| Place::of(variable));
+            return (variable.ty != TypeId::ERROR).then(|| VariablePlace::of(variable));
         }
         let what = if self.enumerated_name(name.text).is_some() {
             "is an enumerated value, no variable".to_owned()
-        } else if self.model.definitions.contains_key(&Folded(name.text)) {
+        } else if self.model.definitions.contains_key(&CaseFolded(name.text)) {
             "is no variable".to_owned()
         } else {
             format!("is not declared{}", self.similar_variable(name.text))
@@ -62,7 +62,7 @@ impl<'m> Lowering<'m> {
         None
     }
 
-    fn field(&mut self, base: ExpressionId, field: Name<'m>) -> Option<Place> {
+    fn field(&mut self, base: ExpressionId, field: Name<'m>) -> Option<VariablePlace> {
         let place = self.place(base)?;
         let types = &self.model.types;
         let Some(member) = types.kind(place.content()).element(field.text) else {
@@ -73,7 +73,7 @@ impl<'m> Lowering<'m> {
         };
         let location = self.shifted(place.location, member.offset);
         let constant = place.constant || member.constant;
-        (member.ty != TypeId::ERROR).then_some(Place {
+        (member.ty != TypeId::ERROR).then_some(VariablePlace {
             location,
             ty: member.ty,
             bit: None,
@@ -81,10 +81,15 @@ impl<'m> Lowering<'m> {
         })
     }
 
-    fn element(&mut self, base: ExpressionId, subscripts: &[ExpressionId], span: Span) -> Option<Place> {
+    fn element(
+        &mut self,
+        base: ExpressionId,
+        subscripts: &[ExpressionId],
+        span: Span,
+    ) -> Option<VariablePlace> {
         let place = self.place(base);
         let shape = place.and_then(|place| match self.model.types.kind(place.content()) {
-            Kind::Array(shape) => Some(&**shape),
+            TypeKind::Array(shape) => Some(&**shape),
             _ => None,
         });
         let (Some(place), Some(shape)) = (place, shape) else {
@@ -109,7 +114,12 @@ impl<'m> Lowering<'m> {
     /// be written: what is wrong with those is said too.
     ///
     /// Basis: stickler-design: §4 (all that a person would want at once).
-    fn subscripts(&mut self, place: Place, shape: &ArrayShape, subscripts: &[ExpressionId]) -> Option<Place> {
+    fn subscripts(
+        &mut self,
+        place: VariablePlace,
+        shape: &ArrayShape,
+        subscripts: &[ExpressionId],
+    ) -> Option<VariablePlace> {
         let mut location = place.location;
         for (&subscript, &dimension) in subscripts.iter().zip(&shape.dimensions) {
             location = self.subscript(location, subscript, dimension);
@@ -118,7 +128,7 @@ impl<'m> Lowering<'m> {
             self.value(subscript, None);
         }
         let known = shape.dimensions.len() == subscripts.len() && shape.element != TypeId::ERROR;
-        known.then_some(Place {
+        known.then_some(VariablePlace {
             location,
             ty: shape.element,
             bit: None,
@@ -134,7 +144,7 @@ impl<'m> Lowering<'m> {
         if location != Location::Stack {
             self.push_address(location);
         }
-        let Some(value) = self.integer(id, ElementaryType::Lint, Context::Integer) else {
+        let Some(value) = self.integer(id, ElementaryType::Lint, ValueContext::Integer) else {
             return Location::Stack;
         };
         let span = self.span(id);
@@ -170,8 +180,8 @@ impl<'m> Lowering<'m> {
         &mut self,
         id: ExpressionId,
         wanted: ElementaryType,
-        context: Context,
-    ) -> Option<Value> {
+        context: ValueContext,
+    ) -> Option<LoweredValue> {
         let inferred = self.infer(id);
         let wanted = TypeId::of(wanted);
         let fits = match inferred {
@@ -192,7 +202,7 @@ impl<'m> Lowering<'m> {
     ///
     /// Basis: ironplc-bit-access: Bit Access ("reads and writes as a BOOL"); stickler-design: §4 (all that a person would want at
     /// once).
-    fn bit(&mut self, base: ExpressionId, index: u64, span: Span) -> Option<Place> {
+    fn bit(&mut self, base: ExpressionId, index: u64, span: Span) -> Option<VariablePlace> {
         if !self.names_a_place(base) {
             let value = self.value(base, None);
             if value.ty != TypeId::ERROR {
@@ -220,13 +230,13 @@ impl<'m> Lowering<'m> {
             self.report(Code::BitAccessOutOfRange, span, message);
         }
         // A variable with limits is looked at again once the bit is set.
-        let limited = matches!(self.model.types.kind(place.ty), Kind::Subrange(_));
+        let limited = matches!(self.model.types.kind(place.ty), TypeKind::Subrange(_));
         let location = if limited {
             self.pinned(place.location, span)
         } else {
             place.location
         };
-        Some(Place {
+        Some(VariablePlace {
             location,
             // What is refused is never run, so that any bit will do.
             bit: bit.or(Some(0)),

@@ -3,7 +3,7 @@
 //!
 //! Basis: ironplc-problem-codes: P4005; iec-61131-3: 6.6.1 (no recursion).
 
-use super::cycles::{Event, walk};
+use super::cycles::{WalkEvent, walk};
 use super::lowering::Lowering;
 use stickler_types::Code;
 
@@ -20,7 +20,7 @@ impl Lowering<'_> {
             calls.len(),
             |pou| std::mem::take(&mut calls[pou]),
             |event| {
-                if let Event::Cycle { note, members } = event {
+                if let WalkEvent::Cycle { note, members } = event {
                     cycles.push((note, members));
                 }
             },

@@ -5,7 +5,7 @@ use crate::source::Span;
 use stickler_types::Code;
 
 /// The most diagnostics of one text: more help nobody, and a hostile source could ask for millions.
-const ENOUGH: usize = 20_000;
+const MAX_DIAGNOSTICS: usize = 20_000;
 
 /// Collects diagnostics; can be muted while something is lowered once more.
 #[derive(Debug, Default)]
@@ -24,11 +24,11 @@ impl Reporter {
     /// Reports a diagnostic that is already made, with its suggestion.
     pub(super) fn push(&mut self, diagnostic: Diagnostic) {
         self.reported += 1;
-        if self.muted || self.diagnostics.len() > ENOUGH {
+        if self.muted || self.diagnostics.len() > MAX_DIAGNOSTICS {
             return;
         }
-        if self.diagnostics.len() == ENOUGH {
-            let message = format!("more than {ENOUGH} errors; the rest is left out");
+        if self.diagnostics.len() == MAX_DIAGNOSTICS {
+            let message = format!("more than {MAX_DIAGNOSTICS} errors; the rest is left out");
             self.diagnostics
                 .push(Diagnostic::new(Code::LimitExceeded, diagnostic.span, message));
         } else {

@@ -1,20 +1,20 @@
 //! Makes the routines of a program: initial values, the bodies of POUs, start-up and scan.
 
 use super::inferred::Inferred;
-use super::locations::{Location, Place};
+use super::locations::{Location, VariablePlace};
 use super::lowering::Lowering;
-use super::model::{Initial, PouEntry};
-use crate::instruction::{Instruction, Program};
+use super::model::{InitialRoutine, PouEntry};
+use crate::instruction::{Instruction, MachineProgram};
 use crate::syntax::tree::VariableKind;
 
 impl<'m> Lowering<'m> {
     /// Lowers everything that is declared.
-    pub(super) fn lower(mut self) -> Program {
+    pub(super) fn lower(mut self) -> MachineProgram {
         let model = self.model;
         let expressions = model.source.unit.expressions.len();
         self.emitter.reserve(model.routines, expressions);
         self.inferred = vec![Inferred::Pending; expressions];
-        for &Initial { routine, value, pou } in &model.initial_values {
+        for &InitialRoutine { routine, value, pou } in &model.initial_values {
             (self.pou, self.constants_only) = (pou, true);
             self.initial_value(routine, value);
         }
@@ -38,7 +38,7 @@ impl<'m> Lowering<'m> {
         self.emit(Instruction::Return);
         self.report_recursion();
         let (memory, texts) = (self.memory.cells(), std::mem::take(&mut self.memory.texts));
-        Program {
+        MachineProgram {
             startup,
             scan,
             memory,
@@ -131,7 +131,7 @@ impl<'m> Lowering<'m> {
     /// Clears a variable that has been used before, and gives it its initial value.
     fn begin_anew(&mut self, index: u32) {
         let variable = self.model.variable(index);
-        let location = Place::of(variable).location;
+        let location = VariablePlace::of(variable).location;
         let cells = self.model.types.extent(variable.ty).size;
         self.clear(location, cells);
         self.begin_with(index);

@@ -2,27 +2,27 @@
 //!
 //! Basis: iec-61131-3: 6.1.2 (identifiers).
 
-use crate::syntax::tree::Folded;
+use crate::syntax::tree::CaseFolded;
 use rustc_hash::FxHashMap;
 
 /// A table of names.
-pub(super) type Scope<'u, T> = FxHashMap<Folded<'u>, T>;
+pub(super) type Scope<'u, T> = FxHashMap<CaseFolded<'u>, T>;
 
 /// A list of named things in their order, in which a name is found without regard to case: by looking through
 /// it while it is short, and by a table once it is not.
 #[derive(Debug)]
-pub(super) struct Named<T> {
+pub(super) struct NamedList<T> {
     list: Vec<(Box<str>, T)>,
     index: FxHashMap<Box<str>, u32>,
 }
 
 /// The most names that are looked through one by one.
-const SHORT: usize = 12;
+const MAX_LINEAR: usize = 12;
 
-impl<T> Named<T> {
+impl<T> NamedList<T> {
     /// An empty list.
-    pub(super) fn new() -> Named<T> {
-        Named {
+    pub(super) fn new() -> NamedList<T> {
+        NamedList {
             list: Vec::new(),
             index: FxHashMap::default(),
         }
@@ -33,13 +33,13 @@ impl<T> Named<T> {
         if self.find(name).is_some() {
             return false;
         }
-        if self.list.len() == SHORT {
+        if self.list.len() == MAX_LINEAR {
             self.index = (0..)
                 .zip(&self.list)
                 .map(|(at, (name, _))| (fold(name), at))
                 .collect();
         }
-        if self.list.len() >= SHORT {
+        if self.list.len() >= MAX_LINEAR {
             // Lists are bounded by the size of a source text, which has 32 bits.
             self.index
                 .insert(fold(name), u32::try_from(self.list.len()).unwrap_or(u32::MAX));
@@ -50,7 +50,7 @@ impl<T> Named<T> {
 
     /// The thing of this name.
     pub(super) fn find(&self, name: &str) -> Option<&T> {
-        let at = if self.list.len() <= SHORT {
+        let at = if self.list.len() <= MAX_LINEAR {
             self.list
                 .iter()
                 .position(|(other, _)| other.eq_ignore_ascii_case(name))?
@@ -72,19 +72,19 @@ fn fold(name: &str) -> Box<str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Folded, Named, Scope};
+    use super::{CaseFolded, NamedList, Scope};
 
     #[test]
     fn names_differ_in_more_than_case() {
         let mut scope = Scope::default();
-        scope.insert(Folded("Motor_Speed_1"), 1);
-        assert_eq!(scope.get(&Folded("MOTOR_speed_1")), Some(&1));
-        assert_eq!(scope.get(&Folded("Motor_Speed_2")), None);
+        scope.insert(CaseFolded("Motor_Speed_1"), 1);
+        assert_eq!(scope.get(&CaseFolded("MOTOR_speed_1")), Some(&1));
+        assert_eq!(scope.get(&CaseFolded("Motor_Speed_2")), None);
     }
 
     #[test]
     fn long_lists_find_what_short_ones_find() {
-        let mut list = Named::new();
+        let mut list = NamedList::new();
         for number in 0..100 {
             assert!(list.push(&format!("Name{number}"), number));
             assert!(!list.push(&format!("NAME{number}"), number));

@@ -3,18 +3,18 @@
 //! Basis: ironplc-problem-codes: P4051 (reversed range), P4053 (selector neither integer nor enumeration),
 //! P4010 (a label is a constant), P2026 (a label that the selector's type does not have).
 
-use super::contexts::{Context, Fit, fit};
+use super::contexts::{Fit, ValueContext, fit};
 use super::emitter::Jump;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
-use super::types::{Kind, TypeId};
+use super::types::{TypeId, TypeKind};
 use crate::instruction::{ComparisonOperator, Instruction, LogicOperator};
 use crate::syntax::tree::{CaseBranch, CaseLabel, ExpressionId, Statement};
 use stickler_types::{Code, ElementaryType};
 
 /// The selector, which labels are compared with.
 #[derive(Clone, Copy)]
-struct Selector {
+struct CaseSelector {
     /// The cell that keeps it.
     cell: u32,
     /// An integer type or an enumeration; [`TypeId::ERROR`] where it is neither.
@@ -49,7 +49,7 @@ impl<'m> Lowering<'m> {
         self.land_all(ends);
     }
 
-    fn selector(&mut self, id: ExpressionId) -> Selector {
+    fn selector(&mut self, id: ExpressionId) -> CaseSelector {
         let inferred = self.infer(id);
         let value = self.value(id, None);
         let span = self.span(id);
@@ -57,13 +57,13 @@ impl<'m> Lowering<'m> {
         self.emit(Instruction::Store(cell));
         let integer = value.ty.elementary().filter(|ty| ty.is_integer());
         if let Some(of) = integer {
-            return Selector {
+            return CaseSelector {
                 cell,
                 ty: value.ty,
                 of,
             };
         }
-        let enumerated = matches!(self.model.types.kind(value.ty), Kind::Enumeration(_));
+        let enumerated = matches!(self.model.types.kind(value.ty), TypeKind::Enumeration(_));
         if !enumerated && (value.ty != TypeId::ERROR || inferred == Inferred::Nothing) {
             let message = format!(
                 "CASE selects by an integer or an enumeration, not by {}",
@@ -72,7 +72,7 @@ impl<'m> Lowering<'m> {
             self.report(Code::CaseSelectorTypeInvalid, span, message);
         }
         let ty = if enumerated { value.ty } else { TypeId::ERROR };
-        Selector {
+        CaseSelector {
             cell,
             ty,
             of: ElementaryType::Lint,
@@ -80,7 +80,7 @@ impl<'m> Lowering<'m> {
     }
 
     /// Compares the selector with a label; gives the jump to its branch.
-    fn label(&mut self, selector: Selector, label: &CaseLabel) -> Option<Jump> {
+    fn label(&mut self, selector: CaseSelector, label: &CaseLabel) -> Option<Jump> {
         match *label {
             CaseLabel::Value(id) => {
                 self.set_line(self.span(id));
@@ -115,26 +115,32 @@ impl<'m> Lowering<'m> {
     }
 
     /// The number of a label, which is a constant of the selector's type. No code is left of it.
-    fn label_value(&mut self, selector: Selector, id: ExpressionId) -> Option<i128> {
+    fn label_value(&mut self, selector: CaseSelector, id: ExpressionId) -> Option<i128> {
         let start = self.emitter.position();
         let number = self.label_number(selector, id, start);
         self.emitter.truncate(start);
         number
     }
 
-    fn label_number(&mut self, selector: Selector, id: ExpressionId, start: u32) -> Option<i128> {
+    fn label_number(&mut self, selector: CaseSelector, id: ExpressionId, start: u32) -> Option<i128> {
         let span = self.span(id);
         if selector.ty == TypeId::ERROR {
             self.value(id, None);
             return None;
         }
         let value = if selector.ty.elementary().is_some() {
-            self.integer(id, selector.of, Context::Label)?
+            self.integer(id, selector.of, ValueContext::Label)?
         } else {
             let inferred = self.infer(id);
             let dialect = self.model.source.dialect;
-            let misfit = fit(inferred, selector.ty, Context::Label, &self.model.types, dialect) == Fit::No;
-            let value = self.coerce(id, selector.ty, Context::Label);
+            let misfit = fit(
+                inferred,
+                selector.ty,
+                ValueContext::Label,
+                &self.model.types,
+                dialect,
+            ) == Fit::No;
+            let value = self.coerce(id, selector.ty, ValueContext::Label);
             if misfit || value.ty == TypeId::ERROR {
                 return None;
             }

@@ -2,12 +2,14 @@
 
 use super::declare::Declarer;
 use super::memory::MAX_CELLS;
-use super::model::{Definition, InitialValue};
-use super::scope::Named;
-use super::types::{ArrayShape, DefaultValue, Dimension, Extent, Kind, Member, Structure, Subrange, TypeId};
+use super::model::{InitialValue, TopLevelName};
+use super::scope::NamedList;
+use super::types::{
+    ArrayShape, DefaultValue, Dimension, Extent, Structure, Subrange, TypeId, TypeKind, TypeMember,
+};
 use crate::source::Span;
 use crate::syntax::tree::{
-    ExpressionId, Folded, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
+    CaseFolded, ExpressionId, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
 };
 use stickler_types::{Code, ElementaryType};
 
@@ -60,9 +62,9 @@ impl<'u> Declarer<'u, '_> {
         {
             return TypeId::of(ty);
         }
-        match self.model.definitions.get(&Folded(name.text)) {
-            Some(&Definition::Type(node)) => return self.nodes[node as usize].id.unwrap_or(TypeId::ERROR),
-            Some(&Definition::Pou(pou)) => {
+        match self.model.definitions.get(&CaseFolded(name.text)) {
+            Some(&TopLevelName::Type(node)) => return self.nodes[node as usize].id.unwrap_or(TypeId::ERROR),
+            Some(&TopLevelName::Pou(pou)) => {
                 if let Some(node) = self.model.pous[pou as usize].node {
                     return self.nodes[node].id.unwrap_or(TypeId::ERROR);
                 }
@@ -214,7 +216,7 @@ impl<'u> Declarer<'u, '_> {
     }
 
     fn structure(&mut self, groups: &'u [VariableGroup<'u>], name: &str, span: Span) -> TypeId {
-        let mut members = Named::new();
+        let mut members = NamedList::new();
         let mut extent = Extent {
             size: 0,
             ..Extent::PLAIN
@@ -230,7 +232,7 @@ impl<'u> Declarer<'u, '_> {
             extent.has_block |= inner.has_block;
             for name in &group.names {
                 let offset = u32::try_from(size).unwrap_or(u32::MAX);
-                let member = Member {
+                let member = TypeMember {
                     ty,
                     offset,
                     kind: VariableKind::Local,
@@ -258,7 +260,10 @@ impl<'u> Declarer<'u, '_> {
             pou: u32::MAX,
             members,
         };
-        let id = self.model.types.add(Kind::Structure(Box::new(structure)), extent);
+        let id = self
+            .model
+            .types
+            .add(TypeKind::Structure(Box::new(structure)), extent);
         if let DefaultValue::Routine(routine) = extent.default {
             self.define_routine(routine, InitialValue::Structure(id, groups));
         }

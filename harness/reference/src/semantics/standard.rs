@@ -2,12 +2,12 @@
 //!
 //! Basis: iec-61131-3: the tables of the numeric, bit shift, selection and string functions.
 
-use super::common::{Rules, settle};
-use super::contexts::Context;
+use super::common::{TypeRules, settle};
+use super::contexts::ValueContext;
 use super::inferred::Inferred;
-use super::lowering::{Lowering, Value};
+use super::lowering::{LoweredValue, Lowering};
 use super::misfit::misfit;
-use super::types::{Kind, TypeId};
+use super::types::{TypeId, TypeKind};
 use crate::diagnostic::Diagnostic;
 use crate::instruction::{Instruction, StandardFunction};
 use crate::source::Span;
@@ -42,7 +42,7 @@ pub(super) fn standard_function(name: &str) -> Option<StandardFunction> {
 }
 
 /// The parameters of a standard function, or of a conversion function with more than one.
-pub(super) struct Signature {
+pub(super) struct ParameterList {
     /// The names of the first parameters.
     fixed: &'static [&'static str],
     /// The name of any more parameters, before their number, and the first one's number.
@@ -51,7 +51,7 @@ pub(super) struct Signature {
     least: usize,
 }
 
-fn signature(function: StandardFunction) -> Signature {
+fn signature(function: StandardFunction) -> ParameterList {
     let (fixed, more, least): (&'static [&'static str], _, _) = match function {
         StandardFunction::Abs | StandardFunction::Len => (&["IN"], None, 1),
         StandardFunction::Sel => (&["G", "IN0", "IN1"], None, 3),
@@ -63,13 +63,13 @@ fn signature(function: StandardFunction) -> Signature {
             (&["IN", "N"], None, 2)
         }
     };
-    Signature { fixed, more, least }
+    ParameterList { fixed, more, least }
 }
 
-impl Signature {
+impl ParameterList {
     /// Describes a function with these parameters and no others.
-    pub(super) const fn exactly(names: &'static [&'static str]) -> Signature {
-        Signature {
+    pub(super) const fn exactly(names: &'static [&'static str]) -> ParameterList {
+        ParameterList {
             fixed: names,
             more: None,
             least: names.len(),
@@ -122,11 +122,11 @@ fn ordered(
 
 /// The arguments of a call in the order of the parameters.
 pub(super) fn ordered_by(
-    signature: &Signature,
+    signature: &ParameterList,
     arguments: &[Argument<'_>],
     call: Span,
 ) -> Result<Vec<ExpressionId>, Diagnostic> {
-    const MOST: usize = u16::MAX as usize;
+    const MAX_ARGUMENTS: usize = u16::MAX as usize;
     let mut places: Vec<Option<ExpressionId>> = Vec::with_capacity(arguments.len());
     for (index, argument) in arguments.iter().enumerate() {
         let (name, value) = match argument {
@@ -174,14 +174,15 @@ pub(super) fn ordered_by(
         }
     }
     let count = arguments.len();
-    let fits =
-        count >= signature.least && (signature.more.is_some() || count == signature.least) && count <= MOST;
+    let fits = count >= signature.least
+        && (signature.more.is_some() || count == signature.least)
+        && count <= MAX_ARGUMENTS;
     match places.into_iter().collect::<Option<Vec<_>>>() {
         Some(values) if fits => Ok(values),
         _ => {
             let least = signature.least;
             let needed = match signature.more {
-                Some(_) if count > MOST => format!("at most {MOST}"),
+                Some(_) if count > MAX_ARGUMENTS => format!("at most {MAX_ARGUMENTS}"),
                 Some(_) => format!("at least {least}"),
                 None => least.to_string(),
             };
@@ -191,11 +192,11 @@ pub(super) fn ordered_by(
     }
 }
 
-/// The type that arguments are held to: the one that [`Rules::common_of_all`] finds. Where that does not go with all, it is
+/// The type that arguments are held to: the one that [`TypeRules::common_of_all`] finds. Where that does not go with all, it is
 /// rather the one that is wanted of the result, if one of them has it and no more of them would be wrong.
 ///
 /// Basis: stickler-design: §7 (a suggestion makes the program acceptable; what the call gives has to fit, too).
-fn held_to(rules: Rules<'_>, arguments: &[Inferred], common: TypeId, wanted: Option<TypeId>) -> TypeId {
+fn held_to(rules: TypeRules<'_>, arguments: &[Inferred], common: TypeId, wanted: Option<TypeId>) -> TypeId {
     let wrong = |ty| arguments.iter().filter(|&&one| !rules.goes_with(one, ty)).count();
     let agreed = wrong(common);
     wanted
@@ -243,7 +244,7 @@ impl Lowering<'_> {
     /// Whether a standard function is defined for a type.
     fn takes(&self, function: StandardFunction, ty: TypeId) -> bool {
         let Some(elementary) = ty.elementary() else {
-            let enumerated = matches!(self.model.types.kind(ty), Kind::Enumeration(_));
+            let enumerated = matches!(self.model.types.kind(ty), TypeKind::Enumeration(_));
             return enumerated && matches!(function, StandardFunction::Sel | StandardFunction::Mux);
         };
         match function {
@@ -272,7 +273,7 @@ impl Lowering<'_> {
         function: StandardFunction,
         arguments: &[Argument<'_>],
         wanted: Option<TypeId>,
-    ) -> Value {
+    ) -> LoweredValue {
         let values = match ordered(function, arguments, call) {
             Ok(values) => values,
             Err(reason) => return self.refuse(reason, arguments),
@@ -286,7 +287,7 @@ impl Lowering<'_> {
         };
         match (function, selector) {
             (StandardFunction::Sel, Some(selector)) => {
-                self.coerce(selector, TypeId::BOOL, Context::Argument);
+                self.coerce(selector, TypeId::BOOL, ValueContext::Argument);
             }
             (_, Some(selector)) => {
                 self.integer_argument(selector);
@@ -297,13 +298,13 @@ impl Lowering<'_> {
         if common.len() < values.len() && selector.is_none() {
             self.integer_argument(values[1]);
         }
-        let Some(ty) = ty else { return Value::ERROR };
+        let Some(ty) = ty else { return LoweredValue::ERROR };
         let of = ty.elementary().unwrap_or(ElementaryType::Lint);
         let count = u16::try_from(common.len()).unwrap_or(u16::MAX);
         self.emit_at(call, Instruction::Standard { function, of, count });
         match function {
-            StandardFunction::Len => Value::of(ElementaryType::Int),
-            _ => Value { ty, constant: None },
+            StandardFunction::Len => LoweredValue::of(ElementaryType::Int),
+            _ => LoweredValue { ty, constant: None },
         }
     }
 
@@ -343,7 +344,7 @@ impl Lowering<'_> {
         }
         let mut sound = target != TypeId::ERROR;
         for &value in values {
-            sound &= self.coerce(value, target, Context::CommonArgument).ty != TypeId::ERROR;
+            sound &= self.coerce(value, target, ValueContext::CommonArgument).ty != TypeId::ERROR;
         }
         if common == Inferred::Error {
             let message = "the arguments have no type in common".to_owned();
@@ -392,14 +393,14 @@ impl Lowering<'_> {
             _ => wanted.filter(|&ty| self.takes(function, ty)),
         };
         let Some(target) = wanted else {
-            let message = misfit(&self.model.types, inferred, usual, Context::CommonArgument);
+            let message = misfit(&self.model.types, inferred, usual, ValueContext::CommonArgument);
             return self.report(Code::FunctionCallArgTypeMismatch, self.span(id), message);
         };
-        self.report_misfit(id, inferred, target, Context::CommonArgument);
+        self.report_misfit(id, inferred, target, ValueContext::CommonArgument);
     }
 
     /// The count of a shift, or the selector of MUX.
     fn integer_argument(&mut self, id: ExpressionId) {
-        self.integer(id, ElementaryType::Lint, Context::Argument);
+        self.integer(id, ElementaryType::Lint, ValueContext::Argument);
     }
 }

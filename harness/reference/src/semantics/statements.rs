@@ -1,6 +1,6 @@
 //! Lowers statements.
 
-use super::contexts::Context;
+use super::contexts::ValueContext;
 use super::emitter::{Jump, Loop};
 use super::lowering::Lowering;
 use super::types::TypeId;
@@ -69,8 +69,8 @@ impl<'m> Lowering<'m> {
         }
         let bare = self.expression(self.model.source.bare(value));
         let context = match bare.kind {
-            ExpressionKind::Call { .. } => Context::CallResult,
-            _ => Context::Assignment,
+            ExpressionKind::Call { .. } => ValueContext::CallResult,
+            _ => ValueContext::Assignment,
         };
         self.begin_store(place);
         self.coerce(value, place.content(), context);
@@ -80,7 +80,7 @@ impl<'m> Lowering<'m> {
     /// Leaves the value of a condition on the stack.
     fn condition(&mut self, id: ExpressionId) {
         self.set_line(self.span(id));
-        self.coerce(id, TypeId::BOOL, Context::Condition);
+        self.coerce(id, TypeId::BOOL, ValueContext::Condition);
     }
 
     fn if_statement(

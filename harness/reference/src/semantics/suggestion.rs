@@ -1,11 +1,11 @@
 //! Suggestions in messages: the conversion that would make a value fit, a name that was perhaps meant.
 
-use super::contexts::Context;
+use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::misfit::{describe, misfit, misfit_of_any};
 use super::model::Model;
-use super::near::{Candidate, MOST_CHANGES, distance};
+use super::similarity::{Candidate, MAX_CHANGES, distance};
 use super::types::TypeId;
 use crate::conversion::{self, conversion_function_name};
 use crate::diagnostic::Diagnostic;
@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 use stickler_types::ElementaryType;
 
 /// The most names of the text that are compared with an unknown one.
-const CANDIDATES: usize = 2000;
+const MAX_CANDIDATES: usize = 2000;
 
 impl<'m> Lowering<'m> {
     /// Reports a value that does not fit where it stands, with the conversion call that would make it fit.
@@ -25,7 +25,7 @@ impl<'m> Lowering<'m> {
         id: ExpressionId,
         inferred: Inferred,
         target: TypeId,
-        context: Context,
+        context: ValueContext,
     ) {
         let message = misfit(&self.model.types, inferred, target, context);
         self.report_misfit_as(id, inferred, target, context, message);
@@ -40,7 +40,7 @@ impl<'m> Lowering<'m> {
         default: ElementaryType,
     ) {
         let message = misfit_of_any(&self.model.types, inferred, allowed);
-        self.report_misfit_as(id, inferred, TypeId::of(default), Context::Argument, message);
+        self.report_misfit_as(id, inferred, TypeId::of(default), ValueContext::Argument, message);
     }
 
     fn report_misfit_as(
@@ -48,7 +48,7 @@ impl<'m> Lowering<'m> {
         id: ExpressionId,
         inferred: Inferred,
         target: TypeId,
-        context: Context,
+        context: ValueContext,
         message: String,
     ) {
         let suggestion = match (inferred.elementary(), target.elementary()) {
@@ -71,7 +71,7 @@ impl<'m> Lowering<'m> {
             || self
                 .model
                 .definitions
-                .contains_key(&crate::syntax::tree::Folded(&name));
+                .contains_key(&crate::syntax::tree::CaseFolded(&name));
         (!hidden).then(|| format!("{name}({})", source.text_of(id)))
     }
 
@@ -91,7 +91,7 @@ impl<'m> Lowering<'m> {
         let known = local
             .chain(self.model.globals.keys())
             .map(|name| Candidate::new(name.0));
-        similar(name, known.take(CANDIDATES), |_| true, &mut self.guesses)
+        similar(name, known.take(MAX_CANDIDATES), |_| true, &mut self.guesses)
     }
 }
 
@@ -109,7 +109,7 @@ fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32) -> String 
         .iter()
         .filter(|entry| entry.is_function())
         .map(|entry| Candidate::new(entry.pou.name.text))
-        .take(CANDIDATES);
+        .take(MAX_CANDIDATES);
     let conversions = conversion::catalogue_names();
     let exists = |name: &str| {
         !conversions.iter().any(|known| known == name)
@@ -135,8 +135,8 @@ pub(super) static STANDARD: LazyLock<Vec<Candidate<'static>>> = LazyLock::new(||
 
 /// Returns the standard names that a few changes can make as long as this.
 fn standard_of_about(length: usize) -> &'static [Candidate<'static>] {
-    let first = STANDARD.partition_point(|candidate| candidate.name.len() + MOST_CHANGES < length);
-    let end = STANDARD.partition_point(|candidate| candidate.name.len() <= length + MOST_CHANGES);
+    let first = STANDARD.partition_point(|candidate| candidate.name.len() + MAX_CHANGES < length);
+    let end = STANDARD.partition_point(|candidate| candidate.name.len() <= length + MAX_CHANGES);
     &STANDARD[first..end]
 }
 
@@ -147,15 +147,15 @@ fn similar<'n>(
     exists: impl Fn(&str) -> bool,
     guesses: &mut u32,
 ) -> String {
-    const LONGEST: usize = 40;
-    if *guesses == 0 || !(3..=LONGEST).contains(&name.len()) {
+    const MAX_NAME_LEN: usize = 40;
+    if *guesses == 0 || !(3..=MAX_NAME_LEN).contains(&name.len()) {
         return String::new();
     }
     *guesses -= 1;
     let wanted = Candidate::new(name);
-    let allowed = if name.len() < 6 { 1 } else { MOST_CHANGES };
+    let allowed = if name.len() < 6 { 1 } else { MAX_CHANGES };
     let mut near: Vec<_> = known
-        .filter(|other| other.may_be_near(wanted, allowed))
+        .filter(|other| other.may_be_similar(wanted, allowed))
         .filter_map(|other| Some((distance(name, other.name)?, other.name)))
         .filter(|&(changes, other)| changes <= allowed && exists(other))
         .collect();

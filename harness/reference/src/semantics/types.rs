@@ -1,6 +1,6 @@
 //! The table of types: elementary ones at fixed places, declared ones behind them.
 
-use super::scope::Named;
+use super::scope::NamedList;
 use crate::instruction::RoutineId;
 use crate::syntax::tree::VariableKind;
 use rustc_hash::FxHashMap;
@@ -31,7 +31,7 @@ impl TypeId {
 
 /// The kind of a type.
 #[derive(Debug)]
-pub(super) enum Kind {
+pub(super) enum TypeKind {
     /// Nothing is known about it.
     Error,
     /// An elementary type that is no text.
@@ -69,7 +69,7 @@ pub(super) struct Enumeration {
     /// The name, or the name of the variable that it is declared with.
     pub(super) name: Box<str>,
     /// The values and their numbers.
-    pub(super) values: Named<i64>,
+    pub(super) values: NamedList<i64>,
 }
 
 /// The element and the limits of an array.
@@ -109,12 +109,12 @@ pub(super) struct Structure {
     /// The index of the function block among the POUs; without meaning for a structure.
     pub(super) pou: u32,
     /// The elements.
-    pub(super) members: Named<Member>,
+    pub(super) members: NamedList<TypeMember>,
 }
 
 /// An element of a structure, or a variable of a function block.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Member {
+pub(super) struct TypeMember {
     /// The declared type.
     pub(super) ty: TypeId,
     /// The offset of its cells from those of the whole.
@@ -125,15 +125,15 @@ pub(super) struct Member {
     pub(super) constant: bool,
 }
 
-impl Kind {
+impl TypeKind {
     /// Returns the member that `x.name` reaches in a variable of this type: any element of a structure, and of a function block its
     /// inputs and outputs; its other variables are its own.
     ///
     /// Basis: iec-61131-3: 2.5.2 of the second edition (only inputs and outputs are accessible from outside).
-    pub(super) fn element(&self, name: &str) -> Option<&Member> {
+    pub(super) fn element(&self, name: &str) -> Option<&TypeMember> {
         match self {
-            Kind::Structure(structure) => structure.members.find(name),
-            Kind::FunctionBlock(block) => block
+            TypeKind::Structure(structure) => structure.members.find(name),
+            TypeKind::FunctionBlock(block) => block
                 .members
                 .find(name)
                 .filter(|member| matches!(member.kind, VariableKind::Input | VariableKind::Output)),
@@ -155,8 +155,8 @@ pub(super) enum DefaultValue {
 
 /// A row of the table.
 #[derive(Debug)]
-struct Entry {
-    kind: Kind,
+struct TypeRow {
+    kind: TypeKind,
     /// The type itself, or what an alias in the end stands for.
     root: TypeId,
     extent: Extent,
@@ -197,24 +197,24 @@ pub(super) const DEFAULT_CAPACITY: u32 = 254;
 #[derive(Debug)]
 pub(super) struct TypeTable {
     /// The declared types; before them come the [`BUILT_IN`].
-    declared: Vec<Entry>,
+    declared: Vec<TypeRow>,
     texts: FxHashMap<(ElementaryType, u32), TypeId>,
     subranges: FxHashMap<Subrange, TypeId>,
     arrays: FxHashMap<(TypeId, Box<[Dimension]>), TypeId>,
 }
 
 /// The elementary types, and behind them [`TypeId::ERROR`]: the same in every source text.
-static BUILT_IN: LazyLock<[Entry; ElementaryType::ALL.len() + 1]> = LazyLock::new(|| {
+static BUILT_IN: LazyLock<[TypeRow; ElementaryType::ALL.len() + 1]> = LazyLock::new(|| {
     std::array::from_fn(|index| {
         let (kind, text_units) = match ElementaryType::ALL.get(index) {
             Some(&ty) if ty.is_text() => {
                 let capacity = DEFAULT_CAPACITY;
-                (Kind::Text { ty, capacity }, capacity.into())
+                (TypeKind::Text { ty, capacity }, capacity.into())
             }
-            Some(&ty) => (Kind::Elementary(ty), 0),
-            None => (Kind::Error, 0),
+            Some(&ty) => (TypeKind::Elementary(ty), 0),
+            None => (TypeKind::Error, 0),
         };
-        Entry {
+        TypeRow {
             kind,
             root: TypeId(index as u32),
             extent: Extent {
@@ -238,10 +238,10 @@ impl TypeTable {
     }
 
     /// Adds a type that is equal to no other.
-    pub(super) fn add(&mut self, kind: Kind, extent: Extent) -> TypeId {
+    pub(super) fn add(&mut self, kind: TypeKind, extent: Extent) -> TypeId {
         // A source text of 64 MiB cannot declare 2^32 types.
         let id = TypeId(u32::try_from(BUILT_IN.len() + self.declared.len()).unwrap_or(u32::MAX));
-        self.declared.push(Entry {
+        self.declared.push(TypeRow {
             kind,
             root: id,
             extent,
@@ -257,7 +257,7 @@ impl TypeTable {
             ..*self.extent(base)
         };
         let root = self.root(base);
-        let id = self.add(Kind::Alias, extent);
+        let id = self.add(TypeKind::Alias, extent);
         if let Some(entry) = self.declared.last_mut() {
             entry.root = root;
             entry.name = Some(name.into());
@@ -275,7 +275,7 @@ impl TypeTable {
                     text_units: capacity.into(),
                     ..Extent::PLAIN
                 };
-                let id = self.add(Kind::Text { ty, capacity }, extent);
+                let id = self.add(TypeKind::Text { ty, capacity }, extent);
                 self.texts.insert((ty, capacity), id);
                 id
             }
@@ -293,7 +293,7 @@ impl TypeTable {
             DefaultValue::Constant(subrange.base.wrap(subrange.low))
         };
         let id = self.add(
-            Kind::Subrange(subrange),
+            TypeKind::Subrange(subrange),
             Extent {
                 default,
                 ..Extent::PLAIN
@@ -311,12 +311,12 @@ impl TypeTable {
     /// Adds an array type.
     pub(super) fn add_array(&mut self, shape: ArrayShape, extent: Extent) -> TypeId {
         let key = (shape.element, shape.dimensions.clone());
-        let id = self.add(Kind::Array(Box::new(shape)), extent);
+        let id = self.add(TypeKind::Array(Box::new(shape)), extent);
         self.arrays.insert(key, id);
         id
     }
 
-    fn entry(&self, id: TypeId) -> &Entry {
+    fn entry(&self, id: TypeId) -> &TypeRow {
         let index = id.0 as usize;
         BUILT_IN
             .get(index)
@@ -325,7 +325,7 @@ impl TypeTable {
     }
 
     /// Returns what a type in the end is: never an alias.
-    pub(super) fn kind(&self, id: TypeId) -> &Kind {
+    pub(super) fn kind(&self, id: TypeId) -> &TypeKind {
         &self.entry(self.entry(id).root).kind
     }
 
@@ -341,8 +341,8 @@ impl TypeTable {
         }
         let root = self.root(id);
         match self.kind(root) {
-            Kind::Subrange(subrange) => TypeId::of(subrange.base),
-            Kind::Text { ty, .. } => TypeId::of(*ty),
+            TypeKind::Subrange(subrange) => TypeId::of(subrange.base),
+            TypeKind::Text { ty, .. } => TypeId::of(*ty),
             _ => root,
         }
     }
@@ -359,14 +359,14 @@ impl TypeTable {
             return name.to_string();
         }
         match &entry.kind {
-            Kind::Error | Kind::Alias => "?".to_owned(),
-            Kind::Elementary(ty) => ty.name().to_owned(),
-            Kind::Text { ty, capacity } if *capacity == DEFAULT_CAPACITY => ty.name().to_owned(),
-            Kind::Text { ty, capacity } => format!("{}[{capacity}]", ty.name()),
-            Kind::Subrange(Subrange { base, low, high }) => format!("{}({low}..{high})", base.name()),
-            Kind::Enumeration(enumeration) => enumeration.name.to_string(),
-            Kind::Structure(structure) | Kind::FunctionBlock(structure) => structure.name.to_string(),
-            Kind::Array(shape) => {
+            TypeKind::Error | TypeKind::Alias => "?".to_owned(),
+            TypeKind::Elementary(ty) => ty.name().to_owned(),
+            TypeKind::Text { ty, capacity } if *capacity == DEFAULT_CAPACITY => ty.name().to_owned(),
+            TypeKind::Text { ty, capacity } => format!("{}[{capacity}]", ty.name()),
+            TypeKind::Subrange(Subrange { base, low, high }) => format!("{}({low}..{high})", base.name()),
+            TypeKind::Enumeration(enumeration) => enumeration.name.to_string(),
+            TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => structure.name.to_string(),
+            TypeKind::Array(shape) => {
                 let limits: Vec<_> = shape
                     .dimensions
                     .iter()

@@ -2,12 +2,12 @@
 
 use super::constant::Constant;
 use super::declare::{Declarer, Deferred};
-use super::model::{Storage, Variable};
-use super::scope::Named;
-use super::types::{DefaultValue, Extent, Kind, Member, Structure, TypeId};
+use super::model::{DeclaredVariable, Storage};
+use super::scope::NamedList;
+use super::types::{DefaultValue, Extent, Structure, TypeId, TypeKind, TypeMember};
 use crate::source::saturating_u32;
 use crate::syntax::tree::{
-    Folded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    CaseFolded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::Code;
 
@@ -133,7 +133,7 @@ impl<'u> Declarer<'u, '_> {
         };
         // Only now is the name known: a constant is not made of itself.
         self.enter_variable(pou, name, index);
-        self.model.variables.push(Variable {
+        self.model.variables.push(DeclaredVariable {
             name,
             ty,
             kind,
@@ -147,12 +147,12 @@ impl<'u> Declarer<'u, '_> {
 
     fn enter_variable(&mut self, pou: usize, name: Name<'u>, index: u32) {
         let entry = &mut self.model.pous[pou];
-        let own = entry.is_function() && Folded(entry.pou.name.text) == Folded(name.text);
-        if own || entry.scope.contains_key(&Folded(name.text)) {
+        let own = entry.is_function() && CaseFolded(entry.pou.name.text) == CaseFolded(name.text);
+        if own || entry.scope.contains_key(&CaseFolded(name.text)) {
             let message = format!("`{}` is already declared in `{}`", name.text, entry.pou.name.text);
             self.report(Code::SymbolDeclDuplicated, name.span, message);
         } else {
-            entry.scope.insert(Folded(name.text), index);
+            entry.scope.insert(CaseFolded(name.text), index);
         }
     }
 
@@ -168,7 +168,7 @@ impl<'u> Declarer<'u, '_> {
             self.report(Code::FunctionBlockInFunction, result.span, message);
         }
         let index = saturating_u32(self.model.variables.len());
-        self.model.variables.push(Variable {
+        self.model.variables.push(DeclaredVariable {
             name,
             ty,
             kind: VariableKind::Output,
@@ -180,7 +180,7 @@ impl<'u> Declarer<'u, '_> {
         });
         let entry = &mut self.model.pous[pou];
         entry.result = Some(index);
-        entry.scope.insert(Folded(name.text), index);
+        entry.scope.insert(CaseFolded(name.text), index);
     }
 
     /// Lays the variables of a function block or program out, and makes them the members of a type.
@@ -193,7 +193,7 @@ impl<'u> Declarer<'u, '_> {
             has_block: true,
             ..Extent::PLAIN
         };
-        let mut members = Named::new();
+        let mut members = NamedList::new();
         let mut size = 0_u64;
         let mut zero = true;
         for index in variables {
@@ -217,7 +217,7 @@ impl<'u> Declarer<'u, '_> {
             let (ty, kind, constant) = (variable.ty, variable.kind, variable.constant);
             members.push(
                 variable.name.text,
-                Member {
+                TypeMember {
                     ty,
                     offset,
                     kind,
@@ -239,9 +239,9 @@ impl<'u> Declarer<'u, '_> {
             members,
         });
         let kind = if program {
-            Kind::Structure(structure)
+            TypeKind::Structure(structure)
         } else {
-            Kind::FunctionBlock(structure)
+            TypeKind::FunctionBlock(structure)
         };
         self.model.pous[pou].ty = self.model.types.add(kind, extent);
     }

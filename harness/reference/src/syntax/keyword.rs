@@ -10,7 +10,7 @@ macro_rules! list {
 const KEYWORDS: &[(TokenKind, &str)] = keywords!(list);
 
 /// The length of `END_FUNCTION_BLOCK`.
-const LONGEST: usize = 18;
+const MAX_LEN: usize = 18;
 
 const SLOTS: usize = 256;
 
@@ -44,7 +44,7 @@ const fn table() -> [u8; SLOTS] {
 /// The kind of `word`, which is not empty: a keyword in any ASCII case, or a name.
 #[inline]
 pub(super) fn classify(word: &[u8]) -> TokenKind {
-    if !(2..=LONGEST).contains(&word.len()) {
+    if !(2..=MAX_LEN).contains(&word.len()) {
         return TokenKind::Name;
     }
     match KEYWORDS.get(usize::from(TABLE[hash(word)])) {
@@ -63,7 +63,7 @@ mod tests {
             assert_eq!(classify(text.as_bytes()), *kind);
             assert_eq!(classify(text.to_lowercase().as_bytes()), *kind);
             assert_eq!(classify(format!("{text}_").as_bytes()), TokenKind::Name);
-            assert!(text.len() <= LONGEST && kind.is_keyword());
+            assert!(text.len() <= MAX_LEN && kind.is_keyword());
         }
     }
 

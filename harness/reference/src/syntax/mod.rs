@@ -10,5 +10,5 @@ mod token;
 pub mod tree;
 
 pub use ending::last_token;
-pub use parser::{NESTING_LIMIT, parse};
+pub use parser::{MAX_NESTING, parse};
 pub use renderer::render;

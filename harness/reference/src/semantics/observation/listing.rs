@@ -1,6 +1,6 @@
 //! Lists what can be observed: the elementary values of the program, by their paths.
 
-use super::super::types::{ArrayShape, Kind, Structure, TypeId, TypeTable};
+use super::super::types::{ArrayShape, Structure, TypeId, TypeKind, TypeTable};
 use super::CheckedProgram;
 use crate::syntax::tree::VariableKind;
 
@@ -12,7 +12,7 @@ impl CheckedProgram {
     #[must_use]
     pub fn variables(&self, most: usize) -> Vec<String> {
         let directory = &self.directory;
-        let mut listing = Listing {
+        let mut listing = PathListing {
             types: &directory.types,
             most,
             paths: Vec::new(),
@@ -24,13 +24,13 @@ impl CheckedProgram {
     }
 }
 
-struct Listing<'t> {
+struct PathListing<'t> {
     types: &'t TypeTable,
     most: usize,
     paths: Vec<String>,
 }
 
-impl Listing<'_> {
+impl PathListing<'_> {
     /// Types are declared before they are used, so a value is only as deep as the text is long; the checker bounds
     /// how deep that may be.
     fn value(&mut self, ty: TypeId, path: String) {
@@ -38,12 +38,17 @@ impl Listing<'_> {
             return;
         }
         match self.types.kind(ty) {
-            Kind::Elementary(_) | Kind::Subrange(_) | Kind::Text { .. } | Kind::Enumeration(_) => {
+            TypeKind::Elementary(_)
+            | TypeKind::Subrange(_)
+            | TypeKind::Text { .. }
+            | TypeKind::Enumeration(_) => {
                 self.paths.push(path);
             }
-            Kind::Array(shape) => self.elements(shape, &path),
-            Kind::Structure(structure) | Kind::FunctionBlock(structure) => self.members(structure, &path),
-            Kind::Alias | Kind::Error => {}
+            TypeKind::Array(shape) => self.elements(shape, &path),
+            TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => {
+                self.members(structure, &path)
+            }
+            TypeKind::Alias | TypeKind::Error => {}
         }
     }
 

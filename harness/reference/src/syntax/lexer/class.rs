@@ -4,7 +4,7 @@ use crate::syntax::token::TokenKind;
 
 /// The kind of token that a byte begins.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Class {
+pub(super) enum ByteClass {
     /// Whitespace: space, tab, line feed, carriage return, form feed.
     Space,
     /// A letter or an underscore.
@@ -22,18 +22,20 @@ pub(super) enum Class {
 }
 
 /// The class of each byte.
-pub(super) const CLASS: [Class; 256] = {
-    let mut table = [Class::Unknown; 256];
+pub(super) const CLASS: [ByteClass; 256] = {
+    let mut table = [ByteClass::Unknown; 256];
     let mut byte = 0;
     while byte < 128 {
         table[byte] = match byte as u8 {
-            b' ' | b'\t' | b'\n' | b'\r' | 0x0C => Class::Space,
-            b'a'..=b'z' | b'A'..=b'Z' | b'_' => Class::Letter,
-            b'0'..=b'9' => Class::Digit,
-            b'\'' | b'"' => Class::Quote,
-            b';' | b',' | b')' | b'[' | b']' | b'+' | b'-' | b'&' | b'^' => Class::Mark,
-            b':' | b'(' | b'.' | b'*' | b'/' | b'=' | b'<' | b'>' | b'?' | b'%' | b'{' => Class::Punctuation,
-            _ => Class::Unknown,
+            b' ' | b'\t' | b'\n' | b'\r' | 0x0C => ByteClass::Space,
+            b'a'..=b'z' | b'A'..=b'Z' | b'_' => ByteClass::Letter,
+            b'0'..=b'9' => ByteClass::Digit,
+            b'\'' | b'"' => ByteClass::Quote,
+            b';' | b',' | b')' | b'[' | b']' | b'+' | b'-' | b'&' | b'^' => ByteClass::Mark,
+            b':' | b'(' | b'.' | b'*' | b'/' | b'=' | b'<' | b'>' | b'?' | b'%' | b'{' => {
+                ByteClass::Punctuation
+            }
+            _ => ByteClass::Unknown,
         };
         byte += 1;
     }
@@ -42,17 +44,17 @@ pub(super) const CLASS: [Class; 256] = {
 
 /// The class of a byte.
 #[inline]
-pub(super) fn class(byte: u8) -> Class {
+pub(super) fn class(byte: u8) -> ByteClass {
     CLASS[usize::from(byte)]
 }
 
 /// The byte may stand in an identifier, or in the digits of a based literal.
 #[inline]
 pub(super) fn is_word(byte: u8) -> bool {
-    matches!(class(byte), Class::Letter | Class::Digit)
+    matches!(class(byte), ByteClass::Letter | ByteClass::Digit)
 }
 
-/// The token that each [`Class::Mark`] is.
+/// The token that each [`ByteClass::Mark`] is.
 const MARKS: [TokenKind; 256] = {
     let mut table = [TokenKind::Unknown; 256];
     table[b';' as usize] = TokenKind::Semicolon;
@@ -67,7 +69,7 @@ const MARKS: [TokenKind; 256] = {
     table
 };
 
-/// The token that a byte of [`Class::Mark`] is.
+/// The token that a byte of [`ByteClass::Mark`] is.
 #[inline]
 pub(super) fn mark(byte: u8) -> TokenKind {
     MARKS[usize::from(byte)]

@@ -6,7 +6,7 @@ use crate::syntax::token::TokenKind;
 
 /// The form of a number.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum NumberForm {
     Integer,
     Based,
     Real,
@@ -20,12 +20,12 @@ impl Lexer<'_, '_> {
         let start = self.at;
         if self.previous() == Some(TokenKind::Dot) {
             self.skip(|byte| byte.is_ascii_digit() || byte == b'_');
-            return self.finish_number(start, Ok(Form::Integer), TokenKind::Integer);
+            return self.finish_number(start, Ok(NumberForm::Integer), TokenKind::Integer);
         }
         let form = self.skip_number();
         let kind = match form {
-            Ok(Form::Based) => TokenKind::Based,
-            Ok(Form::Real) => TokenKind::Real,
+            Ok(NumberForm::Based) => TokenKind::Based,
+            Ok(NumberForm::Real) => TokenKind::Real,
             _ => TokenKind::Integer,
         };
         self.finish_number(start, form, kind);
@@ -33,11 +33,16 @@ impl Lexer<'_, '_> {
 
     /// Pushes a number, or where letters follow it or its form is wrong, a diagnostic.
     #[inline]
-    pub(super) fn finish_number(&mut self, start: usize, form: Result<Form, &'static str>, kind: TokenKind) {
+    pub(super) fn finish_number(
+        &mut self,
+        start: usize,
+        form: Result<NumberForm, &'static str>,
+        kind: TokenKind,
+    ) {
         let trailing = is_word(self.peek(0));
         let reason = match form {
             Ok(_) if !trailing => return self.push(kind, start),
-            Ok(Form::Integer) if matches!(self.peek(0), b'e' | b'E') => {
+            Ok(NumberForm::Integer) if matches!(self.peek(0), b'e' | b'E') => {
                 "a real literal needs a point: `1.0E5`"
             }
             Ok(_) => "a literal and a name need something between them",
@@ -51,7 +56,7 @@ impl Lexer<'_, '_> {
     ///
     /// Basis: Table 5 of the third edition.
     #[inline]
-    pub(super) fn skip_number(&mut self) -> Result<Form, &'static str> {
+    pub(super) fn skip_number(&mut self) -> Result<NumberForm, &'static str> {
         let first = self.at;
         let mut sound = self.digits();
         match self.peek(0) {
@@ -61,12 +66,12 @@ impl Lexer<'_, '_> {
                 sound &= self.digits();
                 sound &= self.exponent();
                 if sound {
-                    Ok(Form::Real)
+                    Ok(NumberForm::Real)
                 } else {
                     Err(MALFORMED_DIGITS)
                 }
             }
-            _ if sound => Ok(Form::Integer),
+            _ if sound => Ok(NumberForm::Integer),
             _ => Err(MALFORMED_DIGITS),
         }
     }
@@ -97,7 +102,7 @@ impl Lexer<'_, '_> {
     }
 
     /// `#` and the digits behind it; the base begins at `first`.
-    fn based(&mut self, first: usize) -> Result<Form, &'static str> {
+    fn based(&mut self, first: usize) -> Result<NumberForm, &'static str> {
         let base = match self.bytes.get(first..self.at) {
             Some(b"2") => 2,
             Some(b"8") => 8,
@@ -114,7 +119,7 @@ impl Lexer<'_, '_> {
             _ if digits.is_empty() => Err("digits are missing behind `#`"),
             _ if !digits.iter().all(known) => Err("a digit does not belong to the base"),
             _ if !well_spaced(digits) => Err(MALFORMED_DIGITS),
-            _ => Ok(Form::Based),
+            _ => Ok(NumberForm::Based),
         }
     }
 

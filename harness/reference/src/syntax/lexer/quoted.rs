@@ -6,7 +6,7 @@ use crate::syntax::token::TokenKind;
 use stickler_types::Code;
 
 /// The end of a quoted text.
-pub(super) enum Quoted {
+pub(super) enum QuotedText {
     /// With its quote.
     Closed,
     /// With its quote, but something in it has been diagnosed.
@@ -20,9 +20,9 @@ impl Lexer<'_, '_> {
     pub(super) fn quoted(&mut self, quote: u8) {
         let start = self.at;
         let kind = match self.skip_quoted(quote) {
-            Quoted::Closed if quote == b'"' => TokenKind::DoubleByteText,
-            Quoted::Closed => TokenKind::SingleByteText,
-            Quoted::Malformed | Quoted::Open => TokenKind::Malformed,
+            QuotedText::Closed if quote == b'"' => TokenKind::DoubleByteText,
+            QuotedText::Closed => TokenKind::SingleByteText,
+            QuotedText::Malformed | QuotedText::Open => TokenKind::Malformed,
         };
         self.push(kind, start);
     }
@@ -30,7 +30,7 @@ impl Lexer<'_, '_> {
     /// Moves behind the closing quote, or to the end of the line, and says what is wrong in between.
     ///
     /// Basis: Tables 5 and 6 of the third edition; an open string is a character sequence that matches nothing.
-    pub(super) fn skip_quoted(&mut self, quote: u8) -> Quoted {
+    pub(super) fn skip_quoted(&mut self, quote: u8) -> QuotedText {
         let start = self.at;
         let mut sound = true;
         self.at += 1;
@@ -39,7 +39,11 @@ impl Lexer<'_, '_> {
             match self.peek(0) {
                 byte if byte == quote => {
                     self.at += 1;
-                    return if sound { Quoted::Closed } else { Quoted::Malformed };
+                    return if sound {
+                        QuotedText::Closed
+                    } else {
+                        QuotedText::Malformed
+                    };
                 }
                 b'$' => sound &= self.escape(quote),
                 b'\t' => self.at += 1,
@@ -58,7 +62,7 @@ impl Lexer<'_, '_> {
         self.report(Code::UnexpectedToken, start, || {
             "a character string is not closed on its line".to_owned()
         });
-        Quoted::Open
+        QuotedText::Open
     }
 
     /// `$` and what it stands before; false, and a diagnostic, where that is no escape.

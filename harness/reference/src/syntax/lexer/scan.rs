@@ -1,6 +1,6 @@
 //! The lexer's main loop, words and punctuation.
 
-use super::class::{Class, class, is_word, mark};
+use super::class::{ByteClass, class, is_word, mark};
 use crate::decoding::NO_TEXT;
 use crate::diagnostic::Diagnostics;
 use crate::dialect::Dialect;
@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 use stickler_types::Code;
 
 /// The most tokens that are read of one text, which bounds the memory that its tree takes.
-const MAXIMUM_TOKENS: usize = 16 << 20;
+const MAX_TOKENS: usize = 16 << 20;
 
 /// A token and the blanks before it take at least about so many bytes of an ordinary text.
 const BYTES_A_TOKEN: usize = 3;
@@ -77,8 +77,8 @@ impl<'s, 'd> Lexer<'s, 'd> {
         let wanted = count.saturating_sub(self.tokens.len());
         self.tokens.reserve(wanted.min(left / BYTES_A_TOKEN + 1));
         self.scan(count);
-        if !self.truncated && self.dropped + self.tokens.len() > MAXIMUM_TOKENS {
-            self.give_up(|| format!("a source text has more than {MAXIMUM_TOKENS} tokens"));
+        if !self.truncated && self.dropped + self.tokens.len() > MAX_TOKENS {
+            self.give_up(|| format!("a source text has more than {MAX_TOKENS} tokens"));
         }
         if self.tokens.len() < count {
             self.ended = true;
@@ -94,20 +94,20 @@ impl<'s, 'd> Lexer<'s, 'd> {
 
     fn scan(&mut self, count: usize) {
         while self.tokens.len() < count {
-            self.skip(|byte| class(byte) == Class::Space);
+            self.skip(|byte| class(byte) == ByteClass::Space);
             let Some(&byte) = self.bytes.get(self.at) else {
                 return;
             };
             match class(byte) {
-                Class::Letter => self.word(),
-                Class::Mark => {
+                ByteClass::Letter => self.word(),
+                ByteClass::Mark => {
                     self.at += 1;
                     self.push(mark(byte), self.at - 1);
                 }
-                Class::Punctuation => self.punctuation(byte),
-                Class::Digit => self.number(),
-                Class::Quote => self.quoted(byte),
-                Class::Unknown | Class::Space => self.unknown(),
+                ByteClass::Punctuation => self.punctuation(byte),
+                ByteClass::Digit => self.number(),
+                ByteClass::Quote => self.quoted(byte),
+                ByteClass::Unknown | ByteClass::Space => self.unknown(),
             }
         }
     }
@@ -222,7 +222,7 @@ impl<'s, 'd> Lexer<'s, 'd> {
     pub(super) fn unknown(&mut self) {
         let start = self.at;
         self.at += 1;
-        self.skip(|byte| class(byte) == Class::Unknown);
+        self.skip(|byte| class(byte) == ByteClass::Unknown);
         self.push_unknown(start);
     }
 
@@ -242,12 +242,12 @@ impl<'s, 'd> Lexer<'s, 'd> {
 
 /// Says that a text begins no token: at most a few of its characters, with those spelled out that a terminal would not show.
 fn no_token(text: &str) -> String {
-    const LONGEST: usize = 8;
+    const MAX_CHARACTERS: usize = 8;
     // Enough for the most that is shown of each character.
-    let mut said = String::with_capacity("`…` begins no token".len() + LONGEST * "U+10FFFF".len());
+    let mut said = String::with_capacity("`…` begins no token".len() + MAX_CHARACTERS * "U+10FFFF".len());
     said.push('`');
     let mut characters = text.chars();
-    for character in characters.by_ref().take(LONGEST) {
+    for character in characters.by_ref().take(MAX_CHARACTERS) {
         if character.is_control() || matches!(character, '\u{FEFF}' | '\u{200B}' | '\u{A0}' | '\u{FFFD}') {
             // Writing to a string does not fail.
             let _ = write!(said, "U+{:04X}", u32::from(character));

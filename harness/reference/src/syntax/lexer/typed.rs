@@ -1,8 +1,8 @@
 //! Literals with a type in front: `INT#-5`, `T#1h30m`, `DT#2024-02-29-12:34:56`, `STRING#'x'`, `COLOR#RED`.
 
-use super::class::{Class, class, is_word};
-use super::number::Form;
-use super::quoted::Quoted;
+use super::class::{ByteClass, class, is_word};
+use super::number::NumberForm;
+use super::quoted::QuotedText;
 use super::scan::Lexer;
 use crate::syntax::token::TokenKind;
 use stickler_types::literal::{date, date_and_time, duration, time_of_day};
@@ -23,7 +23,7 @@ enum Prefix {
 }
 
 /// A reader of `stickler_types`.
-type Reader = fn(&str) -> Result<i64, LiteralError>;
+type TemporalReader = fn(&str) -> Result<i64, LiteralError>;
 
 impl Lexer<'_, '_> {
     /// Reads on at the `#` behind a word that begins at `start`.
@@ -35,9 +35,11 @@ impl Lexer<'_, '_> {
         let prefix = elementary.map_or(Prefix::Declared, prefix);
         self.at += 1;
         match (class(self.peek(0)), prefix) {
-            (Class::Letter, Prefix::Boolean) if self.boolean() => self.push(TokenKind::TypedBoolean, start),
-            (Class::Letter, _) => self.enumerated(start, elementary),
-            (Class::Quote, Prefix::Text) => self.typed_text(start),
+            (ByteClass::Letter, Prefix::Boolean) if self.boolean() => {
+                self.push(TokenKind::TypedBoolean, start)
+            }
+            (ByteClass::Letter, _) => self.enumerated(start, elementary),
+            (ByteClass::Quote, Prefix::Text) => self.typed_text(start),
             (_, Prefix::Duration) => self.temporal(start, TokenKind::Duration, duration),
             (_, Prefix::Date) => self.temporal(start, TokenKind::Date, date),
             (_, Prefix::TimeOfDay) => self.temporal(start, TokenKind::TimeOfDay, time_of_day),
@@ -77,9 +79,9 @@ impl Lexer<'_, '_> {
     fn typed_text(&mut self, start: usize) {
         let quote = self.peek(0);
         let kind = match self.skip_quoted(quote) {
-            Quoted::Closed if quote == b'"' => TokenKind::TypedDoubleByteText,
-            Quoted::Closed => TokenKind::TypedSingleByteText,
-            Quoted::Malformed | Quoted::Open => TokenKind::Malformed,
+            QuotedText::Closed if quote == b'"' => TokenKind::TypedDoubleByteText,
+            QuotedText::Closed => TokenKind::TypedSingleByteText,
+            QuotedText::Malformed | QuotedText::Open => TokenKind::Malformed,
         };
         self.push(kind, start);
     }
@@ -93,8 +95,8 @@ impl Lexer<'_, '_> {
         }
         let form = self.skip_number();
         let kind = match form {
-            Ok(Form::Based) => TokenKind::TypedBased,
-            Ok(Form::Real) => TokenKind::TypedReal,
+            Ok(NumberForm::Based) => TokenKind::TypedBased,
+            Ok(NumberForm::Real) => TokenKind::TypedReal,
             _ => TokenKind::TypedInteger,
         };
         self.finish_number(start, form, kind);
@@ -102,7 +104,7 @@ impl Lexer<'_, '_> {
 
     /// A duration, a date or a time. `read` decides about the form; a value outside the range is not the
     /// lexer's concern.
-    fn temporal(&mut self, start: usize, kind: TokenKind, read: Reader) {
+    fn temporal(&mut self, start: usize, kind: TokenKind, read: TemporalReader) {
         let body = self.at;
         self.skip_temporal(kind);
         match read(self.span_from(body).text(self.text)) {
@@ -146,7 +148,7 @@ impl Lexer<'_, '_> {
     /// A number or a text behind a name that is no elementary type's.
     fn misfit(&mut self, start: usize, name: &str) {
         let quote = self.peek(0);
-        if class(quote) == Class::Quote {
+        if class(quote) == ByteClass::Quote {
             self.skip_quoted(quote);
         } else {
             self.skip(|byte| is_word(byte) || matches!(byte, b'#' | b'-' | b'+'));

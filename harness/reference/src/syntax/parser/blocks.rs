@@ -1,7 +1,7 @@
 //! The statements that have statements in them: IF, CASE, FOR, WHILE, REPEAT.
 
-use super::open::Block;
-use super::state::{Parsed, Parser, quoted};
+use super::open::OpenBlock;
+use super::state::{ParseResult, Parser, quoted};
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{CaseBranch, CaseLabel, ExpressionId, ExpressionKind, Statement, StatementKind};
 
@@ -9,7 +9,8 @@ impl<'s> Parser<'s, '_> {
     /// A block which is open waits for this keyword; or it closes a statement, and the innermost block is one,
     /// so that the wrong END_… has been written.
     pub(super) fn is_awaited(&self, kind: TokenKind) -> bool {
-        let mistaken = kind.closes_block() && self.blocks.last().is_some_and(|block| *block != Block::Pou);
+        let mistaken =
+            kind.closes_block() && self.blocks.last().is_some_and(|block| *block != OpenBlock::Pou);
         mistaken || kind == TokenKind::End || self.blocks.iter().rev().any(|block| block.awaits(kind))
     }
 
@@ -43,11 +44,11 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// A statement with an END_… of its own.
-    pub(super) fn block_statement(&mut self) -> Parsed<StatementKind> {
+    pub(super) fn block_statement(&mut self) -> ParseResult<StatementKind> {
         if self.at_limit() {
             let broken = self.too_deep();
             self.skip_block();
-            self.hush();
+            self.suppress();
             return Err(broken);
         }
         self.nested(|parser| {
@@ -62,7 +63,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// The statements in a block.
-    fn block(&mut self, block: Block) -> Vec<Statement> {
+    fn block(&mut self, block: OpenBlock) -> Vec<Statement> {
         self.blocks.push(block);
         let body = self.statements();
         self.blocks.pop();
@@ -75,7 +76,7 @@ impl<'s> Parser<'s, '_> {
         while branches.is_empty() || self.kind() == TokenKind::Elsif {
             self.bump();
             let condition = self.header(TokenKind::Then);
-            branches.push((condition, self.block(Block::If)));
+            branches.push((condition, self.block(OpenBlock::If)));
         }
         let otherwise = self.else_branch(TokenKind::EndIf);
         self.close(TokenKind::EndIf);
@@ -83,14 +84,15 @@ impl<'s> Parser<'s, '_> {
     }
 
     fn else_branch(&mut self, closer: TokenKind) -> Option<Vec<Statement>> {
-        self.eat(TokenKind::Else).then(|| self.block(Block::Else(closer)))
+        self.eat(TokenKind::Else)
+            .then(|| self.block(OpenBlock::Else(closer)))
     }
 
     /// WHILE … DO … END_WHILE.
     fn while_statement(&mut self) -> StatementKind {
         self.bump();
         let condition = self.header(TokenKind::Do);
-        let body = self.block(Block::While);
+        let body = self.block(OpenBlock::While);
         self.close(TokenKind::EndWhile);
         StatementKind::While { condition, body }
     }
@@ -98,7 +100,7 @@ impl<'s> Parser<'s, '_> {
     /// REPEAT … UNTIL … END_REPEAT.
     fn repeat_statement(&mut self) -> StatementKind {
         self.bump();
-        let body = self.block(Block::Repeat);
+        let body = self.block(OpenBlock::Repeat);
         let until = if self.kind() == TokenKind::Until {
             self.bump();
             self.header(TokenKind::EndRepeat)
@@ -123,7 +125,7 @@ impl<'s> Parser<'s, '_> {
     fn header_of<T>(
         &mut self,
         closer: TokenKind,
-        production: impl FnOnce(&mut Self) -> Parsed<T>,
+        production: impl FnOnce(&mut Self) -> ParseResult<T>,
     ) -> Result<T, crate::source::Span> {
         let start = self.token().span;
         self.open = 0;
@@ -164,7 +166,7 @@ impl<'s> Parser<'s, '_> {
             let error = self.push(ExpressionKind::Error, span);
             (error, error, error, None)
         });
-        let body = self.block(Block::For);
+        let body = self.block(OpenBlock::For);
         self.close(TokenKind::EndFor);
         StatementKind::For {
             control,
@@ -175,7 +177,7 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    fn for_list(&mut self) -> Parsed<(ExpressionId, ExpressionId, ExpressionId, Option<ExpressionId>)> {
+    fn for_list(&mut self) -> ParseResult<(ExpressionId, ExpressionId, ExpressionId, Option<ExpressionId>)> {
         if self.kind() != TokenKind::Name {
             return Err(self.missing("a variable"));
         }
@@ -197,7 +199,7 @@ impl<'s> Parser<'s, '_> {
         self.bump();
         let selector = self.header(TokenKind::Of);
         let mut branches = Vec::new();
-        self.blocks.push(Block::Case);
+        self.blocks.push(OpenBlock::Case);
         loop {
             if self.at_case_label() {
                 branches.push(self.case_branch());
@@ -232,7 +234,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `1, 5..7, RED`.
-    fn case_labels(&mut self) -> Parsed<Vec<CaseLabel>> {
+    fn case_labels(&mut self) -> ParseResult<Vec<CaseLabel>> {
         let mut labels = Vec::with_capacity(1);
         loop {
             let low = self.expression()?;

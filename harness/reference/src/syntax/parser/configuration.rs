@@ -1,6 +1,6 @@
 //! CONFIGURATION, RESOURCE, TASK and program instances.
 
-use super::state::{Parsed, Parser};
+use super::state::{ParseResult, Parser};
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{
     Configuration, ExpressionId, Name, ProgramInstance, Resource, Task, VariableBlock,
@@ -75,7 +75,7 @@ impl<'s> Parser<'s, '_> {
         resource
     }
 
-    fn resource_header(&mut self) -> Parsed<(Name<'s>, Name<'s>)> {
+    fn resource_header(&mut self) -> ParseResult<(Name<'s>, Name<'s>)> {
         let name = self.name("a resource's name")?;
         self.require(TokenKind::On)?;
         Ok((name, self.name("a resource's type")?))
@@ -111,7 +111,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `TASK name(INTERVAL := T#10ms, PRIORITY := 1);`
-    fn task(&mut self) -> Parsed<Task<'s>> {
+    fn task(&mut self) -> ParseResult<Task<'s>> {
         self.bump();
         let name = self.name("a task's name")?;
         let mut properties: Vec<(Name<'s>, ExpressionId)> = Vec::new();
@@ -133,7 +133,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `PROGRAM instance WITH task : type;`. RETAIN has no effect on a run, and is not kept.
-    fn program_instance(&mut self) -> Parsed<ProgramInstance<'s>> {
+    fn program_instance(&mut self) -> ParseResult<ProgramInstance<'s>> {
         self.bump();
         if matches!(self.kind(), TokenKind::Retain | TokenKind::NonRetain) {
             self.bump();

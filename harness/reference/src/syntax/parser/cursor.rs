@@ -1,7 +1,7 @@
 //! The tokens around the place where the parser reads. They come from the lexer a chunk at a time; a few stay
 //! behind that place, and enough lie ahead of it.
 
-use super::state::{Parsed, Parser, quoted};
+use super::state::{ParseResult, Parser, quoted};
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::tree::Name;
@@ -157,7 +157,7 @@ impl<'s> Parser<'s, '_> {
 
     /// A name; `what` says whose.
     #[inline]
-    pub(super) fn name(&mut self, what: &str) -> Parsed<Name<'s>> {
+    pub(super) fn name(&mut self, what: &str) -> ParseResult<Name<'s>> {
         if self.kind() != TokenKind::Name {
             return Err(self.expected(what));
         }
@@ -171,7 +171,7 @@ impl<'s> Parser<'s, '_> {
 
     /// A mark that joins what stands on one line.
     #[inline]
-    pub(super) fn require(&mut self, kind: TokenKind) -> Parsed<Token> {
+    pub(super) fn require(&mut self, kind: TokenKind) -> ParseResult<Token> {
         if self.kind() == kind {
             Ok(self.bump())
         } else {

@@ -1,7 +1,7 @@
 //! The top level of a text, and the program organization units.
 
-use super::open::Block;
-use super::state::{Parsed, Parser};
+use super::open::OpenBlock;
+use super::state::{ParseResult, Parser};
 use crate::source::Span;
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{
@@ -69,7 +69,7 @@ impl<'s> Parser<'s, '_> {
             blocks.extend(self.variable_block());
             self.stray_semicolon();
         }
-        self.blocks.push(Block::Pou);
+        self.blocks.push(OpenBlock::Pou);
         let body = self.statements();
         self.blocks.clear();
         blocks.append(&mut self.late_sections);
@@ -202,7 +202,7 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    fn type_of_declaration(&mut self) -> Parsed<TypeSpecification<'s>> {
+    fn type_of_declaration(&mut self) -> ParseResult<TypeSpecification<'s>> {
         if self.unsupported_inheritance() {
             self.incomplete = false;
             self.require(TokenKind::Colon)?;

@@ -1,7 +1,7 @@
 //! Expressions: operators by precedence, prefix operators, parentheses, literals.
 
 use super::open::Pending;
-use super::state::{HEIGHT_LIMIT, Parsed, Parser};
+use super::state::{MAX_HEIGHT, ParseResult, Parser};
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{
     BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Prefixed, UnaryOperator,
@@ -12,7 +12,7 @@ impl<'s> Parser<'s, '_> {
     /// the thread's own.
     ///
     /// Basis: Table 71 of the third edition; infix operators of one precedence associate to the left.
-    pub(super) fn expression(&mut self) -> Parsed<ExpressionId> {
+    pub(super) fn expression(&mut self) -> ParseResult<ExpressionId> {
         let base = self.pending.len();
         let result = self.infix_chain(base);
         self.pending.truncate(base);
@@ -20,7 +20,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     #[inline]
-    fn infix_chain(&mut self, base: usize) -> Parsed<ExpressionId> {
+    fn infix_chain(&mut self, base: usize) -> ParseResult<ExpressionId> {
         let mut operand = self.operand()?;
         while let Some((operator, precedence)) = self.infix_operator() {
             operand = self.reduce(base, precedence, operand)?;
@@ -38,7 +38,12 @@ impl<'s> Parser<'s, '_> {
 
     /// Gives their right operand to the waiting operators that bind at least as tight as `precedence`.
     #[inline]
-    fn reduce(&mut self, base: usize, precedence: u8, mut operand: ExpressionId) -> Parsed<ExpressionId> {
+    fn reduce(
+        &mut self,
+        base: usize,
+        precedence: u8,
+        mut operand: ExpressionId,
+    ) -> ParseResult<ExpressionId> {
         while self.pending.len() > base {
             let Some(top) = self.pending.pop_if(|top| top.precedence >= precedence) else {
                 break;
@@ -60,9 +65,9 @@ impl<'s> Parser<'s, '_> {
 
     /// The expression read last becomes part of another one, beside an operand of the given height.
     #[inline]
-    pub(super) fn grow(&mut self, beside: u32) -> Parsed<()> {
+    pub(super) fn grow(&mut self, beside: u32) -> ParseResult<()> {
         self.height = beside.max(self.height + 1);
-        if self.height > HEIGHT_LIMIT {
+        if self.height > MAX_HEIGHT {
             Err(self.too_deep())
         } else {
             Ok(())
@@ -97,7 +102,7 @@ impl<'s> Parser<'s, '_> {
 
     /// An operand: prefix operators bind tighter than any infix operator.
     #[inline]
-    fn operand(&mut self) -> Parsed<ExpressionId> {
+    fn operand(&mut self) -> ParseResult<ExpressionId> {
         match self.kind() {
             TokenKind::Name => self.path(),
             TokenKind::Minus => self.prefixed(UnaryOperator::Negate),
@@ -111,7 +116,7 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    fn prefixed(&mut self, operator: UnaryOperator) -> Parsed<ExpressionId> {
+    fn prefixed(&mut self, operator: UnaryOperator) -> ParseResult<ExpressionId> {
         let start = self.token().span;
         let operand = self.nested(|parser| {
             parser.bump();
@@ -123,7 +128,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `(inner)`.
-    fn parenthesized(&mut self) -> Parsed<ExpressionId> {
+    fn parenthesized(&mut self) -> ParseResult<ExpressionId> {
         let start = self.token().span;
         let inner = self.nested(|parser| {
             parser.bump();

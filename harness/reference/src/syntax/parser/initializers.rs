@@ -1,12 +1,12 @@
 //! Initial values.
 
-use super::state::{Parsed, Parser};
+use super::state::{ParseResult, Parser};
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{ArrayElement, Initializer, InitializerKind, Name};
 
 impl<'s> Parser<'s, '_> {
     /// Reads the initial value behind `:=` in a declaration.
-    pub(super) fn initializer(&mut self) -> Parsed<Initializer<'s>> {
+    pub(super) fn initializer(&mut self) -> ParseResult<Initializer<'s>> {
         let start = self.token().span;
         let kind = match self.kind() {
             TokenKind::LeftBracket => self.nested(Self::array_initializer)?,
@@ -22,7 +22,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `[1, 2, 3(0)]`.
-    fn array_initializer(&mut self) -> Parsed<InitializerKind<'s>> {
+    fn array_initializer(&mut self) -> ParseResult<InitializerKind<'s>> {
         self.bump();
         self.open += 1;
         let mut elements = Vec::new();
@@ -38,7 +38,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// A value, or `3(value)` or `3()`.
-    fn array_element(&mut self) -> Parsed<ArrayElement<'s>> {
+    fn array_element(&mut self) -> ParseResult<ArrayElement<'s>> {
         if !matches!(self.kind(), TokenKind::Integer | TokenKind::Based)
             || self.nth(1) != TokenKind::LeftParen
         {
@@ -62,7 +62,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `(x := 1, y := 2)`.
-    fn structure_initializer(&mut self) -> Parsed<InitializerKind<'s>> {
+    fn structure_initializer(&mut self) -> ParseResult<InitializerKind<'s>> {
         self.bump();
         self.open += 1;
         let mut fields: Vec<(Name<'s>, Initializer<'s>)> = Vec::new();

@@ -20,4 +20,4 @@ mod variables;
 #[cfg(test)]
 mod testing;
 
-pub use state::{NESTING_LIMIT, parse};
+pub use state::{MAX_NESTING, parse};

@@ -5,7 +5,7 @@ use crate::syntax::tree::{BinaryOperator, ExpressionId};
 
 /// An open block, which waits for certain keywords.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Block {
+pub(super) enum OpenBlock {
     Pou,
     If,
     Case,
@@ -16,17 +16,17 @@ pub(super) enum Block {
     Repeat,
 }
 
-impl Block {
+impl OpenBlock {
     /// Whether a keyword ends the block, or the part of it that is being read.
     pub(super) fn awaits(self, kind: TokenKind) -> bool {
         match self {
-            Block::Pou => kind.closes_pou() || kind.opens_declaration() || kind == TokenKind::End,
-            Block::If => matches!(kind, TokenKind::EndIf | TokenKind::Elsif | TokenKind::Else),
-            Block::Case => matches!(kind, TokenKind::EndCase | TokenKind::Else),
-            Block::Else(closer) => kind == closer,
-            Block::For => kind == TokenKind::EndFor,
-            Block::While => kind == TokenKind::EndWhile,
-            Block::Repeat => matches!(kind, TokenKind::Until | TokenKind::EndRepeat),
+            OpenBlock::Pou => kind.closes_pou() || kind.opens_declaration() || kind == TokenKind::End,
+            OpenBlock::If => matches!(kind, TokenKind::EndIf | TokenKind::Elsif | TokenKind::Else),
+            OpenBlock::Case => matches!(kind, TokenKind::EndCase | TokenKind::Else),
+            OpenBlock::Else(closer) => kind == closer,
+            OpenBlock::For => kind == TokenKind::EndFor,
+            OpenBlock::While => kind == TokenKind::EndWhile,
+            OpenBlock::Repeat => matches!(kind, TokenKind::Until | TokenKind::EndRepeat),
         }
     }
 }

@@ -8,7 +8,7 @@ use stickler_types::Code;
 
 /// The forms of partial access.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Form {
+enum AccessForm {
     /// `.n`.
     Short,
     /// `.%Xn`.
@@ -38,15 +38,15 @@ impl Parser<'_, '_> {
     }
 
     /// Why the dialect does not have the form; `None` where it has it.
-    fn refusal(&self, form: Form) -> Option<(Code, String)> {
+    fn refusal(&self, form: AccessForm) -> Option<(Code, String)> {
         let dialect = self.dialect.name;
         match (form, self.dialect.partial_access) {
-            (Form::Short, _) if self.dialect.bit_access => None,
-            (Form::Short, _) => Some((
+            (AccessForm::Short, _) if self.dialect.bit_access => None,
+            (AccessForm::Short, _) => Some((
                 Code::SyntaxError,
                 format!("the dialect {dialect} has no bit access: expected a field's name"),
             )),
-            (Form::Bit, PartialAccess::BitsOnly) => None,
+            (AccessForm::Bit, PartialAccess::BitsOnly) => None,
             (_, PartialAccess::BitsOnly) => Some((
                 Code::UnexpectedToken,
                 format!("the dialect {dialect} has partial access to bits (`.%X`) only"),
@@ -66,11 +66,11 @@ impl Parser<'_, '_> {
 }
 
 /// Returns the form that `text` has, and the number in it; `u64::MAX` for one that is larger.
-fn form_and_index(kind: TokenKind, text: &str) -> (Form, u64) {
+fn form_and_index(kind: TokenKind, text: &str) -> (AccessForm, u64) {
     let form = match text.as_bytes().get(1).map(u8::to_ascii_uppercase) {
-        _ if kind == TokenKind::Integer => Form::Short,
-        Some(b'B' | b'W' | b'D' | b'L') => Form::Wider,
-        _ => Form::Bit,
+        _ if kind == TokenKind::Integer => AccessForm::Short,
+        Some(b'B' | b'W' | b'D' | b'L') => AccessForm::Wider,
+        _ => AccessForm::Bit,
     };
     let digits = text.bytes().filter(u8::is_ascii_digit);
     let index = digits.fold(0_u64, |index, digit| {
@@ -136,11 +136,11 @@ mod tests {
 
     #[test]
     fn the_index_is_read_whatever_its_length() {
-        assert_eq!(form_and_index(TokenKind::Integer, "1_0"), (Form::Short, 10));
-        assert_eq!(form_and_index(TokenKind::Partial, "%x63"), (Form::Bit, 63));
+        assert_eq!(form_and_index(TokenKind::Integer, "1_0"), (AccessForm::Short, 10));
+        assert_eq!(form_and_index(TokenKind::Partial, "%x63"), (AccessForm::Bit, 63));
         assert_eq!(
             form_and_index(TokenKind::Integer, &"9".repeat(1000)),
-            (Form::Short, u64::MAX)
+            (AccessForm::Short, u64::MAX)
         );
     }
 }

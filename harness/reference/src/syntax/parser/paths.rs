@@ -1,13 +1,13 @@
 //! Names with what may stand behind them: fields, subscripts, bits, arguments.
 
-use super::state::{Parsed, Parser};
+use super::state::{ParseResult, Parser};
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, Name};
 
 impl<'s> Parser<'s, '_> {
     /// `a`, `a.b`, `a[1].b(x := 2)`, `a.3`.
     #[inline]
-    pub(super) fn path(&mut self) -> Parsed<ExpressionId> {
+    pub(super) fn path(&mut self) -> ParseResult<ExpressionId> {
         let span = self.token().span;
         let kind = if self.kind() == TokenKind::Direct {
             self.unsupported(span, "directly represented variables (`%IX0.0`)");
@@ -33,7 +33,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `.field`, or the suffix of a partial access.
-    fn member(&mut self, base: ExpressionId) -> Parsed<ExpressionId> {
+    fn member(&mut self, base: ExpressionId) -> ParseResult<ExpressionId> {
         let dot = self.bump();
         self.grow(0)?;
         match self.kind() {
@@ -51,7 +51,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `[i, j]`.
-    fn subscripts(&mut self, base: ExpressionId) -> Parsed<ExpressionId> {
+    fn subscripts(&mut self, base: ExpressionId) -> ParseResult<ExpressionId> {
         let mut height = self.height;
         let subscripts = self.nested(|parser| {
             parser.bump();
@@ -75,7 +75,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `(a, b := c, d => e)`.
-    fn call(&mut self, callee: ExpressionId) -> Parsed<ExpressionId> {
+    fn call(&mut self, callee: ExpressionId) -> ParseResult<ExpressionId> {
         let mut height = self.height;
         let arguments = self.nested(|parser| {
             parser.bump();
@@ -99,7 +99,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `value`, `name := value`, `name => variable` or `NOT name => variable`.
-    fn argument(&mut self) -> Parsed<Argument<'s>> {
+    fn argument(&mut self) -> ParseResult<Argument<'s>> {
         let negated = self.kind() == TokenKind::Not;
         let ahead = usize::from(negated);
         match (self.nth(ahead), self.nth(ahead + 1)) {
@@ -131,7 +131,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `p^`.
-    fn dereference(&mut self, base: ExpressionId) -> Parsed<ExpressionId> {
+    fn dereference(&mut self, base: ExpressionId) -> ParseResult<ExpressionId> {
         let caret = self.bump().span;
         self.grow(0)?;
         self.unsupported(caret, "references (`^`)");

@@ -1,6 +1,6 @@
 //! Recovery: finds where reading goes on after an error. Everything here moves forward only, and none of it recurses.
 
-use super::state::{Broken, Parsed, Parser};
+use super::state::{Broken, ParseResult, Parser};
 use crate::syntax::token::TokenKind;
 
 impl Parser<'_, '_> {
@@ -151,7 +151,7 @@ impl Parser<'_, '_> {
     ///
     /// `x :=`, and on the next line `y := 2;`, read as the value `y` so far: if `swallowed` stands behind such a
     /// name, the name is given back.
-    pub(super) fn semicolon(&mut self, swallowed: TokenKind) -> Parsed<()> {
+    pub(super) fn semicolon(&mut self, swallowed: TokenKind) -> ParseResult<()> {
         if self.eat(TokenKind::Semicolon) {
             return Ok(());
         }

@@ -1,6 +1,6 @@
 //! The state that every production uses: the tokens, the arena, the limits, and the one way to report an error.
 
-use super::open::{Block, Pending};
+use super::open::{OpenBlock, Pending};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::Dialect;
 use crate::source::{MAX_LENGTH, Span};
@@ -13,18 +13,18 @@ use stickler_types::Code;
 /// one another; anything deeper is diagnosed with S0002.
 ///
 /// Basis: a decision of the design (depth, size and step limits turn hostile input into a diagnostic).
-pub const NESTING_LIMIT: usize = 200;
+pub const MAX_NESTING: usize = 200;
 
 /// The greatest depth of an expression's tree, the left operands of infix operators not counted. It is more than
-/// [`NESTING_LIMIT`] because suffixes and right operands make a tree deeper without nesting what is written.
-pub(super) const HEIGHT_LIMIT: u32 = NESTING_LIMIT as u32 * 3 / 2;
+/// [`MAX_NESTING`] because suffixes and right operands make a tree deeper without nesting what is written.
+pub(super) const MAX_HEIGHT: u32 = MAX_NESTING as u32 * 3 / 2;
 
 /// The error of a production that did not find what it reads; the diagnostic about it has been given.
 #[derive(Debug)]
 pub(super) struct Broken;
 
 /// The result of a production.
-pub(super) type Parsed<T> = Result<T, Broken>;
+pub(super) type ParseResult<T> = Result<T, Broken>;
 
 /// Reads `text` by the rules of `dialect`.
 ///
@@ -60,7 +60,7 @@ pub(super) struct Parser<'s, 'd> {
     /// The number of brackets that the statement or declaration has open that is being read.
     pub(super) open: usize,
     /// The statements and POUs that are open.
-    pub(super) blocks: Vec<Block>,
+    pub(super) blocks: Vec<OpenBlock>,
     /// Variable sections between statements, where they do not belong.
     pub(super) late_sections: Vec<VariableBlock<'s>>,
     /// The END_VAR of the section that is being read, where an error made it worth looking for.
@@ -120,7 +120,10 @@ impl<'s, 'd> Parser<'s, 'd> {
 
     /// Runs a production one level deeper, or reports that this is too deep.
     #[inline]
-    pub(super) fn nested<T>(&mut self, production: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+    pub(super) fn nested<T>(
+        &mut self,
+        production: impl FnOnce(&mut Self) -> ParseResult<T>,
+    ) -> ParseResult<T> {
         if self.at_limit() {
             return Err(self.too_deep());
         }
@@ -132,7 +135,7 @@ impl<'s, 'd> Parser<'s, 'd> {
 
     /// Nothing may be nested any deeper.
     pub(super) fn at_limit(&self) -> bool {
-        self.depth >= NESTING_LIMIT
+        self.depth >= MAX_NESTING
     }
 
     /// Reports that the text is nested too deep: once, for the reader has only one thing to change.
@@ -140,7 +143,7 @@ impl<'s, 'd> Parser<'s, 'd> {
     pub(super) fn too_deep(&mut self) -> Broken {
         if !self.limit_reported {
             self.limit_reported = true;
-            let message = || format!("nested more than {NESTING_LIMIT} deep");
+            let message = || format!("nested more than {MAX_NESTING} deep");
             self.lexer
                 .diagnostics
                 .report(Code::LimitExceeded, self.current.span, message);
@@ -150,7 +153,7 @@ impl<'s, 'd> Parser<'s, 'd> {
     }
 
     /// Suppresses errors at the next token, whatever is expected in its place.
-    pub(super) fn hush(&mut self) {
+    pub(super) fn suppress(&mut self) {
         self.reported = Some(self.position());
     }
 

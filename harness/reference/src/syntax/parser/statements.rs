@@ -1,6 +1,6 @@
 //! Lists of statements, and the statements that are no blocks.
 
-use super::state::{Broken, Parsed, Parser};
+use super::state::{Broken, ParseResult, Parser};
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
 
@@ -71,7 +71,7 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    fn statement_kind(&mut self) -> Parsed<StatementKind> {
+    fn statement_kind(&mut self) -> ParseResult<StatementKind> {
         match self.kind() {
             TokenKind::Name if self.at_continue() => self.keyword_statement(StatementKind::Continue),
             TokenKind::Name | TokenKind::Direct => self.assignment_or_call(),
@@ -82,7 +82,7 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    fn keyword_statement(&mut self, kind: StatementKind) -> Parsed<StatementKind> {
+    fn keyword_statement(&mut self, kind: StatementKind) -> ParseResult<StatementKind> {
         self.bump();
         Ok(kind)
     }
@@ -97,7 +97,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `variable := value` or `call(…)`.
-    fn assignment_or_call(&mut self) -> Parsed<StatementKind> {
+    fn assignment_or_call(&mut self) -> ParseResult<StatementKind> {
         if !matches!(self.nth(1), TokenKind::Assign | TokenKind::LeftParen) {
             self.unsupported_statement()?;
         }

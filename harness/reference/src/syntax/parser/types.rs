@@ -1,6 +1,6 @@
 //! Types as they are written in declarations.
 
-use super::state::{Parsed, Parser};
+use super::state::{ParseResult, Parser};
 use crate::source::Span;
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{ExpressionId, Name, TypeSpecification, TypeSpecificationKind as Kind};
@@ -8,7 +8,7 @@ use stickler_types::Code;
 
 impl<'s> Parser<'s, '_> {
     /// A type.
-    pub(super) fn type_specification(&mut self) -> Parsed<TypeSpecification<'s>> {
+    pub(super) fn type_specification(&mut self) -> ParseResult<TypeSpecification<'s>> {
         let start = self.token().span;
         let kind = self.nested(|parser| match parser.kind() {
             TokenKind::Name => parser.named_type(),
@@ -24,7 +24,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// A type that begins with a name.
-    fn named_type(&mut self) -> Parsed<Kind<'s>> {
+    fn named_type(&mut self) -> ParseResult<Kind<'s>> {
         if self.unsupported_reference()? {
             return Ok(Kind::Error);
         }
@@ -51,7 +51,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `STRING[n]`; `closer` closes what stands behind the name.
-    fn text_type(&mut self, name: Name<'s>, closer: TokenKind) -> Parsed<Kind<'s>> {
+    fn text_type(&mut self, name: Name<'s>, closer: TokenKind) -> ParseResult<Kind<'s>> {
         self.bump();
         self.open += 1;
         let length = self.expression()?;
@@ -70,7 +70,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `INT(low..high)`.
-    fn subrange_type(&mut self, base: Name<'s>) -> Parsed<Kind<'s>> {
+    fn subrange_type(&mut self, base: Name<'s>) -> ParseResult<Kind<'s>> {
         self.bump();
         self.open += 1;
         let limits = self.limits()?;
@@ -80,14 +80,14 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `low..high`.
-    fn limits(&mut self) -> Parsed<(ExpressionId, ExpressionId)> {
+    fn limits(&mut self) -> ParseResult<(ExpressionId, ExpressionId)> {
         let low = self.expression()?;
         self.require(TokenKind::DotDot)?;
         Ok((low, self.expression()?))
     }
 
     /// `(RED, GREEN := 5)`.
-    fn enumeration_type(&mut self, base: Option<Name<'s>>) -> Parsed<Kind<'s>> {
+    fn enumeration_type(&mut self, base: Option<Name<'s>>) -> ParseResult<Kind<'s>> {
         self.bump();
         self.open += 1;
         let mut values = Vec::new();
@@ -109,7 +109,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `ARRAY[low..high, …] OF element`.
-    fn array_type(&mut self) -> Parsed<Kind<'s>> {
+    fn array_type(&mut self) -> ParseResult<Kind<'s>> {
         let start = self.bump().span;
         self.require(TokenKind::LeftBracket)?;
         self.open += 1;
@@ -137,7 +137,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `STRUCT … END_STRUCT`.
-    fn structure_type(&mut self) -> Parsed<Kind<'s>> {
+    fn structure_type(&mut self) -> ParseResult<Kind<'s>> {
         self.bump();
         let overlap = self.unsupported_overlap();
         let open = std::mem::take(&mut self.open);
@@ -160,7 +160,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// Moves over a type whose use is not implemented.
-    pub(super) fn ignored_type(&mut self) -> Parsed<()> {
+    pub(super) fn ignored_type(&mut self) -> ParseResult<()> {
         self.type_specification().map(|_| ())
     }
 }

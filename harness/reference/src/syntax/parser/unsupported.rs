@@ -3,7 +3,7 @@
 //! names where they cannot begin the construct.
 
 use super::declarations::unknown_type;
-use super::state::{Broken, Parsed, Parser};
+use super::state::{Broken, ParseResult, Parser};
 use crate::source::Span;
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{Declaration, Name};
@@ -172,7 +172,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `REF_TO T`, `POINTER TO T` or `REFERENCE TO T`; says whether there was one.
-    pub(super) fn unsupported_reference(&mut self) -> Parsed<bool> {
+    pub(super) fn unsupported_reference(&mut self) -> ParseResult<bool> {
         let start = self.token().span;
         let to = usize::from(self.nth(1) == TokenKind::To);
         let words: &[&str] = if to == 1 {
@@ -201,7 +201,7 @@ impl<'s> Parser<'s, '_> {
 
     /// Recognizes what begins with a name, stands where a statement is expected, and is none: an instruction list, an element
     /// of a chart, a method, a jump or a label.
-    pub(super) fn unsupported_statement(&mut self) -> Parsed<()> {
+    pub(super) fn unsupported_statement(&mut self) -> ParseResult<()> {
         let next = self.nth(1);
         let start = self.token().span;
         if (next == TokenKind::Name || next == TokenKind::Direct || next.is_literal())
@@ -239,7 +239,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `label:`, told from a mistaken `:=` by the statement behind it.
-    fn unsupported_label(&mut self) -> Parsed<()> {
+    fn unsupported_label(&mut self) -> ParseResult<()> {
         use TokenKind::{Assign, Colon, Dot, LeftBracket, LeftParen, Name, Semicolon};
         let statement = match self.nth(2) {
             Name => matches!(self.nth(3), Assign | LeftParen | LeftBracket | Dot),
@@ -255,7 +255,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `?=`, `S=`, `R=` or `REF=` behind the variable that begins at `start`.
-    pub(super) fn unsupported_assignment(&mut self, start: Span) -> Parsed<()> {
+    pub(super) fn unsupported_assignment(&mut self, start: Span) -> ParseResult<()> {
         let features = match self.kind() {
             TokenKind::AssignAttempt => "assignment attempts (`?=`)",
             TokenKind::Name if self.nth(1) == TokenKind::Equal && self.at_any_word(&["S", "R"]) => {

@@ -1,7 +1,7 @@
 //! Variable sections, and the groups of names in them; also the fields of a structure.
 
 use super::declarations::error_specification;
-use super::state::{Parsed, Parser};
+use super::state::{ParseResult, Parser};
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{
     Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
@@ -166,7 +166,7 @@ impl<'s> Parser<'s, '_> {
         let start = self.bump().span;
         let mut groups = Vec::new();
         while self.kind() == TokenKind::Name {
-            self.hush();
+            self.suppress();
             let mut names = Vec::with_capacity(1);
             let specification = self.names_and_type(&mut names);
             let sound = specification.is_ok();
@@ -191,7 +191,7 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    fn names_and_type(&mut self, names: &mut Vec<Name<'s>>) -> Parsed<TypeSpecification<'s>> {
+    fn names_and_type(&mut self, names: &mut Vec<Name<'s>>) -> ParseResult<TypeSpecification<'s>> {
         loop {
             names.push(self.name("a variable's name")?);
             if !self.eat(TokenKind::Comma) {

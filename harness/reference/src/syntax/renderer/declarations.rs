@@ -1,9 +1,9 @@
 //! Declarations: POUs, variable sections, types, initial values, configurations.
 
-use super::names::Shape;
+use super::names::NameShape;
 use super::writer::Writer;
 use crate::syntax::tree::{
-    ArrayElement, Configuration, Declaration, Folded, Initializer, InitializerKind, Name, Pou, PouKind,
+    ArrayElement, CaseFolded, Configuration, Declaration, Initializer, InitializerKind, Name, Pou, PouKind,
     Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
     VariableKind,
 };
@@ -99,7 +99,7 @@ impl<'u, 's> Writer<'u, 's> {
         self.specification(specification);
         if let Some(initializer) = initializer {
             self.put(" := ");
-            self.initializer(initializer, Shape::Typed(specification));
+            self.initializer(initializer, NameShape::Typed(specification));
         }
         self.put(";");
         self.end();
@@ -163,7 +163,7 @@ impl<'u, 's> Writer<'u, 's> {
         }
     }
 
-    fn initializer(&mut self, initializer: &'u Initializer<'s>, of: Shape<'u, 's>) {
+    fn initializer(&mut self, initializer: &'u Initializer<'s>, of: NameShape<'u, 's>) {
         match &initializer.kind {
             InitializerKind::Expression(value) => {
                 self.expression(*value);
@@ -187,7 +187,7 @@ impl<'u, 's> Writer<'u, 's> {
         }
     }
 
-    fn array_element(&mut self, entry: &'u ArrayElement<'s>, of: Shape<'u, 's>) {
+    fn array_element(&mut self, entry: &'u ArrayElement<'s>, of: NameShape<'u, 's>) {
         if let Some(repetition) = entry.repetition {
             self.expression(repetition);
             self.put("(");
@@ -231,7 +231,7 @@ impl<'u, 's> Writer<'u, 's> {
 
     fn resource_items(&mut self, resource: &'u Resource<'s>) {
         let names = resource.tasks.iter().map(|task| task.name.text);
-        let tasks: FxHashMap<_, _> = names.map(|name| (Folded(name), name)).collect();
+        let tasks: FxHashMap<_, _> = names.map(|name| (CaseFolded(name), name)).collect();
         for task in &resource.tasks {
             self.begin();
             self.put("TASK ");
@@ -254,7 +254,7 @@ impl<'u, 's> Writer<'u, 's> {
             self.put(program.name.text);
             if let Some(task) = &program.task {
                 self.put(" WITH ");
-                self.put(tasks.get(&Folded(task.text)).copied().unwrap_or(task.text));
+                self.put(tasks.get(&CaseFolded(task.text)).copied().unwrap_or(task.text));
             }
             self.put(" : ");
             self.put(self.names.pou_name(program.type_name.text));

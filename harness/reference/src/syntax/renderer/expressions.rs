@@ -1,7 +1,7 @@
 //! Expressions. Chains of infix operators are walked along their left spine; everything else is no deeper than
 //! the parser's limits.
 
-use super::names::Shape;
+use super::names::NameShape;
 use super::writer::Writer;
 use crate::syntax::tree::{
     Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, UnaryOperator,
@@ -9,7 +9,7 @@ use crate::syntax::tree::{
 
 impl<'u, 's> Writer<'u, 's> {
     /// An expression; gives what is known of the variable that it names.
-    pub(super) fn expression(&mut self, id: ExpressionId) -> Shape<'u, 's> {
+    pub(super) fn expression(&mut self, id: ExpressionId) -> NameShape<'u, 's> {
         match self.node(id) {
             ExpressionKind::Literal(literal) => self.literal(literal),
             ExpressionKind::Name(name) => {
@@ -68,7 +68,7 @@ impl<'u, 's> Writer<'u, 's> {
             }
             ExpressionKind::Error => {}
         }
-        Shape::Unknown
+        NameShape::Unknown
     }
 
     /// Expressions with commas between them.
@@ -108,7 +108,7 @@ impl<'u, 's> Writer<'u, 's> {
         self.put(" ");
     }
 
-    fn argument(&mut self, callee: Shape<'u, 's>, argument: &'u Argument<'s>) {
+    fn argument(&mut self, callee: NameShape<'u, 's>, argument: &'u Argument<'s>) {
         match argument {
             Argument::Positional(value) => {
                 self.expression(*value);

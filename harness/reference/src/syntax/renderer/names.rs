@@ -2,14 +2,14 @@
 //! variables to spell fields too.
 
 use crate::syntax::tree::{
-    Declaration, Folded, Pou, SourceUnit, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    CaseFolded, Declaration, Pou, SourceUnit, TypeSpecification, TypeSpecificationKind, VariableBlock,
     VariableGroup,
 };
 use rustc_hash::FxHashMap;
 
 /// The knowledge of the type of a name or of an expression.
 #[derive(Clone, Copy, Default)]
-pub(super) enum Shape<'u, 's> {
+pub(super) enum NameShape<'u, 's> {
     /// Nothing.
     #[default]
     Unknown,
@@ -20,20 +20,20 @@ pub(super) enum Shape<'u, 's> {
 }
 
 /// A declaration: its spelling, and what is declared.
-type Entry<'u, 's> = (&'s str, Shape<'u, 's>);
+type NameEntry<'u, 's> = (&'s str, NameShape<'u, 's>);
 
 /// The most aliases that are followed; a cycle of them is no type.
-const ALIASES: usize = 64;
+const MAX_ALIASES: usize = 64;
 
 /// The declarations of a text.
 #[derive(Default)]
 pub(super) struct Names<'u, 's> {
-    types: FxHashMap<Folded<'s>, Entry<'u, 's>>,
-    pous: FxHashMap<Folded<'s>, Entry<'u, 's>>,
-    globals: FxHashMap<Folded<'s>, Entry<'u, 's>>,
-    values: FxHashMap<Folded<'s>, &'s str>,
+    types: FxHashMap<CaseFolded<'s>, NameEntry<'u, 's>>,
+    pous: FxHashMap<CaseFolded<'s>, NameEntry<'u, 's>>,
+    globals: FxHashMap<CaseFolded<'s>, NameEntry<'u, 's>>,
+    values: FxHashMap<CaseFolded<'s>, &'s str>,
     /// The variables of a POU or the fields of a structure, by the place of the POU or the structure.
-    members: FxHashMap<(u32, Folded<'s>), Entry<'u, 's>>,
+    members: FxHashMap<(u32, CaseFolded<'s>), NameEntry<'u, 's>>,
 }
 
 impl<'u, 's> Names<'u, 's> {
@@ -45,9 +45,10 @@ impl<'u, 's> Names<'u, 's> {
                 Declaration::Types(types) => {
                     for declared in types {
                         let name = declared.name.text;
-                        names
-                            .types
-                            .insert(Folded(name), (name, Shape::Typed(&declared.specification)));
+                        names.types.insert(
+                            CaseFolded(name),
+                            (name, NameShape::Typed(&declared.specification)),
+                        );
                         names.declare_parts(&declared.specification);
                     }
                 }
@@ -65,7 +66,7 @@ impl<'u, 's> Names<'u, 's> {
 
     fn declare_pou(&mut self, pou: &'u Pou<'s>) {
         self.pous
-            .insert(Folded(pou.name.text), (pou.name.text, Shape::Pou(pou)));
+            .insert(CaseFolded(pou.name.text), (pou.name.text, NameShape::Pou(pou)));
         pou.blocks
             .iter()
             .for_each(|block| self.declare_members(pou.span.start, &block.groups));
@@ -74,12 +75,12 @@ impl<'u, 's> Names<'u, 's> {
     fn declare_globals(&mut self, block: &'u VariableBlock<'s>) {
         for group in &block.groups {
             self.declare_parts(&group.specification);
-            let shape = Shape::Typed(&group.specification);
+            let shape = NameShape::Typed(&group.specification);
             self.globals.extend(
                 group
                     .names
                     .iter()
-                    .map(|name| (Folded(name.text), (name.text, shape))),
+                    .map(|name| (CaseFolded(name.text), (name.text, shape))),
             );
         }
     }
@@ -87,12 +88,12 @@ impl<'u, 's> Names<'u, 's> {
     fn declare_members(&mut self, place: u32, groups: &'u [VariableGroup<'s>]) {
         for group in groups {
             self.declare_parts(&group.specification);
-            let shape = Shape::Typed(&group.specification);
+            let shape = NameShape::Typed(&group.specification);
             self.members.extend(
                 group
                     .names
                     .iter()
-                    .map(|name| ((place, Folded(name.text)), (name.text, shape))),
+                    .map(|name| ((place, CaseFolded(name.text)), (name.text, shape))),
             );
         }
     }
@@ -102,7 +103,7 @@ impl<'u, 's> Names<'u, 's> {
         match &specification.kind {
             TypeSpecificationKind::Enumeration { values, .. } => {
                 self.values
-                    .extend(values.iter().map(|(name, _)| (Folded(name.text), name.text)));
+                    .extend(values.iter().map(|(name, _)| (CaseFolded(name.text), name.text)));
             }
             TypeSpecificationKind::Structure(fields) => {
                 self.declare_members(specification.span.start, fields)
@@ -113,44 +114,44 @@ impl<'u, 's> Names<'u, 's> {
     }
 
     /// A name that stands alone in the POU at `pou`.
-    pub(super) fn variable(&self, pou: Option<u32>, name: &'s str) -> Entry<'u, 's> {
-        let local = pou.and_then(|pou| self.members.get(&(pou, Folded(name))));
+    pub(super) fn variable(&self, pou: Option<u32>, name: &'s str) -> NameEntry<'u, 's> {
+        let local = pou.and_then(|pou| self.members.get(&(pou, CaseFolded(name))));
         let found = local
-            .or_else(|| self.globals.get(&Folded(name)))
-            .or_else(|| self.pous.get(&Folded(name)));
-        let value = || self.values.get(&Folded(name)).copied().unwrap_or(name);
-        found.copied().unwrap_or_else(|| (value(), Shape::Unknown))
+            .or_else(|| self.globals.get(&CaseFolded(name)))
+            .or_else(|| self.pous.get(&CaseFolded(name)));
+        let value = || self.values.get(&CaseFolded(name)).copied().unwrap_or(name);
+        found.copied().unwrap_or_else(|| (value(), NameShape::Unknown))
     }
 
     /// A field of, or a parameter of, something of this shape.
-    pub(super) fn member(&self, of: Shape<'u, 's>, name: &'s str) -> Entry<'u, 's> {
+    pub(super) fn member(&self, of: NameShape<'u, 's>, name: &'s str) -> NameEntry<'u, 's> {
         let place = match self.resolve(of) {
-            Shape::Unknown => None,
-            Shape::Typed(specification) => Some(specification.span.start),
-            Shape::Pou(pou) => Some(pou.span.start),
+            NameShape::Unknown => None,
+            NameShape::Typed(specification) => Some(specification.span.start),
+            NameShape::Pou(pou) => Some(pou.span.start),
         };
-        let found = place.and_then(|place| self.members.get(&(place, Folded(name))));
-        found.copied().unwrap_or((name, Shape::Unknown))
+        let found = place.and_then(|place| self.members.get(&(place, CaseFolded(name))));
+        found.copied().unwrap_or((name, NameShape::Unknown))
     }
 
     /// An element of an array of this shape.
-    pub(super) fn element(&self, of: Shape<'u, 's>) -> Shape<'u, 's> {
+    pub(super) fn element(&self, of: NameShape<'u, 's>) -> NameShape<'u, 's> {
         match self.resolve(of) {
-            Shape::Typed(TypeSpecification {
+            NameShape::Typed(TypeSpecification {
                 kind: TypeSpecificationKind::Array { element, .. },
                 ..
-            }) => Shape::Typed(element),
-            _ => Shape::Unknown,
+            }) => NameShape::Typed(element),
+            _ => NameShape::Unknown,
         }
     }
 
     /// The result of a call.
-    pub(super) fn result(&self, of: Shape<'u, 's>) -> Shape<'u, 's> {
+    pub(super) fn result(&self, of: NameShape<'u, 's>) -> NameShape<'u, 's> {
         match of {
-            Shape::Pou(Pou {
+            NameShape::Pou(Pou {
                 result: Some(result), ..
-            }) => Shape::Typed(result),
-            _ => Shape::Unknown,
+            }) => NameShape::Typed(result),
+            _ => NameShape::Unknown,
         }
     }
 
@@ -158,39 +159,39 @@ impl<'u, 's> Names<'u, 's> {
     pub(super) fn type_name(&self, name: &'s str) -> Option<&'s str> {
         let found = self
             .types
-            .get(&Folded(name))
-            .or_else(|| self.pous.get(&Folded(name)));
+            .get(&CaseFolded(name))
+            .or_else(|| self.pous.get(&CaseFolded(name)));
         found.map(|(spelling, _)| *spelling)
     }
 
     /// The spelling of an enumerated value.
     pub(super) fn value(&self, name: &'s str) -> &'s str {
-        self.values.get(&Folded(name)).copied().unwrap_or(name)
+        self.values.get(&CaseFolded(name)).copied().unwrap_or(name)
     }
 
     /// The spelling of a POU's name.
     pub(super) fn pou_name(&self, name: &'s str) -> &'s str {
         self.pous
-            .get(&Folded(name))
+            .get(&CaseFolded(name))
             .map_or(name, |(spelling, _)| *spelling)
     }
 
     /// Returns the types that names of types stand for in the end.
-    fn resolve(&self, mut shape: Shape<'u, 's>) -> Shape<'u, 's> {
-        for _ in 0..ALIASES {
-            let Shape::Typed(TypeSpecification {
+    fn resolve(&self, mut shape: NameShape<'u, 's>) -> NameShape<'u, 's> {
+        for _ in 0..MAX_ALIASES {
+            let NameShape::Typed(TypeSpecification {
                 kind: TypeSpecificationKind::Named(name),
                 ..
             }) = shape
             else {
                 return shape;
             };
-            let key = Folded(name.text);
+            let key = CaseFolded(name.text);
             let Some((_, named)) = self.types.get(&key).or_else(|| self.pous.get(&key)) else {
                 break;
             };
             shape = *named;
         }
-        Shape::Unknown
+        NameShape::Unknown
     }
 }

@@ -4,14 +4,14 @@
 //! Each node is taken apart by all its fields, so that a new field cannot be forgotten here.
 
 use super::{
-    Configuration, Expression, Folded, Initializer, Literal, LiteralKind, Name, Pou, Prefixed, Statement,
+    CaseFolded, Configuration, Expression, Initializer, Literal, LiteralKind, Name, Pou, Prefixed, Statement,
     TypeSpecification, VariableBlock,
 };
 
 impl PartialEq for Name<'_> {
     fn eq(&self, other: &Self) -> bool {
         let Name { text, span: _ } = *self;
-        Folded(text) == Folded(other.text)
+        CaseFolded(text) == CaseFolded(other.text)
     }
 }
 
@@ -24,7 +24,7 @@ impl PartialEq for Prefixed<'_> {
 impl PartialEq for Literal<'_> {
     fn eq(&self, other: &Self) -> bool {
         let same_text = if self.kind == LiteralKind::Boolean {
-            Folded(self.text()) == Folded(other.text())
+            CaseFolded(self.text()) == CaseFolded(other.text())
         } else {
             self.text() == other.text()
         };
@@ -69,7 +69,8 @@ impl PartialEq for VariableBlock<'_> {
             groups,
             span: _,
         } = self;
-        (*kind, *constant, retention.map(Folded)) == (other.kind, other.constant, other.retention.map(Folded))
+        (*kind, *constant, retention.map(CaseFolded))
+            == (other.kind, other.constant, other.retention.map(CaseFolded))
             && *groups == other.groups
     }
 }

@@ -20,6 +20,6 @@ pub use declarations::{
 };
 pub use expressions::{Argument, BinaryOperator, Expression, ExpressionKind, UnaryOperator};
 pub use literals::{Literal, LiteralKind, Prefixed};
-pub use name::{Folded, Name};
+pub use name::{CaseFolded, Name};
 pub use statements::{CaseBranch, CaseLabel, Statement, StatementKind};
 pub use unit::{ExpressionId, SourceUnit};

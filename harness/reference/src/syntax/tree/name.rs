@@ -16,17 +16,17 @@ pub struct Name<'s> {
 
 /// A word that compares and hashes without regard to ASCII case.
 #[derive(Clone, Copy, Debug)]
-pub struct Folded<'s>(pub &'s str);
+pub struct CaseFolded<'s>(pub &'s str);
 
-impl PartialEq for Folded<'_> {
+impl PartialEq for CaseFolded<'_> {
     fn eq(&self, other: &Self) -> bool {
         self.0.eq_ignore_ascii_case(other.0)
     }
 }
 
-impl Eq for Folded<'_> {}
+impl Eq for CaseFolded<'_> {}
 
-impl Hash for Folded<'_> {
+impl Hash for CaseFolded<'_> {
     fn hash<H: Hasher>(&self, state: &mut H) {
         // Setting the bit that tells upper from lower case makes a few other characters alike too, which costs
         // a collision now and then and saves looking at each byte.

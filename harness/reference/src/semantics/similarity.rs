@@ -1,7 +1,7 @@
 //! Finds names that are similar to a mistyped one, by the number of characters that have to change.
 
 /// The most changes between similar names.
-pub(super) const MOST_CHANGES: usize = 2;
+pub(super) const MAX_CHANGES: usize = 2;
 
 /// A name that may be similar to another, and the letters in it.
 #[derive(Clone, Copy)]
@@ -24,28 +24,28 @@ impl<'n> Candidate<'n> {
 
     /// Whether so few changes can make one name of the other at all. A change takes at most one letter away and brings
     /// at most one, which turns nearly all names away without looking at the order of their letters.
-    pub(super) fn may_be_near(self, other: Candidate<'_>, changes: usize) -> bool {
+    pub(super) fn may_be_similar(self, other: Candidate<'_>, changes: usize) -> bool {
         (self.letters ^ other.letters).count_ones() as usize <= 2 * changes
             && self.name.len().abs_diff(other.name.len()) <= changes
     }
 }
 
 /// Counts the characters that must be changed, added, left out, or exchanged with their neighbour to make one name of
-/// another; `None` where that is more than [`MOST_CHANGES`]. Case does not count.
+/// another; `None` where that is more than [`MAX_CHANGES`]. Case does not count.
 pub(super) fn distance(left: &str, right: &str) -> Option<usize> {
     // Of the table whose lines are the characters of one name and whose columns those of the other, only the places near its
-    // diagonal can lie on a way with so few changes. Place `p` of a line stands for the column `line + p - MOST_CHANGES`.
-    const PLACES: usize = 2 * MOST_CHANGES + 1;
-    const FAR: usize = MOST_CHANGES + 1;
+    // diagonal can lie on a way with so few changes. VariablePlace `p` of a line stands for the column `line + p - MAX_CHANGES`.
+    const PLACES: usize = 2 * MAX_CHANGES + 1;
+    const FAR: usize = MAX_CHANGES + 1;
     let (left, right) = without_common_ends(left.as_bytes(), right.as_bytes());
-    let end = (right.len() + MOST_CHANGES).checked_sub(left.len())?;
+    let end = (right.len() + MAX_CHANGES).checked_sub(left.len())?;
     let mut before = [FAR; PLACES];
     let mut above: [usize; PLACES] =
-        std::array::from_fn(|place| place.checked_sub(MOST_CHANGES).unwrap_or(FAR));
+        std::array::from_fn(|place| place.checked_sub(MAX_CHANGES).unwrap_or(FAR));
     for (line, byte) in (1..).zip(left) {
         let mut row = [FAR; PLACES];
         for place in 0..PLACES {
-            let Some(column) = (line + place).checked_sub(MOST_CHANGES) else {
+            let Some(column) = (line + place).checked_sub(MAX_CHANGES) else {
                 continue;
             };
             row[place] = match column.checked_sub(1).map(|at| right.get(at)) {
@@ -64,12 +64,12 @@ pub(super) fn distance(left: &str, right: &str) -> Option<usize> {
                 }
             };
         }
-        if row.iter().all(|changes| *changes > MOST_CHANGES) {
+        if row.iter().all(|changes| *changes > MAX_CHANGES) {
             return None;
         }
         (before, above) = (above, row);
     }
-    above.get(end).copied().filter(|changes| *changes <= MOST_CHANGES)
+    above.get(end).copied().filter(|changes| *changes <= MAX_CHANGES)
 }
 
 /// Two names without what they begin and end with alike, which takes no change: nearly all of two near names.
@@ -83,7 +83,7 @@ fn without_common_ends<'n>(left: &'n [u8], right: &'n [u8]) -> (&'n [u8], &'n [u
 
 #[cfg(test)]
 mod tests {
-    use super::{Candidate, MOST_CHANGES, distance};
+    use super::{Candidate, MAX_CHANGES, distance};
     use crate::semantics::suggestion::STANDARD;
 
     /// Counts the changes by trying every first step, in which a name is as long as it is.
@@ -117,7 +117,7 @@ mod tests {
         let mut near = 0;
         for (index, one) in STANDARD.iter().enumerate().step_by(7) {
             for other in STANDARD.iter().skip(index % 5).step_by(5) {
-                let changes = by_trial(one.name.as_bytes(), other.name.as_bytes(), MOST_CHANGES);
+                let changes = by_trial(one.name.as_bytes(), other.name.as_bytes(), MAX_CHANGES);
                 assert_eq!(
                     distance(one.name, other.name),
                     changes,
@@ -128,7 +128,7 @@ mod tests {
                 if let Some(changes) = changes {
                     near += 1;
                     assert!(
-                        one.may_be_near(*other, changes),
+                        one.may_be_similar(*other, changes),
                         "{} and {}",
                         one.name,
                         other.name
@@ -137,7 +137,7 @@ mod tests {
             }
         }
         assert!(near > 100, "only {near} names are near another");
-        assert!(!Candidate::new("frobnicate").may_be_near(Candidate::new("INT_TO_REAL"), 2));
+        assert!(!Candidate::new("frobnicate").may_be_similar(Candidate::new("INT_TO_REAL"), 2));
     }
 
     #[test]
