@@ -36,25 +36,50 @@ pub(crate) struct Diagnostics {
 
 impl Diagnostics {
     /// The most diagnostics of one stage about one text.
-    const MAXIMUM: usize = 20_000;
+    const MAX: usize = 20_000;
 
     /// Adds a diagnostic; when the list is full, a last S0002 says so, and what follows is left out.
     pub(crate) fn report(&mut self, code: Code, span: Span, message: impl FnOnce() -> String) {
         match self.list.len() {
-            length if length < Self::MAXIMUM => self.list.push(Diagnostic::new(code, span, message())),
-            Self::MAXIMUM => self.list.push(Diagnostic::new(
-                Code::LimitExceeded,
-                span,
-                format!("more than {} errors; the rest is left out", Self::MAXIMUM),
-            )),
-            _ => {}
+            length if length < Self::MAX => self.list.push(Diagnostic::new(code, span, message())),
+            _ => self.overflow(span),
         }
+    }
+
+    /// Adds a diagnostic that is already made.
+    pub(crate) fn push(&mut self, diagnostic: Diagnostic) {
+        match self.list.len() {
+            length if length < Self::MAX => self.list.push(diagnostic),
+            _ => self.overflow(diagnostic.span),
+        }
+    }
+
+    fn overflow(&mut self, span: Span) {
+        if self.list.len() == Self::MAX {
+            let message = format!("more than {} errors; the rest is left out", Self::MAX);
+            self.list
+                .push(Diagnostic::new(Code::LimitExceeded, span, message));
+        }
+    }
+
+    /// Whether there is none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.list.is_empty()
     }
 
     /// Returns the diagnostics in the order of the text.
     pub(crate) fn into_list(mut self) -> Vec<Diagnostic> {
         self.list.sort_by_key(|diagnostic| diagnostic.span.start);
         self.list
+    }
+}
+
+/// Quotes a piece of source text in a message, cut where it is long.
+pub(crate) fn quoted(text: &str) -> String {
+    const MAX_CHARACTERS: usize = 40;
+    match text.char_indices().nth(MAX_CHARACTERS) {
+        Some((end, _)) => ["`", text.get(..end).unwrap_or_default(), "…`"].concat(),
+        None => ["`", text, "`"].concat(),
     }
 }
 
@@ -69,7 +94,7 @@ mod tests {
             diagnostics.report(Code::SyntaxError, Span { start, end: start }, String::new);
         }
         let list = diagnostics.into_list();
-        assert_eq!(list.len(), Diagnostics::MAXIMUM + 1);
+        assert_eq!(list.len(), Diagnostics::MAX + 1);
         assert_eq!(list.last().map(|last| last.code), Some(Code::LimitExceeded));
     }
 }

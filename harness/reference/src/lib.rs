@@ -1,11 +1,19 @@
 //! The reference implementation of Structured Text that Stickler judges its own cases with.
 //!
-//! A source text goes through four rooms: [`syntax`] reads it into a tree, [`semantics`] checks the tree and
-//! lowers it to an [`instruction::Program`], [`execution`] runs that program, and [`conversion`] holds every
-//! rule about values that change their type. [`Dialect`] is the one place where a dialect's name becomes
-//! behaviour. Nothing here panics on any input: each stage returns its result and its diagnostics.
+//! A source text takes these steps, one module each; none of them panics on any input, and each returns its
+//! result and its diagnostics:
 //!
-//! [`check`], [`run`] and [`render`] go through the rooms in order:
+//! - [`syntax::parse`] reads it to a [tree](syntax::tree::SourceUnit), which [`syntax::render`] writes back;
+//! - [`semantics::check`] checks the tree and lowers it to a [`CheckedProgram`](semantics::CheckedProgram), whose
+//!   instructions are in [`instruction`];
+//! - [`execution::Machine`] runs that program.
+//!
+//! [`conversion`] holds every rule about values that change their type: [`implicit`](conversion::implicit) and the
+//! catalogue of conversion [functions](conversion::function). [`Dialect`] is the one place where a dialect's name
+//! becomes behaviour. Errors are [`Diagnostic`](diagnostic::Diagnostic)s, with [`Span`](source::Span)s of bytes;
+//! [`check`] and [`run`] give lines and columns instead.
+//!
+//! [`check`], [`run`] and [`render`] take these steps in order:
 //!
 //! ```
 //! use stickler_reference::{Limits, run};
@@ -22,17 +30,17 @@
 //!
 //! Architecture Invariant: this crate knows no files, no threads, no cases and no engines.
 
+mod api;
 pub mod conversion;
 pub mod decoding;
 pub mod diagnostic;
 pub mod dialect;
 pub mod execution;
-mod face;
 pub mod instruction;
 mod raw;
 pub mod semantics;
 pub mod source;
 pub mod syntax;
 
+pub use api::{Limits, RequestError, check, check_bytes, render, run, variables};
 pub use dialect::{COMMON_CHOICES, Dialect};
-pub use face::{Limits, RequestError, check, check_bytes, render, run, variables};

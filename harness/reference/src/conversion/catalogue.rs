@@ -349,6 +349,3 @@ pub fn conversion_function_name(
     pair(from, to, dialect).filter(|_| dialect.has(from) && dialect.has(to))?;
     Some(format!("{}_TO_{}", from.name(), to.name()))
 }
-
-#[cfg(test)]
-mod tests;

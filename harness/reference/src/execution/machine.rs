@@ -3,8 +3,6 @@
 //! A step is one instruction; copying, clearing and texts cost steps by their size besides, so that the step
 //! limit bounds both the time and the memory that a run can take.
 
-mod operations;
-
 use super::counting::LoopCounter;
 use super::memory::MachineMemory;
 use super::standard::Text;
@@ -19,10 +17,10 @@ use crate::raw::narrow;
 /// asked for the values so far.
 #[derive(Debug)]
 pub struct Machine<'p> {
-    program: &'p MachineProgram,
-    memory: MachineMemory<'p>,
-    operands: Vec<u64>,
-    texts: Vec<Text<'p>>,
+    pub(super) program: &'p MachineProgram,
+    pub(super) memory: MachineMemory<'p>,
+    pub(super) operands: Vec<u64>,
+    pub(super) texts: Vec<Text<'p>>,
     frames: Vec<CallFrame>,
     /// The next instruction.
     next: Label,
@@ -280,7 +278,7 @@ impl<'p> Machine<'p> {
     }
 
     #[inline]
-    fn spend(&mut self, steps: u64) -> Result<(), Halt> {
+    pub(super) fn spend(&mut self, steps: u64) -> Result<(), Halt> {
         match self.steps_left.checked_sub(steps) {
             Some(left) => {
                 self.steps_left = left;
@@ -294,7 +292,7 @@ impl<'p> Machine<'p> {
     }
 
     /// A text costs a step for each eight code units, about what it takes to copy them.
-    fn spend_on_text(&mut self, units: u64) -> Result<(), Halt> {
+    pub(super) fn spend_on_text(&mut self, units: u64) -> Result<(), Halt> {
         self.spend(units / 8)
     }
 
@@ -324,13 +322,13 @@ impl<'p> Machine<'p> {
     }
 
     #[inline]
-    fn pop(&mut self) -> Result<u64, Halt> {
+    pub(super) fn pop(&mut self) -> Result<u64, Halt> {
         self.operands.pop().ok_or(Halt::Missing("operand"))
     }
 
     /// Gives what was pushed first first.
     #[inline]
-    fn pop_pair(&mut self) -> Result<(u64, u64), Halt> {
+    pub(super) fn pop_pair(&mut self) -> Result<(u64, u64), Halt> {
         let second = self.pop()?;
         Ok((self.pop()?, second))
     }
@@ -341,11 +339,11 @@ impl<'p> Machine<'p> {
     }
 
     #[inline]
-    fn pop_address(&mut self) -> Result<Address, Halt> {
+    pub(super) fn pop_address(&mut self) -> Result<Address, Halt> {
         Address::try_from(self.pop()?).map_err(|_| Halt::Missing("cell at this address"))
     }
 
-    fn pop_text(&mut self) -> Result<Text<'p>, Halt> {
+    pub(super) fn pop_text(&mut self) -> Result<Text<'p>, Halt> {
         self.texts.pop().ok_or(Halt::Missing("text operand"))
     }
 }

@@ -14,7 +14,7 @@ use crate::syntax::tree::SourceUnit;
 /// Checks names and types of a source text, and lowers it.
 ///
 /// Takes the tree of `text`, the index of its lines, and the dialect. Gives a program, unless anything is wrong
-/// or the text has no PROGRAM, and everything that is wrong, in no particular order.
+/// or the text has no PROGRAM, and everything that is wrong in the order of the text.
 #[must_use]
 pub fn check(
     unit: &SourceUnit<'_>,

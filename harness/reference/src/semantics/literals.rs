@@ -7,7 +7,7 @@ use super::common::settle;
 use super::inferred::{Inferred, Magnitude};
 use super::lowering::{LoweredValue, Lowering};
 use super::types::TypeId;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, quoted};
 use crate::dialect::Dialect;
 use crate::instruction::Instruction;
 use crate::source::Span;
@@ -159,7 +159,7 @@ fn integer_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result
     if (low..=high).contains(&value) {
         return Ok(ty.wrap(value));
     }
-    let written = excerpt(signed.span, text);
+    let written = quoted(signed.span.text(text));
     let message = format!("{written} does not fit {} ({low}..{high})", ty.name());
     Err(Diagnostic::new(Code::ConstantOverflow, signed.span, message))
 }
@@ -200,7 +200,7 @@ fn misread(signed: Signed<'_>, ty: ElementaryType, text: &str, error: LiteralErr
                 Family::Date | Family::TimeOfDay | Family::DateAndTime => Code::DateLiteralOutOfRange,
                 _ => Code::ConstantOverflow,
             };
-            let written = excerpt(signed.span, text);
+            let written = quoted(signed.span.text(text));
             (code, format!("{written} does not fit {}", ty.name()))
         }
         LiteralError::Character { .. } => (
@@ -211,16 +211,6 @@ fn misread(signed: Signed<'_>, ty: ElementaryType, text: &str, error: LiteralErr
         LiteralError::Malformed { .. } => (Code::SyntaxError, error.to_string()),
     };
     Diagnostic::new(code, signed.span, message)
-}
-
-/// The source text of a span, cut where it is long.
-fn excerpt(span: Span, text: &str) -> String {
-    const LONGEST: usize = 40;
-    let text = span.text(text);
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("`{}…`", &text[..end]),
-        None => format!("`{text}`"),
-    }
 }
 
 /// The value of a literal whose raw form is neither an integer nor a text.

@@ -1,7 +1,5 @@
 //! Finds the variable that a path names: `a[1]`, `rec.field[2].x`, `instance.name`.
 
-mod listing;
-
 use super::model::{Model, Storage};
 use super::scope::NamedList;
 use super::types::{TypeId, TypeKind, TypeMember, TypeTable};
@@ -45,10 +43,10 @@ pub enum ObservedType {
 /// The addresses of the variables of a checked program.
 #[derive(Debug)]
 pub(super) struct VariableTable {
-    types: TypeTable,
+    pub(super) types: TypeTable,
     globals: NamedList<TypeMember>,
     /// The program instances: name, type, and address.
-    instances: Vec<(Box<str>, TypeId, u32)>,
+    pub(super) instances: Vec<(Box<str>, TypeId, u32)>,
 }
 
 impl VariableTable {

@@ -1,16 +1,13 @@
 //! Collects the checker's diagnostics.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::Span;
 use stickler_types::Code;
-
-/// The most diagnostics of one text: more help nobody, and a hostile source could ask for millions.
-const MAX_DIAGNOSTICS: usize = 20_000;
 
 /// Collects diagnostics; can be muted while something is lowered once more.
 #[derive(Debug, Default)]
 pub(super) struct Reporter {
-    diagnostics: Vec<Diagnostic>,
+    diagnostics: Diagnostics,
     muted: bool,
     reported: usize,
 }
@@ -24,14 +21,7 @@ impl Reporter {
     /// Reports a diagnostic that is already made, with its suggestion.
     pub(super) fn push(&mut self, diagnostic: Diagnostic) {
         self.reported += 1;
-        if self.muted || self.diagnostics.len() > MAX_DIAGNOSTICS {
-            return;
-        }
-        if self.diagnostics.len() == MAX_DIAGNOSTICS {
-            let message = format!("more than {MAX_DIAGNOSTICS} errors; the rest is left out");
-            self.diagnostics
-                .push(Diagnostic::new(Code::LimitExceeded, diagnostic.span, message));
-        } else {
+        if !self.muted {
             self.diagnostics.push(diagnostic);
         }
     }
@@ -51,8 +41,8 @@ impl Reporter {
         self.diagnostics.is_empty()
     }
 
-    /// Returns all diagnostics in the order in which they were reported.
+    /// Returns all diagnostics in the order of the text.
     pub(super) fn finish(self) -> Vec<Diagnostic> {
-        self.diagnostics
+        self.diagnostics.into_list()
     }
 }

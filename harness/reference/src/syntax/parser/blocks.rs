@@ -1,7 +1,8 @@
 //! The statements that have statements in them: IF, CASE, FOR, WHILE, REPEAT.
 
 use super::open::OpenBlock;
-use super::state::{ParseResult, Parser, quoted};
+use super::state::{ParseResult, Parser};
+use crate::diagnostic::quoted;
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{CaseBranch, CaseLabel, ExpressionId, ExpressionKind, Statement, StatementKind};
 
@@ -292,6 +293,3 @@ impl<'s> Parser<'s, '_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

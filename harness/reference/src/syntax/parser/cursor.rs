@@ -1,7 +1,8 @@
 //! The tokens around the place where the parser reads. They come from the lexer a chunk at a time; a few stay
 //! behind that place, and enough lie ahead of it.
 
-use super::state::{ParseResult, Parser, quoted};
+use super::state::{ParseResult, Parser};
+use crate::diagnostic::quoted;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::tree::Name;

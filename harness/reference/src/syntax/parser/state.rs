@@ -1,7 +1,7 @@
 //! The state that every production uses: the tokens, the arena, the limits, and the one way to report an error.
 
 use super::open::{OpenBlock, Pending};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, quoted};
 use crate::dialect::Dialect;
 use crate::source::{MAX_LENGTH, Span};
 use crate::syntax::lexer::Lexer;
@@ -212,14 +212,5 @@ impl<'s, 'd> Parser<'s, 'd> {
         }
         self.reported = Some(self.position());
         Broken
-    }
-}
-
-/// A piece of source text in a message, cut where it is long.
-pub(super) fn quoted(text: &str) -> String {
-    const LONGEST: usize = 40;
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => ["`", text.get(..end).unwrap_or_default(), "…`"].concat(),
-        None => ["`", text, "`"].concat(),
     }
 }

@@ -1,11 +1,15 @@
 //! The catalogue, name by name.
 
-use super::*;
+use super::catalogue::*;
 use crate::COMMON_CHOICES;
+use crate::Dialect;
 use ElementaryType::{
     Byte, Date, Dint, Dt, Dword, Int, Lint, Lreal, Ltime, Real, Sint, Tod, Udint, Uint, Usint, Word,
 };
-use stickler_types::{BitStringText, DialectName, OutOfRange, RealText, TextReading};
+use stickler_types::ElementaryType;
+use stickler_types::{
+    BitStringText, ConversionChoices, DialectName, OutOfRange, RealText, Rounding, TextReading,
+};
 
 fn named(name: &str) -> Option<ConversionFunction> {
     function(name, &Dialect::of(DialectName::IronplcEd3))

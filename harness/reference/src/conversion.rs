@@ -27,6 +27,8 @@
 
 mod bcd;
 mod catalogue;
+#[cfg(test)]
+mod catalogue_tests;
 mod concatenation;
 #[cfg(test)]
 mod exactness;

@@ -1,6 +1,6 @@
 //! The machine's longer instructions: texts, aggregates, conversions and standard functions.
 
-use super::Machine;
+use super::machine::Machine;
 use crate::conversion::Conversion;
 use crate::execution::stop::Halt;
 use crate::execution::{comparison, standard};

@@ -6,6 +6,7 @@ mod counting;
 mod duration;
 mod machine;
 mod memory;
+mod operations;
 mod power;
 mod standard;
 mod stop;

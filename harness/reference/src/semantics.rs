@@ -27,6 +27,7 @@ mod inferred;
 mod initializers;
 mod invocations;
 mod layout;
+mod listing;
 mod literals;
 mod locations;
 mod loops;

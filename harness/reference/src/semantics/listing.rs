@@ -1,7 +1,7 @@
 //! Lists what can be observed: the elementary values of the program, by their paths.
 
-use super::super::types::{ArrayShape, Structure, TypeId, TypeKind, TypeTable};
-use super::CheckedProgram;
+use super::observation::CheckedProgram;
+use super::types::{ArrayShape, Structure, TypeId, TypeKind, TypeTable};
 use crate::syntax::tree::VariableKind;
 
 impl CheckedProgram {
