@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, VecDeque};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use stickler_engines::EngineError;
-use stickler_workers::{Reorder, SpawnError, Supervisor, WorkerPool};
+use stickler_workers::{Cancellation, Reorder, SpawnError, Supervisor, WorkerPool};
 use tasks::{Done, Task};
 
 /// What a campaign tells while it goes on.
@@ -73,7 +73,7 @@ pub enum Ended {
     Lost(String),
 }
 
-/// Runs a campaign. `tell` is called on this thread. When `cancel` becomes true, what is under way is given up: a
+/// Runs a campaign. `tell` is called on this thread. When `cancel` is requested, what is under way is given up: a
 /// suspicion that is being made small becomes a finding as it is.
 ///
 /// # Errors
@@ -82,7 +82,7 @@ pub fn run(
     plan: &Plan,
     bench: &dyn Bench,
     tell: &mut dyn FnMut(Event<'_>),
-    cancel: &AtomicBool,
+    cancel: &Cancellation,
 ) -> Result<Summary, CampaignError> {
     let clock = Clock::new(plan.until, cancel);
     let pool = WorkerPool::new(plan.jobs);
@@ -101,7 +101,7 @@ pub fn run(
         |worker, task| task.attempt(&mut **worker, &clock),
         &mut campaign,
     )?;
-    let interrupted = cancel.load(Ordering::Relaxed);
+    let interrupted = cancel.is_requested();
     Ok(campaign.ledger.summary(clock.begun.elapsed(), interrupted))
 }
 
@@ -123,7 +123,7 @@ pub(crate) struct Clock<'c> {
     end: Option<Instant>,
     /// Nothing is made smaller any more.
     late: Option<Instant>,
-    cancel: &'c AtomicBool,
+    cancel: &'c Cancellation,
     /// An engine is lost.
     over: AtomicBool,
 }
@@ -132,7 +132,7 @@ pub(crate) struct Clock<'c> {
 const GRACE: Duration = Duration::from_secs(10);
 
 impl<'c> Clock<'c> {
-    fn new(until: Until, cancel: &'c AtomicBool) -> Clock<'c> {
+    fn new(until: Until, cancel: &'c Cancellation) -> Clock<'c> {
         let begun = Instant::now();
         let end = match until {
             Until::Count(_) => None,
@@ -158,7 +158,7 @@ impl<'c> Clock<'c> {
     }
 
     fn before(&self, end: Option<Instant>) -> bool {
-        !self.cancel.load(Ordering::Relaxed) && end.is_none_or(|end| Instant::now() < end)
+        !self.cancel.is_requested() && end.is_none_or(|end| Instant::now() < end)
     }
 }
 

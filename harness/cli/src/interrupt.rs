@@ -6,12 +6,13 @@ use anyhow::Context;
 use std::io::Write;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
+use stickler_workers::Cancellation;
 
 /// Whether Ctrl-C is to be obeyed in an orderly way first.
 static ORDERLY: AtomicBool = AtomicBool::new(false);
 
 /// Whether Ctrl-C came while it was.
-static STOP: AtomicBool = AtomicBool::new(false);
+static STOP: Cancellation = Cancellation::new();
 
 /// Listens once in the life of the process.
 static LISTENING: OnceLock<()> = OnceLock::new();
@@ -24,7 +25,7 @@ static ENDS_ENGINES: AtomicBool = AtomicBool::new(false);
 ///
 /// # Errors
 /// As [`flag`].
-pub fn flag_that_ends_engines() -> anyhow::Result<&'static AtomicBool> {
+pub fn flag_that_ends_engines() -> anyhow::Result<&'static Cancellation> {
     ENDS_ENGINES.store(true, Ordering::Relaxed);
     flag()
 }
@@ -33,7 +34,7 @@ pub fn flag_that_ends_engines() -> anyhow::Result<&'static AtomicBool> {
 ///
 /// # Errors
 /// Where the system lets no handler be set.
-pub fn flag() -> anyhow::Result<&'static AtomicBool> {
+pub fn flag() -> anyhow::Result<&'static Cancellation> {
     listen()?;
     ORDERLY.store(true, Ordering::Relaxed);
     Ok(&STOP)
@@ -50,7 +51,7 @@ pub fn at_once() -> anyhow::Result<()> {
 fn listen() -> anyhow::Result<()> {
     if LISTENING.get().is_none() {
         ctrlc::set_handler(|| {
-            if !ORDERLY.load(Ordering::Relaxed) || STOP.swap(true, Ordering::SeqCst) {
+            if !ORDERLY.load(Ordering::Relaxed) || STOP.request() {
                 end();
             }
             let ends_engines = ENDS_ENGINES.load(Ordering::Relaxed);

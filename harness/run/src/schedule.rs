@@ -15,12 +15,12 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineError};
 use stickler_suite::{Case, Suite};
-use stickler_workers::{Reorder, SpawnError, Supervisor, WorkerPool};
+use stickler_workers::{Cancellation, Reorder, SpawnError, Supervisor, WorkerPool};
 
 /// Runs the cases that the plan selects on every engine that speaks their dialect.
 ///
 /// Events reach `sink` on this thread: a header, the cases in the order of the suite (engines in the order
-/// given), a footer. When `cancel` becomes true, workers stop at their next case, what is complete from the
+/// given), a footer. When `cancel` is requested, workers stop at their next case, what is complete from the
 /// front is given on, and there is no footer. Memory is bounded whatever the number of cases; one engine
 /// session is open a worker.
 ///
@@ -32,7 +32,7 @@ pub fn run(
     suite: &Suite,
     engines: &[&dyn Engine],
     sink: &mut dyn FnMut(Event),
-    cancel: &AtomicBool,
+    cancel: &Cancellation,
 ) -> Result<Summary, RunError> {
     run_with(plan, suite, engines, &[], sink, cancel)
 }
@@ -48,7 +48,7 @@ pub fn run_with(
     engines: &[&dyn Engine],
     memories: &[Option<&dyn Memory>],
     sink: &mut dyn FnMut(Event),
-    cancel: &AtomicBool,
+    cancel: &Cancellation,
 ) -> Result<Summary, RunError> {
     let begun = Instant::now();
     let jobs = jobs(&select(plan, &suite.cases), engines);

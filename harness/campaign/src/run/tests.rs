@@ -5,10 +5,10 @@ use crate::bench::{Bench, Suspicion, Verdict, Worker};
 use crate::finding::Finding;
 use crate::{Plan, Until, sample};
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 use stickler_engines::EngineError;
-use stickler_workers::Shard;
+use stickler_workers::{Cancellation, Shard};
 
 /// Every fifth input makes an engine disagree, by three defects of two symptoms.
 #[derive(Default)]
@@ -82,7 +82,7 @@ fn plan(jobs: usize, shard: Shard, until: Until) -> Plan {
 }
 
 fn campaign(bench: &Known, plan: Plan) -> Summary {
-    run(&plan, bench, &mut |_| (), &AtomicBool::new(false)).unwrap()
+    run(&plan, bench, &mut |_| (), &Cancellation::new()).unwrap()
 }
 
 #[test]
@@ -134,17 +134,17 @@ fn each_finding_is_told_and_what_is_told_last_is_what_is_kept() {
         Event::Progress(progress) => programs = progress.programs,
     };
     let plan = plan(3, Shard::WHOLE, Until::Count(500));
-    let summary = run(&plan, &Known::default(), &mut tell, &AtomicBool::new(false)).unwrap();
+    let summary = run(&plan, &Known::default(), &mut tell, &Cancellation::new()).unwrap();
     assert_eq!(told, summary.findings);
     assert_eq!(programs, 500);
 }
 
 #[test]
 fn a_campaign_that_is_told_to_stop_keeps_what_it_has() {
-    let cancel = AtomicBool::new(false);
+    let cancel = Cancellation::new();
     let mut tell = |event: Event<'_>| {
         if let Event::Found(_) = event {
-            cancel.store(true, Ordering::Relaxed);
+            cancel.request();
         }
     };
     let endless = plan(2, Shard::WHOLE, Until::Count(u64::MAX));

@@ -3,13 +3,12 @@
 use crate::engines::{Defect, Defective};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::atomic::AtomicBool;
 use stickler_campaign::{
     Commands, Differential, Entrant, Finding, Inputs, Packs, Plan, Store, Summary, Until, Without, merge, run,
 };
 use stickler_engines::{Engine, Reference};
 use stickler_types::DialectName;
-use stickler_workers::Shard;
+use stickler_workers::{Cancellation, Shard};
 
 /// A campaign of the reference and this engine, which are asked for one program at a time.
 pub fn campaign(engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> Summary {
@@ -46,7 +45,7 @@ fn campaign_with(packs: Packs, engine: &dyn Engine, shard: Shard, count: u64, jo
         jobs,
         batch: 16,
     };
-    run(&plan, &bench, &mut |_| (), &AtomicBool::new(false)).expect("the engines start")
+    run(&plan, &bench, &mut |_| (), &Cancellation::new()).expect("the engines start")
 }
 
 /// A campaign that is no part, on two threads.

@@ -10,7 +10,6 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, ProcessEngine, ProcessLimits};
 use stickler_generate::reduce::{self, Interestingness, Reduction, ReductionBudget, StopReason, Symptom};
@@ -39,7 +38,7 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
     };
     let started = Instant::now();
     let bar = Bar::new(&symptom);
-    let stopped = || stop.load(Ordering::Relaxed);
+    let stopped = || stop.is_requested();
     let budget = ReductionBudget {
         tries: arguments.tries,
         stop: &stopped,

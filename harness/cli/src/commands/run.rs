@@ -12,13 +12,13 @@ use jiff::{Timestamp, Unit};
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
 use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
 use stickler_run::{Baseline, Event, Memory, Plan, Summary, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
+use stickler_workers::Cancellation;
 
 /// Runs, writes the reports, shows a summary.
 ///
@@ -166,11 +166,11 @@ struct Desk<'c> {
     progress: Option<Progress>,
     /// Why the reports are no longer written.
     broken: Option<ReportError>,
-    cancel: &'c AtomicBool,
+    cancel: &'c Cancellation,
 }
 
 impl<'c> Desk<'c> {
-    fn new(reports: Option<Reports>, cancel: &'c AtomicBool) -> Desk<'c> {
+    fn new(reports: Option<Reports>, cancel: &'c Cancellation) -> Desk<'c> {
         Desk {
             overview: Overview::default(),
             reports,
@@ -194,7 +194,7 @@ impl<'c> Desk<'c> {
             && let Some(Err(error)) = self.reports.as_mut().map(|reports| reports.take(event))
         {
             // Going on would be work for nothing.
-            self.cancel.store(true, Ordering::SeqCst);
+            self.cancel.request();
             stickler_engines::stop_all_processes();
             self.broken = Some(error);
         }

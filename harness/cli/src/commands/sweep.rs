@@ -10,11 +10,11 @@ use crate::progress::Progress;
 use crate::{engines, interrupt};
 use page::Page;
 use std::io::Write;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use stickler_conversions::sweep::{Findings, Progress as Reached, Sampling, Sweep, Through, agenda, run};
 use stickler_conversions::{FunctionDialects, find_function};
 use stickler_types::boundaries::Detail;
+use stickler_workers::Cancellation;
 
 /// Sweeps a function between each of its types and by each of its rules, and shows what was found after each.
 ///
@@ -54,7 +54,7 @@ pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Resul
 }
 
 /// Sweeps with a bar that shows how far it is.
-fn observed(sweep: &Sweep, jobs: usize, cancel: &AtomicBool) -> anyhow::Result<Findings> {
+fn observed(sweep: &Sweep, jobs: usize, cancel: &Cancellation) -> anyhow::Result<Findings> {
     let bar = Progress::new(sweep.domain.len());
     let advance = |reached: Reached| bar.reach(reached.done, reached.mismatches);
     let findings = run(sweep, &sweep.reference, jobs, &advance, cancel);

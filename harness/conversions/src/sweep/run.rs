@@ -5,8 +5,7 @@ use crate::sweep::comparison::Comparison;
 use crate::sweep::findings::Findings;
 use crate::sweep::subject::Subject;
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
-use stickler_workers::{SpawnError, WorkerPool};
+use stickler_workers::{Cancellation, SpawnError, WorkerPool};
 
 /// How far a sweep is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -19,7 +18,7 @@ pub struct Progress {
 
 /// Compares the result of every input of the sweep with exact arithmetic, on so many threads, 0 being one a processor.
 ///
-/// `progress` is called whenever some more inputs are done. When `cancel` becomes true, what has been begun is finished and
+/// `progress` is called whenever some more inputs are done. When `cancel` is requested, what has been begun is finished and
 /// the rest left: what was looked at is always everything up to a place.
 ///
 /// # Errors
@@ -29,12 +28,12 @@ pub fn run(
     subject: &dyn Subject,
     jobs: usize,
     progress: &dyn Fn(Progress),
-    cancel: &AtomicBool,
+    cancel: &Cancellation,
 ) -> Result<Findings, SpawnError> {
     let inputs = sweep.domain.len();
     let comparison = Comparison::new(sweep, subject);
     let mut findings = Findings::new(inputs);
-    let tasks = tasks(comparison.step(), inputs).take_while(|_| !cancel.load(Ordering::Relaxed));
+    let tasks = tasks(comparison.step(), inputs).take_while(|_| !cancel.is_requested());
     WorkerPool::new(jobs).for_each(
         tasks,
         || Ok::<_, SpawnError>(comparison.desk()),

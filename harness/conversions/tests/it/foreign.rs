@@ -1,13 +1,13 @@
 //! The reference as if it were foreign, through programs; and engines that get single things wrong.
 
 use crate::between::{Between, wrong};
-use std::sync::atomic::{AtomicBool, Ordering};
 use stickler_conversions::RefusalKind;
 use stickler_conversions::sweep::foreign::{ForeignFindings, run};
 use stickler_conversions::sweep::{Sampling, Sweep, Through, agenda};
 use stickler_engines::{Engine, Outcome, Reference, RunRequest, Session};
 use stickler_types::DialectName;
 use stickler_types::boundaries::Detail;
+use stickler_workers::Cancellation;
 
 fn sweeps(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Sweep> {
     let sampling = Sampling {
@@ -24,7 +24,7 @@ fn found(sweep: &Sweep, engine: &dyn Engine) -> ForeignFindings {
 }
 
 fn found_by(workers: usize, sweep: &Sweep, engine: &dyn Engine) -> ForeignFindings {
-    let found = run(sweep, engine, workers, &|_| {}, &AtomicBool::new(false)).expect("it can be asked");
+    let found = run(sweep, engine, workers, &|_| {}, &Cancellation::new()).expect("it can be asked");
     assert!(found.is_complete(), "{found:?}");
     found
 }
@@ -296,8 +296,7 @@ fn an_engine_that_answers_nothing_is_an_error_with_its_words() {
         },
     };
     let sweep = &sweeps("INT_TO_DINT", DialectName::Matiec, None)[0];
-    let error =
-        run(sweep, &engine, 1, &|_| {}, &AtomicBool::new(false)).expect_err("it knows no such function");
+    let error = run(sweep, &engine, 1, &|_| {}, &Cancellation::new()).expect_err("it knows no such function");
     let error = error.to_string();
     assert!(
         error.starts_with("reference could not be asked INT_TO_DINT in matiec: it rejected"),
@@ -309,10 +308,10 @@ fn an_engine_that_answers_nothing_is_an_error_with_its_words() {
 #[test]
 fn a_sweep_of_an_engine_can_be_cancelled() {
     let sweep = &sweeps("DINT_TO_INT", DialectName::Matiec, None)[0];
-    let cancel = AtomicBool::new(false);
+    let cancel = Cancellation::new();
     let progress = |reached: stickler_conversions::sweep::Progress| {
         if reached.done > 10_000 {
-            cancel.store(true, Ordering::Relaxed);
+            cancel.request();
         }
     };
     let found = run(sweep, &Reference::new(), 2, &progress, &cancel).expect("it can be asked");

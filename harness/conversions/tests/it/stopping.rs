@@ -2,9 +2,9 @@
 
 use crate::support::{Spoilt, sweep};
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
 use stickler_conversions::sweep::{Progress, run};
 use stickler_types::DialectName;
+use stickler_workers::Cancellation;
 
 #[test]
 fn progress_counts_every_input_and_every_mismatch() {
@@ -15,7 +15,7 @@ fn progress_counts_every_input_and_every_mismatch() {
     };
     let seen = Mutex::new(Vec::new());
     let progress = |reached: Progress| seen.lock().expect("no panic").push(reached);
-    run(&sweep, &subject, 0, &progress, &AtomicBool::new(false)).expect("threads");
+    run(&sweep, &subject, 0, &progress, &Cancellation::new()).expect("threads");
     let mut seen = seen.into_inner().expect("no panic");
     seen.sort_by_key(|reached| reached.done);
     let last = Progress {
@@ -33,10 +33,10 @@ fn a_cancelled_sweep_has_looked_at_everything_up_to_a_place() {
         sweep: &sweep,
         spoil: |_, right| right ^ 1,
     };
-    let cancel = AtomicBool::new(false);
+    let cancel = Cancellation::new();
     let progress = |reached: Progress| {
         if reached.done >= 1 << 20 {
-            cancel.store(true, Ordering::Relaxed);
+            cancel.request();
         }
     };
     let found = run(&sweep, &subject, 0, &progress, &cancel).expect("threads");
@@ -50,6 +50,8 @@ fn a_cancelled_sweep_has_looked_at_everything_up_to_a_place() {
 #[test]
 fn a_sweep_that_is_cancelled_before_it_begins_looks_at_nothing() {
     let sweep = sweep("SINT_TO_INT", DialectName::Matiec);
-    let found = run(&sweep, &sweep.reference, 2, &|_| {}, &AtomicBool::new(true)).expect("threads");
+    let cancel = Cancellation::new();
+    cancel.request();
+    let found = run(&sweep, &sweep.reference, 2, &|_| {}, &cancel).expect("threads");
     assert_eq!((found.done, found.inputs), (0, 256));
 }

@@ -1,8 +1,8 @@
 //! What the tests share.
 
-use std::sync::atomic::AtomicBool;
 use stickler_conversions::sweep::{Findings, Sampling, Subject, Sweep, Through, agenda, run};
 use stickler_types::{DialectName, Value};
+use stickler_workers::Cancellation;
 
 /// The sweeps of a function in one dialect, each input of a small source, and a small sample of others.
 pub fn sweeps(function: &str, dialect: DialectName) -> Vec<Sweep> {
@@ -27,7 +27,7 @@ pub fn sweep(function: &str, dialect: DialectName) -> Sweep {
 
 /// Runs to the end without a word.
 pub fn findings(sweep: &Sweep, subject: &dyn Subject) -> Findings {
-    let found = run(sweep, subject, 0, &|_| {}, &AtomicBool::new(false)).expect("threads");
+    let found = run(sweep, subject, 0, &|_| {}, &Cancellation::new()).expect("threads");
     assert!(found.is_complete());
     found
 }

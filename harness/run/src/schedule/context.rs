@@ -11,6 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineError, EngineSession};
 use stickler_suite::Case;
+use stickler_workers::Cancellation;
 
 /// A batch for engines that pack holds so many packs of each, for cases of several kinds alternate.
 const PACKS_PER_BATCH: usize = 2;
@@ -24,7 +25,7 @@ pub(super) struct RunContext<'r> {
     pub(super) memories: &'r [Option<&'r dyn Memory>],
     /// By engine.
     pub(super) held: &'r [Option<Held<'r>>],
-    pub(super) cancel: &'r AtomicBool,
+    pub(super) cancel: &'r Cancellation,
     /// Whether an engine cannot be used any more, so that the run ends.
     pub(super) is_broken: AtomicBool,
 }
@@ -122,7 +123,7 @@ impl<'r> RunContext<'r> {
 
     /// Returns whether the run ends before its last job.
     pub(super) fn is_stopping(&self) -> bool {
-        self.cancel.load(Ordering::Relaxed) || self.is_broken.load(Ordering::Relaxed)
+        self.cancel.is_requested() || self.is_broken.load(Ordering::Relaxed)
     }
 
     /// Judges what an engine answered about a job.

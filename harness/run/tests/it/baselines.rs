@@ -1,11 +1,11 @@
 //! Baselines held against runs.
 
 use crate::fixtures::{Puppet, executed, expecting, suite, values};
-use std::sync::atomic::AtomicBool;
 use stickler_engines::{Engine, Outcome, RunRequest};
 use stickler_run::{Baseline, CaseEvent, Event, Filter, Header, Plan, Summary, Verdict, run};
 use stickler_suite::{Case, Suite};
 use stickler_types::{BuiltIn, Definition, DialectName};
+use stickler_workers::Cancellation;
 
 fn cases(ids: &[&str]) -> Suite {
     let case = |id: &&str| Case {
@@ -63,7 +63,7 @@ impl Ended {
 fn go(plan: Plan, suite: &Suite, engine: &dyn Engine) -> Ended {
     let mut events = Vec::new();
     let mut sink = |event| events.push(event);
-    let summary = run(&plan, suite, &[engine], &mut sink, &AtomicBool::new(false)).unwrap();
+    let summary = run(&plan, suite, &[engine], &mut sink, &Cancellation::new()).unwrap();
     let mut ended = Ended {
         header: Header::default(),
         cases: Vec::new(),

@@ -1,7 +1,6 @@
 //! Cases made by hand, and an engine that answers as it is told to.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use stickler_engines::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session,
 };
@@ -10,6 +9,7 @@ use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue, Suite,
 };
 use stickler_types::{DialectName, Observation, Value};
+use stickler_workers::Cancellation;
 
 /// The events of a run, without what the clock says.
 pub fn timeless_events(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> Vec<Event> {
@@ -32,7 +32,7 @@ pub fn timeless_run(
         }
         events.push(event);
     };
-    let cancel = AtomicBool::new(false);
+    let cancel = Cancellation::new();
     let summary = run_with(plan, suite, engines, memories, &mut sink, &cancel).unwrap();
     (summary, events)
 }

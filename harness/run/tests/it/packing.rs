@@ -3,11 +3,12 @@
 use crate::fixtures::{Puppet, case, executed, rejected, rejection, suite, timeless_events};
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use stickler_engines::{Engine, EngineError, Identity, Outcome, Packed, Reference, RunRequest, Session};
 use stickler_run::{Event, Plan, run};
 use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
+use stickler_workers::Cancellation;
 
 /// What an engine makes of a pack, by what it makes of each of its programs.
 type Sure = fn(&[Outcome]) -> Vec<bool>;
@@ -223,7 +224,7 @@ fn an_unpacked_run_asks_about_each_program_alone() {
         ..Plan::default()
     };
     let suite = numbered(64, |_, case| case);
-    run(&plan, &suite, &[&packing], &mut drop, &AtomicBool::new(false)).unwrap();
+    run(&plan, &suite, &[&packing], &mut drop, &Cancellation::new()).unwrap();
     assert_eq!(packing.asked(), (0, 0, 64));
 }
 
@@ -258,11 +259,13 @@ fn an_engine_that_packs_and_one_that_does_not_share_a_run() {
 
 #[test]
 fn a_run_that_is_cancelled_within_a_pack_gives_a_prefix() {
-    let cancel = Arc::new(AtomicBool::new(false));
+    let cancel = Arc::new(Cancellation::new());
     let flag = Arc::clone(&cancel);
     let puppet = Puppet::new("puppet", move |request| {
         // In the midst of halving, so that some of the pack are settled and others are not.
-        flag.fetch_or(number(request) == 900, Ordering::Relaxed);
+        if number(request) == 900 {
+            flag.request();
+        }
         match number(request) % 7 {
             0 => rejected(&["1 P4035"]),
             _ => executed(&[]),

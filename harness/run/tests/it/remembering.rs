@@ -2,12 +2,13 @@
 
 use crate::fixtures::{Puppet, case, executed, suite, timeless_run};
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use stickler_engines::{Engine, Outcome, RunRequest};
 use stickler_run::{Event, Memory, Plan, Summary, run_with};
 use stickler_suite::{Case, Suite};
 use stickler_types::{ClockSetting, DialectName, Observation, Setting, Value};
+use stickler_workers::Cancellation;
 
 /// A memory that lasts as long as the test.
 #[derive(Default)]
@@ -119,10 +120,10 @@ fn what_is_remembered_does_not_wait_for_a_run_that_stops() {
     let book = Book::default();
     go(&numbered(2..5), &Puppet::new("puppet", moody), Some(&book), 1);
     let book = book.turned();
-    let cancel = Arc::new(AtomicBool::new(false));
+    let cancel = Arc::new(Cancellation::new());
     let raise = Arc::clone(&cancel);
     let engine = Puppet::new("puppet", move |request| {
-        raise.store(true, Ordering::SeqCst);
+        raise.request();
         moody(request)
     });
     let mut events = Vec::new();

@@ -1,12 +1,13 @@
 //! Whole runs over engines that only pretend.
 
 use crate::fixtures::{Puppet, case, executed, suite};
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use stickler_engines::{Engine, EngineError, Outcome};
 use stickler_run::{Event, Fact, Footer, Plan, RunError, Summary, Verdict, run};
 use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
+use stickler_workers::Cancellation;
 
 fn numbered(count: usize) -> Suite {
     suite((0..count).map(|number| case(&format!("area/{number}"))).collect())
@@ -23,7 +24,7 @@ fn go(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> (Result<Summary, R
         suite,
         engines,
         &mut |event| events.push(event),
-        &AtomicBool::new(false),
+        &Cancellation::new(),
     );
     (outcome, events)
 }
@@ -216,11 +217,13 @@ fn an_engine_that_cannot_be_opened_ends_the_run_without_a_footer() {
 #[test]
 fn a_cancelled_run_gives_a_prefix_and_no_footer() {
     let engine = Puppet::new("puppet", |_| executed(&[]));
-    let cancel = AtomicBool::new(false);
+    let cancel = Cancellation::new();
     let mut events = Vec::new();
     let mut sink = |event: Event| {
         events.push(event);
-        cancel.store(events.len() > 20, Ordering::Relaxed);
+        if events.len() > 20 {
+            cancel.request();
+        }
     };
     let cases = numbered(50_000);
     let summary = run(&with_jobs(2), &cases, &[&engine], &mut sink, &cancel).unwrap();
@@ -237,13 +240,15 @@ fn a_cancelled_run_gives_a_prefix_and_no_footer() {
 #[test]
 fn a_run_cancelled_before_it_begins_runs_nothing() {
     let engine = Puppet::new("puppet", |_| panic!("asked all the same"));
+    let cancel = Cancellation::new();
+    cancel.request();
     let mut events = 0;
     let summary = run(
         &with_jobs(2),
         &numbered(10),
         &[&engine],
         &mut |_| events += 1,
-        &AtomicBool::new(true),
+        &cancel,
     )
     .unwrap();
     assert_eq!((summary.cases, summary.cancelled, events), (0, true, 1));

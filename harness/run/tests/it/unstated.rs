@@ -2,12 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
 use stickler_engines::Reference;
 use stickler_run::{Event, Fact, Filter, Plan, Verdict, leave_out, run};
 use stickler_suite::Suite;
 use stickler_types::definition::Flag;
 use stickler_types::{BuiltIn, Definition, DialectName, Rounding, Stated};
+use stickler_workers::Cancellation;
 
 fn stated<T>(value: T) -> Stated<T> {
     Stated {
@@ -71,7 +71,7 @@ fn what_changes_and_nobody_states_is_left_out_and_all_else_is_as_expected() {
                 stated += usize::from(case.basis.starts_with("unstated:"));
             }
         },
-        &AtomicBool::new(false),
+        &Cancellation::new(),
     );
     let run = summary.unwrap().cases;
     assert!(run > 100, "only {run} cases");

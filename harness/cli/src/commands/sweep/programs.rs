@@ -6,13 +6,13 @@ use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::{engines, interrupt};
 use std::io::Write;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use stickler_conversions::FunctionDialects;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, run};
 use stickler_conversions::sweep::{Progress as Reached, Sampling, Sweep, Through, agenda};
 use stickler_engines::Engine;
 use stickler_types::boundaries::Detail;
+use stickler_workers::Cancellation;
 
 /// Sweeps a function of an engine in each dialect that both have, and shows what was found after each.
 ///
@@ -71,7 +71,7 @@ fn observed(
     sweep: &Sweep,
     engine: &dyn Engine,
     jobs: usize,
-    cancel: &AtomicBool,
+    cancel: &Cancellation,
 ) -> Result<ForeignFindings, ForeignError> {
     let bar = Progress::new(sweep.domain.len());
     let advance = |reached: Reached| bar.reach(reached.done, reached.mismatches);

@@ -10,11 +10,10 @@ use crate::program::{Program, listed};
 use crate::session::{FunctionSession, Refusal};
 use crate::sweep::agenda::Sweep;
 use crate::sweep::run::Progress;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use stickler_engines::{Engine, EngineError};
 use stickler_types::DialectName;
-use stickler_workers::{SpawnError, WorkerPool};
+use stickler_workers::{Cancellation, SpawnError, WorkerPool};
 
 /// Why an engine could not be swept at all.
 #[derive(Debug, thiserror::Error)]
@@ -62,11 +61,11 @@ pub fn run(
     engine: &dyn Engine,
     jobs: usize,
     progress: &(dyn Fn(Progress) + Sync),
-    cancel: &AtomicBool,
+    cancel: &Cancellation,
 ) -> Result<ForeignFindings, ForeignError> {
     let plan = Plan::of(sweep);
     let dialect = sweep.dialects.first().copied().unwrap_or(DialectName::ALL[0]);
-    if !cancel.load(Ordering::Relaxed) {
+    if !cancel.is_requested() {
         probe(sweep, &plan, engine, dialect)?;
     }
     let findings = ForeignFindings {
@@ -85,7 +84,7 @@ pub fn run(
         cancel,
     };
     let tasks = std::iter::from_fn(|| {
-        let is_cancelled = cancel.load(Ordering::Relaxed);
+        let is_cancelled = cancel.is_requested();
         if is_cancelled { None } else { inquiry.queue.claim() }
     });
     WorkerPool::new(jobs).for_each(

@@ -11,11 +11,11 @@ use crate::sweep::agenda::Sweep;
 use crate::sweep::findings::{Difference, KEPT};
 use crate::sweep::run::Progress;
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 use stickler_exact::{Expected, Operation, expected, value};
 use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_workers::Cancellation;
 
 /// Differing inputs that are so few are looked at one by one.
 const FEW: u64 = 64;
@@ -38,7 +38,7 @@ pub struct Inquiry<'s> {
     /// Told after each program.
     pub progress: &'s (dyn Fn(Progress) + Sync),
     /// Whether no more programs are wanted.
-    pub cancel: &'s AtomicBool,
+    pub cancel: &'s Cancellation,
 }
 
 impl Inquiry<'_> {
@@ -72,7 +72,7 @@ impl Inquiry<'_> {
     /// Looks at these places of a stretch by one program, and by more where its sum is wrong.
     fn count(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let inputs = places.end - places.start;
-        if self.cancel.load(Ordering::Relaxed) {
+        if self.cancel.is_requested() {
             return;
         }
         if inputs <= 1 {
@@ -180,7 +180,7 @@ impl Inquiry<'_> {
     }
 
     fn listed(&self, session: &mut FunctionSession<'_>, mut places: Vec<u64>) {
-        if places.is_empty() || self.cancel.load(Ordering::Relaxed) {
+        if places.is_empty() || self.cancel.is_requested() {
             return;
         }
         let calls: Vec<Vec<Value>> = places
