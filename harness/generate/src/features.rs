@@ -6,7 +6,7 @@ use crate::model::visit::{
     walk_variable,
 };
 use crate::model::{
-    AssignmentTarget, CaseLabel, DeclaredKind, Expression, ExpressionKind, Initializer, LiteralForm, Place,
+    AssignmentTarget, CaseLabel, DeclaredKind, Expression, ExpressionKind, InitialValue, LiteralForm, Place,
     PlaceSelector, Program, Statement, StatementKind, Type, TypeDeclaration, UnaryOperator, Unit, Variable,
     VariableId, VariableSection,
 };
@@ -231,9 +231,9 @@ impl Visitor for FeatureCounter<'_> {
             VariableSection::Local => self.measured("VAR"),
         }
         match variable.initial {
-            Some(Initializer::Array(_)) => self.distinctive("initial array"),
-            Some(Initializer::Structure(_)) => self.distinctive("initial structure"),
-            Some(Initializer::Expression(_)) => self.measured("initial value"),
+            Some(InitialValue::Array(_)) => self.distinctive("initial array"),
+            Some(InitialValue::Structure(_)) => self.distinctive("initial structure"),
+            Some(InitialValue::Expression(_)) => self.measured("initial value"),
             None => {}
         }
         walk_variable(self, variable);

@@ -19,7 +19,7 @@ pub use expression::{
 };
 pub use look::subscripts;
 pub use program::{
-    Function, FunctionBlock, Initializer, MainProgram, Program, Variable, VariableId, VariableSection,
+    Function, FunctionBlock, InitialValue, MainPou, Program, Variable, VariableId, VariableSection,
 };
 pub use statement::{AssignmentTarget, CaseBranch, CaseLabel, Statement, StatementKind};
 pub use types::{ArrayType, DeclaredKind, Type, TypeDeclaration};

@@ -10,8 +10,8 @@ mod literal;
 mod numerals;
 mod operands;
 mod parse;
-mod places;
 mod protocol;
+mod spans;
 mod target;
 mod words;
 

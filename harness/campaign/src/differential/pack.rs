@@ -13,7 +13,7 @@ use super::subject::Subject;
 use renumber::Shift;
 use stickler_generate::model::visit::bodies;
 use stickler_generate::model::visit_mut::walk_program;
-use stickler_generate::model::{DeclaredKind, MainProgram, Program, Statement, StatementKind};
+use stickler_generate::model::{DeclaredKind, MainPou, Program, Statement, StatementKind};
 use stickler_generate::writer::{Style, write};
 use stickler_types::{DialectName, Value};
 
@@ -33,7 +33,7 @@ impl Pack {
             types: Vec::new(),
             functions: Vec::new(),
             blocks: Vec::new(),
-            main: MainProgram {
+            main: MainPou {
                 variables: Vec::new(),
                 body: Vec::new(),
             },

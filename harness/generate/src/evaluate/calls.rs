@@ -1,12 +1,12 @@
 //! Calls of functions, and invocations of the instances of function blocks.
 
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, Evaluator};
+use super::evaluator::{Activation, ModelEvaluator};
 use super::{EvaluationError, OpenQuestion};
 use crate::model::{Argument, ExpressionKind, Place, Type, VariableId, VariableSection};
 use std::rc::Rc;
 
-impl<'p> Evaluator<'p> {
+impl<'p> ModelEvaluator<'p> {
     /// Calls a function and returns the cells of its result.
     ///
     /// Basis: iec-61131-3: 6.6.1 (variables of a function start afresh with each call; an input without an argument has its

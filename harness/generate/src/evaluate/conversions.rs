@@ -1,7 +1,7 @@
 //! Conversions, explicit and implicit, by exact arithmetic.
 
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, Evaluator};
+use super::evaluator::{Activation, ModelEvaluator};
 use super::{EvaluationError, OpenQuestion};
 use std::sync::LazyLock;
 use stickler_exact::{
@@ -26,7 +26,7 @@ static PLAIN: LazyLock<Vec<Signature>> = LazyLock::new(|| {
         .collect()
 });
 
-impl<'p> Evaluator<'p> {
+impl<'p> ModelEvaluator<'p> {
     /// Computes a conversion function; where no document states the result, raises a question and returns the value of the
     /// design.
     pub fn converted(

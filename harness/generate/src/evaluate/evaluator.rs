@@ -24,7 +24,7 @@ const MAX_DEPTH: u32 = 400;
 /// conversions.
 pub fn evaluate(program: &Program, scans: u32) -> Result<Evaluation, EvaluationError> {
     let layout = Layout::new(program)?;
-    let mut evaluator = Evaluator {
+    let mut evaluator = ModelEvaluator {
         program,
         layout: &layout,
         memory: Vec::with_capacity(layout.main.size + 64),
@@ -53,7 +53,7 @@ pub fn evaluate(program: &Program, scans: u32) -> Result<Evaluation, EvaluationE
 }
 
 /// The state of an evaluation.
-pub(super) struct Evaluator<'p> {
+pub(super) struct ModelEvaluator<'p> {
     pub program: &'p Program,
     pub layout: &'p Layout,
     /// The variables of the main program with their instances, followed by those of the functions under execution.
@@ -77,7 +77,7 @@ pub(super) struct Activation<'p> {
     pub result: Option<(usize, &'p Type)>,
 }
 
-impl<'p> Evaluator<'p> {
+impl<'p> ModelEvaluator<'p> {
     /// Counts one statement or expression.
     ///
     /// # Errors

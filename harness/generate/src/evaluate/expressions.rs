@@ -1,13 +1,13 @@
 //! Evaluation of expressions.
 
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, Evaluator};
+use super::evaluator::{Activation, ModelEvaluator};
 use super::statements::DIVISION_BY_ZERO;
 use super::{EvaluationError, OpenQuestion, arithmetic, ordering};
 use crate::model::{BinaryOperator, Expression, ExpressionKind, Place, Type, UnaryOperator};
 use stickler_types::ElementaryType;
 
-impl<'p> Evaluator<'p> {
+impl<'p> ModelEvaluator<'p> {
     /// Evaluates an expression that takes one cell.
     pub fn expression(
         &mut self,

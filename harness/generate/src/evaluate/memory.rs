@@ -2,12 +2,12 @@
 
 use super::EvaluationError;
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, Evaluator};
+use super::evaluator::{Activation, ModelEvaluator};
 use super::layout::extent;
 use crate::model::{DeclaredKind, Place, PlaceSelector, Type, VariableId, VariableSection};
 use stickler_types::{Fault, Value};
 
-impl<'p> Evaluator<'p> {
+impl<'p> ModelEvaluator<'p> {
     /// Returns the first cell of a variable; for an in-out, that of the variable of the caller.
     pub fn variable(
         &self,

@@ -4,7 +4,7 @@
 
 use super::arithmetic::{self, Computed};
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, Evaluator};
+use super::evaluator::{Activation, ModelEvaluator};
 use super::{EvaluationError, OpenQuestion, ordering};
 use crate::model::{Expression, StandardFunction, Type, UnaryOperator};
 use std::cmp::Ordering;
@@ -16,7 +16,7 @@ const SHORTEST_DEFAULT_LENGTH: usize = 80;
 const ARGUMENTS: EvaluationError =
     EvaluationError::IllFormed("a standard function with other arguments than it has");
 
-impl<'p> Evaluator<'p> {
+impl<'p> ModelEvaluator<'p> {
     /// Computes a standard function; all arguments are evaluated, in their order.
     pub fn standard(
         &mut self,

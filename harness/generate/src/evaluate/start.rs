@@ -1,12 +1,12 @@
 //! Initial values: of types, of variables, and of the instances of function blocks.
 
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, Evaluator};
+use super::evaluator::{Activation, ModelEvaluator};
 use super::{EvaluationError, OpenQuestion};
-use crate::model::{DeclaredKind, Initializer, Type, Variable, VariableSection};
+use crate::model::{DeclaredKind, InitialValue, Type, Variable, VariableSection};
 use stickler_types::ElementaryType;
 
-impl<'p> Evaluator<'p> {
+impl<'p> ModelEvaluator<'p> {
     /// Gives the variables of a unit their initial values, in cells that are appended to the memory at the base of the unit.
     pub fn start(&mut self, unit: Activation<'p>) -> Result<(), EvaluationError> {
         let end = unit.base + unit.offsets.size;
@@ -32,8 +32,8 @@ impl<'p> Evaluator<'p> {
         self.default(unit, &variable.ty, at)?;
         match &variable.initial {
             None => Ok(()),
-            Some(Initializer::Expression(value)) => self.assign(unit, at, &variable.ty, value),
-            Some(Initializer::Array(values)) => {
+            Some(InitialValue::Expression(value)) => self.assign(unit, at, &variable.ty, value),
+            Some(InitialValue::Array(values)) => {
                 let Type::Array(array) = self.resolved(&variable.ty) else {
                     return Err(EvaluationError::IllFormed(
                         "elements of a variable that is not an array",
@@ -50,7 +50,7 @@ impl<'p> Evaluator<'p> {
                 }
                 Ok(())
             }
-            Some(Initializer::Structure(fields)) => {
+            Some(InitialValue::Structure(fields)) => {
                 let none = EvaluationError::IllFormed("fields of a variable that is not a structure");
                 let Type::Declared(structure) = self.resolved(&variable.ty) else {
                     return Err(none);

@@ -1,7 +1,7 @@
 //! Execution of statements.
 
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, Evaluator};
+use super::evaluator::{Activation, ModelEvaluator};
 use super::{EvaluationError, OpenQuestion};
 use crate::model::{
     AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, Place, Statement, StatementKind,
@@ -30,7 +30,7 @@ struct For<'p> {
     body: &'p [Statement],
 }
 
-impl<'p> Evaluator<'p> {
+impl<'p> ModelEvaluator<'p> {
     /// Executes statements in their order.
     pub fn statements(
         &mut self,

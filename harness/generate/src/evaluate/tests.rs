@@ -55,7 +55,7 @@ pub(crate) fn variable(
         name: name.to_owned(),
         ty,
         section,
-        initial: initial.map(Initializer::Expression),
+        initial: initial.map(InitialValue::Expression),
     }
 }
 
@@ -82,7 +82,7 @@ pub(crate) fn program(variables: Vec<Variable>, body: Vec<Statement>) -> Program
         types: Vec::new(),
         functions: Vec::new(),
         blocks: Vec::new(),
-        main: MainProgram { variables, body },
+        main: MainPou { variables, body },
     }
 }
 

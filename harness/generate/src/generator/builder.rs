@@ -2,9 +2,9 @@
 
 use super::constructs::{Construct, ConstructSet, palette};
 use super::profile::DialectProfile;
-use super::scope::{PouKind, PouScope};
+use super::scope::{PouRole, PouScope};
 use super::settings::GeneratorSettings;
-use crate::model::{MainProgram, Program, VariableId};
+use crate::model::{MainPou, Program, VariableId};
 use crate::random::Random;
 use arbitrary::Unstructured;
 use stickler_types::{DialectName, ElementaryType};
@@ -81,14 +81,14 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
                 types: Vec::new(),
                 functions: Vec::new(),
                 blocks: Vec::new(),
-                main: MainProgram {
+                main: MainPou {
                     variables: Vec::new(),
                     body: Vec::new(),
                 },
             },
             function_costs: Vec::new(),
             block_costs: Vec::new(),
-            pou: PouScope::new(PouKind::Main),
+            pou: PouScope::new(PouRole::Main),
             statements_left: 0,
             nodes_left: 0,
             text_bound: VariableId(0),
@@ -131,7 +131,7 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
     fn main(&mut self, most: usize) {
         // Programs of very different lengths: a short one shows a fault clearly, a long one meets more of them.
         let most = most.min([3, 6, 12, 24, 60][self.random.below(5)]);
-        self.begin(PouKind::Main, most);
+        self.begin(PouRole::Main, most);
         self.main_variables();
         let mut body = self.body(most);
         self.add_checksums(&mut body);

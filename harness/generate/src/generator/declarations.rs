@@ -3,10 +3,10 @@
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::literals;
-use super::scope::PouKind;
+use super::scope::PouRole;
 use super::type_context::TypeContext;
 use crate::model::{
-    ArrayType, DeclaredKind, Expression, ExpressionKind, Initializer, LiteralForm, Type, TypeDeclaration,
+    ArrayType, DeclaredKind, Expression, ExpressionKind, InitialValue, LiteralForm, Type, TypeDeclaration,
     Variable, VariableId, VariableSection, subscripts,
 };
 use stickler_types::{ElementaryType, Family};
@@ -175,7 +175,7 @@ impl ProgramBuilder<'_, '_> {
         stem: &str,
         ty: Type,
         section: VariableSection,
-        initial: Option<Initializer>,
+        initial: Option<InitialValue>,
     ) -> VariableId {
         let name = format!("{stem}{}", self.pou.variables.len());
         let variable = Variable {
@@ -196,7 +196,7 @@ impl ProgramBuilder<'_, '_> {
     }
 
     /// Generates an initial value; `None` if the variable keeps the default of its type.
-    pub fn initial(&mut self, ty: &Type) -> Option<Initializer> {
+    pub fn initial(&mut self, ty: &Type) -> Option<InitialValue> {
         let ty = self.program.unaliased(ty).clone();
         let needed = match &ty {
             Type::Elementary(ty) => needs_initial(*ty),
@@ -207,16 +207,16 @@ impl ProgramBuilder<'_, '_> {
             return None;
         }
         match ty {
-            Type::Elementary(ty) => Some(Initializer::Expression(self.initial_value(ty))),
+            Type::Elementary(ty) => Some(InitialValue::Expression(self.initial_value(ty))),
             Type::Array(array) => match array.element {
                 Type::Elementary(ty) => {
                     let values = (0..subscripts(&array).len()).map(|_| self.initial_literal(ty));
-                    Some(Initializer::Array(values.collect()))
+                    Some(InitialValue::Array(values.collect()))
                 }
                 _ => None,
             },
             ty => match self.program.enumerated_values(&ty).map(<[String]>::len) {
-                Some(count) => Some(Initializer::Expression(Expression {
+                Some(count) => Some(InitialValue::Expression(Expression {
                     kind: ExpressionKind::Enumerated(self.random.below(count)),
                     ty,
                 })),
@@ -226,7 +226,7 @@ impl ProgramBuilder<'_, '_> {
     }
 
     /// Generates values of some of the elementary fields of a structure.
-    fn initial_structure(&mut self, ty: &Type) -> Option<Initializer> {
+    fn initial_structure(&mut self, ty: &Type) -> Option<InitialValue> {
         let fields = self.program.fields(ty)?.iter().enumerate();
         let elementary_fields: Vec<(usize, ElementaryType)> = fields
             .filter_map(|(field, (_, ty, _))| match ty {
@@ -240,7 +240,7 @@ impl ProgramBuilder<'_, '_> {
                 values.push((field, self.initial_literal(ty)));
             }
         }
-        (!values.is_empty()).then_some(Initializer::Structure(values))
+        (!values.is_empty()).then_some(InitialValue::Structure(values))
     }
 
     /// Generates a literal of the type, or of a type that widens to it.
@@ -260,7 +260,7 @@ impl ProgramBuilder<'_, '_> {
     }
 
     /// Starts a POU that may get `statements` statements.
-    pub fn begin(&mut self, kind: PouKind, statements: usize) {
+    pub fn begin(&mut self, kind: PouRole, statements: usize) {
         self.pou = super::scope::PouScope::new(kind);
         self.statements_left = statements;
     }

@@ -2,7 +2,7 @@
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
-use super::scope::{PouKind, contains_text};
+use super::scope::{PouRole, contains_text};
 use crate::model::{
     AssignmentTarget, Function, FunctionBlock, Statement, StatementKind, Type, VariableSection,
 };
@@ -26,7 +26,7 @@ impl ProgramBuilder<'_, '_> {
                 ty => ty,
             };
             let most = 1 + self.random.below(MAX_STATEMENTS);
-            self.begin(PouKind::Function(result.clone()), most);
+            self.begin(PouRole::Function(result.clone()), most);
             for _ in 0..=self.random.below(3) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);
@@ -65,7 +65,7 @@ impl ProgramBuilder<'_, '_> {
         }
         for number in 0..=self.random.below(2) {
             let most = 2 + self.random.below(MAX_STATEMENTS);
-            self.begin(PouKind::Block, most);
+            self.begin(PouRole::Block, most);
             for _ in 0..self.random.below(3) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);

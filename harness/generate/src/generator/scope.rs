@@ -2,14 +2,14 @@
 
 use super::literals;
 use crate::model::{
-    DeclaredKind, Expression, ExpressionKind, Initializer, Program, Type, Variable, VariableId,
+    DeclaredKind, Expression, ExpressionKind, InitialValue, Program, Type, Variable, VariableId,
     VariableSection,
 };
 use stickler_types::{ElementaryType, Value};
 
 /// The kind of a POU.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum PouKind {
+pub(super) enum PouRole {
     /// A function with this result type.
     Function(Type),
     /// A function block.
@@ -20,7 +20,7 @@ pub(super) enum PouKind {
 
 /// The POU under construction.
 pub(super) struct PouScope {
-    pub kind: PouKind,
+    pub kind: PouRole,
     pub variables: Vec<Variable>,
     /// Every readable variable, element and part.
     pub places: Vec<VisiblePlace>,
@@ -69,7 +69,7 @@ pub(super) enum PathStep {
 }
 
 impl PouScope {
-    pub fn new(kind: PouKind) -> PouScope {
+    pub fn new(kind: PouRole) -> PouScope {
         PouScope {
             kind,
             variables: Vec::new(),
@@ -109,9 +109,9 @@ impl PouScope {
 
     fn hold_initial(&mut self, id: VariableId, variable: &Variable) {
         match (&variable.initial, &variable.ty) {
-            (Some(Initializer::Expression(value)), _) => self.hold(id, value),
-            (Some(Initializer::Array(values)), _) => values.iter().for_each(|value| self.hold(id, value)),
-            (Some(Initializer::Structure(values)), _) => {
+            (Some(InitialValue::Expression(value)), _) => self.hold(id, value),
+            (Some(InitialValue::Array(values)), _) => values.iter().for_each(|value| self.hold(id, value)),
+            (Some(InitialValue::Structure(values)), _) => {
                 values.iter().for_each(|(_, value)| self.hold(id, value))
             }
             (None, Type::Elementary(ty)) => {

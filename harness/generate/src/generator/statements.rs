@@ -3,7 +3,7 @@
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::places::integer;
-use super::scope::PouKind;
+use super::scope::PouRole;
 use super::type_context::TypeContext;
 use crate::model::{
     Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Statement, StatementKind, Type,
@@ -98,7 +98,7 @@ impl ProgramBuilder<'_, '_> {
             .iter()
             .any(|variable| matches!(variable.ty, Type::Block(_)));
         let may_leave = (self.pou.loops_around > 0 && self.has(Construct::Exit))
-            || (self.pou.kind != PouKind::Main && self.has(Construct::Return));
+            || (self.pou.kind != PouRole::Main && self.has(Construct::Return));
         let bits = self.has(Construct::Bits) && self.profile.has_bits(self.open);
         let choices = [
             (StatementForm::Assign, 12),
@@ -291,7 +291,7 @@ impl ProgramBuilder<'_, '_> {
     /// Generates a conditional EXIT or RETURN.
     fn leave(&mut self) -> StatementKind {
         let may_exit = self.pou.loops_around > 0 && self.has(Construct::Exit);
-        let may_return = self.pou.kind != PouKind::Main && self.has(Construct::Return);
+        let may_return = self.pou.kind != PouRole::Main && self.has(Construct::Return);
         let kind = if may_exit && !(may_return && self.random.chance(1, 4)) {
             StatementKind::Exit
         } else {

@@ -17,7 +17,7 @@ pub struct Program {
     /// The function blocks; each has instances only of earlier ones.
     pub blocks: Vec<FunctionBlock>,
     /// The main program, `PROGRAM main`.
-    pub main: MainProgram,
+    pub main: MainPou,
 }
 
 /// A function.
@@ -46,7 +46,7 @@ pub struct FunctionBlock {
 
 /// The main program, `PROGRAM main`.
 #[derive(Clone, PartialEq, Debug)]
-pub struct MainProgram {
+pub struct MainPou {
     /// The variables of main, all [`VariableSection::Local`].
     pub variables: Vec<Variable>,
     /// The statements that one scan executes.
@@ -67,7 +67,7 @@ pub struct Variable {
     /// The section that declares the variable.
     pub section: VariableSection,
     /// The initial value; `None` for the default of the type.
-    pub initial: Option<Initializer>,
+    pub initial: Option<InitialValue>,
 }
 
 /// The section in which a variable is declared.
@@ -87,7 +87,7 @@ pub enum VariableSection {
 
 /// The initial value of a variable.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Initializer {
+pub enum InitialValue {
     /// A value of the type of the variable: a literal, perhaps widened, or an operation on literals.
     Expression(Expression),
     /// `[…]`: as many values as the array has elements, the last subscript varying fastest.

@@ -5,9 +5,9 @@
 //! because a reduction spends most of its time there.
 
 use super::{
-    Argument, AssignmentTarget, CaseBranch, CaseLabel, DeclaredKind, Expression, ExpressionKind, Initializer,
-    Place, PlaceSelector, Program, Statement, StatementKind, Type, TypeDeclaration, Unit, Variable,
-    VariableId,
+    Argument, AssignmentTarget, CaseBranch, CaseLabel, DeclaredKind, Expression, ExpressionKind,
+    InitialValue, Place, PlaceSelector, Program, Statement, StatementKind, Type, TypeDeclaration, Unit,
+    Variable, VariableId,
 };
 
 /// Defines a visitor trait and its traversal; `$mutability` is `mut` or nothing, `$list` the type of a list of statements.
@@ -125,13 +125,13 @@ macro_rules! define_visitor {
             visitor.ty(&$($mutability)? variable.ty);
             match &$($mutability)? variable.initial {
                 None => {}
-                Some(Initializer::Expression(value)) => visitor.expression(value),
-                Some(Initializer::Array(values)) => {
+                Some(InitialValue::Expression(value)) => visitor.expression(value),
+                Some(InitialValue::Array(values)) => {
                     for value in values {
                         visitor.expression(value);
                     }
                 }
-                Some(Initializer::Structure(fields)) => {
+                Some(InitialValue::Structure(fields)) => {
                     for (_, value) in fields {
                         visitor.expression(value);
                     }

@@ -44,8 +44,8 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     };
     let (cases, errors) = read_case_file(name, text, &DIALECTS);
     let lines = text.lines().count().max(1) + 1;
-    errors.iter().try_for_each(|error| hold_error(error, lines))?;
-    hold_cases(&cases, lines)?;
+    errors.iter().try_for_each(|error| check_error(error, lines))?;
+    check_cases(&cases, lines)?;
     if cases.is_empty() && errors.is_empty() && !text.contains("withdrawn") {
         return Err(OracleFailure::new(
             "nothing",
@@ -62,7 +62,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     Ok(InputOutcome::Checked)
 }
 
-fn hold_error(error: &CaseFileError, lines: usize) -> Result<(), OracleFailure> {
+fn check_error(error: &CaseFileError, lines: usize) -> Result<(), OracleFailure> {
     if error.line == 0 || error.line as usize > lines {
         let message = format!("the error does not lie in the file's {lines} lines: {error}");
         return Err(OracleFailure::new("error:place", message));
@@ -76,7 +76,7 @@ fn hold_error(error: &CaseFileError, lines: usize) -> Result<(), OracleFailure> 
     Ok(())
 }
 
-fn hold_cases(cases: &[Case], lines: usize) -> Result<(), OracleFailure> {
+fn check_cases(cases: &[Case], lines: usize) -> Result<(), OracleFailure> {
     if cases.len() > MAX_CASES {
         return Err(OracleFailure::new(
             "size",

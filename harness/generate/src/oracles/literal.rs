@@ -18,14 +18,14 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     if let Some((first, rest)) = data.split_first()
         && let Some(ty) = ElementaryType::ALL.get(usize::from(*first))
     {
-        hold_written(&value_of(*ty, rest))?;
+        check_written(&value_of(*ty, rest))?;
         return Ok(InputOutcome::Checked);
     }
     let Ok(text) = std::str::from_utf8(data) else {
         return Ok(InputOutcome::Skipped("no text"));
     };
-    hold_typed(text)?;
-    hold_untyped(text)?;
+    check_typed(text)?;
+    check_untyped(text)?;
     Ok(InputOutcome::Checked)
 }
 
@@ -54,7 +54,7 @@ fn value_of(ty: ElementaryType, bytes: &[u8]) -> Value {
 }
 
 /// Checks that the canonical spelling of a value reads to that value.
-fn hold_written(value: &Value) -> Result<(), OracleFailure> {
+fn check_written(value: &Value) -> Result<(), OracleFailure> {
     let written = value.to_string();
     let wrong = |what: &str| {
         Err(OracleFailure::new(
@@ -90,11 +90,11 @@ fn expected_spelling(value: &Value) -> Option<String> {
 }
 
 /// Checks the text as a typed literal.
-fn hold_typed(text: &str) -> Result<(), OracleFailure> {
+fn check_typed(text: &str) -> Result<(), OracleFailure> {
     let got = Value::parse(text);
     match &got {
-        Ok(value) => hold_written(value)?,
-        Err(error) => hold_offset(text, error)?,
+        Ok(value) => check_written(value)?,
+        Err(error) => check_offset(text, error)?,
     }
     let Some((prefix, rest)) = text.split_once('#') else {
         return Ok(());
@@ -116,7 +116,7 @@ fn hold_typed(text: &str) -> Result<(), OracleFailure> {
         return if is_word {
             Ok(())
         } else {
-            hold_real(text, numerals::real(rest), ty, got)
+            check_real(text, numerals::real(rest), ty, got)
         };
     }
     let said = match ty.family() {
@@ -127,7 +127,7 @@ fn hold_typed(text: &str) -> Result<(), OracleFailure> {
     let raw = |number: BigInt| {
         (number >= least.into() && number <= greatest.into()).then(|| ty.wrap(low_bits(&number)))
     };
-    hold_number(text, ty.name(), said.map(raw), got)
+    check_number(text, ty.name(), said.map(raw), got)
 }
 
 /// The types whose literals the second reader knows.
@@ -144,22 +144,22 @@ fn low_bits(number: &BigInt) -> i128 {
 }
 
 /// Checks the text as an untyped literal.
-fn hold_untyped(text: &str) -> Result<(), OracleFailure> {
+fn check_untyped(text: &str) -> Result<(), OracleFailure> {
     let fits = |number: BigInt| i128::try_from(number).ok();
     let got = literal::integer(text).map(Some);
-    hold_number(text, "integer", numerals::integer(text).map(fits), got)?;
+    check_number(text, "integer", numerals::integer(text).map(fits), got)?;
     let fits = |number: BigInt| u128::try_from(number).ok();
     let got = literal::unsigned_integer(text).map(Some);
-    hold_number(text, "unsigned", numerals::unsigned(text).map(fits), got)?;
+    check_number(text, "unsigned", numerals::unsigned(text).map(fits), got)?;
     let said = numerals::real(text);
     for ty in [ElementaryType::Real, ElementaryType::Lreal] {
-        hold_real(text, said.clone(), ty, literal::real(text, ty).map(Some))?;
+        check_real(text, said.clone(), ty, literal::real(text, ty).map(Some))?;
     }
     Ok(())
 }
 
 /// Compares the result of the second reader (`None`: no number; `Some(None)`: one that does not fit) with that of the first.
-fn hold_number<T: PartialEq + std::fmt::Debug>(
+fn check_number<T: PartialEq + std::fmt::Debug>(
     text: &str,
     ty: &str,
     said: Option<Option<T>>,
@@ -178,7 +178,7 @@ fn hold_number<T: PartialEq + std::fmt::Debug>(
     Err(OracleFailure::new(format!("{symptom}:{ty}"), message))
 }
 
-fn hold_real(
+fn check_real(
     text: &str,
     said: Option<DecimalNumber>,
     ty: ElementaryType,
@@ -190,11 +190,11 @@ fn hold_real(
         Ok(Some(raw)) if decimal.rounds_to(raw, ty) => Some(raw),
         _ => Some(u64::MAX),
     });
-    hold_number(text, ty.name(), said, got)
+    check_number(text, ty.name(), said, got)
 }
 
 /// Checks that an error points into the text.
-fn hold_offset(text: &str, error: &LiteralError) -> Result<(), OracleFailure> {
+fn check_offset(text: &str, error: &LiteralError) -> Result<(), OracleFailure> {
     if text.is_char_boundary(error.offset()) {
         return Ok(());
     }
@@ -245,11 +245,11 @@ mod tests {
 
     #[test]
     fn another_number_is_a_failure() {
-        let failure = hold_number("5", "INT", Some(Some(5)), Ok(Some(6))).expect_err("another number");
+        let failure = check_number("5", "INT", Some(Some(5)), Ok(Some(6))).expect_err("another number");
         assert_eq!(failure.symptom, "value:INT");
-        let failure = hold_number("5", "INT", None, Ok(Some(5))).expect_err("no number at all");
+        let failure = check_number("5", "INT", None, Ok(Some(5))).expect_err("no number at all");
         assert_eq!(failure.symptom, "accepted:INT");
         let one = numerals::real("1.0");
-        assert!(hold_real("1.0", one, ElementaryType::Real, Ok(Some(0))).is_err());
+        assert!(check_real("1.0", one, ElementaryType::Real, Ok(Some(0))).is_err());
     }
 }

@@ -1,6 +1,6 @@
 //! Oracle `parse`: reading, checking and rendering any source text keep their promises.
 
-use super::places::{hold_places, is_inside};
+use super::spans::{check_spans, is_inside};
 use super::words::{census, missing};
 use super::{InputOutcome, OracleFailure};
 use stickler_reference::decoding::decode;
@@ -50,19 +50,19 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
         _ => (DIALECT, data),
     };
     let (text, broken) = decode(bytes);
-    hold_text(&text, &broken, &Dialect::of(name)).map_err(|failure| {
+    check_text(&text, &broken, &Dialect::of(name)).map_err(|failure| {
         let message = format!("in the dialect {name}: {}", failure.message);
         OracleFailure { message, ..failure }.of_program(text.as_ref())
     })?;
     Ok(InputOutcome::Checked)
 }
 
-fn hold_text(text: &str, broken: &[Diagnostic], dialect: &Dialect) -> Result<(), OracleFailure> {
+fn check_text(text: &str, broken: &[Diagnostic], dialect: &Dialect) -> Result<(), OracleFailure> {
     let (unit, diagnostics) = parse(text, dialect);
     let (_, found) = semantics::check(&unit, text, &LineIndex::new(text), dialect);
     let all = || broken.iter().chain(&diagnostics).chain(&found);
-    all().try_for_each(|diagnostic| hold_diagnostic(diagnostic, text))?;
-    hold_places(&unit, text, diagnostics.is_empty()).map_err(|wrong| OracleFailure::new("place", wrong))?;
+    all().try_for_each(|diagnostic| check_diagnostic(diagnostic, text))?;
+    check_spans(&unit, text, diagnostics.is_empty()).map_err(|wrong| OracleFailure::new("place", wrong))?;
     let rendered = render(&unit, text);
     if unit.expressions.len() > text.len() || rendered.len() > MAX_GROWTH * (text.len() + 1) {
         let sizes = (text.len(), unit.expressions.len(), rendered.len());
@@ -74,10 +74,10 @@ fn hold_text(text: &str, broken: &[Diagnostic], dialect: &Dialect) -> Result<(),
     if !diagnostics.is_empty() || !broken.is_empty() || found.iter().any(refused) {
         return Ok(());
     }
-    hold_rendering(&unit, text, &rendered, &found, dialect)
+    check_rendering(&unit, text, &rendered, &found, dialect)
 }
 
-fn hold_rendering(
+fn check_rendering(
     unit: &SourceUnit<'_>,
     text: &str,
     rendered: &str,
@@ -130,7 +130,7 @@ fn codes(found: &[Diagnostic]) -> Vec<&'static str> {
     codes
 }
 
-fn hold_diagnostic(diagnostic: &Diagnostic, text: &str) -> Result<(), OracleFailure> {
+fn check_diagnostic(diagnostic: &Diagnostic, text: &str) -> Result<(), OracleFailure> {
     let Diagnostic {
         code, span, message, ..
     } = diagnostic;

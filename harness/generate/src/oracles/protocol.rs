@@ -28,9 +28,9 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     serve(&*ENGINE, data, &mut output).map_err(|error| OracleFailure::new("io", error.to_string()))?;
     let lines = asked(data);
     let replies: Vec<&[u8]> = output.split_inclusive(|byte| *byte == b'\n').collect();
-    hold_count(&lines, replies.len())?;
+    check_count(&lines, replies.len())?;
     for (line, reply) in lines.iter().zip(replies) {
-        hold_reply(line, reply).map_err(|failure| {
+        check_reply(line, reply).map_err(|failure| {
             let [line, reply] = [line, reply].map(String::from_utf8_lossy);
             let message = format!("{}\n→ {line}\n← {reply}", failure.message);
             OracleFailure { message, ..failure }
@@ -48,7 +48,7 @@ fn asked(data: &[u8]) -> Vec<&[u8]> {
 }
 
 /// Checks that every line is answered up to the first that may say `bye`.
-fn hold_count(lines: &[&[u8]], replies: usize) -> Result<(), OracleFailure> {
+fn check_count(lines: &[&[u8]], replies: usize) -> Result<(), OracleFailure> {
     let says_bye = |line: &&[u8]| {
         // An escape may spell it in other bytes.
         line.windows(3).any(|word| word == b"bye") || line.contains(&b'\\')
@@ -61,14 +61,14 @@ fn hold_count(lines: &[&[u8]], replies: usize) -> Result<(), OracleFailure> {
     Err(OracleFailure::new("replies", message))
 }
 
-fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
+fn check_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
     let read: Reply =
         serde_json::from_slice(reply).map_err(|error| OracleFailure::new("reply", error.to_string()))?;
     if !reply.ends_with(b"\n") {
         return Err(OracleFailure::new("reply", "the reply does not end its line"));
     }
     if let Reply::Error(error) = &read {
-        hold_error(&error.message)?;
+        check_error(&error.message)?;
     }
     let Ok(Json::Object(request)) = serde_json::from_slice::<Json>(line) else {
         return match read {
@@ -105,15 +105,15 @@ fn hold_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
         return Err(OracleFailure::new("id", format!("the request's id is {id:?}")));
     }
     match &read {
-        Reply::Executed(executed) => hold_values(&request, &executed.values, true),
-        Reply::Faulted(faulted) => hold_values(&request, &faulted.values, false),
-        Reply::Rejected(rejected) => hold_diagnostics(&request, &rejected.diagnostics),
+        Reply::Executed(executed) => check_values(&request, &executed.values, true),
+        Reply::Faulted(faulted) => check_values(&request, &faulted.values, false),
+        Reply::Rejected(rejected) => check_diagnostics(&request, &rejected.diagnostics),
         _ => Ok(()),
     }
 }
 
 /// Checks that an error is about a request, never about the engine itself.
-fn hold_error(message: &str) -> Result<(), OracleFailure> {
+fn check_error(message: &str) -> Result<(), OracleFailure> {
     if message.starts_with("the engine crashed: ") {
         return Err(OracleFailure::new("crash", message));
     }
@@ -124,7 +124,7 @@ fn hold_error(message: &str) -> Result<(), OracleFailure> {
 }
 
 /// Checks that exactly the requested values are there under their names, in their canonical spelling.
-fn hold_values(
+fn check_values(
     request: &serde_json::Map<String, Json>,
     values: &BTreeMap<String, String>,
     all: bool,
@@ -165,7 +165,7 @@ fn hold_values(
 }
 
 /// Checks that there are diagnostics, sorted, each with a code, a message and a place in the text.
-fn hold_diagnostics(
+fn check_diagnostics(
     request: &serde_json::Map<String, Json>,
     diagnostics: &[Diagnostic],
 ) -> Result<(), OracleFailure> {
@@ -222,11 +222,11 @@ mod tests {
                 "crash",
             ),
         ] {
-            let failure = hold_reply(request, reply.as_bytes()).expect_err(reply);
+            let failure = check_reply(request, reply.as_bytes()).expect_err(reply);
             assert_eq!(failure.symptom, symptom, "{reply}");
         }
-        assert!(hold_count(&[b"a", b"b"], 1).is_err());
-        let of_a_greeting = hold_reply(
+        assert!(check_count(&[b"a", b"b"], 1).is_err());
+        let of_a_greeting = check_reply(
             br#"{"type":"hello","id":1}"#,
             b"{\"type\":\"error\",\"message\":\"no protocol\"}\n",
         );

@@ -38,7 +38,7 @@ fn types() -> Vec<TypeDeclaration> {
     ]
 }
 
-fn variable(name: &str, ty: Type, section: VariableSection, initial: Option<Initializer>) -> Variable {
+fn variable(name: &str, ty: Type, section: VariableSection, initial: Option<InitialValue>) -> Variable {
     Variable {
         name: name.to_owned(),
         ty,
@@ -143,7 +143,7 @@ fn main_variables() -> Vec<Variable> {
         dimensions: vec![(1, 3), (0, 1)],
         element: Type::Elementary(E::Int),
     }));
-    let first = Initializer::Expression(literal(E::Int));
+    let first = InitialValue::Expression(literal(E::Int));
     vec![
         variable("i", Type::Elementary(E::Int), VariableSection::Local, Some(first)),
         local("d", E::Dint),
@@ -158,7 +158,7 @@ fn main_variables() -> Vec<Variable> {
             "p",
             POINT,
             VariableSection::Local,
-            Some(Initializer::Structure(vec![(0, literal(E::Int))])),
+            Some(InitialValue::Structure(vec![(0, literal(E::Int))])),
         ),
         variable("c", COLOUR, VariableSection::Local, None),
         variable("counter", Type::Block(0), VariableSection::Local, None),
@@ -167,7 +167,7 @@ fn main_variables() -> Vec<Variable> {
     ]
 }
 
-fn main(dialect: DialectName) -> MainProgram {
+fn main(dialect: DialectName) -> MainPou {
     let mut body = vec![
         assign(R, literal(E::Real)),
         assign(
@@ -208,7 +208,7 @@ fn main(dialect: DialectName) -> MainProgram {
     ];
     body.extend(loops());
     body.extend(conversions(dialect));
-    MainProgram {
+    MainPou {
         variables: main_variables(),
         body,
     }

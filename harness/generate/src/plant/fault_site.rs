@@ -180,7 +180,7 @@ impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
         self.declare(unit, &last, Type::Elementary(int), section)?;
         if section == VariableSection::Constant {
             let declared = unit.variables_mut(&mut self.program)?.last_mut()?;
-            declared.initial = Some(crate::model::Initializer::Expression(literal(int)));
+            declared.initial = Some(crate::model::InitialValue::Expression(literal(int)));
         }
         Some(())
     }

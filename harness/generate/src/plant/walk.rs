@@ -4,7 +4,7 @@ use super::scope::{element_and_limits, written};
 use crate::model::visit_mut::bodies;
 use crate::model::{
     Argument, AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind,
-    Initializer, Place, PlaceSelector, Program, StandardFunction, Statement, StatementKind, Type,
+    InitialValue, Place, PlaceSelector, Program, StandardFunction, Statement, StatementKind, Type,
     UnaryOperator, Unit, Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
@@ -136,13 +136,13 @@ impl<'p> SiteWalker<'p> {
             .filter_map(|variable| variable.initial.as_mut())
         {
             match initial {
-                Initializer::Expression(value) => self.expression(value, ExpressionContext::Initial, visit),
-                Initializer::Array(values) => {
+                InitialValue::Expression(value) => self.expression(value, ExpressionContext::Initial, visit),
+                InitialValue::Array(values) => {
                     for value in values {
                         self.expression(value, ExpressionContext::Initial, visit);
                     }
                 }
-                Initializer::Structure(values) => {
+                InitialValue::Structure(values) => {
                     for (_, value) in values {
                         self.expression(value, ExpressionContext::Initial, visit);
                     }

@@ -2,7 +2,7 @@
 
 use super::walk::{FreeNames, bodies, expressions, variable};
 use crate::model::{
-    Expression, ExpressionKind, Initializer, LiteralForm, Place, Program, Variable, VariableId,
+    Expression, ExpressionKind, InitialValue, LiteralForm, Place, Program, Variable, VariableId,
     VariableSection,
 };
 use crate::random::Random;
@@ -34,7 +34,7 @@ pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize
             let hoisted = Place::whole(VariableId(first + added.len()), ty.clone());
             let value = std::mem::replace(&mut expression.kind, ExpressionKind::Read(hoisted));
             added.push(Variable {
-                initial: Some(Initializer::Expression(Expression {
+                initial: Some(InitialValue::Expression(Expression {
                     ty: ty.clone(),
                     kind: value,
                 })),

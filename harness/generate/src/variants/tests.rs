@@ -121,11 +121,11 @@ fn untyped(text: &str) -> Expression {
     }
 }
 
-type Change = fn(&mut Program, &mut Random<'_, '_>) -> usize;
+type VariantChange = fn(&mut Program, &mut Random<'_, '_>) -> usize;
 
 #[test]
 fn what_changes_the_model_changes_no_value() {
-    let changes: [(&str, Change); 7] = [
+    let changes: [(&str, VariantChange); 7] = [
         ("hoist", literals::hoist),
         ("type_all", literals::type_all),
         ("swap", operands::swap),

@@ -4,7 +4,7 @@ use super::sheet::TextSheet;
 use super::statements::PouText;
 use super::style::Style;
 use crate::model::{
-    DeclaredKind, Initializer, Program, Statement, Type, TypeDeclaration, Variable, VariableSection,
+    DeclaredKind, InitialValue, Program, Statement, Type, TypeDeclaration, Variable, VariableSection,
 };
 
 /// The text of a program.
@@ -96,10 +96,10 @@ impl<'p> TextSheet<'p> {
         self.word("END_VAR");
     }
 
-    fn initial(&mut self, initial: &Initializer, ty: &Type, variables: &[Variable]) {
+    fn initial(&mut self, initial: &InitialValue, ty: &Type, variables: &[Variable]) {
         match initial {
-            Initializer::Expression(value) => self.expression(value, variables),
-            Initializer::Array(values) => {
+            InitialValue::Expression(value) => self.expression(value, variables),
+            InitialValue::Array(values) => {
                 self.put("[");
                 for (number, value) in values.iter().enumerate() {
                     if number > 0 {
@@ -109,7 +109,7 @@ impl<'p> TextSheet<'p> {
                 }
                 self.put("]");
             }
-            Initializer::Structure(values) => {
+            InitialValue::Structure(values) => {
                 let fields = self.program.fields(ty).unwrap_or_default();
                 self.put("(");
                 for (number, (field, value)) in values.iter().enumerate() {

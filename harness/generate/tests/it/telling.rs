@@ -16,7 +16,7 @@ use stickler_types::{DialectName, ElementaryType, Value};
 const PROGRAMS: u64 = 6000;
 
 /// The number of programs that must show a mistake for it to count as found.
-const ENOUGH: usize = 6;
+const MIN_FOUND: usize = 6;
 
 fn made(seed: u64) -> Program {
     let bytes = bytes(seed, (seed * 7 % 3000) as usize);
@@ -33,7 +33,7 @@ impl<F: FnMut(&mut Expression)> VisitorMut for Misread<F> {
     }
 }
 
-/// Counts the programs that give other values when every expression is misread; stops at [`ENOUGH`].
+/// Counts the programs that give other values when every expression is misread; stops at [`MIN_FOUND`].
 fn told_apart(misread: impl Fn(&Program, &mut Expression)) -> usize {
     let differs = |seed: &u64| {
         let right = made(*seed);
@@ -45,7 +45,7 @@ fn told_apart(misread: impl Fn(&Program, &mut Expression)) -> usize {
         let values = |program| evaluate(program, 1).map(|evaluation| evaluation.values);
         wrong != right && values(&wrong) != values(&right)
     };
-    (0..PROGRAMS).filter(differs).take(ENOUGH).count()
+    (0..PROGRAMS).filter(differs).take(MIN_FOUND).count()
 }
 
 fn literal(value: Value, ty: &Type) -> Expression {
@@ -64,7 +64,7 @@ fn a_literal_that_is_less_from_one_that_is_equal() {
             *operator = BinaryOperator::LessOrEqual;
         }
     });
-    assert_eq!(found, ENOUGH);
+    assert_eq!(found, MIN_FOUND);
 }
 
 #[test]
@@ -83,7 +83,7 @@ fn an_input_that_is_left_out_from_one_that_is_not_its_initial_value() {
             }
         }
     });
-    assert_eq!(found, ENOUGH);
+    assert_eq!(found, MIN_FOUND);
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn the_longest_shifts_from_those_that_leave_nothing() {
                 *expression = literal(Value::plain(*ty, 0), &expression.ty);
             }
         });
-        assert_eq!(found, ENOUGH, "{function:?}");
+        assert_eq!(found, MIN_FOUND, "{function:?}");
     }
 }
 
@@ -138,8 +138,8 @@ fn products_that_are_subnormal_from_zero() {
         };
         subnormals(&wrong) < subnormals(&right)
     };
-    let found = (0..PROGRAMS).filter(subnormal).take(ENOUGH).count();
-    assert_eq!(found, ENOUGH);
+    let found = (0..PROGRAMS).filter(subnormal).take(MIN_FOUND).count();
+    assert_eq!(found, MIN_FOUND);
 }
 
 /// Replaces a product of reals by zero.

@@ -6,8 +6,8 @@ use super::super::walk::ExpressionContext;
 use super::constants;
 use super::misfits::never;
 use crate::model::{
-    Argument, BinaryOperator, ExpressionKind, FunctionBlock, Initializer, Program, StatementKind, Type, Unit,
-    VariableId, VariableSection,
+    Argument, BinaryOperator, ExpressionKind, FunctionBlock, InitialValue, Program, StatementKind, Type,
+    Unit, VariableId, VariableSection,
 };
 use stickler_exact::implicit;
 use stickler_types::{ElementaryType, MatrixWord};
@@ -222,5 +222,5 @@ pub(super) fn constant(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     // The initial value of the constant is an expression too, so that the others have new numbers behind it.
     fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
     let value = literal(elementary(original, &expression.ty)?);
-    constants::declare(fault, site.unit, expression.ty, Initializer::Expression(value)).map(|_| ())
+    constants::declare(fault, site.unit, expression.ty, InitialValue::Expression(value)).map(|_| ())
 }

@@ -5,7 +5,7 @@ use super::super::scope::{elementary, places, types};
 use super::bits::bits;
 use crate::dialect::has_bits;
 use crate::model::{
-    ArrayType, AssignmentTarget, DeclaredKind, Initializer, Place, PlaceSelector, Program, StatementKind,
+    ArrayType, AssignmentTarget, DeclaredKind, InitialValue, Place, PlaceSelector, Program, StatementKind,
     Type, Unit, Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
@@ -15,7 +15,7 @@ pub(super) fn declare(
     fault: &mut FaultSite<'_, '_, '_>,
     unit: Unit,
     ty: Type,
-    initial: Initializer,
+    initial: InitialValue,
 ) -> Option<VariableId> {
     let variables = unit.variables_mut(&mut fault.program)?;
     variables.push(Variable {
@@ -33,7 +33,7 @@ pub(super) fn declare(
 pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     fault.insert_text(|fault, unit| {
         let ty = fault.choose(types(fault.original.dialect).filter(|ty| !ty.is_text()).collect())?;
-        let value = Initializer::Expression(literal(ty));
+        let value = InitialValue::Expression(literal(ty));
         declare(fault, unit, Type::Elementary(ty), value)?;
         Some(format!("{PLANTED} := {};", literal_text(ty)))
     })
@@ -65,7 +65,7 @@ pub(super) fn part_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Returns constants of the structures that have an elementary field, with a value for that field.
-fn structures(program: &Program) -> Vec<(Type, Initializer)> {
+fn structures(program: &Program) -> Vec<(Type, InitialValue)> {
     let declared = program.types.iter().enumerate();
     let constants = declared.filter_map(|(number, declaration)| {
         let DeclaredKind::Structure(fields) = &declaration.kind else {
@@ -73,30 +73,30 @@ fn structures(program: &Program) -> Vec<(Type, Initializer)> {
         };
         let mut fields = fields.iter().enumerate();
         let value = fields.find_map(|(field, (_, ty, _))| Some((field, literal(elementary(program, ty)?))));
-        Some((Type::Declared(number), Initializer::Structure(vec![value?])))
+        Some((Type::Declared(number), InitialValue::Structure(vec![value?])))
     });
     constants.collect()
 }
 
 /// Returns constants that are arrays, of each elementary type but texts.
-fn arrays(program: &Program) -> Vec<(Type, Initializer)> {
+fn arrays(program: &Program) -> Vec<(Type, InitialValue)> {
     let constant = |ty| {
         let array = ArrayType {
             dimensions: vec![(1, 2)],
             element: Type::Elementary(ty),
         };
         let values = vec![literal(ty), literal(ty)];
-        (Type::Array(Box::new(array)), Initializer::Array(values))
+        (Type::Array(Box::new(array)), InitialValue::Array(values))
     };
     let elements = types(program.dialect).filter(|ty| !ty.is_text());
     elements.map(constant).collect()
 }
 
 /// Returns constants that have bits, where the dialect has access to them.
-fn with_bits(program: &Program) -> Vec<(Type, Initializer)> {
+fn with_bits(program: &Program) -> Vec<(Type, InitialValue)> {
     let has_bits = has_bits(program.dialect);
     let constants = types(program.dialect)
-        .map(|ty| (Type::Elementary(ty), Initializer::Expression(literal(ty))))
+        .map(|ty| (Type::Elementary(ty), InitialValue::Expression(literal(ty))))
         .filter(|(ty, _)| has_bits && bits(program, ty).is_some());
     constants.collect()
 }

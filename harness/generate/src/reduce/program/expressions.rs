@@ -7,7 +7,7 @@ use crate::model::visit_mut::{
     VisitorMut, walk_expression, walk_place, walk_program, walk_statement, walk_variable,
 };
 use crate::model::{
-    Argument, AssignmentTarget, Expression, ExpressionKind, Initializer, LiteralForm, Place, Program,
+    Argument, AssignmentTarget, Expression, ExpressionKind, InitialValue, LiteralForm, Place, Program,
     Statement, StatementKind, Type, Unit, Variable, VariableId, VariableSection,
 };
 use crate::reduce::Sites;
@@ -204,7 +204,7 @@ pub(super) fn drop_prefixes(program: &mut Program, sites: &mut Sites) {
         }
 
         fn variable(&mut self, variable: &mut Variable) {
-            if let Some(Initializer::Expression(value)) = &mut variable.initial {
+            if let Some(InitialValue::Expression(value)) = &mut variable.initial {
                 self.whole(value);
             }
             walk_variable(self, variable);

@@ -5,7 +5,7 @@ use super::usage::DeclarationUsage;
 use crate::model::visit::{self, Visitor};
 use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{
-    Argument, AssignmentTarget, DeclaredKind, Expression, ExpressionKind, Initializer, LiteralForm, Place,
+    Argument, AssignmentTarget, DeclaredKind, Expression, ExpressionKind, InitialValue, LiteralForm, Place,
     Program, Statement, StatementKind, Type, Variable, VariableId, VariableSection,
 };
 use crate::reduce::Sites;
@@ -51,7 +51,7 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
         calls.statements(&program.main.body);
         for argument in calls.arguments {
             if let Some(variable) = variables.get_mut(argument.parameter.0) {
-                variable.initial = Some(Initializer::Expression(argument.value));
+                variable.initial = Some(InitialValue::Expression(argument.value));
             }
         }
         program.main.body = body;

@@ -4,7 +4,7 @@ use super::removal::keep_only;
 use super::usage::DeclarationUsage;
 use crate::model::visit::{self, Visitor};
 use crate::model::visit_mut::{self, VisitorMut};
-use crate::model::{ArrayType, DeclaredKind, Initializer, Program, Type, Variable, VariableSection};
+use crate::model::{ArrayType, DeclaredKind, InitialValue, Program, Type, Variable, VariableSection};
 use crate::reduce::Sites;
 
 /// Drops initial values of variables and fields, and turns constants into variables.
@@ -131,7 +131,7 @@ impl VisitorMut for Shrink {
 
     fn variable(&mut self, variable: &mut Variable) {
         visit_mut::walk_variable(self, variable);
-        if let (Type::Array(array), Some(Initializer::Array(values))) = (&variable.ty, &mut variable.initial)
+        if let (Type::Array(array), Some(InitialValue::Array(values))) = (&variable.ty, &mut variable.initial)
         {
             values.truncate(elements(array));
         }

@@ -10,7 +10,7 @@
 use super::usage::{variable_of, variable_type};
 use crate::model::visit::{Visitor, walk_expression, walk_place, walk_program, walk_statement};
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, Initializer, LiteralForm, Place, PlaceSelector, Program,
+    BinaryOperator, Expression, ExpressionKind, InitialValue, LiteralForm, Place, PlaceSelector, Program,
     Statement, StatementKind, Type, UnaryOperator, Unit, VariableId, VariableSection,
 };
 use stickler_types::{Family, Value};
@@ -69,7 +69,7 @@ impl BreachCounter<'_> {
     fn named_constant(&self, variable: VariableId) -> Option<i128> {
         let variable = variable_of(self.program, self.unit, variable)?;
         match &variable.initial {
-            Some(Initializer::Expression(value)) if variable.section == VariableSection::Constant => {
+            Some(InitialValue::Expression(value)) if variable.section == VariableSection::Constant => {
                 self.constant(value)
             }
             _ => None,

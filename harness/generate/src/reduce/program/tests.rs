@@ -4,7 +4,7 @@ use crate::evaluate::evaluate;
 use crate::generator::{GeneratorSettings, program as generate};
 use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program, walk_statement, walk_variable};
 use crate::model::{
-    AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, Initializer,
+    AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, InitialValue,
     LiteralForm, Program, StandardFunction, Statement, StatementKind, Type, Variable, VariableSection,
 };
 use crate::random::bytes;
@@ -70,36 +70,36 @@ fn any_statement(program: &mut Program, shows: fn(&Statement) -> bool) -> bool {
 
 /// Changes every expression, inner ones first.
 fn expressions(program: &mut Program, change: fn(&mut Expression)) {
-    struct Each(fn(&mut Expression));
-    impl VisitorMut for Each {
+    struct EachExpression(fn(&mut Expression));
+    impl VisitorMut for EachExpression {
         fn expression(&mut self, expression: &mut Expression) {
             walk_expression(self, expression);
             (self.0)(expression);
         }
     }
-    walk_program(&mut Each(change), program);
+    walk_program(&mut EachExpression(change), program);
 }
 
 fn statements(program: &mut Program, change: fn(&mut Statement)) {
-    struct Each(fn(&mut Statement));
-    impl VisitorMut for Each {
+    struct EachStatement(fn(&mut Statement));
+    impl VisitorMut for EachStatement {
         fn statement(&mut self, statement: &mut Statement) {
             walk_statement(self, statement);
             (self.0)(statement);
         }
     }
-    walk_program(&mut Each(change), program);
+    walk_program(&mut EachStatement(change), program);
 }
 
 fn variables(program: &mut Program, change: fn(&mut Variable)) {
-    struct Each(fn(&mut Variable));
-    impl VisitorMut for Each {
+    struct EachVariable(fn(&mut Variable));
+    impl VisitorMut for EachVariable {
         fn variable(&mut self, variable: &mut Variable) {
             walk_variable(self, variable);
             (self.0)(variable);
         }
     }
-    walk_program(&mut Each(change), program);
+    walk_program(&mut EachVariable(change), program);
 }
 
 fn literal(ty: ElementaryType, number: i128) -> Expression {
@@ -181,7 +181,7 @@ const BUGS: [(&str, Bug); 16] = [
         "the last initial value of an array is lost",
         Bug::Runs(|program| {
             variables(program, |variable| {
-                if let Some(Initializer::Array(values)) = &mut variable.initial {
+                if let Some(InitialValue::Array(values)) = &mut variable.initial {
                     values.truncate(values.len().saturating_sub(1).max(1));
                 }
             });

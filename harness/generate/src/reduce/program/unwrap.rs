@@ -4,8 +4,8 @@ use super::usage::variable_type;
 use crate::model::visit::{self, Visitor};
 use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{
-    DeclaredKind, Initializer, Place, PlaceSelector, Program, Statement, StatementKind, Type, Unit, Variable,
-    VariableId, VariableSection,
+    DeclaredKind, InitialValue, Place, PlaceSelector, Program, Statement, StatementKind, Type, Unit,
+    Variable, VariableId, VariableSection,
 };
 use crate::reduce::Sites;
 use std::collections::{HashMap, HashSet};
@@ -52,8 +52,8 @@ pub(super) fn unwrap_variables(program: &mut Program, sites: &mut Sites) {
 /// Gives a variable the type and the initial value of its part; `meant` is the part type with aliases resolved.
 fn unwrap(variable: &mut Variable, head: Head, ty: Type, meant: &Type) {
     let part = match (variable.initial.take(), head) {
-        (Some(Initializer::Array(values)), _) => values.into_iter().next(),
-        (Some(Initializer::Structure(fields)), Head::Field(field)) => fields
+        (Some(InitialValue::Array(values)), _) => values.into_iter().next(),
+        (Some(InitialValue::Structure(fields)), Head::Field(field)) => fields
             .into_iter()
             .find(|(which, _)| *which == field)
             .map(|(_, value)| value),
@@ -62,7 +62,7 @@ fn unwrap(variable: &mut Variable, head: Head, ty: Type, meant: &Type) {
     // What is no single value any more, as an array in an array, starts as its type does.
     variable.initial = part
         .filter(|value| value.ty == *meant)
-        .map(Initializer::Expression);
+        .map(InitialValue::Expression);
     if variable.initial.is_none() {
         variable.section = VariableSection::Local;
     }
@@ -210,7 +210,7 @@ impl VisitorMut for FieldVisitor<'_> {
     }
 
     fn variable(&mut self, variable: &mut Variable) {
-        if let Some(Initializer::Structure(fields)) = &mut variable.initial
+        if let Some(InitialValue::Structure(fields)) = &mut variable.initial
             && let Some(structure) = self.structure(&variable.ty)
         {
             for (field, _) in fields {

@@ -14,14 +14,14 @@ use stickler_reference::syntax::tree::{
 ///
 /// # Errors
 /// The first violation, in words.
-pub(super) fn hold_places(unit: &SourceUnit<'_>, text: &str, sound: bool) -> Result<(), String> {
-    let places = Places { unit, text, sound };
+pub(super) fn check_spans(unit: &SourceUnit<'_>, text: &str, sound: bool) -> Result<(), String> {
+    let checker = SpanChecker { unit, text, sound };
     unit.expressions
         .iter()
-        .try_for_each(|one| places.expression(one))?;
+        .try_for_each(|one| checker.expression(one))?;
     unit.declarations
         .iter()
-        .try_for_each(|one| places.declaration(one))
+        .try_for_each(|one| checker.declaration(one))
 }
 
 /// Returns whether a span lies inside the text and between characters.
@@ -29,17 +29,17 @@ pub(super) fn is_inside(span: Span, text: &str) -> bool {
     text.get(span.start as usize..span.end as usize).is_some()
 }
 
-struct Places<'u, 's> {
+struct SpanChecker<'u, 's> {
     unit: &'u SourceUnit<'s>,
     text: &'u str,
     sound: bool,
 }
 
-type Held = Result<(), String>;
+type SpanCheck = Result<(), String>;
 
-impl Places<'_, '_> {
+impl SpanChecker<'_, '_> {
     /// Checks a node at `span` as a child of one at `outer`.
-    fn node(&self, what: &str, span: Span, outer: Span) -> Held {
+    fn node(&self, what: &str, span: Span, outer: Span) -> SpanCheck {
         let message = if !is_inside(span, self.text) {
             "does not lie in the text"
         } else if self.sound && span.start == span.end {
@@ -55,7 +55,7 @@ impl Places<'_, '_> {
         ))
     }
 
-    fn name(&self, name: &Name<'_>, outer: Span) -> Held {
+    fn name(&self, name: &Name<'_>, outer: Span) -> SpanCheck {
         self.node("a name", name.span, outer)?;
         if name.span.text(self.text) == name.text {
             return Ok(());
@@ -68,18 +68,18 @@ impl Places<'_, '_> {
     }
 
     /// Checks an expression of the arena that lies inside `outer`.
-    fn value(&self, id: ExpressionId, outer: Span) -> Held {
+    fn value(&self, id: ExpressionId, outer: Span) -> SpanCheck {
         match self.unit.expressions.get(id.0 as usize) {
             Some(expression) => self.node("an expression", expression.span, outer),
             None => Err(format!("there is no expression {}", id.0)),
         }
     }
 
-    fn values(&self, ids: impl IntoIterator<Item = ExpressionId>, outer: Span) -> Held {
+    fn values(&self, ids: impl IntoIterator<Item = ExpressionId>, outer: Span) -> SpanCheck {
         ids.into_iter().try_for_each(|id| self.value(id, outer))
     }
 
-    fn expression(&self, expression: &Expression<'_>) -> Held {
+    fn expression(&self, expression: &Expression<'_>) -> SpanCheck {
         let span = expression.span;
         self.node("an expression", span, span)?;
         match &expression.kind {
@@ -122,12 +122,12 @@ impl Places<'_, '_> {
         }
     }
 
-    fn body(&self, body: &[Statement], outer: Span) -> Held {
+    fn body(&self, body: &[Statement], outer: Span) -> SpanCheck {
         body.iter()
             .try_for_each(|statement| self.statement(statement, outer))
     }
 
-    fn statement(&self, statement: &Statement, outer: Span) -> Held {
+    fn statement(&self, statement: &Statement, outer: Span) -> SpanCheck {
         let span = statement.span;
         self.node("a statement", span, outer)?;
         match &statement.kind {
@@ -181,7 +181,7 @@ impl Places<'_, '_> {
         }
     }
 
-    fn declaration(&self, declaration: &Declaration<'_>) -> Held {
+    fn declaration(&self, declaration: &Declaration<'_>) -> SpanCheck {
         // No node covers the whole text.
         let text = Span {
             start: 0,
@@ -199,7 +199,7 @@ impl Places<'_, '_> {
         }
     }
 
-    fn pou(&self, pou: &Pou<'_>, outer: Span) -> Held {
+    fn pou(&self, pou: &Pou<'_>, outer: Span) -> SpanCheck {
         self.node("a program organization unit", pou.span, outer)?;
         self.name(&pou.name, pou.span)?;
         if let Some(result) = &pou.result {
@@ -212,12 +212,12 @@ impl Places<'_, '_> {
         self.node("the closing keyword", pou.end, pou.span)
     }
 
-    fn block(&self, block: &VariableBlock<'_>, outer: Span) -> Held {
+    fn block(&self, block: &VariableBlock<'_>, outer: Span) -> SpanCheck {
         self.node("a variable section", block.span, outer)?;
         self.groups(&block.groups, block.span)
     }
 
-    fn groups(&self, groups: &[VariableGroup<'_>], outer: Span) -> Held {
+    fn groups(&self, groups: &[VariableGroup<'_>], outer: Span) -> SpanCheck {
         groups.iter().try_for_each(|group| {
             group.names.iter().try_for_each(|name| self.name(name, outer))?;
             self.specification(&group.specification, outer)?;
@@ -225,7 +225,7 @@ impl Places<'_, '_> {
         })
     }
 
-    fn specification(&self, specification: &TypeSpecification<'_>, outer: Span) -> Held {
+    fn specification(&self, specification: &TypeSpecification<'_>, outer: Span) -> SpanCheck {
         let span = specification.span;
         self.node("a type", span, outer)?;
         match &specification.kind {
@@ -259,7 +259,7 @@ impl Places<'_, '_> {
         }
     }
 
-    fn initializer(&self, initializer: Option<&Initializer<'_>>, outer: Span) -> Held {
+    fn initializer(&self, initializer: Option<&Initializer<'_>>, outer: Span) -> SpanCheck {
         let Some(Initializer { kind, span }) = initializer else {
             return Ok(());
         };
@@ -277,7 +277,7 @@ impl Places<'_, '_> {
         }
     }
 
-    fn configuration(&self, configuration: &Configuration<'_>, outer: Span) -> Held {
+    fn configuration(&self, configuration: &Configuration<'_>, outer: Span) -> SpanCheck {
         let span = configuration.span;
         self.node("a configuration", span, outer)?;
         self.name(&configuration.name, span)?;
@@ -308,7 +308,7 @@ impl Places<'_, '_> {
 
 #[cfg(test)]
 mod tests {
-    use super::hold_places;
+    use super::check_spans;
     use stickler_reference::Dialect;
     use stickler_reference::syntax::parse;
     use stickler_reference::syntax::tree::SourceUnit;
@@ -322,7 +322,7 @@ mod tests {
         let (mut unit, diagnostics) = parse(TEXT, &Dialect::of(DialectName::IronplcEd3));
         assert_eq!(diagnostics, []);
         change(&mut unit);
-        hold_places(&unit, TEXT, true).err()
+        check_spans(&unit, TEXT, true).err()
     }
 
     #[test]
