@@ -1,4 +1,4 @@
-//! The pages of the manual: every relative link leads to a file, and every fragment to a heading.
+//! The pages of the manual: every relative link leads to a file, every fragment to a heading, and every crate has its section.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -75,6 +75,22 @@ fn every_relative_link_of_the_manual_leads_somewhere() {
         }
     }
     assert!(mistakes.is_empty(), "{}", mistakes.join("\n"));
+}
+
+#[test]
+fn the_architecture_names_every_crate() {
+    let harness = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let text = fs::read_to_string(harness.join("README.md")).expect("a page");
+    let headings: Vec<&str> = prose(&text).filter(|line| line.starts_with("### ")).collect();
+    for entry in fs::read_dir(&harness).expect("a folder").flatten() {
+        let heading = format!("`{}`", entry.file_name().to_string_lossy());
+        let is_crate = entry.path().join("Cargo.toml").exists();
+        let is_named = headings.iter().any(|line| line.contains(&heading));
+        assert!(
+            !is_crate || is_named,
+            "harness/README.md has no section on {heading}"
+        );
+    }
 }
 
 #[test]
