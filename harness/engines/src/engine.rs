@@ -1,7 +1,6 @@
 //! What an engine is: an identity, and sessions that answer requests.
 
 use crate::Grade;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use stickler_types::{DialectName, Outcome, RunRequest};
@@ -110,7 +109,8 @@ impl Identity {
 }
 
 /// Something that an engine can do. Basis: design, section 4.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Ability {
     /// It says whether a program is accepted, and why not.

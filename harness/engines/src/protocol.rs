@@ -8,6 +8,7 @@ mod answer;
 mod lines;
 mod reply;
 mod request;
+#[cfg(test)]
 mod schema;
 mod server;
 
@@ -16,7 +17,6 @@ pub use reply::{RejectedReply, RenderedReply, Reply, UnsupportedReply};
 pub use request::{
     ClockMessage, HelloRequest, ObserveMessage, ProgramRequest, Request, RunMessage, SetMessage,
 };
-pub use schema::{Schema, schemas};
 pub use server::serve;
 
 /// The version of the protocol that this crate speaks.

@@ -1,12 +1,12 @@
 //! What an engine sends back.
 
 use crate::{Ability, Diagnostic, Grade, NamedValue, Outcome};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// One line from an engine.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "type", rename_all = "lowercase")]
 pub enum Reply {
     /// Answers `hello`.
@@ -28,7 +28,8 @@ pub enum Reply {
 }
 
 /// Who the engine is.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct HelloReply {
     /// The version of the protocol that the engine speaks.
     pub protocol: u32,
@@ -47,14 +48,16 @@ pub struct HelloReply {
 }
 
 /// A reply that carries nothing but the request's id.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct IdReply {
     /// The request's id.
     pub id: u64,
 }
 
 /// The values of an execution.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ExecutedReply {
     /// The request's id.
     pub id: u64,
@@ -63,7 +66,8 @@ pub struct ExecutedReply {
 }
 
 /// The reasons of a rejection.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RejectedReply {
     /// The request's id.
     pub id: u64,
@@ -72,16 +76,17 @@ pub struct RejectedReply {
 }
 
 /// A run-time fault.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct FaultedReply {
     /// The request's id.
     pub id: u64,
     /// What kind of fault.
-    #[schemars(extend("enum" = ["division-by-zero", "subscript-range", "subrange", "step-limit"]))]
+    #[cfg_attr(test, schemars(extend("enum" = ["division-by-zero", "subscript-range", "subrange", "step-limit"])))]
     pub fault: String,
     /// The line, from 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 1))]
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub line: Option<u32>,
     /// The values observed so far.
     #[serde(default)]
@@ -89,7 +94,8 @@ pub struct FaultedReply {
 }
 
 /// Normalised source.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RenderedReply {
     /// The request's id.
     pub id: u64,
@@ -98,7 +104,8 @@ pub struct RenderedReply {
 }
 
 /// A request that the engine cannot answer.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct UnsupportedReply {
     /// The request's id.
     pub id: u64,
@@ -107,7 +114,8 @@ pub struct UnsupportedReply {
 }
 
 /// A request that the engine did not understand.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ErrorReply {
     /// The request's id, where it could be read.
     #[serde(default, skip_serializing_if = "Option::is_none")]

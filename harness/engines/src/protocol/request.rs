@@ -1,10 +1,10 @@
 //! What is sent to an engine.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// One line to an engine.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "type", rename_all = "lowercase")]
 pub enum Request {
     /// Opens a conversation; answered by `hello`.
@@ -21,14 +21,16 @@ pub enum Request {
 }
 
 /// The opening of a conversation.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct HelloRequest {
     /// The version of the protocol that the caller speaks.
     pub protocol: u32,
 }
 
 /// A program to check or to render.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ProgramRequest {
     /// Repeated by the reply.
     pub id: u64,
@@ -39,7 +41,8 @@ pub struct ProgramRequest {
 }
 
 /// A program to execute.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RunMessage {
     /// Repeated by the reply.
     pub id: u64,
@@ -62,7 +65,8 @@ pub struct RunMessage {
 }
 
 /// A variable to observe.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ObserveMessage {
     /// The variable, or a path to an elementary value (`a[1]`, `rec.field[2].x`).
     pub name: String,
@@ -71,25 +75,27 @@ pub struct ObserveMessage {
     pub type_name: String,
     /// The scan (from 1) after which to look, otherwise after the last; the reply then names it `q@3`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 1))]
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub after: Option<u32>,
 }
 
 /// Where the clock stands before a scan.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClockMessage {
     /// The scan (from 1).
-    #[schemars(range(min = 1))]
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub before: u32,
     /// The time since the start, as a TIME or LTIME literal.
     pub value: String,
 }
 
 /// A variable written before a scan.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SetMessage {
     /// The scan (from 1).
-    #[schemars(range(min = 1))]
+    #[cfg_attr(test, schemars(range(min = 1)))]
     pub before: u32,
     /// The variable or path.
     pub name: String,

@@ -1,32 +1,29 @@
-//! The JSON Schemas of both directions, as they are published in `harness/engines/schemas/`.
+//! The JSON Schemas of both directions, as they are published in `harness/engines/schemas/`: those of one line each.
+//!
+//! To write them anew after a change of the protocol: `STICKLER_BLESS=1 cargo test -p stickler-engines schema`.
 
 use super::{Reply, Request};
+use std::path::Path;
 
-/// A schema and the file in which it is published.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Schema {
-    /// The file's name.
-    pub file: &'static str,
-    /// Its text, with a line feed at the end.
-    pub text: String,
-}
-
-/// The schemas of requests and replies. They describe one line each.
-#[must_use]
-pub fn schemas() -> [Schema; 2] {
-    [
-        Schema {
-            file: "request.schema.json",
-            text: pretty(&schemars::schema_for!(Request)),
-        },
-        Schema {
-            file: "reply.schema.json",
-            text: pretty(&schemars::schema_for!(Reply)),
-        },
-    ]
-}
-
-fn pretty(schema: &schemars::Schema) -> String {
-    // The alternate form of a JSON value's Display is the pretty one, and cannot fail.
-    format!("{:#}\n", schema.as_value())
+#[test]
+fn published_schemas_are_those_of_the_code() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("schemas");
+    for (file, schema) in [
+        ("request.schema.json", schemars::schema_for!(Request)),
+        ("reply.schema.json", schemars::schema_for!(Reply)),
+    ] {
+        // The alternate form of a JSON value's Display is the pretty one.
+        let text = format!("{:#}\n", schema.as_value());
+        let path = folder.join(file);
+        if std::env::var_os("STICKLER_BLESS").is_some() {
+            std::fs::write(&path, &text).unwrap();
+        }
+        let published = std::fs::read_to_string(&path)
+            .unwrap_or_default()
+            .replace("\r\n", "\n");
+        assert!(
+            published == text,
+            "{file} is out of date; run STICKLER_BLESS=1 cargo test -p stickler-engines schema"
+        );
+    }
 }

@@ -4,6 +4,5 @@ mod compilers;
 #[cfg(unix)]
 mod process;
 mod reference;
-mod schemas;
 mod server;
 mod transcript;
