@@ -3,7 +3,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use stickler_conversions::sweep::{Sampling, Subject, Through, agenda};
+use stickler_conversions::sweep::{Converter, Sampling, SweepMethod, agenda};
 use stickler_exact::Bulk;
 use stickler_types::DialectName;
 
@@ -37,7 +37,7 @@ fn families(criterion: &mut Criterion) {
         .throughput(Throughput::Elements(BLOCKS * BLOCK as u64))
         .sample_size(10);
     for (family, function) in FUNCTIONS {
-        let sweeps = agenda(function, &[dialect], Sampling::default(), Through::Conversion);
+        let sweeps = agenda(function, &[dialect], Sampling::default(), SweepMethod::Conversion);
         let sweep = sweeps.expect("the dialect has it").remove(0);
         let bulk = Bulk::new(&sweep.signature, &sweep.choices).expect("it has a quick form");
         let (mut operands, mut results, mut expected) = (vec![0; BLOCK], vec![0; BLOCK], vec![0; BLOCK]);

@@ -46,7 +46,7 @@ pub fn real(value: &Value) -> Option<f64> {
     }
 }
 
-/// The literal of a power of two as an LREAL.
+/// Returns the literal of a power of two as an LREAL.
 #[must_use]
 pub fn power_of_two(exponent: i32) -> String {
     // Every exponent that is asked for is one of a REAL, so the sum is positive and has 11 bits.

@@ -15,7 +15,7 @@ pub struct Program {
     pub source: String,
     /// The names of the variables.
     pub observed: Vec<String>,
-    /// Their type.
+    /// The type of the variables.
     pub ty: ElementaryType,
 }
 
@@ -87,7 +87,7 @@ fn infinity(calls: &[Vec<Value>]) -> (String, String) {
     )
 }
 
-/// How many characters the longest text has.
+/// Returns how many characters the longest text has.
 fn longest(call: &[Value]) -> usize {
     let lengths = call.iter().map(|value| match value {
         Value::Text { units, .. } => units.len(),
@@ -96,7 +96,7 @@ fn longest(call: &[Value]) -> usize {
     lengths.max().unwrap_or(0)
 }
 
-/// A type as a declaration has it: with a length only where it is a text too long for every system.
+/// Returns a type as a declaration has it: with a length only where it is a text too long for every system.
 fn declared(ty: &str, length: usize) -> String {
     match length {
         ..=DEFAULT_LENGTH => ty.to_owned(),

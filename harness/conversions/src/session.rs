@@ -6,10 +6,10 @@ use stickler_engines::{Diagnostic, Engine, EngineError, EngineSession, Observati
 use stickler_exact::Signature;
 use stickler_types::{DialectName, Fault, Value};
 
-/// Why an engine gave no values.
+/// The reason for which an engine gave no values.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Refusal {
-    /// What it did.
+    /// What the engine did.
     pub kind: RefusalKind,
     /// What is known about it, as a fragment: its first diagnostic, its last words.
     pub detail: String,
@@ -20,24 +20,24 @@ pub struct Refusal {
 /// What an engine did instead of giving values.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum RefusalKind {
-    /// It says that it cannot do this, or that it only checks.
+    /// The engine says that it cannot do this, or that it only checks.
     Unsupported,
-    /// It rejects the program.
+    /// The engine rejects the program.
     Rejected,
     /// The program stopped at a run-time fault.
     Faulted,
     /// The program took more steps than the engine allows.
     TooManySteps,
-    /// It did not answer in time.
+    /// The engine did not answer in time.
     TimedOut,
-    /// It died.
+    /// The engine crashed.
     Crashed,
-    /// It answered nonsense, or left values out.
+    /// The engine answered nonsense, or left values out.
     Nonsense,
 }
 
 impl fmt::Display for Refusal {
-    /// `rejected the program (P4017: …)`, for the end of a sentence that names the engine.
+    /// Writes `rejected the program (P4017: …)`, for the end of a sentence that names the engine.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Refusal { kind, detail, line } = self;
         write!(f, "{} ({detail}", kind.as_str())?;
@@ -98,7 +98,7 @@ impl<'e> FunctionSession<'e> {
     /// Returns the values of the variables that the program observes, in their order.
     ///
     /// # Errors
-    /// What the engine did instead.
+    /// The [`Refusal`] of an engine that gives no values.
     pub fn run(&mut self, dialect: DialectName, program: &Program) -> Result<Vec<Value>, Refusal> {
         let observe: Vec<Observation> = program
             .observed
@@ -135,7 +135,7 @@ impl<'e> FunctionSession<'e> {
     }
 }
 
-/// The values that an outcome has for a program.
+/// Returns the values that an outcome has for a program.
 fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
     use RefusalKind::{Crashed, Faulted, Nonsense, Rejected, TimedOut, TooManySteps, Unsupported};
     let line = match &outcome {
@@ -159,7 +159,7 @@ fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
     Err(Refusal { kind, detail, line })
 }
 
-/// Engines should answer in the order of the question, but need not.
+/// Returns values in the order of the question; engines should answer in it, but need not.
 fn in_order(mut values: Vec<(String, Value)>, program: &Program) -> Result<Vec<Value>, Refusal> {
     let asked = &program.observed;
     if values.len() != asked.len() || values.iter().zip(asked).any(|((key, _), name)| key != name) {

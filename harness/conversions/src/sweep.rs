@@ -1,21 +1,21 @@
-//! Every input of a conversion function, held against exact arithmetic.
+//! Every input of a conversion function, compared with exact arithmetic.
 //!
 //! [`agenda`] turns the name of a function into [`Sweep`]s, one for each pair of types and each distinct rule of the
-//! dialects; [`run`] takes all inputs of one of them, a [`Domain`], through a [`Subject`] (on the reference that is its own
+//! dialects; [`run`] takes all inputs of one of them, a [`Domain`], through a [`Converter`] (on the reference that is its own
 //! conversion) and gives [`Findings`]. [`foreign`] does the same with an engine that only executes programs.
 
 mod agenda;
 mod comparison;
+mod converter;
 mod domain;
 mod findings;
 pub mod foreign;
 mod reference;
 mod run;
-mod subject;
 
-pub use agenda::{AgendaError, Sweep, Through, agenda};
+pub use agenda::{AgendaError, Sweep, SweepMethod, agenda};
+pub use converter::Converter;
 pub use domain::{Domain, Operands, Sampling, Texts};
-pub use findings::{Difference, Findings, KEPT};
+pub use findings::{Difference, Findings, MAX_DIFFERENCES};
 pub use reference::Reference;
 pub use run::{Progress, run};
-pub use subject::Subject;

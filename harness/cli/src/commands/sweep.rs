@@ -11,7 +11,7 @@ use crate::{engines, interrupt};
 use page::Page;
 use std::io::Write;
 use std::time::Instant;
-use stickler_conversions::sweep::{Findings, Progress as Reached, Sampling, Sweep, Through, agenda, run};
+use stickler_conversions::sweep::{Findings, Progress as Reached, Sampling, Sweep, SweepMethod, agenda, run};
 use stickler_conversions::{FunctionDialects, find_function};
 use stickler_types::boundaries::Detail;
 use stickler_workers::Cancellation;
@@ -34,7 +34,7 @@ pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Resul
         seed: arguments.seed,
         detail: Detail::Fine,
     };
-    let sweeps = agenda(&function, &having, sampling, Through::Conversion)?;
+    let sweeps = agenda(&function, &having, sampling, SweepMethod::Conversion)?;
     let cancel = interrupt::flag()?;
     let mut page = Page::new(out, engine.identity());
     page.lacking(&function, &lacking)?;

@@ -37,12 +37,12 @@ pub fn write(signature: &Signature, dialects: &[DialectName], out: &mut dyn Writ
     Ok(())
 }
 
-/// Whether there is anything to say.
+/// Returns whether a choice matters for a signature.
 pub fn any(signature: &Signature) -> bool {
     !topics(signature).is_empty()
 }
 
-/// Each choice with the dialects that make it, in the order of the dialects.
+/// Returns each choice with the dialects that make it, in the order of the dialects.
 fn choices(
     topic: &Topic,
     signature: &Signature,
@@ -96,7 +96,7 @@ fn topics(signature: &Signature) -> Vec<Topic> {
     }
 }
 
-/// Whether the source has values that the target does not hold.
+/// Returns whether the source has values that the target does not hold.
 fn narrows(signature: &Signature) -> bool {
     let ranges = (
         signature.operands[0].integer_range(),
@@ -150,7 +150,7 @@ fn spelling(choices: &ConversionChoices, _: &Signature) -> String {
     .to_owned()
 }
 
-/// Whether a number counts something where it is converted to or from a type of this family.
+/// Returns whether a number that is converted to or from a type of this family counts something, such as milliseconds.
 fn is_moment(family: Family) -> bool {
     matches!(
         family,

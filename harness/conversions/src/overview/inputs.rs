@@ -3,13 +3,13 @@
 use stickler_exact::{Operation, Signature};
 use stickler_types::{ElementaryType, Family, Value, boundaries};
 
-/// The types of the operands in one line.
+/// Returns the types of the operands, in one line.
 pub fn types(signature: &Signature) -> String {
     let names: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
     names.join(", ")
 }
 
-/// The calls that are shown where no values are given: both zeros, ties, the limits of both types and what lies beside
+/// Returns the calls that are shown where no values are given: both zeros, ties, the limits of both types and what lies beside
 /// them, and what is no number.
 pub fn boundaries(signature: &Signature) -> Vec<Vec<Value>> {
     match signature.operands[..] {
@@ -35,7 +35,7 @@ fn of_one(from: ElementaryType, signature: &Signature) -> Vec<Value> {
     distinct(values)
 }
 
-/// Every date with the first and the last time of day.
+/// Pairs every date with the first and the last time of day.
 fn pairs(date: ElementaryType, time: ElementaryType) -> Vec<Vec<Value>> {
     let times = short(time);
     let ends = [times.first(), times.last()];
@@ -47,7 +47,7 @@ fn pairs(date: ElementaryType, time: ElementaryType) -> Vec<Vec<Value>> {
     short(date).into_iter().flat_map(pair).collect()
 }
 
-/// The short list of a type that is neither number nor text.
+/// Returns the short list of a type that is neither number nor text.
 fn short(ty: ElementaryType) -> Vec<Value> {
     boundaries::boundaries(ty)
         .into_iter()
@@ -55,7 +55,7 @@ fn short(ty: ElementaryType) -> Vec<Value> {
         .collect()
 }
 
-/// Whole numbers in ascending order: limits of the source; limits of the target and what lies beside them.
+/// Returns whole numbers in ascending order: limits of the source; limits of the target and what lies beside them.
 fn integers(from: ElementaryType, signature: &Signature) -> Vec<Value> {
     let Some((least, greatest)) = from.integer_range() else {
         return Vec::new();
@@ -77,7 +77,7 @@ fn beside_limits(ty: ElementaryType) -> Vec<i128> {
     }
 }
 
-/// Whole numbers that mean something for this conversion alone.
+/// Returns whole numbers that are of interest for this conversion alone.
 fn telling(signature: &Signature) -> &'static [i128] {
     match (signature.operation, signature.result.family()) {
         (Operation::FromBcd, _) => &[
@@ -177,7 +177,7 @@ fn reals(from: ElementaryType, to: ElementaryType) -> Vec<String> {
     literals
 }
 
-/// The limits of a type, half beyond them, and one beyond them, as reals.
+/// Returns the limits of a type, half beyond them, and one beyond them, as reals.
 fn around_limits(ty: ElementaryType) -> Vec<String> {
     let Some((least, greatest)) = ty.integer_range() else {
         return Vec::new();
@@ -230,7 +230,7 @@ fn texts(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
     words.iter().map(|word| Value::text(from, units(word))).collect()
 }
 
-/// Durations and dates as texts: each as a typed literal, and without its type.
+/// Writes durations and dates as texts: each as a typed literal, and without its type.
 fn moments(to: ElementaryType) -> Vec<String> {
     let known: Vec<String> = short(to).iter().map(ToString::to_string).collect();
     let bare = known
@@ -242,7 +242,7 @@ fn moments(to: ElementaryType) -> Vec<String> {
     first.chain(bare).chain(others).collect()
 }
 
-/// Each value once: two literals may be read as the same.
+/// Removes values that occur twice: two literals may stand for the same value.
 fn distinct(values: Vec<Value>) -> Vec<Value> {
     let mut found: Vec<Value> = Vec::with_capacity(values.len());
     for value in values {

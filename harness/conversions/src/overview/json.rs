@@ -1,4 +1,4 @@
-//! The answers as one JSON object, for other programs.
+//! The results as one JSON object, for other programs.
 
 use super::results::{ComparedResult, DialectResults, SignatureResults};
 use serde::Serialize;
@@ -28,7 +28,7 @@ struct Types<'a> {
     calls: Vec<CallResults<'a>>,
 }
 
-/// One call. Values are typed literals.
+/// One call; values are typed literals.
 #[derive(Serialize)]
 struct CallResults<'a> {
     operands: Vec<String>,
@@ -40,19 +40,19 @@ struct CallResults<'a> {
 struct CallResult<'a> {
     engine: &'a str,
     dialect: &'static str,
-    /// The value; `null` where there is none.
+    /// The value that the engine gave; `null` where it gave none.
     got: Option<String>,
-    /// Why there is none: `rejected`, `crashed` …
+    /// Why the engine gave no value: `rejected`, `crashed` …
     #[serde(skip_serializing_if = "Option::is_none")]
     without: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     detail: Option<&'a str>,
     /// The document and section that say what must come; `null` where none does.
     basis: Option<&'static str>,
-    /// What it says must come.
+    /// The value that the document demands.
     #[serde(skip_serializing_if = "Option::is_none")]
     expected: Option<String>,
-    /// Whether the engine contradicts it.
+    /// Whether the engine contradicts the document.
     contradicts: bool,
 }
 

@@ -1,4 +1,4 @@
-//! The answers as a page for a person: tables, what contradicts a document, what differs, and a legend.
+//! The page for a person: tables of results, contradictions to documents, choices of the dialects, and a legend.
 
 use super::results::{ComparedResult, DialectResults, SignatureResults};
 use super::table::{self, Align, Shown};
@@ -18,13 +18,13 @@ const BAD: Style = AnsiColor::Red.on_default().bold();
 /// The note of a cell about which no document says anything.
 const OPEN: &str = "?";
 
-/// How many contradictions of a table are told in words.
+/// How many contradictions below a table are told in words.
 const MAX_TROUBLES: usize = 8;
 
-/// What is said above the rules where somebody else than the reference was asked, who need not follow them.
+/// The heading of the rules where another engine than the reference was asked, which need not follow them.
 const RULES: &str = "Stickler's rule for each dialect, which an engine may or may not follow:";
 
-/// From how many tables on it is said how to see one of them.
+/// The number of tables up to which the page does not tell how to see one of them alone.
 const MANY: usize = 3;
 
 /// From this magnitude on a real has so many digits that they say less than an exponent.
@@ -33,7 +33,7 @@ const LARGE: f64 = 1e16;
 /// How many characters of a value are shown.
 const MAX_VALUE_LEN: usize = 40;
 
-/// Shows what a function gives.
+/// The page that shows what a function gives.
 pub struct Page<'p> {
     /// What was asked, one table a signature.
     pub results: &'p [SignatureResults],
@@ -172,7 +172,7 @@ impl Page<'_> {
     }
 }
 
-/// Which letter stands for which basis, on the whole page.
+/// The letters that stand for the bases, on the whole page.
 #[derive(Default)]
 struct Notes {
     bases: Vec<&'static str>,

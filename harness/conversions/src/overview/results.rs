@@ -26,7 +26,7 @@ pub struct DialectResults {
     pub results: Vec<ComparedResult>,
 }
 
-/// What one call gave, and must give.
+/// The result of one call, and the expected one.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ComparedResult {
     /// What the engine gave.

@@ -8,33 +8,33 @@ const BOLD: Style = Style::new().bold();
 /// How wide a table may be.
 const WIDTH: usize = 100;
 
-/// What stands between two columns.
+/// How many blanks stand between two columns.
 const GAP: usize = 2;
 
-/// Where the values of a column stand.
+/// The side at which the values of a column stand.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Align {
     Left,
     Right,
 }
 
-/// One cell.
+/// The content of one cell.
 pub struct Shown {
     /// The value.
     pub value: String,
-    /// What is to be noted about it: a letter, and a mark; may be empty.
+    /// The note behind the value: a letter, and a mark; may be empty.
     pub note: String,
-    /// How both look where there is colour.
+    /// The style of value and note where there is colour.
     pub style: Style,
 }
 
-/// A column: its head in one or more lines, and a cell for each row.
+/// A column of a table: its head in one or more lines, and a cell for each row.
 pub struct Column {
     /// The lines of the head.
     pub head: Vec<String>,
     /// The cells.
     pub cells: Vec<Shown>,
-    /// Where the values stand.
+    /// The side at which the values stand.
     pub align: Align,
 }
 
@@ -58,13 +58,13 @@ impl Column {
         head.max(self.value_width() + self.note_width())
     }
 
-    /// A line of the head, in the width of the column.
+    /// Returns a line of the head, in the width of the column.
     fn head_line(&self, index: usize) -> String {
         let text = self.head.get(index).map_or("", String::as_str);
         padded(text, self.width(), self.align)
     }
 
-    /// A cell, in the width of the column, and its style.
+    /// Returns a cell, in the width of the column, and its style.
     fn cell(&self, row: usize) -> (String, Style) {
         let Some(cell) = self.cells.get(row) else {
             return (" ".repeat(self.width()), Style::new());
@@ -97,7 +97,7 @@ pub fn write(left: &[Column], columns: &[Column], out: &mut dyn Write) -> io::Re
     Ok(())
 }
 
-/// As many columns at a time as fit, and at least one.
+/// Divides columns into pieces that fit the width, of at least one column each.
 fn pieces(start: usize, columns: &[Column]) -> Vec<&[Column]> {
     let mut pieces = Vec::new();
     let (mut first, mut used) = (0, start);

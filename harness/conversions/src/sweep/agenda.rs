@@ -12,9 +12,9 @@ use stickler_types::{ConversionChoices, DialectName, ElementaryType};
 pub struct Sweep {
     /// The function with its types.
     pub signature: Signature,
-    /// What decides the exact result besides the types.
+    /// The choices that decide the exact result besides the types.
     pub choices: ConversionChoices,
-    /// The dialects in which this is the rule; never empty.
+    /// The dialects that make these choices; never empty.
     pub dialects: Vec<DialectName>,
     /// The inputs.
     pub domain: Domain,
@@ -38,28 +38,28 @@ pub enum AgendaError {
     },
 }
 
-/// By which way the inputs go in.
+/// How a sweep converts its inputs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Through {
-    /// The reference's own conversion. Dialects that have the same rule share a sweep, for nothing else differs.
+pub enum SweepMethod {
+    /// Calls the reference's own conversion. Dialects that have the same rule share a sweep, for nothing else differs.
     Conversion,
-    /// Programs that an engine executes. Each dialect has its own sweep, for a foreign engine may do in each what it likes;
+    /// Gives programs to an engine. Each dialect has its own sweep, for a foreign engine may do in each what it likes;
     /// a source of 32 bits is swept only where a program can fold the results into one number, and sampled elsewhere.
     Programs,
 }
 
-impl Through {
-    /// The size of a sample where nobody says another: programs take their time.
+impl SweepMethod {
+    /// The default size of a sample: programs take their time.
     const SAMPLED_BY_PROGRAMS: u64 = 10_000;
 
     fn domain(self, signature: &Signature, sampling: Sampling) -> Domain {
         let domain = Domain::of(&signature.operands, sampling);
         let folded = |from| domain.len() <= 1 << 16 || has_digest(from, signature.result);
         match signature.operands[..] {
-            _ if self == Through::Conversion => domain,
+            _ if self == SweepMethod::Conversion => domain,
             [from] if domain.is_exhaustive() && folded(from) => domain,
             _ => {
-                let inputs = sampling.inputs.unwrap_or(Through::SAMPLED_BY_PROGRAMS);
+                let inputs = sampling.inputs.unwrap_or(SweepMethod::SAMPLED_BY_PROGRAMS);
                 let sampled = Sampling {
                     inputs: Some(inputs),
                     ..sampling
@@ -70,7 +70,7 @@ impl Through {
     }
 }
 
-/// The sweeps of a function, in the order of its signatures and, for each, of the dialects. The name may be in any ASCII
+/// Returns the sweeps of a function, in the order of its signatures and, for each, of the dialects. The name may be in any ASCII
 /// case; dialects that lack the function are left out.
 ///
 /// # Errors
@@ -79,7 +79,7 @@ pub fn agenda(
     function: &str,
     dialects: &[DialectName],
     sampling: Sampling,
-    through: Through,
+    method: SweepMethod,
 ) -> Result<Vec<Sweep>, AgendaError> {
     let mut sweeps: Vec<Sweep> = Vec::new();
     for dialect in find_function(function, dialects)?.having {
@@ -92,7 +92,7 @@ pub fn agenda(
                 });
             };
             let same = sweeps.iter_mut().find(|sweep| {
-                through == Through::Conversion
+                method == SweepMethod::Conversion
                     && sweep.signature == signature
                     && sweep.reference == reference
                     && relevant(&signature, sweep.choices) == relevant(&signature, choices)
@@ -100,7 +100,7 @@ pub fn agenda(
             match same {
                 Some(sweep) => sweep.dialects.push(dialect),
                 None => sweeps.push(Sweep {
-                    domain: through.domain(&signature, sampling),
+                    domain: method.domain(&signature, sampling),
                     dialects: vec![dialect],
                     signature,
                     choices,
@@ -114,7 +114,7 @@ pub fn agenda(
     Ok(sweeps)
 }
 
-/// The signatures of all the dialects, those of one type beside each other.
+/// Returns the signatures of all the dialects, those of one type beside each other.
 fn in_order(function: &str, dialects: &[DialectName]) -> Vec<Signature> {
     let mut all: Vec<Signature> = dialects
         .iter()
@@ -124,7 +124,7 @@ fn in_order(function: &str, dialects: &[DialectName]) -> Vec<Signature> {
     all
 }
 
-/// The choices with those that cannot matter between these types made equal.
+/// Returns the choices, with those that cannot matter between these types made equal.
 fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoices {
     let has = |is: fn(ElementaryType) -> bool| signature.operands.iter().any(|ty| is(*ty));
     let (real, text) = (has(|ty| ty.is_real()), has(|ty| ty.is_text()));

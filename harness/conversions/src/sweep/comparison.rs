@@ -1,8 +1,8 @@
-//! One stretch of inputs through the subject and through exact arithmetic, and the two results side by side.
+//! Compares the results of a converter with those of exact arithmetic, for a range of inputs.
 
 use crate::sweep::agenda::Sweep;
-use crate::sweep::findings::{Difference, Findings, KEPT};
-use crate::sweep::subject::Subject;
+use crate::sweep::converter::Converter;
+use crate::sweep::findings::{Difference, Findings, MAX_DIFFERENCES};
 use std::ops::Range;
 use stickler_exact::{Bulk, expected, value};
 use stickler_types::{ElementaryType, Value};
@@ -13,39 +13,39 @@ const BLOCK: usize = 1024;
 /// How many inputs a worker takes at a time: about a millisecond's work.
 const STEP: u64 = 1 << 18;
 
-/// The same where each input is a value of its own, with no quick form.
+/// How many inputs a worker takes at a time where exact arithmetic has no quick form.
 const SLOW_STEP: u64 = 1 << 9;
 
-/// A sweep with the subject that it holds against exact arithmetic.
+/// A sweep, and the converter that it compares with exact arithmetic.
 #[derive(Clone, Copy)]
 pub struct Comparison<'s> {
     sweep: &'s Sweep,
-    subject: &'s dyn Subject,
+    converter: &'s dyn Converter,
     /// The quick form of exact arithmetic, where there is one.
     bulk: Option<Bulk>,
 }
 
 impl<'s> Comparison<'s> {
-    /// Of this sweep.
+    /// Makes the comparison of a sweep.
     #[must_use]
-    pub fn new(sweep: &'s Sweep, subject: &'s dyn Subject) -> Comparison<'s> {
+    pub fn new(sweep: &'s Sweep, converter: &'s dyn Converter) -> Comparison<'s> {
         Comparison {
             sweep,
-            subject,
+            converter,
             bulk: Bulk::new(&sweep.signature, &sweep.choices),
         }
     }
 
-    /// How many inputs a worker should take at a time.
+    /// Returns how many inputs a worker should take at a time.
     #[must_use]
     pub const fn step(&self) -> u64 {
         if self.bulk.is_some() { STEP } else { SLOW_STEP }
     }
 
-    /// Where one worker does its comparing.
+    /// Allocates the buffers of one worker.
     #[must_use]
-    pub fn desk(&self) -> Desk<'s> {
-        Desk {
+    pub fn buffers(&self) -> ComparisonBuffers<'s> {
+        ComparisonBuffers {
             comparison: *self,
             operands: vec![0; BLOCK],
             expected: vec![0; BLOCK],
@@ -53,7 +53,7 @@ impl<'s> Comparison<'s> {
         }
     }
 
-    /// The difference at a place whose operands gave another result.
+    /// Describes the difference at a place whose operands gave another result.
     fn difference(&self, place: u64, operands: Vec<Value>, expected: Value, got: Value) -> Difference {
         let dialects = self.sweep.dialects.iter();
         let basis = dialects
@@ -69,16 +69,16 @@ impl<'s> Comparison<'s> {
     }
 }
 
-/// The buffers of one worker.
-pub struct Desk<'s> {
+/// A comparison with the buffers that one worker needs.
+pub struct ComparisonBuffers<'s> {
     comparison: Comparison<'s>,
     operands: Vec<u64>,
     expected: Vec<u64>,
     results: Vec<u64>,
 }
 
-impl Desk<'_> {
-    /// Holds the inputs at these places against exact arithmetic.
+impl ComparisonBuffers<'_> {
+    /// Compares the results for the inputs at these places with exact arithmetic.
     pub fn compare(&mut self, places: Range<u64>) -> Findings {
         let mut found = Findings::new(0);
         match self.comparison.bulk {
@@ -97,19 +97,19 @@ impl Desk<'_> {
             let operands = &mut self.operands[..length];
             let (expected, results) = (&mut self.expected[..length], &mut self.results[..length]);
             self.comparison.sweep.domain.fill(start..end, operands);
-            self.comparison.subject.convert_all(operands, results);
+            self.comparison.converter.convert_all(operands, results);
             bulk.fill(operands, expected);
             if results != expected {
-                self.look_closely(start, length, found);
+                self.collect_differences(start, length, found);
             }
             found.done += end - start;
             start = end;
         }
     }
 
-    /// Goes through a block that differs. Two NaNs are the same whatever their bits.
+    /// Collects the differences of a block. Two NaNs are equal whatever their bits.
     #[cold]
-    fn look_closely(&self, start: u64, length: usize, found: &mut Findings) {
+    fn collect_differences(&self, start: u64, length: usize, found: &mut Findings) {
         let signature = &self.comparison.sweep.signature;
         let result = signature.result;
         for (offset, place) in (0..length).zip(start..) {
@@ -118,7 +118,7 @@ impl Desk<'_> {
                 continue;
             }
             found.mismatches += 1;
-            if found.first.len() < KEPT {
+            if found.first.len() < MAX_DIFFERENCES {
                 let operands = self.comparison.sweep.domain.operands(place);
                 let (expected, got) = (Value::plain(result, expected), Value::plain(result, got));
                 found
@@ -132,10 +132,10 @@ impl Desk<'_> {
         let sweep = self.comparison.sweep;
         let operands = sweep.domain.operands(place);
         let exact = value(&sweep.signature, &operands, &sweep.choices);
-        let got = self.comparison.subject.convert(&operands);
+        let got = self.comparison.converter.convert(&operands);
         if exact != got {
             found.mismatches += 1;
-            if found.first.len() < KEPT {
+            if found.first.len() < MAX_DIFFERENCES {
                 found
                     .first
                     .push(self.comparison.difference(place, operands, exact, got));
@@ -145,7 +145,7 @@ impl Desk<'_> {
     }
 }
 
-/// Whether a raw form stands for no number: all bits of the exponent, and some of the fraction.
+/// Returns whether a raw form stands for no number: all bits of the exponent, and some of the fraction.
 const fn is_nan(ty: ElementaryType, raw: u64) -> bool {
     match ty {
         ElementaryType::Real => raw & 0x7FFF_FFFF > 0x7F80_0000,

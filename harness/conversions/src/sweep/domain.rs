@@ -1,4 +1,4 @@
-//! Which inputs a sweep goes through.
+//! The inputs of a sweep.
 
 mod choose;
 mod operands;

@@ -1,29 +1,29 @@
-//! What a sweep found.
+//! The differences that a sweep found.
 
 use crate::sweep::run::Progress;
 use std::fmt;
 use stickler_types::Value;
 
-/// How many differences are kept to be shown; all are counted.
-pub const KEPT: usize = 10;
+/// How many differences are kept; all are counted.
+pub const MAX_DIFFERENCES: usize = 10;
 
 /// One input that does not give the exact result.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Difference {
-    /// Its place in the domain.
+    /// The place of the input in the domain.
     pub place: u64,
     /// The operands.
     pub operands: Vec<Value>,
-    /// What exact arithmetic gives.
+    /// The result of exact arithmetic.
     pub expected: Value,
-    /// What came instead.
+    /// The result of the engine.
     pub got: Value,
-    /// The document that says so; `None` where no document speaks of this input.
+    /// The document that demands the expected result; `None` where no document speaks of this input.
     pub basis: Option<&'static str>,
 }
 
 impl fmt::Display for Difference {
-    /// `SINT#-1 gives WORD#16#00FF, not WORD#16#FFFF`.
+    /// Writes `SINT#-1 gives WORD#16#00FF, not WORD#16#FFFF`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, operand) in self.operands.iter().enumerate() {
             write!(f, "{}{operand}", if index == 0 { "" } else { ", " })?;
@@ -32,21 +32,21 @@ impl fmt::Display for Difference {
     }
 }
 
-/// What a sweep found, and how far it came.
+/// The differences that a sweep found, and how far it came.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Findings {
     /// All inputs of the domain.
     pub inputs: u64,
-    /// Those that were looked at: all up to a place.
+    /// How many inputs were compared: all up to a place.
     pub done: u64,
-    /// How many of them came out wrong.
+    /// How many inputs gave a wrong result.
     pub mismatches: u64,
-    /// The first of these, at most [`KEPT`], in the order of the domain.
+    /// The first wrong results, at most [`MAX_DIFFERENCES`], in the order of the domain.
     pub first: Vec<Difference>,
 }
 
 impl Findings {
-    /// Nothing found yet.
+    /// Returns findings of which nothing was compared yet.
     #[must_use]
     pub fn new(inputs: u64) -> Findings {
         Findings {
@@ -55,13 +55,13 @@ impl Findings {
         }
     }
 
-    /// Whether every input was looked at.
+    /// Returns whether every input was compared.
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.done == self.inputs
     }
 
-    /// How far the sweep is.
+    /// Returns how far the sweep is.
     #[must_use]
     pub const fn progress(&self) -> Progress {
         Progress {
@@ -70,14 +70,14 @@ impl Findings {
         }
     }
 
-    /// Adds what was found in another part of the domain.
+    /// Adds the findings of another part of the domain.
     pub fn add(&mut self, part: Findings) {
         self.done += part.done;
         self.mismatches += part.mismatches;
         if !part.first.is_empty() {
             self.first.extend(part.first);
             self.first.sort_by_key(|difference| difference.place);
-            self.first.truncate(KEPT);
+            self.first.truncate(MAX_DIFFERENCES);
         }
     }
 }

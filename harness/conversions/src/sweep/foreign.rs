@@ -1,7 +1,7 @@
 //! The sweep of an engine that only executes programs: another compiler, asked by ST programs.
 //!
 //! A source of at most 32 bits is counted through by a loop in the program itself, which adds the results up to a
-//! [checksum](Checksum); one program looks at thousands or millions of inputs. Where the sum is not that of the exact
+//! [checksum](Checksum); one program compares thousands or millions of inputs. Where the sum is not that of the exact
 //! results, programs over half of the inputs follow, and so on until few are left, whose results are then observed one
 //! by one. Other sources, samples, and results that cannot be added up go through in lists of literals, every result
 //! observed.
@@ -23,7 +23,7 @@
 //! | bit-string results | `<type>_TO_LINT`, of LWORD `LWORD_TO_ULINT` |
 //! | real results | comparing LREALs, products with powers of two, `LREAL_TO_LINT` of whole numbers below 2^53, of REAL also `REAL_TO_LREAL` |
 //!
-//! Where one of these fails, sums differ though each result is right; that is told apart too.
+//! Where the engine gets one of these wrong, sums differ though each result is right; such inputs are counted apart.
 
 mod checksum;
 mod counter;

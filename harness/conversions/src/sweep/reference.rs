@@ -1,6 +1,6 @@
-//! The reference's own conversion, through the door that its machine uses too: not a copy of it.
+//! The reference's own conversion, by the functions that its machine calls too: not a copy of them.
 
-use crate::sweep::subject::Subject;
+use crate::sweep::converter::Converter;
 use stickler_exact::Signature;
 use stickler_reference::Dialect;
 use stickler_reference::conversion::{Concatenation, Conversion, concatenation, function};
@@ -20,7 +20,7 @@ enum Kind {
 }
 
 impl Reference {
-    /// What the reference does for a function between these types; `None` where it has no such function.
+    /// Finds the conversion of a function between these types; `None` where the reference has no such function.
     #[must_use]
     pub fn find(signature: &Signature, dialect: DialectName) -> Option<Reference> {
         let dialect = Dialect::of(dialect);
@@ -41,7 +41,7 @@ impl Reference {
     }
 }
 
-impl Subject for Reference {
+impl Converter for Reference {
     fn convert_all(&self, operands: &[u64], results: &mut [u64]) {
         let Kind::One(conversion) = self.kind else {
             return results.fill(0);

@@ -1,43 +1,43 @@
-//! All inputs of a sweep through a subject, on all cores, until done or cancelled.
+//! Compares all inputs of a sweep on all cores, until done or cancelled.
 
 use crate::sweep::agenda::Sweep;
 use crate::sweep::comparison::Comparison;
+use crate::sweep::converter::Converter;
 use crate::sweep::findings::Findings;
-use crate::sweep::subject::Subject;
 use std::ops::Range;
 use stickler_workers::{Cancellation, SpawnError, WorkerPool};
 
 /// How far a sweep is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Progress {
-    /// Inputs that were looked at.
+    /// How many inputs were compared.
     pub done: u64,
-    /// Those that came out wrong.
+    /// How many of them gave a wrong result.
     pub mismatches: u64,
 }
 
 /// Compares the result of every input of the sweep with exact arithmetic, on so many threads, 0 being one a processor.
 ///
 /// `progress` is called whenever some more inputs are done. When `cancel` is requested, what has been begun is finished and
-/// the rest left: what was looked at is always everything up to a place.
+/// the rest left: what was compared is always everything up to a place.
 ///
 /// # Errors
 /// [`SpawnError`] where the system gives no threads.
 pub fn run(
     sweep: &Sweep,
-    subject: &dyn Subject,
+    converter: &dyn Converter,
     jobs: usize,
     progress: &dyn Fn(Progress),
     cancel: &Cancellation,
 ) -> Result<Findings, SpawnError> {
     let inputs = sweep.domain.len();
-    let comparison = Comparison::new(sweep, subject);
+    let comparison = Comparison::new(sweep, converter);
     let mut findings = Findings::new(inputs);
     let tasks = tasks(comparison.step(), inputs).take_while(|_| !cancel.is_requested());
     WorkerPool::new(jobs).for_each(
         tasks,
-        || Ok::<_, SpawnError>(comparison.desk()),
-        |desk, places| desk.compare(places),
+        || Ok::<_, SpawnError>(comparison.buffers()),
+        |buffers, places| buffers.compare(places),
         |found| {
             findings.add(found);
             progress(findings.progress());

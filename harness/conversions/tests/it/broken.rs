@@ -1,15 +1,15 @@
 //! A sweep that cannot fail proves nothing: conversions that are wrong in one small thing, and are found.
 
 use crate::support::{Spoilt, findings, sweep};
-use stickler_conversions::sweep::{Difference, Findings, Subject};
+use stickler_conversions::sweep::{Converter, Difference, Findings};
 use stickler_types::{DialectName, Value};
 
 /// What a sweep of a function finds in its spoilt reference.
 fn spoilt(function: &str, spoil: impl Fn(u64, u64) -> u64 + Sync) -> Findings {
     let sweep = sweep(function, DialectName::Matiec);
     assert_eq!(findings(&sweep, &sweep.reference).mismatches, 0, "{function}");
-    let subject = Spoilt { sweep: &sweep, spoil };
-    findings(&sweep, &subject)
+    let converter = Spoilt { sweep: &sweep, spoil };
+    findings(&sweep, &converter)
 }
 
 fn first(found: &Findings) -> [String; 3] {
@@ -93,9 +93,9 @@ fn the_first_differences_come_in_order_and_all_are_counted() {
 }
 
 /// Texts that are all wrong in the same way.
-struct Shouting<'s>(&'s dyn Subject);
+struct Shouting<'s>(&'s dyn Converter);
 
-impl Subject for Shouting<'_> {
+impl Converter for Shouting<'_> {
     fn convert_all(&self, operands: &[u64], results: &mut [u64]) {
         self.0.convert_all(operands, results);
     }

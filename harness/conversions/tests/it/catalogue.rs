@@ -3,7 +3,7 @@
 use crate::support::{findings, sampled};
 use std::collections::HashSet;
 use stickler_conversions::NoSuchFunction;
-use stickler_conversions::sweep::{AgendaError, Sampling, Sweep, Through, agenda};
+use stickler_conversions::sweep::{AgendaError, Sampling, Sweep, SweepMethod, agenda};
 use stickler_exact::{Signature, functions};
 use stickler_types::DialectName;
 use stickler_types::boundaries::Detail;
@@ -63,7 +63,7 @@ fn coarse(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Swee
         detail: Detail::Coarse,
         ..Sampling::default()
     };
-    agenda(function, &[dialect], sampling, Through::Conversion).expect("the reference has every function")
+    agenda(function, &[dialect], sampling, SweepMethod::Conversion).expect("the reference has every function")
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn dialects_with_the_same_rule_share_a_sweep() {
         "DINT_TO_INT",
         &DialectName::ALL,
         Sampling::default(),
-        Through::Programs,
+        SweepMethod::Programs,
     );
     assert_eq!(separate.map(|sweeps| sweeps.len()), Ok(5));
 }
@@ -98,13 +98,18 @@ fn a_function_that_a_dialect_lacks_is_named_with_those_that_have_it() {
         "ROUND",
         &[DialectName::Matiec],
         Sampling::default(),
-        Through::Conversion,
+        SweepMethod::Conversion,
     );
     let Err(AgendaError::NoSuchFunction(NoSuchFunction::InDialects { elsewhere, .. })) = &error else {
         panic!("{error:?}")
     };
     assert_eq!(elsewhere.len(), 4);
-    let unknown = agenda("FOO", &DialectName::ALL, Sampling::default(), Through::Conversion);
+    let unknown = agenda(
+        "FOO",
+        &DialectName::ALL,
+        Sampling::default(),
+        SweepMethod::Conversion,
+    );
     assert_eq!(
         unknown.map_err(|error| error.to_string()),
         Err("there is no conversion function `FOO`; `stickler conversions` lists all".to_owned())

@@ -3,7 +3,7 @@
 use crate::between::{Between, wrong};
 use stickler_conversions::RefusalKind;
 use stickler_conversions::sweep::foreign::{ForeignFindings, run};
-use stickler_conversions::sweep::{Sampling, Sweep, Through, agenda};
+use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, agenda};
 use stickler_engines::{Engine, Outcome, Reference, RunRequest, Session};
 use stickler_types::DialectName;
 use stickler_types::boundaries::Detail;
@@ -15,7 +15,7 @@ fn sweeps(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Swee
         seed: 1,
         detail: Detail::Coarse,
     };
-    agenda(function, &[dialect], sampling, Through::Programs).unwrap_or_default()
+    agenda(function, &[dialect], sampling, SweepMethod::Programs).unwrap_or_default()
 }
 
 /// By one worker, so that it is always the same programs.
@@ -155,7 +155,7 @@ fn one_wrong_input_among_all_of_sixteen_bits_is_named() {
             &wrong(function, from, to, body),
         );
         assert_eq!(
-            (found.mismatches, found.unopened, found.unexplained),
+            (found.mismatches, found.unexamined, found.unexplained),
             (1, 0, 0),
             "{found:?}"
         );
@@ -186,7 +186,7 @@ fn where_everything_is_wrong_the_first_are_named_and_the_rest_not_looked_into() 
     let found = found(&sweeps("INT_TO_UINT", DialectName::Matiec, None)[0], &engine);
     assert_eq!(found.first.len(), 10);
     assert_eq!(found.first[0].to_string(), "INT#0 gives UINT#1, not UINT#0");
-    assert_eq!(found.mismatches + found.unopened, 65_536);
+    assert_eq!(found.mismatches + found.unexamined, 65_536);
     assert!(found.programs < 100, "{found:?}");
 }
 
@@ -196,9 +196,9 @@ fn what_no_document_speaks_of_is_an_observation() {
     let limit = "IF x > 127 THEN Wrong := SINT#127; ELSIF x < -128 THEN Wrong := SINT#-128; ELSE Wrong := RIGHT; END_IF;";
     let engine = wrong("INT_TO_SINT", "INT", "SINT", limit);
     let found = found(&sweeps("INT_TO_SINT", DialectName::Plcnext, None)[0], &engine);
-    assert_eq!((found.mismatches, found.unopened), (0, 0));
+    assert_eq!((found.mismatches, found.unexamined), (0, 0));
     assert!(
-        found.observed >= 10 && found.unopened_observed > 0 && !found.has_failures(),
+        found.observed >= 10 && found.unexamined_observed > 0 && !found.has_failures(),
         "{found:?}"
     );
     assert_eq!(

@@ -9,13 +9,13 @@ use stickler_workers::Cancellation;
 #[test]
 fn progress_counts_every_input_and_every_mismatch() {
     let sweep = sweep("UINT_TO_INT", DialectName::Matiec);
-    let subject = Spoilt {
+    let converter = Spoilt {
         sweep: &sweep,
         spoil: |operand, right| right ^ (operand & 1),
     };
     let seen = Mutex::new(Vec::new());
     let progress = |reached: Progress| seen.lock().expect("no panic").push(reached);
-    run(&sweep, &subject, 0, &progress, &Cancellation::new()).expect("threads");
+    run(&sweep, &converter, 0, &progress, &Cancellation::new()).expect("threads");
     let mut seen = seen.into_inner().expect("no panic");
     seen.sort_by_key(|reached| reached.done);
     let last = Progress {
@@ -29,7 +29,7 @@ fn progress_counts_every_input_and_every_mismatch() {
 fn a_cancelled_sweep_has_looked_at_everything_up_to_a_place() {
     let sweep = sweep("DINT_TO_INT", DialectName::Matiec);
     // Everything is wrong, so that the count of mismatches tells what was looked at.
-    let subject = Spoilt {
+    let converter = Spoilt {
         sweep: &sweep,
         spoil: |_, right| right ^ 1,
     };
@@ -39,7 +39,7 @@ fn a_cancelled_sweep_has_looked_at_everything_up_to_a_place() {
             cancel.request();
         }
     };
-    let found = run(&sweep, &subject, 0, &progress, &cancel).expect("threads");
+    let found = run(&sweep, &converter, 0, &progress, &cancel).expect("threads");
     assert!(!found.is_complete());
     assert!((1 << 20..1 << 28).contains(&found.done), "{}", found.done);
     assert_eq!(found.mismatches, found.done);

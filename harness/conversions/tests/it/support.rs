@@ -1,6 +1,6 @@
 //! What the tests share.
 
-use stickler_conversions::sweep::{Findings, Sampling, Subject, Sweep, Through, agenda, run};
+use stickler_conversions::sweep::{Converter, Findings, Sampling, Sweep, SweepMethod, agenda, run};
 use stickler_types::{DialectName, Value};
 use stickler_workers::Cancellation;
 
@@ -15,7 +15,7 @@ pub fn sampled(function: &str, dialects: &[DialectName], inputs: Option<u64>) ->
         inputs,
         ..Sampling::default()
     };
-    agenda(function, dialects, sampling, Through::Conversion).expect("a conversion function")
+    agenda(function, dialects, sampling, SweepMethod::Conversion).expect("a conversion function")
 }
 
 /// The only sweep of a function in a dialect.
@@ -26,13 +26,13 @@ pub fn sweep(function: &str, dialect: DialectName) -> Sweep {
 }
 
 /// Runs to the end without a word.
-pub fn findings(sweep: &Sweep, subject: &dyn Subject) -> Findings {
-    let found = run(sweep, subject, 0, &|_| {}, &Cancellation::new()).expect("threads");
+pub fn findings(sweep: &Sweep, converter: &dyn Converter) -> Findings {
+    let found = run(sweep, converter, 0, &|_| {}, &Cancellation::new()).expect("threads");
     assert!(found.is_complete());
     found
 }
 
-/// A subject made of the reference and of something that spoils its results.
+/// A converter made of the reference and of something that spoils its results.
 pub struct Spoilt<'s, F> {
     /// What is swept.
     pub sweep: &'s Sweep,
@@ -40,7 +40,7 @@ pub struct Spoilt<'s, F> {
     pub spoil: F,
 }
 
-impl<F: Fn(u64, u64) -> u64 + Sync> Subject for Spoilt<'_, F> {
+impl<F: Fn(u64, u64) -> u64 + Sync> Converter for Spoilt<'_, F> {
     fn convert_all(&self, operands: &[u64], results: &mut [u64]) {
         self.sweep.reference.convert_all(operands, results);
         for (operand, result) in operands.iter().zip(results) {

@@ -7,7 +7,7 @@ use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use std::time::Duration;
 use stickler_conversions::dialect_list;
-use stickler_conversions::sweep::{Difference, Findings, KEPT, Sampling, Sweep};
+use stickler_conversions::sweep::{Difference, Findings, MAX_DIFFERENCES, Sampling, Sweep};
 use stickler_engines::Identity;
 use stickler_types::{DialectName, Value};
 
@@ -16,7 +16,7 @@ const BAD: Style = AnsiColor::Red.on_default().bold();
 const DIM: Style = Style::new().dimmed();
 
 /// How much of a value is shown; texts can be long.
-const WIDEST: usize = 60;
+const MAX_VALUE_LEN: usize = 60;
 
 /// The page that is being written, and what it has to add up.
 pub struct Page<'p> {
@@ -104,7 +104,7 @@ impl<'p> Page<'p> {
         first
             .iter()
             .try_for_each(|difference| self.difference(difference))?;
-        let more = all.saturating_sub(KEPT as u64);
+        let more = all.saturating_sub(MAX_DIFFERENCES as u64);
         if more > 0 {
             writeln!(self.out, "    and {} more", grouped(more))?;
         }
@@ -181,7 +181,7 @@ impl<'p> Page<'p> {
 /// A value in few words.
 fn shown(value: &Value) -> String {
     let written = value.to_string();
-    match written.char_indices().nth(WIDEST) {
+    match written.char_indices().nth(MAX_VALUE_LEN) {
         None => written,
         Some((at, _)) => format!("{}… ({} characters)", &written[..at], written.chars().count()),
     }

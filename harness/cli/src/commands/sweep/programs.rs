@@ -9,7 +9,7 @@ use std::io::Write;
 use std::time::Instant;
 use stickler_conversions::FunctionDialects;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, run};
-use stickler_conversions::sweep::{Progress as Reached, Sampling, Sweep, Through, agenda};
+use stickler_conversions::sweep::{Progress as Reached, Sampling, Sweep, SweepMethod, agenda};
 use stickler_engines::Engine;
 use stickler_types::boundaries::Detail;
 use stickler_workers::Cancellation;
@@ -32,7 +32,7 @@ pub fn execute(
         seed: arguments.seed,
         detail: Detail::Coarse,
     };
-    let sweeps = agenda(function, &dialects, sampling, Through::Programs)?;
+    let sweeps = agenda(function, &dialects, sampling, SweepMethod::Programs)?;
     let cancel = interrupt::flag()?;
     let mut page = Page::new(out, engine.identity());
     page.lacking(function, &present.lacking)?;

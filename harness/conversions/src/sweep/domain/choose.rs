@@ -1,4 +1,4 @@
-//! A domain: inputs that can be had by their place, so that workers need not wait for each other.
+//! The domain of a sweep: inputs by their place, so that workers need not wait for each other.
 
 use super::operands::{Operands, Texts};
 use super::{sample, texts};
@@ -6,25 +6,25 @@ use std::ops::Range;
 use stickler_types::boundaries::{Detail, neighbourhoods};
 use stickler_types::{ElementaryType, SplitMix64, Value};
 
-/// How large a sample is and where it comes from.
+/// The size and the seed of a sample.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Sampling {
-    /// So many inputs beside the chosen ones. `None` is every input of a source of at most 32 bits, and
+    /// How many inputs are sampled beside the chosen ones. `None` is every input of a source of at most 32 bits, and
     /// [`Sampling::DEFAULT`] of all others. A source of at most 16 bits is never sampled.
     pub inputs: Option<u64>,
-    /// The same seed gives the same inputs.
+    /// The seed; the same seed gives the same inputs.
     pub seed: u64,
     /// How many neighbours each boundary has.
     pub detail: Detail,
 }
 
 impl Sampling {
-    /// The size of a sample where nobody says another.
+    /// The default size of a sample.
     pub const DEFAULT: u64 = 1_000_000;
 }
 
 impl Default for Sampling {
-    /// Every input where that can be, otherwise fine neighbourhoods and the sample of seed 1.
+    /// Returns every input where that is possible, otherwise fine neighbourhoods and the sample of seed 1.
     fn default() -> Sampling {
         Sampling {
             inputs: None,
@@ -46,15 +46,15 @@ pub enum Domain {
     Texts(Texts),
     /// Two operands: the boundaries of one type with those of the other, then a sample.
     Pairs {
-        /// Of the first operand.
+        /// The inputs of the first operand.
         first: Operands,
-        /// Of the second.
+        /// The inputs of the second operand.
         second: Operands,
     },
 }
 
 impl Domain {
-    /// The domain of a function with these operands; the empty one where there are neither one nor two.
+    /// Returns the domain of a function with these operands; the empty one where there are neither one nor two.
     #[must_use]
     pub fn of(operands: &[ElementaryType], sampling: Sampling) -> Domain {
         let sampled = sampling.inputs.unwrap_or(Sampling::DEFAULT);
@@ -71,7 +71,7 @@ impl Domain {
         }
     }
 
-    /// How many inputs there are.
+    /// Returns how many inputs there are.
     #[must_use]
     pub fn len(&self) -> u64 {
         match self {
@@ -82,20 +82,20 @@ impl Domain {
         }
     }
 
-    /// Whether there is none.
+    /// Returns whether there is no input.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Whether there is no other input than these.
+    /// Returns whether the domain has every value of its type.
     #[must_use]
     pub const fn is_exhaustive(&self) -> bool {
         matches!(self, Domain::Every(_))
     }
 
-    /// The inputs chosen by hand or as neighbours of a boundary, and the sampled ones; `None` where every input
-    /// is there.
+    /// Returns how many inputs were chosen, by hand or as neighbours of a boundary, and how many are sampled; `None` where
+    /// the domain has every value of its type.
     #[must_use]
     pub fn parts(&self) -> Option<(u64, u64)> {
         match self {
@@ -106,7 +106,7 @@ impl Domain {
         }
     }
 
-    /// The operands at a place. Beyond the last place they are others of the same kind.
+    /// Returns the operands at a place. Beyond the last place they are others of the same kind.
     #[must_use]
     pub fn operands(&self, place: u64) -> Vec<Value> {
         match self {
@@ -135,7 +135,7 @@ impl Domain {
     }
 }
 
-/// Bits at these places as raw forms: the low ones, sign-extended for a signed type.
+/// Writes the bits at these places as raw forms: the low ones, sign-extended for a signed type.
 fn every(ty: ElementaryType, places: Range<u64>, raws: &mut [u64]) {
     let sign = if ty.is_signed() {
         1 << (ty.bits() - 1)

@@ -14,7 +14,7 @@ pub struct Operands {
 }
 
 impl Operands {
-    /// The chosen raw forms, then so many of the sample.
+    /// Makes a list of the chosen raw forms, followed by so many of the sample.
     #[must_use]
     pub const fn new(ty: ElementaryType, chosen: Vec<u64>, sampled: u64, random: SplitMix64) -> Operands {
         Operands {
@@ -25,25 +25,25 @@ impl Operands {
         }
     }
 
-    /// How many were chosen.
+    /// Returns how many were chosen.
     #[must_use]
     pub fn chosen(&self) -> u64 {
         self.chosen.len() as u64
     }
 
-    /// How many are sampled.
+    /// Returns how many are sampled.
     #[must_use]
     pub const fn sampled(&self) -> u64 {
         self.sampled
     }
 
-    /// All of them.
+    /// Returns how many there are, chosen and sampled.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.chosen().saturating_add(self.sampled)
     }
 
-    /// The raw form at a place.
+    /// Returns the raw form at a place.
     #[must_use]
     pub fn raw(&self, place: u64) -> u64 {
         match usize::try_from(place)
@@ -55,7 +55,7 @@ impl Operands {
         }
     }
 
-    /// The value at a place.
+    /// Returns the value at a place.
     #[must_use]
     pub fn value(&self, place: u64) -> Value {
         Value::plain(self.ty, self.raw(place))
@@ -72,7 +72,7 @@ pub struct Texts {
 }
 
 impl Texts {
-    /// The chosen texts, then so many made up.
+    /// Makes a list of the chosen texts, followed by so many made-up ones.
     #[must_use]
     pub const fn new(ty: ElementaryType, chosen: Vec<Vec<u16>>, sampled: u64, random: SplitMix64) -> Texts {
         Texts {
@@ -83,25 +83,25 @@ impl Texts {
         }
     }
 
-    /// How many were chosen.
+    /// Returns how many were chosen.
     #[must_use]
     pub fn chosen(&self) -> u64 {
         self.chosen.len() as u64
     }
 
-    /// How many are made up.
+    /// Returns how many are made up.
     #[must_use]
     pub const fn sampled(&self) -> u64 {
         self.sampled
     }
 
-    /// All of them.
+    /// Returns how many there are, chosen and sampled.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.chosen().saturating_add(self.sampled)
     }
 
-    /// The text at a place.
+    /// Returns the text at a place.
     #[must_use]
     pub fn value(&self, place: u64) -> Value {
         let units = match usize::try_from(place)

@@ -2,7 +2,7 @@
 
 use stickler_types::{ElementaryType, SplitMix64};
 
-/// Texts written by hand, of every kind that the readers of numbers, BOOL, durations and dates tell apart.
+/// Returns texts written by hand, of every kind that the readers of numbers, BOOL, durations and dates tell apart.
 #[must_use]
 pub fn by_hand(ty: ElementaryType) -> Vec<Vec<u16>> {
     let long = [
@@ -25,7 +25,7 @@ pub fn by_hand(ty: ElementaryType) -> Vec<Vec<u16>> {
         .collect()
 }
 
-/// What only a WSTRING holds: digits of full width, and half of a character.
+/// Returns texts that only a WSTRING holds (digits of full width, half of a character), or those of a STRING instead.
 fn wide(ty: ElementaryType) -> Vec<Vec<u16>> {
     match ty {
         ElementaryType::Wstring => vec![
@@ -202,7 +202,7 @@ const SHORT: &[&str] = &[
     "5%",
 ];
 
-/// What made-up texts consist of; digits are more frequent than the rest.
+/// The pieces of made-up texts; digits are more frequent than the rest.
 const PIECES: &[&str] = &[
     "0",
     "1",
@@ -245,7 +245,7 @@ const PIECES: &[&str] = &[
     "ÿ",
 ];
 
-/// A number-like text: an integer, a real number with or without an exponent, or pieces as they come.
+/// Makes up a number-like text: an integer, a real number with or without an exponent, or pieces as they come.
 #[must_use]
 pub fn made_up(random: SplitMix64) -> Vec<u16> {
     let sign = ["", "", "-", "+"][(random.at(0) % 4) as usize];

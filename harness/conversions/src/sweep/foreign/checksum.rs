@@ -1,4 +1,4 @@
-//! The checksum of results, said twice: once in ST and once in Rust.
+//! The checksum of results, written twice: in ST and in Rust.
 //!
 //! Each result becomes one or two whole numbers from 0 below 2^53, its parts, and each of these goes into the sum by
 //! `total := (total * FACTOR + part) MOD MODULUS`. No step exceeds 2^62, so a LINT never overflows.
@@ -17,7 +17,7 @@ use stickler_types::{ElementaryType, Family};
 
 const FACTOR: u64 = 1_234_567_891;
 const MODULUS: u64 = 1_999_999_973;
-/// What a half of 64 bits counts up to.
+/// The number of values of half of 64 bits.
 const HALF: u64 = 1 << 32;
 
 /// How results of a type are added up.
@@ -27,7 +27,7 @@ pub struct Checksum {
 }
 
 impl Checksum {
-    /// Of results that are integers, bit strings, BOOL or real numbers; `None` of others.
+    /// Returns the checksum of results that are integers, bit strings, BOOL or real numbers; `None` for other types.
     #[must_use]
     pub const fn new(result: ElementaryType) -> Option<Checksum> {
         match result.family() {
@@ -38,7 +38,7 @@ impl Checksum {
         }
     }
 
-    /// The sum after one more result, of which this is the raw form.
+    /// Returns the sum after one more result, given in its raw form.
     ///
     /// Zeros of either sign count the same, and so do a NaN, the infinities and all numbers far outside the range of REAL.
     #[must_use]
@@ -60,7 +60,7 @@ impl Checksum {
         }
     }
 
-    /// The code of sign and exponent, and the 53 bits of the mantissa.
+    /// Returns the code of sign and exponent, and the 53 bits of the mantissa.
     fn real(self, raw: u64) -> (u64, u64) {
         let number = match self.result {
             // A REAL's raw form has 32 bits.
@@ -76,7 +76,7 @@ impl Checksum {
         }
     }
 
-    /// The variables besides `given`, which has the result.
+    /// Returns the declarations of the variables besides `given`, which holds the result.
     #[must_use]
     pub fn declarations(self) -> String {
         let more = match (self.result.family(), self.result) {
@@ -90,7 +90,7 @@ impl Checksum {
         format!("    part  : LINT;\n    total : LINT := LINT#0;\n{more}")
     }
 
-    /// The statements that add `given` to `total`, each line indented twice.
+    /// Returns the statements that add `given` to `total`, each line indented twice.
     #[must_use]
     pub fn statements(self) -> String {
         use ElementaryType::{Bool, Lint, Lreal, Lword, Real, Ulint};
@@ -134,7 +134,7 @@ fn lines(lines: &[&str]) -> String {
     lines.iter().map(|line| format!("        {line}\n")).collect()
 }
 
-/// High and low half, the low one never negative, whichever way the engine's `MOD` of a negative number goes.
+/// Returns the statements that take the high and the low half, the low one never negative, whichever way the engine's `MOD` of a negative number goes.
 fn halves_of_signed() -> String {
     lines(&[
         &format!("high := given / LINT#{HALF};"),
@@ -158,7 +158,7 @@ fn halves_of_unsigned() -> String {
     ])
 }
 
-/// Sign, exponent and mantissa of `number`. Its magnitude is brought between 1 and 2 by products with powers of two, each
+/// Returns the statements that take sign, exponent and mantissa of `number`. Its magnitude is brought between 1 and 2 by products with powers of two, each
 /// of them exact; the mantissa is then a whole number of 53 bits. A NaN passes every comparison as false.
 fn digits() -> String {
     let one = power_of_two(0);
@@ -195,7 +195,7 @@ fn digits() -> String {
     ])
 }
 
-/// Multiplies `number` by a power of two where it compares so, and keeps the balance in `exponent`.
+/// Returns the statement that multiplies `number` by a power of two where it compares so, and adjusts `exponent`.
 fn scaled(text: &mut String, comparison: &str, power: i32) {
     let product = power_of_two(power);
     // As above.

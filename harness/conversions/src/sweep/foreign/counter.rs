@@ -1,4 +1,4 @@
-//! How a program goes from one operand to the next, said in ST.
+//! The ST statements by which a program goes from one operand to the next.
 
 use crate::literals;
 use std::fmt::Write;
@@ -16,12 +16,12 @@ const INFINITY: u64 = 0xFF << FRACTION;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Counter {
     operand: ElementaryType,
-    /// Itself, or of a bit string the unsigned integer of the same width, and the function that makes one of the other.
+    /// The type that is counted: that of the operand, or for a bit string the unsigned integer of the same width.
     counted: ElementaryType,
 }
 
 impl Counter {
-    /// Of an integer, a bit string or REAL; `None` for any other type and for those of more than 32 bits.
+    /// Returns the counter of an integer, a bit string or REAL; `None` for any other type and for those of more than 32 bits.
     #[must_use]
     pub const fn new(operand: ElementaryType) -> Option<Counter> {
         use ElementaryType::{Byte, Dint, Dword, Int, Real, Sint, Udint, Uint, Usint, Word};
@@ -35,7 +35,7 @@ impl Counter {
         Some(Counter { operand, counted })
     }
 
-    /// Places in a row whose operands are one step apart, in order. They leave out what no program can count: the
+    /// Returns the ranges of places whose operands are one step apart, in order. They leave out what no program can count: the
     /// infinities and NaNs. Each zero of a REAL stands alone, for whoever wants to see the sign of a result.
     #[must_use]
     pub fn stretches(self) -> Vec<Range<u64>> {
@@ -49,7 +49,7 @@ impl Counter {
         }
     }
 
-    /// How many values of the type are in no stretch.
+    /// Returns how many values of the type are in no stretch.
     #[must_use]
     pub const fn left_out(self) -> u64 {
         match self.operand {
@@ -58,7 +58,7 @@ impl Counter {
         }
     }
 
-    /// The variables, `operand` among them, with the value that they have at a place.
+    /// Returns the declarations of the variables, `operand` among them, with the value that they have at a place.
     #[must_use]
     pub fn declarations(self, place: u64) -> String {
         let Counter { operand, counted } = self;
@@ -80,7 +80,7 @@ impl Counter {
         text
     }
 
-    /// The statement that makes the operand of what is counted; empty where they are the same.
+    /// Returns the statement that converts what is counted to the operand; empty where they are the same.
     #[must_use]
     pub fn making(self) -> String {
         let Counter { operand, counted } = self;
@@ -90,7 +90,7 @@ impl Counter {
         format!("operand := {counted}_TO_{operand}(counted);")
     }
 
-    /// The statement that goes on to the next.
+    /// Returns the statement that goes on to the next operand.
     #[must_use]
     pub fn advancing(self) -> String {
         let Counter { operand, counted } = self;
@@ -102,7 +102,7 @@ impl Counter {
     }
 }
 
-/// The stretches of one sign, from its zero on.
+/// Returns the stretches of one sign, from its zero on.
 fn binades(sign: u64) -> impl Iterator<Item = Range<u64>> {
     let binade = move |exponent: u64| sign + (exponent << FRACTION)..sign + ((exponent + 1) << FRACTION);
     // The subnormal numbers are as far apart as those of the binade after them.
@@ -116,7 +116,7 @@ fn literal(ty: ElementaryType, place: u64) -> String {
     literals::literal(&value)
 }
 
-/// The distance from the REAL at a place to the next one away from zero, as a literal with its sign.
+/// Returns the distance from the REAL at a place to the next one away from zero, as a literal with its sign.
 fn ulp(place: u64) -> String {
     let exponent = (place >> FRACTION & 0xFF).max(1) as i32;
     let magnitude = literals::power_of_two(exponent - 150).replacen("LREAL#", "", 1);

@@ -1,78 +1,83 @@
-//! What the sweep of a foreign engine found.
+//! The findings of a sweep through programs.
 
 use crate::session::Refusal;
-use crate::sweep::findings::{Difference, KEPT};
+use crate::sweep::findings::{Difference, MAX_DIFFERENCES};
 use crate::sweep::run::Progress;
 use stickler_types::Value;
 
 /// How many reasons are told apart; a message may hold a number that is always another.
-const REASONS: usize = 20;
+const MAX_REASONS: usize = 20;
 
-/// So many inputs without an answer are told from their neighbours; after that, whole programs are given up.
-const PATIENCE: u64 = 50;
+/// How many inputs without an answer are separated from their neighbours; beyond, programs are given up as a whole.
+const MAX_SEPARATE_REFUSALS: u64 = 50;
 
 /// Inputs that an engine did not answer for one reason.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unanswered {
-    /// The reason, of the first of them.
+    /// The reason, as the engine gave it for the first of the inputs.
     pub refusal: Refusal,
-    /// How many they are.
+    /// How many inputs they are.
     pub inputs: u64,
-    /// The operands of the first of them.
+    /// The operands of the first of the inputs.
     pub example: Vec<Value>,
 }
 
-/// What was found, and how far the sweep came.
+/// The findings of a sweep through programs, and how far it came.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ForeignFindings {
     /// All inputs of the domain.
     pub inputs: u64,
-    /// Those that were dealt with, in whatever way.
+    /// How many inputs were dealt with, in whatever way.
     pub done: u64,
-    /// Those of them that no program can make: the infinities and NaNs.
+    /// How many inputs no program can make: the infinities and NaNs.
     pub left_out: u64,
-    /// Results that are not what a document says; of those looked at one by one.
+    /// How many of the results that were observed one by one contradict a document.
     pub mismatches: u64,
-    /// The first of these, at most [`KEPT`], in the order of the domain.
+    /// The first mismatches, at most [`MAX_DIFFERENCES`], in the order of the domain.
     pub first: Vec<Difference>,
-    /// Results that differ from those of exact arithmetic where no document speaks; of those looked at one by one.
+    /// How many of the results that were observed one by one differ from exact arithmetic where no document speaks.
     pub observed: u64,
-    /// The first of these, likewise.
+    /// The first differences where no document speaks, at most [`MAX_DIFFERENCES`], in the order of the domain.
     pub first_observed: Vec<Difference>,
-    /// Inputs of programs whose sum was wrong and that nobody looked into any more, where a document speaks of some.
-    pub unopened: u64,
-    /// The same, where no document speaks of any of them.
-    pub unopened_observed: u64,
-    /// Inputs of programs whose sum was wrong although each result alone was right.
+    /// How many inputs went through programs with a wrong sum without being observed one by one, where a document speaks
+    /// of some of them.
+    pub unexamined: u64,
+    /// How many inputs went through programs with a wrong sum without being observed one by one, where no document speaks
+    /// of any of them.
+    pub unexamined_observed: u64,
+    /// How many inputs went through programs whose sum was wrong although each result alone was right.
     pub unexplained: u64,
-    /// What the engine did not answer, by reason.
+    /// The inputs that the engine did not answer, by reason.
     pub unanswered: Vec<Unanswered>,
     /// How many programs the engine was given.
     pub programs: u64,
 }
 
 impl ForeignFindings {
-    /// Whether every input was dealt with.
+    /// Returns whether every input was dealt with.
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.done == self.inputs
     }
 
-    /// Inputs that the engine answered.
+    /// Returns how many inputs the engine answered.
     #[must_use]
     pub fn answered(&self) -> u64 {
         let unanswered: u64 = self.unanswered.iter().map(|reason| reason.inputs).sum();
         self.done.saturating_sub(self.left_out).saturating_sub(unanswered)
     }
 
-    /// Whether the engine did something that no document lets it do: a mismatch, a wrong sum, a crash.
+    /// Returns whether the engine did something that no document lets it do: a mismatch, a wrong sum, a crash.
     #[must_use]
     pub fn has_failures(&self) -> bool {
         let failed = |reason: &Unanswered| reason.refusal.kind.is_failure();
-        self.mismatches > 0 || self.unopened > 0 || self.unexplained > 0 || self.unanswered.iter().any(failed)
+        self.mismatches > 0
+            || self.unexamined > 0
+            || self.unexplained > 0
+            || self.unanswered.iter().any(failed)
     }
 
-    /// How far the sweep is.
+    /// Returns how far the sweep is.
     #[must_use]
     pub const fn progress(&self) -> Progress {
         Progress {
@@ -90,13 +95,13 @@ impl ForeignFindings {
         *count += 1;
         let at = kept.partition_point(|earlier| earlier.place <= difference.place);
         kept.insert(at, difference);
-        kept.truncate(KEPT);
+        kept.truncate(MAX_DIFFERENCES);
     }
 
     /// Adds inputs that were not answered.
     pub(super) fn refuse(&mut self, refusal: Refusal, inputs: u64, example: Vec<Value>) {
         let known = |reason: &&mut Unanswered| reason.refusal == refusal;
-        let full = self.unanswered.len() >= REASONS;
+        let full = self.unanswered.len() >= MAX_REASONS;
         let same = |reason: &&mut Unanswered| full && reason.refusal.kind == refusal.kind;
         if let Some(reason) = self.unanswered.iter_mut().find(known) {
             reason.inputs += inputs;
@@ -111,9 +116,9 @@ impl ForeignFindings {
         }
     }
 
-    /// Whether it is still worth while to find out which inputs of a program the engine does not answer.
-    pub(super) fn is_patient(&self) -> bool {
+    /// Returns whether the inputs that the engine does not answer are still separated from others of their program.
+    pub(super) fn separates_refusals(&self) -> bool {
         let unanswered: u64 = self.unanswered.iter().map(|reason| reason.inputs).sum();
-        unanswered < PATIENCE
+        unanswered < MAX_SEPARATE_REFUSALS
     }
 }

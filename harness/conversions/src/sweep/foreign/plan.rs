@@ -1,4 +1,4 @@
-//! Which inputs go to the engine in which kind of program.
+//! The kind of program by which inputs go to an engine.
 
 use super::checksum::Checksum;
 use super::counter::Counter;
@@ -8,12 +8,12 @@ use std::ops::Range;
 use stickler_exact::Bulk;
 use stickler_types::ElementaryType;
 
-/// What a program that counts needs to know.
+/// The parts of a program that counts.
 #[derive(Clone, Copy, Debug)]
 pub struct Counting {
-    /// How it gets its operands.
+    /// The statements that go through the operands.
     pub counter: Counter,
-    /// How it adds up its results.
+    /// The statements that add up the results.
     pub checksum: Checksum,
     /// The exact results.
     pub bulk: Bulk,
@@ -22,22 +22,22 @@ pub struct Counting {
 /// How the inputs of a sweep go to an engine.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// By programs that count; `None` is by lists of literals.
+    /// The program that counts; `None` where operands are listed as literals.
     pub counting: Option<Counting>,
     /// The places that may go into one program, in order.
     pub stretches: Vec<Range<u64>>,
-    /// Inputs in no stretch, since no program can make them.
+    /// How many inputs are in no stretch, since no program can make them.
     pub left_out: u64,
 }
 
-/// Whether a program can count through all operands of a type and add up results of another.
+/// Returns whether a program can count through all operands of a type and add up results of another.
 #[must_use]
 pub const fn has_digest(operand: ElementaryType, result: ElementaryType) -> bool {
     Counter::new(operand).is_some() && Checksum::new(result).is_some()
 }
 
 impl Plan {
-    /// Of a sweep.
+    /// Plans a sweep.
     #[must_use]
     pub fn of(sweep: &Sweep) -> Plan {
         match Plan::counting(sweep) {

@@ -1,4 +1,4 @@
-//! Which inputs a worker takes next, and how many of them an engine can take in one program.
+//! The queue of inputs, and how many of them an engine can take in one program.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -6,29 +6,33 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 /// How many operands a list has.
-const LISTED: u64 = 400;
+const LIST_LEN: u64 = 400;
 /// How many inputs the first program counts through.
-pub const FIRST: u64 = 1 << 14;
-/// More are never counted in one program, so that its counter, a DINT, holds them.
-const MOST: u64 = 1 << 28;
-/// A program that took no longer may be followed by one twice as large.
-const QUICK: Duration = Duration::from_secs(1);
+pub const FIRST_COUNT: u64 = 1 << 14;
+/// How many inputs one program counts through at most, so that its counter, a DINT, holds them.
+const MAX_COUNT: u64 = 1 << 28;
+/// The time within which a program must be answered for the next one to be twice as large.
+const GROWTH_LIMIT: Duration = Duration::from_secs(1);
 
 /// Places to be taken in order by all workers.
 pub struct Queue {
     stretches: Vec<Range<u64>>,
-    /// The stretch at hand, and how far it was taken.
+    /// The index of the current stretch, and the place up to which it was taken.
     reached: Mutex<(usize, u64)>,
     /// How many inputs the next program has.
     size: AtomicU64,
-    /// How many it may have at most.
+    /// How many inputs the next program may have at most.
     limit: AtomicU64,
 }
 
 impl Queue {
-    /// All of these places, by programs that count or by lists.
+    /// Makes the queue of all of these places, for programs that count or that list.
     pub fn new(stretches: Vec<Range<u64>>, counted: bool) -> Queue {
-        let (size, limit) = if counted { (FIRST, MOST) } else { (LISTED, LISTED) };
+        let (size, limit) = if counted {
+            (FIRST_COUNT, MAX_COUNT)
+        } else {
+            (LIST_LEN, LIST_LEN)
+        };
         let start = stretches.first().map_or(0, |stretch| stretch.start);
         Queue {
             stretches,
@@ -38,7 +42,7 @@ impl Queue {
         }
     }
 
-    /// The next places; `None` where all are taken.
+    /// Takes the next places; `None` where all are taken.
     pub fn claim(&self) -> Option<Range<u64>> {
         let mut reached = self.reached.lock().unwrap_or_else(PoisonError::into_inner);
         let (index, start) = *reached;
@@ -55,15 +59,15 @@ impl Queue {
         Some(start..end)
     }
 
-    /// A program of so many inputs was answered after so long.
+    /// Records how long a program of so many inputs took to be answered.
     pub fn answered(&self, inputs: u64, took: Duration) {
         let limit = self.limit.load(Ordering::Relaxed);
-        if took < QUICK && 2 * inputs <= limit {
+        if took < GROWTH_LIMIT && 2 * inputs <= limit {
             self.size.fetch_max(2 * inputs, Ordering::Relaxed);
         }
     }
 
-    /// A program of so many inputs took too long.
+    /// Records that a program of so many inputs took too long.
     pub fn too_long(&self, inputs: u64) {
         let less = (inputs / 2).max(1);
         self.limit.fetch_min(less, Ordering::Relaxed);
@@ -73,7 +77,7 @@ impl Queue {
 
 #[cfg(test)]
 mod tests {
-    use super::{FIRST, LISTED, Queue};
+    use super::{FIRST_COUNT, LIST_LEN, Queue};
     use std::time::Duration;
 
     #[test]
@@ -82,7 +86,7 @@ mod tests {
         for counted in [false, true] {
             let queue = Queue::new(stretches.clone(), counted);
             let pieces: Vec<_> = std::iter::from_fn(|| queue.claim()).collect();
-            let longest = if counted { FIRST } else { LISTED };
+            let longest = if counted { FIRST_COUNT } else { LIST_LEN };
             for stretch in &stretches {
                 let mut reached = stretch.start;
                 for piece in pieces.iter().filter(|piece| stretch.contains(&piece.start)) {
@@ -99,12 +103,12 @@ mod tests {
     fn programs_grow_until_one_takes_too_long() {
         let queue = Queue::new(std::iter::once(0..u64::MAX >> 1).collect(), true);
         let size = || queue.claim().map(|piece| piece.end - piece.start);
-        queue.answered(FIRST, Duration::ZERO);
-        assert_eq!(size(), Some(2 * FIRST));
-        queue.answered(2 * FIRST, Duration::from_secs(2));
-        assert_eq!(size(), Some(2 * FIRST));
-        queue.too_long(2 * FIRST);
-        queue.answered(FIRST, Duration::ZERO);
-        assert_eq!(size(), Some(FIRST));
+        queue.answered(FIRST_COUNT, Duration::ZERO);
+        assert_eq!(size(), Some(2 * FIRST_COUNT));
+        queue.answered(2 * FIRST_COUNT, Duration::from_secs(2));
+        assert_eq!(size(), Some(2 * FIRST_COUNT));
+        queue.too_long(2 * FIRST_COUNT);
+        queue.answered(FIRST_COUNT, Duration::ZERO);
+        assert_eq!(size(), Some(FIRST_COUNT));
     }
 }

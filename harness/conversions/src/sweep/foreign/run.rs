@@ -1,10 +1,10 @@
-//! All inputs of a sweep through an engine, by as many sessions as there are workers, until done or cancelled.
+//! Compares all inputs of a sweep through an engine, in one session for each worker, until done or cancelled.
 
 use super::findings::ForeignFindings;
 use super::plan::Plan;
 use super::program;
 use super::queue::Queue;
-use super::worker::Inquiry;
+use super::worker::ForeignSweep;
 use crate::literals::has_literal;
 use crate::program::{Program, listed};
 use crate::session::{FunctionSession, Refusal};
@@ -21,7 +21,7 @@ pub enum ForeignError {
     /// No session could be opened.
     #[error(transparent)]
     Engine(#[from] EngineError),
-    /// It answered none of the first programs.
+    /// The engine answered none of the first programs.
     #[error("{engine} could not be asked {function} in {dialect}: it {refusal}{}", advice(*.counts))]
     NothingRun {
         /// The engine's name.
@@ -30,7 +30,7 @@ pub enum ForeignError {
         function: String,
         /// The dialect.
         dialect: DialectName,
-        /// What it did instead.
+        /// What the engine did instead of answering.
         refusal: Box<Refusal>,
         /// Whether the programs were to count through the operands.
         counts: bool,
@@ -40,7 +40,7 @@ pub enum ForeignError {
     Workers(#[from] SpawnError),
 }
 
-/// What may help where counting does not.
+/// Returns advice for a sweep whose programs count.
 const fn advice(counts: bool) -> &'static str {
     if counts {
         "; `--sample N` asks by lists of literals instead of a loop"
@@ -49,8 +49,8 @@ const fn advice(counts: bool) -> &'static str {
     }
 }
 
-/// Holds every input of the sweep that a program can make against exact arithmetic, by so many sessions at a time, 0
-/// being one a processor. The sweep must have one dialect, as those of [`Through::Programs`](crate::sweep::Through::Programs) have.
+/// Compares the result of every input of the sweep that a program can make with exact arithmetic, in so many sessions at
+/// a time, 0 being one a processor. The sweep must have one dialect, as those of [`SweepMethod::Programs`](crate::sweep::SweepMethod::Programs) have.
 ///
 /// `progress` and `cancel` as for [`crate::sweep::run`]; a program that was given to the engine is waited for.
 ///
@@ -74,7 +74,7 @@ pub fn run(
         left_out: plan.left_out,
         ..ForeignFindings::default()
     };
-    let inquiry = Inquiry {
+    let foreign_sweep = ForeignSweep {
         sweep,
         dialect,
         plan: &plan,
@@ -85,21 +85,25 @@ pub fn run(
     };
     let tasks = std::iter::from_fn(|| {
         let is_cancelled = cancel.is_requested();
-        if is_cancelled { None } else { inquiry.queue.claim() }
+        if is_cancelled {
+            None
+        } else {
+            foreign_sweep.queue.claim()
+        }
     });
     WorkerPool::new(jobs).for_each(
         tasks,
         || FunctionSession::open(engine).map_err(ForeignError::Engine),
-        |session, places| inquiry.look(session, places),
+        |session, places| foreign_sweep.examine(session, places),
         |()| (),
     )?;
-    Ok(inquiry
+    Ok(foreign_sweep
         .findings
         .into_inner()
         .unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Whether the engine answers anything: a few small programs are tried until one comes back with values.
+/// Tries a few small programs until the engine answers one of them.
 fn probe(sweep: &Sweep, plan: &Plan, engine: &dyn Engine, dialect: DialectName) -> Result<(), ForeignError> {
     let mut session = FunctionSession::open(engine)?;
     let mut refusal = None;
@@ -122,7 +126,7 @@ fn probe(sweep: &Sweep, plan: &Plan, engine: &dyn Engine, dialect: DialectName) 
     }
 }
 
-/// Small programs about inputs from all over the domain.
+/// Returns small programs about inputs from all over the domain.
 fn probes(sweep: &Sweep, plan: &Plan) -> Vec<Program> {
     let signature = &sweep.signature;
     if let Some(counting) = &plan.counting {

@@ -3,7 +3,7 @@
 use super::plan::Plan;
 use super::program;
 use crate::session::FunctionSession;
-use crate::sweep::agenda::{Through, agenda};
+use crate::sweep::agenda::{SweepMethod, agenda};
 use crate::sweep::domain::Sampling;
 use std::ops::Range;
 use stickler_engines::Reference;
@@ -40,7 +40,7 @@ fn the_sum_in_st_is_the_sum_in_rust() {
                 detail: Detail::Coarse,
                 ..Sampling::default()
             };
-            for sweep in agenda(function, &[dialect], sampling, Through::Programs).expect("a function") {
+            for sweep in agenda(function, &[dialect], sampling, SweepMethod::Programs).expect("a function") {
                 let plan = Plan::of(&sweep);
                 let Some(counting) = &plan.counting else { continue };
                 let few = if plan.stretches.len() > 10 { 37 } else { 1 };
@@ -93,7 +93,8 @@ fn a_wrong_bit_changes_the_sum_in_st_too() {
         ("INT_TO_LREAL", "INT_TO_LREAL(operand) / LREAL#0.0 * LREAL#0.0"),
         ("INT_TO_LREAL", "INT_TO_LREAL(operand) * LREAL#1.0E-300"),
     ] {
-        let sweep = agenda(function, &[dialect], Sampling::default(), Through::Programs).expect("a function");
+        let sweep =
+            agenda(function, &[dialect], Sampling::default(), SweepMethod::Programs).expect("a function");
         let plan = Plan::of(&sweep[0]);
         let counting = plan.counting.expect("it can be counted");
         let places = 1..9;

@@ -1,14 +1,14 @@
-//! One worker's dealings with an engine: a program for some inputs, and what to do where its answer is not the exact one.
+//! The work on one range of inputs: a program for them, and further programs where the answer is not the exact one.
 
 use super::findings::ForeignFindings;
 use super::plan::{Counting, Plan};
 use super::program;
-use super::queue::{FIRST, Queue};
+use super::queue::{FIRST_COUNT, Queue};
 use crate::literals::has_literal;
 use crate::program::{Program, listed};
 use crate::session::{FunctionSession, Refusal, RefusalKind};
 use crate::sweep::agenda::Sweep;
-use crate::sweep::findings::{Difference, KEPT};
+use crate::sweep::findings::{Difference, MAX_DIFFERENCES};
 use crate::sweep::run::Progress;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -17,40 +17,40 @@ use stickler_exact::{Expected, Operation, expected, value};
 use stickler_types::{DialectName, ElementaryType, Value};
 use stickler_workers::Cancellation;
 
-/// Differing inputs that are so few are looked at one by one.
-const FEW: u64 = 64;
+/// How many inputs of a program with a wrong sum are observed one by one at most.
+const MAX_UNROLLED: u64 = 64;
 
 /// How many raw forms are computed at a time.
 const BLOCK: usize = 1024;
 
-/// What the workers of a sweep share.
-pub struct Inquiry<'s> {
-    /// What is swept.
+/// The state that the workers of a sweep share.
+pub struct ForeignSweep<'s> {
+    /// The sweep.
     pub sweep: &'s Sweep,
-    /// Whose documents apply; the engine is asked to speak it.
+    /// The dialect that the engine is asked to speak, and whose documents apply.
     pub dialect: DialectName,
     /// How the inputs go to the engine.
     pub plan: &'s Plan,
-    /// Those that nobody has taken yet.
+    /// The inputs that no worker has taken yet.
     pub queue: Queue,
-    /// What was found so far.
+    /// The findings so far.
     pub findings: Mutex<ForeignFindings>,
-    /// Told after each program.
+    /// Called after each program.
     pub progress: &'s (dyn Fn(Progress) + Sync),
     /// Whether no more programs are wanted.
     pub cancel: &'s Cancellation,
 }
 
-impl Inquiry<'_> {
+impl ForeignSweep<'_> {
     /// Compares what the engine gives for these places with exact arithmetic.
-    pub fn look(&self, session: &mut FunctionSession<'_>, places: Range<u64>) {
+    pub fn examine(&self, session: &mut FunctionSession<'_>, places: Range<u64>) {
         match &self.plan.counting {
             Some(counting) => self.count(session, counting, places),
             None => self.list(session, places.collect()),
         }
     }
 
-    /// Notes what was found about so many inputs.
+    /// Updates the findings, and counts so many inputs as dealt with.
     fn note(&self, inputs: u64, what: impl FnOnce(&mut ForeignFindings)) {
         let mut findings = self.findings.lock().unwrap_or_else(PoisonError::into_inner);
         what(&mut findings);
@@ -59,7 +59,7 @@ impl Inquiry<'_> {
         (self.progress)(findings.progress());
     }
 
-    /// Something about what was found so far.
+    /// Reads something from the findings so far.
     fn known<T>(&self, what: impl FnOnce(&ForeignFindings) -> T) -> T {
         what(&self.findings.lock().unwrap_or_else(PoisonError::into_inner))
     }
@@ -69,7 +69,7 @@ impl Inquiry<'_> {
         session.run(self.dialect, program)
     }
 
-    /// Looks at these places of a stretch by one program, and by more where its sum is wrong.
+    /// Compares these places of a stretch by one program, and by more where its sum is wrong.
     fn count(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let inputs = places.end - places.start;
         if self.cancel.is_requested() {
@@ -90,21 +90,21 @@ impl Inquiry<'_> {
         }
     }
 
-    /// Looks into places of which some differ, as far as that is still of interest.
+    /// Searches places for those that differ, as long as differences are still collected.
     fn open(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let inputs = places.end - places.start;
         let (is_claimed, is_open) = (self.has(&places, true), self.has(&places, false));
         let wanted = self.known(|findings| {
-            let few = |kept: &[Difference]| kept.len() < KEPT;
+            let few = |kept: &[Difference]| kept.len() < MAX_DIFFERENCES;
             is_claimed && few(&findings.first) || is_open && few(&findings.first_observed)
         });
         if !wanted {
             return self.note(inputs, |findings| match is_claimed {
-                true => findings.unopened += inputs,
-                false => findings.unopened_observed += inputs,
+                true => findings.unexamined += inputs,
+                false => findings.unexamined_observed += inputs,
             });
         }
-        if inputs <= FEW {
+        if inputs <= MAX_UNROLLED {
             return self.unroll(session, counting, places);
         }
         let middle = u64::midpoint(places.start, places.end);
@@ -112,7 +112,7 @@ impl Inquiry<'_> {
         self.count(session, counting, middle..places.end);
     }
 
-    /// Whether a document speaks of one of these inputs, or of one of them not.
+    /// Returns whether a document speaks of one of these inputs, or, where `claimed` is false, does not speak of one.
     fn has(&self, places: &Range<u64>, claimed: bool) -> bool {
         let signature = &self.sweep.signature;
         let is_so = |place| self.expected(&self.sweep.domain.operands(place)).basis.is_some() == claimed;
@@ -129,7 +129,7 @@ impl Inquiry<'_> {
         expected(&self.sweep.signature, operands, self.dialect)
     }
 
-    /// Looks at each of a few places.
+    /// Compares each of a few places, by a program that keeps each result.
     fn unroll(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let program = program::unrolled(&self.sweep.signature, counting, &places);
         match self.ask(session, &program) {
@@ -144,7 +144,7 @@ impl Inquiry<'_> {
         }
     }
 
-    /// Goes on in halves, where an engine does not answer a program about these places.
+    /// Asks for both halves of the places of a program that the engine does not answer.
     fn divide(
         &self,
         session: &mut FunctionSession<'_>,
@@ -156,8 +156,8 @@ impl Inquiry<'_> {
         let goes_on = match refusal.kind {
             RefusalKind::TooManySteps => inputs > 1,
             // Waiting for each half of a small program would take hours.
-            RefusalKind::TimedOut => inputs > FIRST,
-            _ => inputs > 1 && self.known(ForeignFindings::is_patient),
+            RefusalKind::TimedOut => inputs > FIRST_COUNT,
+            _ => inputs > 1 && self.known(ForeignFindings::separates_refusals),
         };
         if matches!(refusal.kind, RefusalKind::TooManySteps | RefusalKind::TimedOut) {
             self.queue.too_long(inputs);
@@ -170,7 +170,7 @@ impl Inquiry<'_> {
         self.count(session, counting, middle..places.end);
     }
 
-    /// Looks at these places by a list of their operands.
+    /// Compares these places by a list of their operands.
     fn list(&self, session: &mut FunctionSession<'_>, places: Vec<u64>) {
         let is_writable = |place: &u64| self.sweep.domain.operands(*place).iter().all(has_literal);
         let (places, unwritable): (Vec<u64>, Vec<u64>) = places.into_iter().partition(is_writable);
@@ -193,7 +193,7 @@ impl Inquiry<'_> {
             }
             Err(refusal) => {
                 let patient =
-                    refusal.kind != RefusalKind::TimedOut && self.known(ForeignFindings::is_patient);
+                    refusal.kind != RefusalKind::TimedOut && self.known(ForeignFindings::separates_refusals);
                 if places.len() == 1 || !patient {
                     return self.refuse(&places, places.len() as u64, refusal);
                 }
@@ -204,7 +204,7 @@ impl Inquiry<'_> {
         }
     }
 
-    /// Holds results against the exact ones; gives whether any differs.
+    /// Compares results with the exact ones; returns whether any differs.
     fn compare(&self, places: Vec<u64>, given: Vec<Value>) -> bool {
         let inputs = places.len() as u64;
         let mut differences = Vec::new();
@@ -239,7 +239,7 @@ impl Inquiry<'_> {
     }
 }
 
-/// The sum of the exact results at these places.
+/// Returns the sum of the exact results at these places.
 pub fn total(sweep: &Sweep, counting: &Counting, places: Range<u64>) -> Value {
     let (mut operands, mut results) = ([0; BLOCK], [0; BLOCK]);
     let (mut total, mut start) = (0, places.start);

@@ -27,7 +27,7 @@ impl Page<'_> {
                 self.differences(&found.first, found.mismatches)?;
             }
         }
-        self.unopened(found.unopened)?;
+        self.unexamined(found.unexamined)?;
         if found.unexplained > 0 {
             let inputs = counted(found.unexplained, "input has", "inputs have");
             self.paragraph(&format!(
@@ -39,7 +39,7 @@ impl Page<'_> {
             let results = counted(found.observed, "result differs", "results differ");
             writeln!(self.out, "  {results} where no document says what must come:")?;
             self.differences(&found.first_observed, found.observed)?;
-            self.unopened(found.unopened_observed)?;
+            self.unexamined(found.unexamined_observed)?;
         }
         if found.left_out > 0 {
             let inputs = counted(found.left_out, "input was", "inputs were");
@@ -56,7 +56,7 @@ impl Page<'_> {
         self.paragraph(&error.to_string())
     }
 
-    fn unopened(&mut self, inputs: u64) -> io::Result<()> {
+    fn unexamined(&mut self, inputs: u64) -> io::Result<()> {
         if inputs == 0 {
             return Ok(());
         }
