@@ -16,7 +16,7 @@ use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use stickler_run::Memory;
+use stickler_run::AnswerStore;
 
 /// What one compiler answered.
 pub struct Cache {
@@ -62,12 +62,12 @@ impl Cache {
     }
 }
 
-impl Memory for Cache {
-    fn recall(&self, question: &str) -> Option<&str> {
+impl AnswerStore for Cache {
+    fn get(&self, question: &str) -> Option<&str> {
         self.answers.get(question).map(String::as_str)
     }
 
-    fn keep(&self, question: &str, answers: &str) {
+    fn put(&self, question: &str, answers: &str) {
         let mut keeping = self.lock();
         let Some(file) = &mut keeping.file else {
             return;

@@ -14,7 +14,7 @@ fn file(folder: &TempDir) -> PathBuf {
 }
 
 fn recalled(cache: &Cache, questions: &[&str]) -> Vec<Option<String>> {
-    let answer = |question: &&str| cache.recall(question).map(str::to_owned);
+    let answer = |question: &&str| cache.get(question).map(str::to_owned);
     questions.iter().map(answer).collect()
 }
 
@@ -22,9 +22,9 @@ fn recalled(cache: &Cache, questions: &[&str]) -> Vec<Option<String>> {
 fn what_is_kept_is_recalled_by_the_next_run_and_by_nobody_else() {
     let folder = TempDir::new().unwrap();
     let first = cache(&folder);
-    first.keep("one", "1");
-    assert_eq!(first.recall("one"), None, "it is this run's own");
-    first.keep("two", "2");
+    first.put("one", "1");
+    assert_eq!(first.get("one"), None, "it is this run's own");
+    first.put("two", "2");
     assert!(first.notes().is_empty());
     let second = cache(&folder);
     assert_eq!(
@@ -32,8 +32,8 @@ fn what_is_kept_is_recalled_by_the_next_run_and_by_nobody_else() {
         [Some("1".to_owned()), Some("2".to_owned()), None]
     );
     assert!(second.notes().is_empty());
-    assert_eq!(Cache::open(folder.path(), "ironplc", "4567").recall("one"), None);
-    assert_eq!(Cache::open(folder.path(), "matiec", "0123").recall("one"), None);
+    assert_eq!(Cache::open(folder.path(), "ironplc", "4567").get("one"), None);
+    assert_eq!(Cache::open(folder.path(), "matiec", "0123").get("one"), None);
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn two_runs_at_once_keep_what_both_found() {
         for (number, run) in runs.iter().enumerate() {
             scope.spawn(move || {
                 for question in 0..500 {
-                    run.keep(&format!("{number}-{question}"), &"x".repeat(question));
+                    run.put(&format!("{number}-{question}"), &"x".repeat(question));
                 }
             });
         }
@@ -59,7 +59,7 @@ fn what_is_torn_or_broken_is_said_once_and_the_rest_is_used() {
     let folder = TempDir::new().unwrap();
     let first = cache(&folder);
     for question in ["one", "two", "three"] {
-        first.keep(question, "answer");
+        first.put(question, "answer");
     }
     let whole = fs::read_to_string(file(&folder)).unwrap();
     let broken = whole.replace("two", "tow");
@@ -74,7 +74,7 @@ fn what_is_torn_or_broken_is_said_once_and_the_rest_is_used() {
         notes.len() == 1 && notes[0].ends_with("2 lines are broken; what they kept is asked again"),
         "{notes:?}"
     );
-    second.keep("four", "answer");
+    second.put("four", "answer");
     let third = cache(&folder);
     assert_eq!(third.notes(), [""; 0], "it was mended");
     assert_eq!(third.answers.len(), 2);
@@ -93,13 +93,13 @@ fn a_file_of_another_kind_or_version_is_said_and_begins_anew() {
     ] {
         fs::write(file(&folder), &foreign).unwrap();
         let first = cache(&folder);
-        assert_eq!(first.recall("one"), None);
+        assert_eq!(first.get("one"), None);
         let notes = first.notes();
         assert!(
             notes.len() == 1 && notes[0].contains("is no cache of this version"),
             "{foreign:?} {notes:?}"
         );
-        first.keep("two", "2");
+        first.put("two", "2");
         let second = cache(&folder);
         assert_eq!(recalled(&second, &["one", "two"]), [None, Some("2".to_owned())]);
         assert!(second.notes().is_empty());
@@ -112,7 +112,7 @@ fn a_folder_that_cannot_be_made_is_said_once_and_nothing_is_kept() {
     let in_the_way = folder.path().join("file");
     fs::write(&in_the_way, "").unwrap();
     let cache = Cache::open(&in_the_way, "ironplc", "0123");
-    cache.keep("one", "1");
+    cache.put("one", "1");
     let notes = cache.notes();
     assert!(
         notes.len() == 1 && notes[0].contains("keeps no results"),
@@ -128,8 +128,8 @@ fn a_full_disk_is_said_once_and_nothing_more_is_kept() {
     let folder = TempDir::new().unwrap();
     let cache = cache(&folder);
     cache.lock().file = Some(fs::OpenOptions::new().append(true).open("/dev/full").unwrap());
-    cache.keep("one", "1");
-    cache.keep("two", "2");
+    cache.put("one", "1");
+    cache.put("two", "2");
     let notes = cache.notes();
     assert!(
         notes.len() == 1 && notes[0].contains("cannot be written, and keeps no more results: No space left"),
@@ -142,7 +142,7 @@ fn a_file_that_has_grown_too_large_keeps_its_newer_half() {
     let folder = TempDir::new().unwrap();
     let first = cache(&folder);
     for question in ["one", "two", "three", "four"] {
-        first.keep(question, "answer");
+        first.put(question, "answer");
     }
     let size = fs::metadata(file(&folder)).unwrap().len();
     let largest = usize::try_from(size).unwrap() - 1;

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use stickler_cache::Cache;
 use stickler_engines::Engine;
-use stickler_run::Memory;
+use stickler_run::AnswerStore;
 
 /// The cache of each engine of a run, in their order.
 pub struct Caches {
@@ -32,10 +32,11 @@ impl Caches {
     }
 
     /// As a run takes them.
-    pub fn memories(&self) -> Vec<Option<&dyn Memory>> {
-        let memory =
-            |cache| -> Option<&dyn Memory> { Option::<&Cache>::map(cache, |cache| cache as &dyn Memory) };
-        self.caches.iter().map(Option::as_ref).map(memory).collect()
+    pub fn stores(&self) -> Vec<Option<&dyn AnswerStore>> {
+        let store = |cache| -> Option<&dyn AnswerStore> {
+            Option::<&Cache>::map(cache, |cache| cache as &dyn AnswerStore)
+        };
+        self.caches.iter().map(Option::as_ref).map(store).collect()
     }
 
     /// Says on stderr what is wrong with them; each thing once.
@@ -50,12 +51,12 @@ impl Caches {
 ///
 /// # Errors
 /// Those of `out`.
-pub fn tell_remembered(out: &mut dyn Write, remembered: u64, cases: u64) -> io::Result<()> {
-    match remembered {
+pub fn tell_from_cache(out: &mut dyn Write, from_cache: u64, cases: u64) -> io::Result<()> {
+    match from_cache {
         0 => Ok(()),
         _ => writeln!(
             out,
-            "{remembered} of {cases} results come from the cache of earlier runs; --no-cache asks everything anew."
+            "{from_cache} of {cases} results come from the cache of earlier runs; --no-cache asks everything anew."
         ),
     }
 }

@@ -102,10 +102,10 @@ impl CaseFolder {
         let in_filters = plan.filters.iter().filter_map(Filter::dialect);
         let named: Vec<DialectName> = plan.dialects.iter().copied().chain(in_filters).collect();
         let mut suite = self.load_with(named.iter().copied());
-        let left_out = stickler_run::leave_out(plan, &mut suite.cases)?;
+        let left_out = stickler_run::drop_changed_cases(plan, &mut suite.cases)?;
         tell_left_out(&left_out);
         Ok(Loaded {
-            defined: stickler_run::defined(&defined(named), &left_out),
+            defined: stickler_run::dialect_headers(&defined(named), &left_out),
             suite,
             left_out,
         })

@@ -15,8 +15,8 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use stickler_engines::{Diagnostic, Identity, Outcome};
 use stickler_run::{
-    DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Header, Held, Plan, Summary,
-    Teller, defined,
+    CaseJudge, DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Header,
+    MatchedBaseline, Plan, Summary, dialect_headers,
 };
 use stickler_suite::{Acceptance, Case};
 use stickler_types::DialectName;
@@ -107,23 +107,27 @@ impl Export {
         sources: &[Source],
         plan: &Plan,
         engine: &Identity,
-        held: Option<&Held<'_>>,
+        baseline: Option<&MatchedBaseline<'_>>,
         sink: &mut dyn FnMut(Event),
     ) -> Imported {
         let mut imported = Imported::default();
         let (gathered, messages) = self.gather(sources, &mut imported.notes);
-        let header = self.header(plan, engine, held);
+        let header = self.header(plan, engine, baseline);
         imported.summary.outdated = header
             .baselines
             .iter()
-            .map(|held| held.outdated.len() as u64)
+            .map(|baseline| baseline.outdated.len() as u64)
             .sum();
         sink(Event::Header(header));
-        let teller = Teller { plan, engine, held };
+        let judge = CaseJudge {
+            plan,
+            engine,
+            baseline,
+        };
         let mut without = Without::default();
         for at in 0..self.manifest.pages.len() {
             let given = self.given(at, &gathered, &messages);
-            self.page(at, given, &teller, (&mut imported, &mut without), sink);
+            self.page(at, given, &judge, (&mut imported, &mut without), sink);
         }
         without.tell(&mut imported.notes);
         self.strangers(&mut imported.notes);
@@ -252,7 +256,7 @@ impl Export {
         &self,
         at: usize,
         given: Given,
-        teller: &Teller<'_>,
+        judge: &CaseJudge<'_>,
         (imported, without): (&mut Imported, &mut Without),
         sink: &mut dyn FnMut(Event),
     ) {
@@ -275,7 +279,7 @@ impl Export {
                 }
             };
             let answers = stickler_run::Answers::of_run(outcome);
-            let mut event = teller.event(case, &answers, Duration::ZERO);
+            let mut event = judge.event(case, &answers, Duration::ZERO);
             event
                 .got
                 .iter_mut()
@@ -300,7 +304,7 @@ impl Export {
         notes.extend(shortened(told.collect()));
     }
 
-    fn header(&self, plan: &Plan, engine: &Identity, held: Option<&Held<'_>>) -> Header {
+    fn header(&self, plan: &Plan, engine: &Identity, baseline: Option<&MatchedBaseline<'_>>) -> Header {
         Header {
             format: FORMAT,
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
@@ -317,7 +321,10 @@ impl Export {
             }],
             cases: self.cases.iter().map(|cases| cases.len() as u64).sum(),
             dialects: vec![self.dialect.to_string()],
-            baselines: held.map(|held| held.header().clone()).into_iter().collect(),
+            baselines: baseline
+                .map(|baseline| baseline.header().clone())
+                .into_iter()
+                .collect(),
             defined: self.manifest.defined.clone().into_iter().collect(),
             ..Header::default()
         }
@@ -332,7 +339,7 @@ impl Export {
 
 /// Whether a dialect of stickler.toml has the rules that it had then.
 fn is_still(then: &DefinedHeader, dialect: DialectName) -> bool {
-    let now = defined(&[dialect], &[]);
+    let now = dialect_headers(&[dialect], &[]);
     now.iter()
         .any(|now| now.extends == then.extends && now.overrides == then.overrides)
 }

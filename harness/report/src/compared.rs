@@ -1,7 +1,8 @@
 //! The texts of what was expected and what was got, as they are shown beside each other.
 
 use std::collections::{BTreeMap, BTreeSet};
-use stickler_run::{CaseEvent, Fact, Grade, ToldDiagnostic};
+use stickler_run::{CaseEvent, Fact, Grade};
+use stickler_types::Diagnostic;
 
 /// Returns what was expected of a case and what was got, for a comparison line by line.
 ///
@@ -30,13 +31,13 @@ struct Met<'f> {
     /// What is expected on it.
     expected: Vec<&'f Fact>,
     /// The first that the compiler tells of it.
-    told: &'f ToldDiagnostic,
+    told: &'f Diagnostic,
 }
 
 impl Met<'_> {
     /// Returns an expected fact with the compiler's words behind it: its code, where it has one, and its message.
     fn written(&self, expected: &Fact) -> String {
-        let words = [&self.told.code, &self.told.message].into_iter().flatten();
+        let words = self.told.code.iter().chain([&self.told.message]);
         let words: Vec<&str> = words
             .map(String::as_str)
             .filter(|word| !word.is_empty())
@@ -68,7 +69,7 @@ fn met<'f>(expected: &'f [Fact], got: &'f [Fact]) -> BTreeMap<u32, Met<'f>> {
 /// Returns the text of facts, in which other lines stand for each diagnostic that names a line of the program.
 fn rewritten(facts: &[Fact], mut anew: impl FnMut(&Fact, u32) -> Vec<String>) -> String {
     let lines = facts.iter().flat_map(|fact| match fact.diagnostic() {
-        Some(ToldDiagnostic { line: Some(line), .. }) => anew(fact, *line),
+        Some(Diagnostic { line: Some(line), .. }) => anew(fact, *line),
         _ => vec![fact.to_string()],
     });
     lines.collect::<Vec<_>>().join("\n")

@@ -4,7 +4,7 @@
 //! memory stays small however many cases there are.
 
 mod json;
-mod known;
+mod older_case;
 mod page;
 
 pub use json::write_json;
@@ -14,14 +14,14 @@ use crate::LogError;
 use crate::engine;
 use crate::events::{Completeness, Reader};
 use crate::overview::kept;
-use known::{Known, Look};
+use older_case::OlderCase;
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeMap, HashMap};
 use std::io::BufRead;
 use stickler_run::{CaseEvent, Event, Header, Verdict};
 
 /// How many changes of each kind are kept with all their texts. The rest is kept by name; the logs have them all.
-pub const DETAILED: usize = 1000;
+pub const MAX_DETAILED: usize = 1000;
 
 /// How a case changed, the gravest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
@@ -60,7 +60,7 @@ pub struct Change {
     /// Something else is expected than in the older run: the suite changed, and perhaps the engine did not.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub expectation_changed: bool,
-    /// What was said; only of the first [`DETAILED`] of each kind.
+    /// What was said; only of the first [`MAX_DETAILED`] of each kind.
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "texts")]
     pub detail: Option<Box<Detail>>,
 }
@@ -82,7 +82,7 @@ pub struct Detail {
 
 /// A case that only one of the runs has.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
-pub struct Lone {
+pub struct UnmatchedCase {
     /// The case's id.
     pub id: String,
     /// Its dialect.
@@ -105,9 +105,9 @@ pub struct Comparison {
     /// What did not come out alike, in the order of the newer run.
     pub changes: Vec<Change>,
     /// The cases that only the newer run has, in its order.
-    pub added: Vec<Lone>,
+    pub added: Vec<UnmatchedCase>,
     /// The cases that only the older run has, sorted.
-    pub gone: Vec<Lone>,
+    pub gone: Vec<UnmatchedCase>,
     /// How many cases came out alike.
     pub same: u64,
 }
@@ -201,7 +201,7 @@ fn whole(reader: &Reader<impl BufRead>) -> Result<(), RunError> {
 struct Matching {
     found: Comparison,
     /// By engine, as it is called in the newer run; then by the case's key, `id@dialect`.
-    known: HashMap<String, HashMap<String, Known>>,
+    known: HashMap<String, HashMap<String, OlderCase>>,
     detailed: BTreeMap<Kind, usize>,
 }
 
@@ -237,7 +237,7 @@ impl Matching {
         let Event::Case(case) = event else { return };
         let pair = self.found.engines.iter().find(|(old, _)| *old == case.engine);
         if let Some((_, engine)) = pair {
-            let known = Known::of(&case);
+            let known = OlderCase::of(&case);
             let cases = self.known.entry(engine.clone()).or_default();
             cases.insert(key(&case), known);
         }
@@ -248,23 +248,23 @@ impl Matching {
         if !self.found.engines.iter().any(|(_, new)| *new == case.engine) {
             return;
         }
-        let verdict = case.came();
+        let verdict = case.actual_verdict();
         let cases = self.known.get_mut(&case.engine);
         let Some(known) = cases.and_then(|cases| cases.remove(&key(&case))) else {
-            return self.found.added.push(Lone {
+            return self.found.added.push(UnmatchedCase {
                 id: case.id,
                 dialect: case.dialect,
                 engine: case.engine,
                 verdict,
             });
         };
-        match known.look(&case) {
-            Look::Alike => self.found.same += 1,
-            Look::Changed(kind) => self.change(kind, known, case),
+        match known.change(&case) {
+            None => self.found.same += 1,
+            Some(kind) => self.change(kind, known, case),
         }
     }
 
-    fn change(&mut self, kind: Kind, known: Known, case: CaseEvent) {
+    fn change(&mut self, kind: Kind, known: OlderCase, case: CaseEvent) {
         let detailed = self.detailed.entry(kind).or_default();
         *detailed += 1;
         let expectation_changed = known.expects_otherwise(&case);
@@ -275,12 +275,12 @@ impl Matching {
             dialect: case.dialect.clone(),
             engine: case.engine.clone(),
             old,
-            new: case.came(),
+            new: case.actual_verdict(),
             expectation_changed,
-            detail: (*detailed <= DETAILED).then(|| {
+            detail: (*detailed <= MAX_DETAILED).then(|| {
                 let expected = known.expected_now(&case);
                 Box::new(Detail {
-                    new: known::said(&case, expected.as_deref()),
+                    new: older_case::said(&case, expected.as_deref()),
                     old: known.said(expected.as_deref(), expectation_changed),
                     rerun: engine::rerun(engine::of(&self.found.new.engines, &case), &case),
                     expected,
@@ -297,7 +297,7 @@ impl Matching {
             let name = pair.map_or(engine.as_str(), |(old, _)| old.as_str());
             for (key, known) in cases {
                 let (id, dialect) = key.rsplit_once('@').unwrap_or((&key, ""));
-                found.gone.push(Lone {
+                found.gone.push(UnmatchedCase {
                     id: id.to_owned(),
                     dialect: dialect.to_owned(),
                     engine: name.to_owned(),

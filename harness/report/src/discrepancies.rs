@@ -4,7 +4,7 @@
 //! A cluster is the cases of one case file and claim with one symptom. Of each only its smallest program is kept, so that
 //! memory does not grow with the number of cases.
 
-mod gist;
+mod normalize;
 mod page;
 mod symptom;
 
@@ -23,7 +23,7 @@ use symptom::Symptom;
 pub(crate) const NAME: &str = "discrepancies";
 
 /// How many clusters of one engine are kept; cases that belong to none of them are counted.
-const MOST: usize = 300;
+const MAX_CLUSTERS: usize = 300;
 
 /// Gathers the clusters of a run.
 pub(crate) struct Discrepancies {
@@ -77,7 +77,7 @@ impl Discrepancies {
         match event {
             // A case with a program is one that did not come out as expected; what an engine says it cannot do contradicts
             // nothing.
-            Event::Case(case) if case.program.is_some() && case.came() != Verdict::Unsupported => {
+            Event::Case(case) if case.program.is_some() && case.actual_verdict() != Verdict::Unsupported => {
                 self.take_case(case);
             }
             Event::Header(header) => {
@@ -97,7 +97,7 @@ impl Discrepancies {
             file: file.to_owned(),
             symptom: Symptom::of(case, engine.strict),
         };
-        if engine.clusters.len() >= MOST && !engine.clusters.contains_key(&key) {
+        if engine.clusters.len() >= MAX_CLUSTERS && !engine.clusters.contains_key(&key) {
             engine.left_out += 1;
             return;
         }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 use stickler_run::CaseEvent;
 
 /// How much of a value is kept.
-const KEPT_CHARACTERS: usize = 300;
+const MAX_KEPT_CHARACTERS: usize = 300;
 
 /// Everything that was recorded in a run, in a few bytes each.
 #[derive(Debug, Default)]
@@ -48,7 +48,7 @@ impl Words {
 
 /// Cases of one probe on which engines part alike: who does as whom is the same for all of them.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Parting<'o> {
+pub struct Disagreement<'o> {
     /// The id of the first of them.
     pub id: &'o str,
     /// What was observed: a variable, `acceptance`, or `fault`.
@@ -64,7 +64,7 @@ impl Observations {
     pub fn take(&mut self, case: &CaseEvent) {
         for observed in &case.observations {
             let name = self.words.number(&observed.name);
-            let value = match observed.value.char_indices().nth(KEPT_CHARACTERS) {
+            let value = match observed.value.char_indices().nth(MAX_KEPT_CHARACTERS) {
                 None => self.words.number(&observed.value),
                 Some((end, _)) => self.words.number(&observed.value[..end]),
             };
@@ -78,19 +78,21 @@ impl Observations {
     }
 
     /// Where engines do not do the same, in the order of ids. `engines` is the order in which they are named.
-    pub fn partings(&self, engines: &[&str]) -> Vec<Parting<'_>> {
-        let mut partings: Vec<Parting<'_>> = Vec::new();
+    pub fn disagreements(&self, engines: &[&str]) -> Vec<Disagreement<'_>> {
+        let mut disagreements: Vec<Disagreement<'_>> = Vec::new();
         let mut places: HashMap<(&str, u32, Vec<Vec<String>>), usize> = HashMap::new();
         for ((id, name), seen) in &self.seen {
-            if !self.parts(seen) {
+            if !self.disagree(seen) {
                 continue;
             }
             let values = self.values(seen, engines);
             let who = values.iter().map(|(_, who)| who.clone()).collect();
-            let place = *places.entry((probe(id), *name, who)).or_insert(partings.len());
-            match partings.get_mut(place) {
+            let place = *places
+                .entry((probe(id), *name, who))
+                .or_insert(disagreements.len());
+            match disagreements.get_mut(place) {
                 Some(alike) => alike.cases += 1,
-                None => partings.push(Parting {
+                None => disagreements.push(Disagreement {
                     id,
                     name: self.words.word(*name),
                     values,
@@ -98,15 +100,15 @@ impl Observations {
                 }),
             }
         }
-        partings
+        disagreements
     }
 
     /// Whether two engines part: in a dialect that both speak, or, where they share none, in all that they gave.
-    fn parts(&self, seen: &[Seen]) -> bool {
+    fn disagree(&self, seen: &[Seen]) -> bool {
         seen.iter().any(|one| {
             seen.iter()
                 .filter(|other| other.engine != one.engine)
-                .any(|other| part(seen, one, other))
+                .any(|other| differ(seen, one, other))
         })
     }
 
@@ -138,7 +140,7 @@ impl Observations {
 }
 
 /// Whether two answers of different engines are at odds.
-fn part(seen: &[Seen], one: &Seen, other: &Seen) -> bool {
+fn differ(seen: &[Seen], one: &Seen, other: &Seen) -> bool {
     if one.value == other.value {
         return false;
     }
@@ -159,7 +161,7 @@ pub(crate) fn probe(id: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::{Observations, Parting};
+    use super::{Disagreement, Observations};
     use crate::sample;
     use stickler_run::CaseEvent;
 
@@ -173,25 +175,25 @@ mod tests {
         case
     }
 
-    fn partings(cases: &[CaseEvent]) -> Vec<String> {
+    fn disagreements(cases: &[CaseEvent]) -> Vec<String> {
         let mut observations = Observations::default();
         cases.iter().for_each(|case| observations.take(case));
-        let shown = |parting: &Parting<'_>| {
-            let values: Vec<String> = parting
+        let shown = |disagreement: &Disagreement<'_>| {
+            let values: Vec<String> = disagreement
                 .values
                 .iter()
                 .map(|(value, by)| format!("{value} by {}", by.join(" and ")))
                 .collect();
             format!(
                 "{} {} {}: {}",
-                parting.cases,
-                parting.id,
-                parting.name,
+                disagreement.cases,
+                disagreement.id,
+                disagreement.name,
                 values.join(", ")
             )
         };
-        let partings = observations.partings(&["reference", "ironplc", "matiec"]);
-        partings.iter().map(shown).collect()
+        let disagreements = observations.disagreements(&["reference", "ironplc", "matiec"]);
+        disagreements.iter().map(shown).collect()
     }
 
     #[test]
@@ -203,7 +205,7 @@ mod tests {
             seen("a(2.5)", "reference", "plcnext", "INT#2"),
         ];
         assert_eq!(
-            partings(&cases),
+            disagreements(&cases),
             ["1 widening/a(2.5) r: INT#2 by reference and ironplc, INT#3 by matiec"]
         );
     }
@@ -217,7 +219,7 @@ mod tests {
             ]
         });
         assert_eq!(
-            partings(cases.as_flattened()),
+            disagreements(cases.as_flattened()),
             ["3 widening/a(1.5) r: INT#2 by reference, INT#3 by matiec"]
         );
     }
@@ -229,11 +231,11 @@ mod tests {
             seen("a", "reference", "plcnext", "INT#2"),
             seen("a", "matiec", "matiec", "INT#3"),
         ];
-        assert_eq!(partings(&cases), Vec::<String>::new());
+        assert_eq!(disagreements(&cases), Vec::<String>::new());
         let mut parted = cases.to_vec();
         parted.push(seen("a", "ironplc", "plcnext", "INT#3"));
         assert_eq!(
-            partings(&parted),
+            disagreements(&parted),
             [
                 "1 widening/a r: INT#3 by reference in matiec and ironplc and matiec, INT#2 by reference in plcnext"
             ]

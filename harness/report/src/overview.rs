@@ -8,11 +8,11 @@ use std::collections::BTreeMap;
 use stickler_run::{CaseEvent, EngineHeader, Event, Footer, Header, OutdatedEntry, Totals};
 
 /// How many failing cases are kept whole. The rest is counted; the event log has them all.
-pub const KEPT_FAILURES: usize = 500;
+pub const MAX_KEPT_FAILURES: usize = 500;
 
 /// How much of their texts is kept.
-const KEPT_LINES: usize = 100;
-const KEPT_CHARACTERS: usize = 1000;
+const MAX_KEPT_LINES: usize = 100;
+const MAX_KEPT_CHARACTERS: usize = 1000;
 
 /// A run, added up.
 #[derive(Debug, Default)]
@@ -23,7 +23,7 @@ pub struct Overview {
     pub claims: Claims,
     /// Totals by engine, dialect and area.
     pub totals: BTreeMap<String, BTreeMap<String, BTreeMap<String, Totals>>>,
-    /// The first [`KEPT_FAILURES`] cases that did not come out as expected.
+    /// The first [`MAX_KEPT_FAILURES`] cases that did not come out as expected.
     pub failures: Vec<CaseEvent>,
     /// How many did not come out as expected.
     pub failed: u64,
@@ -56,7 +56,7 @@ impl Overview {
         entry(areas, &case.area).count(case.verdict);
         if !case.verdict.is_as_expected() {
             self.failed += 1;
-            if self.failures.len() < KEPT_FAILURES {
+            if self.failures.len() < MAX_KEPT_FAILURES {
                 self.failures.push(kept(case));
             }
         }
@@ -119,15 +119,15 @@ pub(crate) fn entry<'m, V: Default>(map: &'m mut BTreeMap<String, V>, key: &str)
 /// The case, with no more of its texts than any view shows: a foreign engine may say anything at any length.
 pub(crate) fn kept(case: &CaseEvent) -> CaseEvent {
     CaseEvent {
-        expected: clip_facts(&case.expected, KEPT_LINES, KEPT_CHARACTERS),
-        got: clip_facts(&case.got, KEPT_LINES, KEPT_CHARACTERS),
+        expected: clip_facts(&case.expected, MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),
+        got: clip_facts(&case.got, MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),
         ..case.clone()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{KEPT_FAILURES, Overview};
+    use super::{MAX_KEPT_FAILURES, Overview};
     use crate::sample;
     use stickler_run::{CaseEvent, Event, Fact, Verdict};
 
@@ -153,10 +153,10 @@ mod tests {
             got: vec![sample::told(3, "", &"y".repeat(1 << 14))],
             ..sample::case("a", Verdict::Fail)
         };
-        let overview = overview((0..KEPT_FAILURES + 20).map(|_| huge.clone()).collect());
+        let overview = overview((0..MAX_KEPT_FAILURES + 20).map(|_| huge.clone()).collect());
         assert_eq!(
             (overview.failed, overview.failures.len()),
-            (KEPT_FAILURES as u64 + 20, KEPT_FAILURES)
+            (MAX_KEPT_FAILURES as u64 + 20, MAX_KEPT_FAILURES)
         );
         let length = |case: &CaseEvent| Fact::text(&case.got).len();
         assert!(overview.failures.iter().all(|case| length(case) < 2000));

@@ -5,9 +5,9 @@ use std::fs;
 use std::path::Path;
 use stickler_run::{
     BaselineHeader, BaselineNote, CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Grade,
-    Header, Observed, OutdatedEntry, ToldDiagnostic, Totals, Verdict,
+    Header, Observed, OutdatedEntry, Totals, Verdict,
 };
-use stickler_types::Value;
+use stickler_types::{Diagnostic, Value};
 
 /// The fact that a variable has a value, given as a typed literal.
 pub(crate) fn value(name: &str, literal: &str) -> Fact {
@@ -19,19 +19,20 @@ pub(crate) fn value(name: &str, literal: &str) -> Fact {
 
 /// An expected diagnostic.
 pub(crate) fn error(line: u32, code: &str) -> Fact {
-    Fact::Diagnostic(ToldDiagnostic {
+    Fact::Diagnostic(Diagnostic {
         line: Some(line),
         code: Some(code.to_owned()),
-        message: None,
+        ..Diagnostic::default()
     })
 }
 
 /// A diagnostic of an engine; line 0 is none, and so is an empty code.
 pub(crate) fn told(line: u32, code: &str, message: &str) -> Fact {
-    Fact::Diagnostic(ToldDiagnostic {
+    Fact::Diagnostic(Diagnostic {
         line: (line > 0).then_some(line),
         code: (!code.is_empty()).then(|| code.to_owned()),
-        message: Some(message.to_owned()),
+        message: message.to_owned(),
+        ..Diagnostic::default()
     })
 }
 

@@ -14,12 +14,12 @@ use std::path::PathBuf;
 use stickler_run::{CaseEvent, DefinedHeader, EngineHeader, Totals};
 
 /// The most that a step summary takes is 1 MiB; this leaves room for what other steps write.
-const MOST_BYTES: usize = 900_000;
+const MAX_BYTES: usize = 900_000;
 
 /// How many failures are shown, and how much of each text.
-const SHOWN_FAILURES: usize = 100;
-const SHOWN_LINES: usize = 60;
-const SHOWN_CHARACTERS: usize = 400;
+const MAX_SHOWN_FAILURES: usize = 100;
+const MAX_SHOWN_LINES: usize = 60;
+const MAX_SHOWN_CHARACTERS: usize = 400;
 
 /// Writes the summary when the run is over.
 pub(crate) struct Summary {
@@ -53,7 +53,7 @@ impl Summary {
     }
 }
 
-/// The summary as Markdown, at most [`MOST_BYTES`] long.
+/// The summary as Markdown, at most [`MAX_BYTES`] long.
 pub fn markdown(overview: &Overview) -> String {
     let mut page = Page {
         text: String::new(),
@@ -75,7 +75,7 @@ struct Page {
 
 impl Page {
     fn add(&mut self, part: &str) {
-        if self.left_out > 0 || self.text.len() + part.len() > MOST_BYTES {
+        if self.left_out > 0 || self.text.len() + part.len() > MAX_BYTES {
             self.left_out += 1;
         } else {
             self.text.push_str(part);
@@ -175,7 +175,7 @@ fn failures(overview: &Overview, page: &mut Page) {
     page.add(&format!(
         "\n## Not as expected\n\nA page for each cause is in `{NAME}/`, beside this file.\n"
     ));
-    let shown = overview.failures.iter().take(SHOWN_FAILURES);
+    let shown = overview.failures.iter().take(MAX_SHOWN_FAILURES);
     let tried = shown.len() as u64;
     page.left_out = 0;
     shown.for_each(|case| page.add(&failure(case, overview.engine(case))));
@@ -191,8 +191,8 @@ fn failures(overview: &Overview, page: &mut Page) {
 
 fn failure(case: &CaseEvent, engine: Option<&EngineHeader>) -> String {
     let (expected, got) = compared::texts(case, engine::strictness(engine));
-    let expected = clip(&visible(&expected), SHOWN_LINES, SHOWN_CHARACTERS);
-    let got = clip(&visible(&got), SHOWN_LINES, SHOWN_CHARACTERS);
+    let expected = clip(&visible(&expected), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
+    let got = clip(&visible(&got), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
     let difference = diff::text(&expected, &got);
     let difference = match difference.as_str() {
         // A pass that is not expected.
@@ -234,7 +234,7 @@ pub(crate) fn code(text: &str) -> String {
 /// A text that Markdown and HTML leave alone, on one line.
 pub(crate) fn inline(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for character in clip(&visible(text).replace('\n', " "), 1, SHOWN_CHARACTERS).chars() {
+    for character in clip(&visible(text).replace('\n', " "), 1, MAX_SHOWN_CHARACTERS).chars() {
         if matches!(
             character,
             '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '|' | '#' | '&' | '~'
@@ -266,7 +266,7 @@ fn defined(dialect: &DefinedHeader) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MOST_BYTES, markdown};
+    use super::{MAX_BYTES, markdown};
     use crate::overview::Overview;
     use crate::sample;
     use stickler_run::{CaseEvent, Event, Verdict};
@@ -357,7 +357,7 @@ mod tests {
             ..sample::case(&number.to_string(), Verdict::Fail)
         };
         let text = page(&sample::run_of((0..600).map(huge).collect()));
-        assert!(text.len() <= MOST_BYTES + 1000, "{}", text.len());
+        assert!(text.len() <= MAX_BYTES + 1000, "{}", text.len());
         let shown = text.matches("\n### ").count();
         assert!((10..100).contains(&shown), "{shown}");
         assert!(

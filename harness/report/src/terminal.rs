@@ -21,10 +21,10 @@ pub(crate) const GOOD: Style = AnsiColor::Green.on_default();
 pub(crate) const BAD: Style = AnsiColor::Red.on_default();
 
 /// How many failures are shown whole.
-const SHOWN_FAILURES: usize = 40;
+const MAX_SHOWN_FAILURES: usize = 40;
 
 /// How many entries of baselines that are out of date are named.
-const SHOWN_OUTDATED: usize = 20;
+const MAX_SHOWN_OUTDATED: usize = 20;
 
 /// What the summary needs to know beside the run.
 #[derive(Clone, Copy, Debug, Default)]
@@ -45,10 +45,10 @@ pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>)
 }
 
 fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
-    for case in overview.failures.iter().take(SHOWN_FAILURES) {
+    for case in overview.failures.iter().take(MAX_SHOWN_FAILURES) {
         failure::write(out, case, overview.engine(case), overview.totals.len() > 1)?;
     }
-    let rest = overview.failed.saturating_sub(SHOWN_FAILURES as u64);
+    let rest = overview.failed.saturating_sub(MAX_SHOWN_FAILURES as u64);
     if rest > 0 {
         let place = match around.reports {
             Some(folder) => format!("all are in {folder}/events.jsonl and {folder}/junit.xml"),
@@ -104,7 +104,7 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             out,
             "{observations} recorded where no document says what must be."
         )?;
-        write_partings(out, overview)?;
+        write_disagreements(out, overview)?;
     }
     if let Some(header) = &overview.header {
         let engines: Vec<String> = header.engines.iter().map(engine).collect();
@@ -184,13 +184,13 @@ fn write_discrepancies(out: &mut dyn Write, overview: &Overview, folder: &str) -
 }
 
 /// How much of what was recorded differs between the engines.
-fn write_partings(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
-    let partings = overview.observed.partings(&overview.engines());
-    let cases: u64 = partings.iter().map(|parting| parting.cases).sum();
+fn write_disagreements(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+    let disagreements = overview.observed.disagreements(&overview.engines());
+    let cases: u64 = disagreements.iter().map(|disagreement| disagreement.cases).sum();
     if cases == 0 {
         return Ok(());
     }
-    let ways = counted(partings.len() as u64, "way", "ways");
+    let ways = counted(disagreements.len() as u64, "way", "ways");
     let differing = counted(cases, "observation differs", "observations differ");
     writeln!(
         out,
@@ -201,11 +201,11 @@ fn write_partings(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
 /// Names the entries of baselines that are out of date, and gives their number.
 fn write_outdated(out: &mut dyn Write, overview: &Overview) -> io::Result<usize> {
     let number = overview.outdated().count();
-    for entry in overview.outdated().take(SHOWN_OUTDATED) {
+    for entry in overview.outdated().take(MAX_SHOWN_OUTDATED) {
         writeln!(out, "{BAD}OUTDATED{BAD:#} {}", outdated(entry))?;
     }
-    if number > SHOWN_OUTDATED {
-        writeln!(out, "{BAD}... and {} more.{BAD:#}", number - SHOWN_OUTDATED)?;
+    if number > MAX_SHOWN_OUTDATED {
+        writeln!(out, "{BAD}... and {} more.{BAD:#}", number - MAX_SHOWN_OUTDATED)?;
     }
     Ok(number)
 }
@@ -233,7 +233,7 @@ fn kinds(totals: &Totals, as_expected: bool) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{SHOWN_FAILURES, Surroundings, write};
+    use super::{MAX_SHOWN_FAILURES, Surroundings, write};
     use crate::overview::Overview;
     use crate::sample;
     use stickler_run::{CaseEvent, Event, Verdict};
@@ -397,8 +397,8 @@ Claims                      reference  matiec
             .map(|number| sample::case(&number.to_string(), Verdict::Crash))
             .collect();
         let text = shown(&sample::run_of(cases));
-        assert_eq!(text.matches("CRASH").count(), SHOWN_FAILURES);
-        let rest = 3000 - SHOWN_FAILURES;
+        assert_eq!(text.matches("CRASH").count(), MAX_SHOWN_FAILURES);
+        let rest = 3000 - MAX_SHOWN_FAILURES;
         assert!(
             text.contains(&format!("and {rest} more that are not as expected; all are in")),
             "{text}"

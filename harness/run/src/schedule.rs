@@ -4,9 +4,9 @@ mod batches;
 mod context;
 mod known;
 
+use crate::answer_store::AnswerStore;
 use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM};
-use crate::memory::Memory;
-use crate::{Held, Plan, RunError, Summary, Totals, select};
+use crate::{MatchedBaseline, Plan, RunError, Summary, Totals, select};
 use batches::Batches;
 use context::RunContext;
 use known::Known;
@@ -37,7 +37,7 @@ pub fn run(
     run_with(plan, suite, engines, &[], sink, cancel)
 }
 
-/// As [`run`], and asks no engine again what is in its memory; `memories` are by engine. What engines answer besides is kept
+/// As [`run`], and asks no engine again what is in its memory; `stores` are by engine. What engines answer besides is kept
 /// there. But for the times, the events are the same as without.
 ///
 /// # Errors
@@ -46,7 +46,7 @@ pub fn run_with(
     plan: &Plan,
     suite: &Suite,
     engines: &[&dyn Engine],
-    memories: &[Option<&dyn Memory>],
+    stores: &[Option<&dyn AnswerStore>],
     sink: &mut dyn FnMut(Event),
     cancel: &Cancellation,
 ) -> Result<Summary, RunError> {
@@ -55,28 +55,32 @@ pub fn run_with(
     if jobs.is_empty() {
         return Err(RunError::NoCaseSelected);
     }
-    let held: Vec<Option<Held<'_>>> = engines
+    let baselines: Vec<Option<MatchedBaseline<'_>>> = engines
         .iter()
-        .map(|engine| plan.hold(suite, engine.identity()))
+        .map(|engine| plan.matched_baseline(suite, engine.identity()))
         .collect();
     let header = Header {
-        baselines: held.iter().flatten().map(|held| held.header().clone()).collect(),
+        baselines: baselines
+            .iter()
+            .flatten()
+            .map(|baseline| baseline.header().clone())
+            .collect(),
         ..header(plan, suite, engines, jobs.len())
     };
     let outdated = header
         .baselines
         .iter()
-        .map(|held| held.outdated.len() as u64)
+        .map(|baseline| baseline.outdated.len() as u64)
         .sum();
     sink(Event::Header(header));
-    let mut known = Known::of(&jobs, memories);
+    let mut known = Known::of(&jobs, stores);
     let open: Vec<Job<'_>> = known.open.iter().map(|&place| jobs[place]).collect();
     let context = RunContext {
         plan,
         jobs: &open,
         engines,
-        memories,
-        held: &held,
+        stores,
+        baselines: &baselines,
         cancel,
         is_broken: AtomicBool::new(false),
     };
@@ -120,7 +124,7 @@ pub fn run_with(
     Ok(Summary {
         totals: tally.totals,
         cases: tally.cases,
-        remembered: known.given,
+        from_cache: known.given,
         outdated,
         cancelled,
     })

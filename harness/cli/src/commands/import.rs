@@ -15,7 +15,7 @@ use stickler_export::{Export, Imported, MANIFEST, Source};
 use stickler_report::events;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
-use stickler_run::{Held, Plan};
+use stickler_run::{MatchedBaseline, Plan};
 use stickler_suite::Suite;
 use stickler_types::DialectName;
 
@@ -42,14 +42,14 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
         (None, false) => bail!("a baseline is about cases; say with --cases DIR where they are"),
         (_, true) => Suite::default(),
     };
-    let held = plan.hold(&suite, &engine);
+    let baseline = plan.matched_baseline(&suite, &engine);
     let report = report_folder(arguments, &root);
     let (imported, overview) = judged(
         &export,
         &sources,
         &plan,
         &engine,
-        held.as_ref(),
+        baseline.as_ref(),
         report.as_deref(),
     )?;
     let shown = report.map(|folder| folder.display().to_string());
@@ -169,13 +169,13 @@ fn judged(
     sources: &[Source],
     plan: &Plan,
     engine: &Identity,
-    held: Option<&Held<'_>>,
+    baseline: Option<&MatchedBaseline<'_>>,
     report: Option<&Path>,
 ) -> Result<(Imported, Overview), ReportError> {
     let mut reports = report.map(Reports::create).transpose()?;
     let mut overview = Overview::default();
     let mut broken = None;
-    let imported = export.import(sources, plan, engine, held, &mut |event| {
+    let imported = export.import(sources, plan, engine, baseline, &mut |event| {
         overview.take(&event);
         if broken.is_none() {
             broken = reports.as_mut().and_then(|reports| reports.take(&event).err());

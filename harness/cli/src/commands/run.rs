@@ -15,7 +15,7 @@ use std::path::PathBuf;
 use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
-use stickler_run::{Baseline, Event, Memory, Plan, Summary, select};
+use stickler_run::{AnswerStore, Baseline, Event, Plan, Summary, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
@@ -46,13 +46,13 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     understood(&selected, &engines)?;
     let report_folder = report_folder(arguments, &folder);
     let caches = caches(arguments, &folder, &engines);
-    let memories: Vec<Option<&dyn Memory>> = caches.memories();
+    let stores: Vec<Option<&dyn AnswerStore>> = caches.stores();
     let cancel = interrupt::flag_that_ends_engines()?;
-    let mut desk = Desk::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
-    let take = &mut |event| desk.take(&event);
-    let summary = stickler_run::run_with(&plan, &suite, &engines, &memories, take, cancel);
+    let mut sink = EventSink::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
+    let take = &mut |event| sink.take(&event);
+    let summary = stickler_run::run_with(&plan, &suite, &engines, &stores, take, cancel);
     caches.tell();
-    let overview = desk.finish()?;
+    let overview = sink.finish()?;
     let shown = report_folder.map(|folder| folder.display().to_string());
     terminal::write(
         out,
@@ -62,7 +62,7 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         },
     )?;
     let summary = summary?;
-    caches::tell_remembered(out, summary.remembered, summary.cases)?;
+    caches::tell_from_cache(out, summary.from_cache, summary.cases)?;
     Ok(exit(&summary).worst(case_folder::exit_of(&suite)))
 }
 
@@ -160,7 +160,7 @@ fn report_folder(arguments: &RunArguments, folder: &CaseFolder) -> Option<PathBu
 }
 
 /// Where the events of a run arrive, and go on to every report.
-struct Desk<'c> {
+struct EventSink<'c> {
     overview: Overview,
     reports: Option<Reports>,
     progress: Option<Progress>,
@@ -169,9 +169,9 @@ struct Desk<'c> {
     cancel: &'c Cancellation,
 }
 
-impl<'c> Desk<'c> {
-    fn new(reports: Option<Reports>, cancel: &'c Cancellation) -> Desk<'c> {
-        Desk {
+impl<'c> EventSink<'c> {
+    fn new(reports: Option<Reports>, cancel: &'c Cancellation) -> EventSink<'c> {
+        EventSink {
             overview: Overview::default(),
             reports,
             progress: None,

@@ -1,6 +1,6 @@
 //! A comparison as one JSON object, for other programs.
 
-use super::{Change, Comparison, Kind, Lone};
+use super::{Change, Comparison, Kind, UnmatchedCase};
 use serde::Serialize;
 use std::io::{self, Write};
 use stickler_run::Header;
@@ -16,8 +16,8 @@ struct Document<'c> {
     engines: Vec<Pair<'c>>,
     counts: Counts,
     changes: &'c [Change],
-    added: &'c [Lone],
-    gone: &'c [Lone],
+    added: &'c [UnmatchedCase],
+    gone: &'c [UnmatchedCase],
 }
 
 /// An engine by its name in each run.
@@ -39,7 +39,7 @@ struct Counts {
     same: u64,
 }
 
-/// Writes the object and a line feed. All changes are in it, the first [`DETAILED`](super::DETAILED) of each kind with
+/// Writes the object and a line feed. All changes are in it, the first [`MAX_DETAILED`](super::MAX_DETAILED) of each kind with
 /// what was expected and what came.
 ///
 /// # Errors

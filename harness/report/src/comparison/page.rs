@@ -1,6 +1,6 @@
 //! A comparison on the terminal: what is worse, case by case; what is not, in numbers; and one line that says how it went.
 
-use super::{Change, Comparison, Detail, Kind, Lone};
+use super::{Change, Comparison, Detail, Kind, UnmatchedCase};
 use crate::observations::probe;
 use crate::terminal::failure::write_difference;
 use crate::terminal::{BAD, BOLD, DIM, GOOD};
@@ -10,7 +10,7 @@ use std::io::{self, Write};
 use stickler_run::{Header, Totals, Verdict};
 
 /// How many groups of one kind are shown.
-const SHOWN: usize = 20;
+const MAX_SHOWN: usize = 20;
 
 /// Writes the comparison.
 ///
@@ -21,7 +21,7 @@ pub fn write(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
     let several = comparison.engines.len() > 1;
     for kind in Kind::ALL {
         let groups = groups(comparison.of_kind(kind));
-        for group in groups.iter().take(SHOWN) {
+        for group in groups.iter().take(MAX_SHOWN) {
             match kind {
                 Kind::Crashed | Kind::Broken => write_whole(out, group, several)?,
                 Kind::Fixed | Kind::Otherwise => write_line(out, group, several)?,
@@ -29,8 +29,8 @@ pub fn write(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
         }
         write_rest(out, kind, &groups)?;
     }
-    write_lone(out, "new", &comparison.added)?;
-    write_lone(out, "gone", &comparison.gone)?;
+    write_unmatched(out, "new", &comparison.added)?;
+    write_unmatched(out, "gone", &comparison.gone)?;
     write_last_line(out, comparison)
 }
 
@@ -193,7 +193,7 @@ fn write_line(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Resu
 }
 
 fn write_rest(out: &mut dyn Write, kind: Kind, groups: &[Group<'_>]) -> io::Result<()> {
-    let rest = groups.get(SHOWN..).unwrap_or_default();
+    let rest = groups.get(MAX_SHOWN..).unwrap_or_default();
     let cases: usize = rest.iter().map(|group| group.changes.len()).sum();
     if cases > 0 {
         let style = style(kind);
@@ -211,7 +211,7 @@ fn write_rest(out: &mut dyn Write, kind: Kind, groups: &[Group<'_>]) -> io::Resu
 }
 
 /// `5 cases are new: 4 pass, 1 fail`
-fn write_lone(out: &mut dyn Write, word: &str, cases: &[Lone]) -> io::Result<()> {
+fn write_unmatched(out: &mut dyn Write, word: &str, cases: &[UnmatchedCase]) -> io::Result<()> {
     if cases.is_empty() {
         return Ok(());
     }

@@ -1,9 +1,9 @@
 //! What an engine does otherwise than expected, in a word, from what was expected and what came.
 
-use super::gist::gist;
+use super::normalize::normalize_message;
 use std::fmt;
-use stickler_run::{CaseEvent, Fact, Grade, ToldDiagnostic, Verdict};
-use stickler_types::Fault;
+use stickler_run::{CaseEvent, Fact, Grade, Verdict};
+use stickler_types::{Diagnostic, Fault};
 
 /// A symptom; cases of one rule with the same symptom most probably have one cause. Its words are those of findings.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -44,7 +44,7 @@ impl Symptom {
     /// The symptom of a case that did not come out as expected, on an engine whose rejections had to be so exact.
     pub(super) fn of(case: &CaseEvent, strict: Grade) -> Symptom {
         let CaseEvent { expected, got, .. } = case;
-        match case.came() {
+        match case.actual_verdict() {
             Verdict::Crash => return Symptom::Crash(crash(got)),
             Verdict::Timeout => return Symptom::Hang,
             Verdict::Error => return Symptom::Error,
@@ -155,24 +155,24 @@ fn rejects(facts: &[Fact]) -> bool {
     facts.iter().any(rejects)
 }
 
-fn diagnostics(facts: &[Fact]) -> Vec<&ToldDiagnostic> {
+fn diagnostics(facts: &[Fact]) -> Vec<&Diagnostic> {
     facts.iter().filter_map(Fact::diagnostic).collect()
 }
 
 /// The words of an engine that died.
 fn crash(got: &[Fact]) -> String {
     let reason = got.iter().find_map(|fact| match fact {
-        Fact::Crashed { reason } => Some(gist(reason)),
+        Fact::Crashed { reason } => Some(normalize_message(reason)),
         _ => None,
     });
     reason.unwrap_or_default()
 }
 
 /// The code of a diagnostic; of a compiler without codes the gist of its message.
-fn reason(diagnostic: &ToldDiagnostic) -> String {
-    match (&diagnostic.code, &diagnostic.message) {
-        (Some(code), _) => code.clone(),
-        (None, message) => gist(message.as_deref().unwrap_or_default()),
+fn reason(diagnostic: &Diagnostic) -> String {
+    match &diagnostic.code {
+        Some(code) => code.clone(),
+        None => normalize_message(&diagnostic.message),
     }
 }
 
@@ -182,7 +182,7 @@ fn first_reason(facts: &[Fact]) -> String {
 }
 
 /// What is wrong with a rejection of what must be rejected, by as much of it as was compared.
-fn rejection(expected: &[&ToldDiagnostic], got: &[&ToldDiagnostic], strict: Grade) -> Symptom {
+fn rejection(expected: &[&Diagnostic], got: &[&Diagnostic], strict: Grade) -> Symptom {
     let (missing, extra) = unmet(expected, got, strict);
     // Where the place does not count, only a line on which nothing is wrong is too much.
     let Some(first) = missing.first().filter(|_| strict != Grade::Rejected) else {
@@ -203,12 +203,12 @@ fn rejection(expected: &[&ToldDiagnostic], got: &[&ToldDiagnostic], strict: Grad
 /// What is expected and did not come, and what came and is not expected. By the code each counts; by the line all that are on
 /// one count once.
 fn unmet<'t>(
-    expected: &[&'t ToldDiagnostic],
-    got: &[&'t ToldDiagnostic],
+    expected: &[&'t Diagnostic],
+    got: &[&'t Diagnostic],
     strict: Grade,
-) -> (Vec<&'t ToldDiagnostic>, Vec<&'t ToldDiagnostic>) {
+) -> (Vec<&'t Diagnostic>, Vec<&'t Diagnostic>) {
     let on_line_of_any =
-        |among: &[&ToldDiagnostic], one: &ToldDiagnostic| among.iter().any(|other| other.line == one.line);
+        |among: &[&Diagnostic], one: &Diagnostic| among.iter().any(|other| other.line == one.line);
     if strict != Grade::Code {
         let missing = expected.iter().filter(|wanted| !on_line_of_any(got, wanted));
         let extra = got.iter().filter(|told| !on_line_of_any(expected, told));
@@ -217,7 +217,7 @@ fn unmet<'t>(
     let mut extra = got.to_vec();
     let mut missing = expected.to_vec();
     missing.retain(|wanted| {
-        let same = |told: &&ToldDiagnostic| (told.line, &told.code) == (wanted.line, &wanted.code);
+        let same = |told: &&Diagnostic| (told.line, &told.code) == (wanted.line, &wanted.code);
         let met = extra.iter().position(same);
         met.map(|at| extra.remove(at)).is_none()
     });

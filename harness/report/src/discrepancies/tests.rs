@@ -126,10 +126,10 @@ fn an_engine_with_endless_kinds_of_failures_has_so_many_pages_and_no_more() {
             value("into", "INT#1"),
         )
     };
-    let cases = (0..super::MOST + 5).map(case).collect();
+    let cases = (0..super::MAX_CLUSTERS + 5).map(case).collect();
     write(folder.path(), &sample::run_of(cases));
     let engine = folder.path().join("discrepancies/reference");
-    assert_eq!(names(&engine).len(), super::MOST + 1);
+    assert_eq!(names(&engine).len(), super::MAX_CLUSTERS + 1);
     let index = fs::read_to_string(engine.join("README.md")).expect("the list");
     assert!(
         index.contains("No page has room for 5 cases of other kinds"),

@@ -4,7 +4,7 @@ use stickler_run::{EngineHeader, Header};
 use stickler_workers::Shard;
 
 /// How many missing parts are named one by one.
-const NAMED: usize = 20;
+const MAX_NAMED: usize = 20;
 
 /// Which part of a run this is.
 ///
@@ -74,7 +74,7 @@ fn list(words: &[String]) -> String {
 /// Names the parts of so many that are not there.
 pub(super) fn absent(there: &[u32], count: u32, missing: &mut Vec<String>) {
     let mut absent = (1..=count).filter(|part| !there.contains(part));
-    for part in absent.by_ref().take(NAMED) {
+    for part in absent.by_ref().take(MAX_NAMED) {
         missing.push(format!("part {part}/{count} is missing"));
     }
     // A hostile number of parts must not make as many sentences.

@@ -1,27 +1,27 @@
 //! What engines do where no document says what they must, side by side.
 
 use super::{Page, code, inline};
-use crate::observations::{Parting, probe};
+use crate::observations::{Disagreement, probe};
 use crate::overview::Overview;
 use crate::text::counted;
 
-/// How many partings are shown.
-const SHOWN: usize = 100;
+/// How many disagreements are shown.
+const MAX_SHOWN: usize = 100;
 
 /// Writes a line for each way in which engines part.
 pub(super) fn write(overview: &Overview, page: &mut Page) {
     let engines = overview.engines();
-    let partings = overview.observed.partings(&engines);
-    if partings.is_empty() {
+    let disagreements = overview.observed.disagreements(&engines);
+    if disagreements.is_empty() {
         return;
     }
     page.add("\n## Where no document decides\n\nThe engines do not do the same here, and none of them is wrong.\n\n");
-    partings
+    disagreements
         .iter()
-        .take(SHOWN)
-        .for_each(|parting| page.add(&line(parting)));
-    let rest = partings.get(SHOWN..).unwrap_or_default();
-    let cases: u64 = rest.iter().map(|parting| parting.cases).sum();
+        .take(MAX_SHOWN)
+        .for_each(|disagreement| page.add(&line(disagreement)));
+    let rest = disagreements.get(MAX_SHOWN..).unwrap_or_default();
+    let cases: u64 = rest.iter().map(|disagreement| disagreement.cases).sum();
     if cases > 0 {
         let cases = counted(cases, "case", "cases");
         page.add(&format!(
@@ -31,8 +31,8 @@ pub(super) fn write(overview: &Overview, page: &mut Page) {
 }
 
 /// ``- `conversion/real::recorded(REAL,INT,2.5)`, `into`: INT#2 by ironplc and reference, INT#3 by matiec``
-fn line(parting: &Parting<'_>) -> String {
-    let values: Vec<String> = parting
+fn line(disagreement: &Disagreement<'_>) -> String {
+    let values: Vec<String> = disagreement
         .values
         .iter()
         .map(|(value, who)| {
@@ -40,17 +40,20 @@ fn line(parting: &Parting<'_>) -> String {
             format!("{} by {}", code(value), listed(&names))
         })
         .collect();
-    let alike = match parting.cases {
+    let alike = match disagreement.cases {
         1 => String::new(),
         cases => {
             let others = counted(cases - 1, "other case", "other cases");
-            format!("; they part alike in {others} of {}", code(probe(parting.id)))
+            format!(
+                "; they part alike in {others} of {}",
+                code(probe(disagreement.id))
+            )
         }
     };
     format!(
         "- {}, {}: {}{alike}\n",
-        code(parting.id),
-        code(parting.name),
+        code(disagreement.id),
+        code(disagreement.name),
         values.join(", ")
     )
 }

@@ -12,8 +12,8 @@ const BAD_PIECE: Style = AnsiColor::Red.on_default().bold().underline();
 const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
 
 /// How much of each text is shown.
-const SHOWN_LINES: usize = 40;
-const SHOWN_CHARACTERS: usize = 400;
+const MAX_SHOWN_LINES: usize = 40;
+const MAX_SHOWN_CHARACTERS: usize = 400;
 
 /// Writes one case that is not as expected, and how to run it again.
 ///
@@ -58,8 +58,8 @@ pub(crate) fn write_difference(
     (before, expected): (&str, &str),
     (after, got): (&str, &str),
 ) -> io::Result<()> {
-    let expected = clip(&visible(expected), SHOWN_LINES, SHOWN_CHARACTERS);
-    let got = clip(&visible(got), SHOWN_LINES, SHOWN_CHARACTERS);
+    let expected = clip(&visible(expected), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
+    let got = clip(&visible(got), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
     let lines = diff::lines(&expected, &got);
     if expected.lines().count() > 1 || got.lines().count() > 1 || lines.is_empty() {
         writeln!(

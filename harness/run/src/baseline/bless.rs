@@ -1,7 +1,7 @@
 //! Rewriting a baseline from what a run found. Expectations are never touched: a baseline only says what is known.
 
 use super::fold::{Folded, Key, Universe};
-use super::held::Standing;
+use super::matched::EntryState;
 use super::owned::Owned;
 use super::{Baseline, Entry, write};
 use crate::Verdict;
@@ -40,7 +40,8 @@ impl EngineRun {
             return;
         }
         let Ok(dialect) = case.dialect.parse() else { return };
-        self.verdicts.insert((case.id.clone(), dialect), case.came());
+        self.verdicts
+            .insert((case.id.clone(), dialect), case.actual_verdict());
     }
 
     fn verdict(&self, (id, dialect): Key<'_>) -> Option<Verdict> {
@@ -115,13 +116,13 @@ pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, da
     let cases = suite.cases.iter().filter(|case| spoken(&case.dialect));
     let keys: Vec<Key<'_>> = cases.map(|case| (&*case.id, case.dialect)).collect();
     let universe = Universe::new(keys.iter().copied());
-    let standings: Vec<Standing> = baseline
+    let states: Vec<EntryState> = baseline
         .entries
         .iter()
-        .map(|entry| Standing::of(entry, &run.engine.version, day))
+        .map(|entry| EntryState::of(entry, &run.engine.version, day))
         .collect();
     // An entry that is past its day still says what its cases do.
-    let holds = |index: usize| matches!(standings[index], Standing::Holds | Standing::Expired(_));
+    let holds = |index: usize| matches!(states[index], EntryState::Holds | EntryState::Expired(_));
     let owned = Owned::of(&baseline.entries, &keys, holds);
     let mut of_entry: Vec<Vec<Key<'_>>> = vec![Vec::new(); baseline.entries.len()];
     for key in &keys {
@@ -136,7 +137,7 @@ pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, da
         .map(|(index, entry)| match owned.fits[index] {
             false if entry.is_beside(suite) => Fate::Kept,
             false => Fate::Removed("fits no case".to_owned()),
-            true => fate(entry, &of_entry[index], run, &universe, &standings[index]),
+            true => fate(entry, &of_entry[index], run, &universe, &states[index]),
         })
         .collect();
     let added = added(baseline, run, &keys, &owned, &universe, day);
@@ -158,7 +159,7 @@ fn fate(
     cases: &[Key<'_>],
     run: &EngineRun,
     universe: &Universe<'_>,
-    standing: &Standing,
+    state: &EntryState,
 ) -> Fate {
     let mut left = HashSet::new();
     let mut seen = false;
@@ -173,7 +174,7 @@ fn fate(
         }
     }
     match (gone.is_empty(), left.is_empty()) {
-        (true, _) if seen && matches!(standing, Standing::Expired(_)) => Fate::Undated,
+        (true, _) if seen && matches!(state, EntryState::Expired(_)) => Fate::Undated,
         (true, _) => Fate::Kept,
         (false, true) => Fate::Removed(told(&gone)),
         (false, false) => Fate::Narrowed(universe.fold(&left), told(&gone)),

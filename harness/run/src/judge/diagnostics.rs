@@ -1,7 +1,7 @@
 //! Expected diagnostics against actual ones: one merge walk over two lists sorted by line and code.
 
 use super::findings::Findings;
-use crate::{Fact, Grade, ToldDiagnostic};
+use crate::{Fact, Grade};
 use std::cmp::Ordering;
 use stickler_engines::Diagnostic;
 use stickler_suite::ExpectedDiagnostic;
@@ -32,10 +32,10 @@ pub(super) fn expected(diagnostics: &[ExpectedDiagnostic]) -> Vec<Fact> {
 }
 
 fn expected_fact(expected: ExpectedDiagnostic) -> Fact {
-    Fact::Diagnostic(ToldDiagnostic {
+    Fact::Diagnostic(Diagnostic {
         line: Some(expected.line),
         code: Some(expected.code.as_str().to_owned()),
-        message: None,
+        ..Diagnostic::default()
     })
 }
 
@@ -102,7 +102,7 @@ impl Matching<'_> {
                 Step::Unexpected(diagnostic) => {
                     unexpected += 1;
                     if unexpected <= MAX_UNEXPECTED {
-                        findings.add(unexpected_fact(diagnostic));
+                        findings.add(Fact::Diagnostic((*diagnostic).clone()));
                     }
                 }
                 Step::Missing => {}
@@ -116,14 +116,6 @@ impl Matching<'_> {
             findings.add(Fact::RejectedSilently);
         }
     }
-}
-
-fn unexpected_fact(diagnostic: &Diagnostic) -> Fact {
-    Fact::Diagnostic(ToldDiagnostic {
-        line: diagnostic.line,
-        code: diagnostic.code.clone(),
-        message: Some(diagnostic.message.clone()),
-    })
 }
 
 fn sorted(expected: &[ExpectedDiagnostic]) -> Vec<ExpectedDiagnostic> {

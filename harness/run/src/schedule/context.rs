@@ -1,11 +1,11 @@
 //! The workers' side of a run: engines are asked about a batch of jobs, and their answers become events.
 
 use super::{Batch, Job};
+use crate::answer_store::{self, AnswerStore};
 use crate::answers::Answers;
 use crate::event::CaseEvent;
-use crate::memory::{self, Memory};
 use crate::pack::{packs, settle};
-use crate::{Held, Plan, Teller};
+use crate::{CaseJudge, MatchedBaseline, Plan};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -22,9 +22,9 @@ pub(super) struct RunContext<'r> {
     pub(super) jobs: &'r [Job<'r>],
     pub(super) engines: &'r [&'r dyn Engine],
     /// By engine; engines behind the last have none.
-    pub(super) memories: &'r [Option<&'r dyn Memory>],
+    pub(super) stores: &'r [Option<&'r dyn AnswerStore>],
     /// By engine.
-    pub(super) held: &'r [Option<Held<'r>>],
+    pub(super) baselines: &'r [Option<MatchedBaseline<'r>>],
     pub(super) cancel: &'r Cancellation,
     /// Whether an engine cannot be used any more, so that the run ends.
     pub(super) is_broken: AtomicBool,
@@ -114,10 +114,10 @@ impl<'r> RunContext<'r> {
 
     /// Keeps answers for later runs.
     fn keep(&self, job: &Job<'_>, answers: &Answers) {
-        if let Some(Some(memory)) = self.memories.get(job.engine)
-            && let Some(text) = memory::written(answers)
+        if let Some(Some(store)) = self.stores.get(job.engine)
+            && let Some(text) = answer_store::written(answers)
         {
-            memory.keep(&memory::question(job.case), &text);
+            store.put(&answer_store::question(job.case), &text);
         }
     }
 
@@ -128,11 +128,11 @@ impl<'r> RunContext<'r> {
 
     /// Judges what an engine answered about a job.
     pub(super) fn event(&self, job: &Job<'_>, answers: &Answers, time: Duration) -> CaseEvent {
-        let teller = Teller {
+        let judge = CaseJudge {
             plan: self.plan,
             engine: self.engines[job.engine].identity(),
-            held: self.held[job.engine].as_ref(),
+            baseline: self.baselines[job.engine].as_ref(),
         };
-        teller.event(job.case, answers, time)
+        judge.event(job.case, answers, time)
     }
 }

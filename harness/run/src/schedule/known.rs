@@ -2,8 +2,8 @@
 
 use super::{Job, RunContext};
 use crate::CaseEvent;
+use crate::answer_store::{self, AnswerStore};
 use crate::answers::Answers;
-use crate::memory::{self, Memory};
 use std::iter::Peekable;
 use std::time::Duration;
 use std::vec::IntoIter;
@@ -20,10 +20,10 @@ pub(super) struct Known {
 
 impl Known {
     /// Looks every job up in the memory of its engine.
-    pub(super) fn of(jobs: &[Job<'_>], memories: &[Option<&dyn Memory>]) -> Known {
+    pub(super) fn of(jobs: &[Job<'_>], stores: &[Option<&dyn AnswerStore>]) -> Known {
         let recalled = |job: &Job<'_>| {
-            let memory = memories.get(job.engine).copied().flatten()?;
-            memory::read(memory.recall(&memory::question(job.case))?)
+            let store = stores.get(job.engine).copied().flatten()?;
+            answer_store::read(store.get(&answer_store::question(job.case))?)
         };
         let mut open = Vec::new();
         let mut answers = Vec::new();

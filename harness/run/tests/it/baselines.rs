@@ -99,7 +99,11 @@ fn of_several_verdicts_each_may_come() {
         Verdict::Xfail,
     ];
     assert_eq!(ended.verdicts(), verdicts);
-    let came = ended.cases.iter().map(CaseEvent::came).collect::<Vec<_>>();
+    let came = ended
+        .cases
+        .iter()
+        .map(CaseEvent::actual_verdict)
+        .collect::<Vec<_>>();
     assert_eq!(came[3], Verdict::Fail);
     assert_eq!(came[..3], verdicts[..3]);
 
@@ -109,7 +113,7 @@ fn of_several_verdicts_each_may_come() {
     // What came goes first, so that whoever reads one verdict alone reads the right one.
     let note = ended.cases[0].baseline.as_ref().unwrap();
     assert_eq!(note.verdicts(), [Verdict::Crash, Verdict::Timeout]);
-    assert_eq!(ended.cases[0].came(), Verdict::Crash);
+    assert_eq!(ended.cases[0].actual_verdict(), Verdict::Crash);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use stickler_engines::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session,
 };
-use stickler_run::{Event, Memory, Plan, Summary, run_with};
+use stickler_run::{AnswerStore, Event, Plan, Summary, run_with};
 use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue, Suite,
 };
@@ -16,12 +16,12 @@ pub fn timeless_events(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> V
     timeless_run(plan, suite, engines, &[]).1
 }
 
-/// What a run with these memories gives, its events without what the clock says.
+/// What a run with these stores gives, its events without what the clock says.
 pub fn timeless_run(
     plan: &Plan,
     suite: &Suite,
     engines: &[&dyn Engine],
-    memories: &[Option<&dyn Memory>],
+    stores: &[Option<&dyn AnswerStore>],
 ) -> (Summary, Vec<Event>) {
     let mut events = Vec::new();
     let mut sink = |mut event: Event| {
@@ -33,7 +33,7 @@ pub fn timeless_run(
         events.push(event);
     };
     let cancel = Cancellation::new();
-    let summary = run_with(plan, suite, engines, memories, &mut sink, &cancel).unwrap();
+    let summary = run_with(plan, suite, engines, stores, &mut sink, &cancel).unwrap();
     (summary, events)
 }
 

@@ -2,13 +2,13 @@
 
 mod baselines;
 mod blessing;
+mod caching;
 mod fixtures;
+mod inherited;
 mod judging;
 mod packing;
-mod remembering;
 mod rendering;
 mod scheduling;
 mod selecting;
 mod suggestions;
 mod suite;
-mod unstated;

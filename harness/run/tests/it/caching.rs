@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use stickler_engines::{Engine, Outcome, RunRequest};
-use stickler_run::{Event, Memory, Plan, Summary, run_with};
+use stickler_run::{AnswerStore, Event, Plan, Summary, run_with};
 use stickler_suite::{Case, Suite};
 use stickler_types::{ClockSetting, DialectName, Observation, Setting, Value};
 use stickler_workers::Cancellation;
@@ -30,12 +30,12 @@ impl Book {
     }
 }
 
-impl Memory for Book {
-    fn recall(&self, question: &str) -> Option<&str> {
+impl AnswerStore for Book {
+    fn get(&self, question: &str) -> Option<&str> {
         self.before.get(question).map(String::as_str)
     }
 
-    fn keep(&self, question: &str, answers: &str) {
+    fn put(&self, question: &str, answers: &str) {
         let mut now = self.now.lock().unwrap();
         now.insert(question.to_owned(), answers.to_owned());
     }
@@ -59,7 +59,12 @@ fn moody(request: &RunRequest<'_>) -> Outcome {
 }
 
 /// What a run of this engine gives, without what the clock says.
-fn go(suite: &Suite, engine: &Puppet, memory: Option<&dyn Memory>, jobs: usize) -> (Summary, Vec<Event>) {
+fn go(
+    suite: &Suite,
+    engine: &Puppet,
+    memory: Option<&dyn AnswerStore>,
+    jobs: usize,
+) -> (Summary, Vec<Event>) {
     let plan = Plan {
         jobs,
         ..Plan::default()
@@ -81,7 +86,7 @@ fn a_second_run_asks_only_what_is_new_or_says_nothing_of_the_engine_and_its_even
     let book = Book::default();
     let (summary, first) = go(&numbered(0..300), &engine, Some(&book), 2);
     assert!(first == without, "a memory changes the events");
-    assert_eq!((asked.swap(0, Ordering::Relaxed), summary.remembered), (300, 0));
+    assert_eq!((asked.swap(0, Ordering::Relaxed), summary.from_cache), (300, 0));
 
     for jobs in [1, 2, 7] {
         let book = Book {
@@ -89,8 +94,8 @@ fn a_second_run_asks_only_what_is_new_or_says_nothing_of_the_engine_and_its_even
             ..Book::default()
         };
         let (summary, second) = go(&numbered(0..300), &engine, Some(&book), jobs);
-        assert!(second == without, "what is remembered changes the events");
-        assert_eq!((asked.swap(0, Ordering::Relaxed), summary.remembered), (30, 270));
+        assert!(second == without, "what is cached changes the events");
+        assert_eq!((asked.swap(0, Ordering::Relaxed), summary.from_cache), (30, 270));
     }
 
     let book = book.turned();
@@ -99,7 +104,7 @@ fn a_second_run_asks_only_what_is_new_or_says_nothing_of_the_engine_and_its_even
     let (summary, third) = go(&numbered(100..400), &engine, Some(&book), 2);
     assert!(third == without);
     // Twenty of the old ones crashed.
-    assert_eq!((asked.load(Ordering::Relaxed), summary.remembered), (120, 180));
+    assert_eq!((asked.load(Ordering::Relaxed), summary.from_cache), (120, 180));
 }
 
 #[test]
@@ -112,11 +117,11 @@ fn an_answer_that_cannot_be_read_is_asked_again() {
         *answer = answer.replace("INT#1", "INT#ONE");
     }
     let (summary, second) = go(&numbered(2..10), &engine, Some(&book), 1);
-    assert!(first == second && summary.remembered == 0);
+    assert!(first == second && summary.from_cache == 0);
 }
 
 #[test]
-fn what_is_remembered_does_not_wait_for_a_run_that_stops() {
+fn what_is_cached_does_not_wait_for_a_run_that_stops() {
     let book = Book::default();
     go(&numbered(2..5), &Puppet::new("puppet", moody), Some(&book), 1);
     let book = book.turned();
@@ -141,10 +146,10 @@ fn what_is_remembered_does_not_wait_for_a_run_that_stops() {
     .unwrap();
     // What the engine answered while it was stopped says nothing of it.
     assert_eq!(
-        (summary.cases, summary.remembered, summary.cancelled),
+        (summary.cases, summary.from_cache, summary.cancelled),
         (3, 3, true)
     );
-    assert_eq!(events.len(), 4, "a header and what was remembered");
+    assert_eq!(events.len(), 4, "a header and what was cached");
     assert!(book.now.lock().unwrap().is_empty());
 }
 

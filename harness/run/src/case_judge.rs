@@ -1,30 +1,30 @@
-//! What is told of a case on an engine: its answers judged, held against the baseline, made an event.
+//! The event of a case: an engine's answers judged, and the judgement matched with the baseline.
 
 use crate::event::CaseEvent;
 use crate::judge::{is_open, judge};
-use crate::{Answers, Fact, Held, Judgement, Plan, Verdict};
+use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict};
 use std::time::Duration;
 use stickler_engines::Identity;
 use stickler_suite::Case;
 
-/// All that has to be known of an engine to tell what came of its cases.
+/// Judges the cases of one engine.
 #[derive(Clone, Copy, Debug)]
-pub struct Teller<'r> {
-    /// How it is judged, and how a case is run again.
+pub struct CaseJudge<'r> {
+    /// How strictly the engine is judged.
     pub plan: &'r Plan,
-    /// Who it is.
+    /// The engine.
     pub engine: &'r Identity,
-    /// Its baseline, where it has one.
-    pub held: Option<&'r Held<'r>>,
+    /// The engine's baseline, where it has one.
+    pub baseline: Option<&'r MatchedBaseline<'r>>,
 }
 
-impl Teller<'_> {
-    /// The event of a case, by what the engine answered and how long it took.
+impl CaseJudge<'_> {
+    /// Returns the event of a case, from what the engine answered and how long it took.
     #[must_use]
     pub fn event(&self, case: &Case, answers: &Answers, time: Duration) -> CaseEvent {
         let judgement = judge(case, answers, self.plan.strict(self.engine));
-        let (judgement, baseline) = match self.held {
-            Some(held) => held.apply(&case.id, case.dialect, judgement),
+        let (judgement, baseline) = match self.baseline {
+            Some(baseline) => baseline.apply(&case.id, case.dialect, judgement),
             None => (judgement, None),
         };
         let expectation = Fact::fingerprint(&judgement.expected);
@@ -50,7 +50,7 @@ impl Teller<'_> {
             got,
             duration_us: u64::try_from(time.as_micros()).unwrap_or(u64::MAX),
             observations: judgement.observations,
-            program: lacking(judgement.verdict).then(|| case.source.to_string()),
+            program: needs_program(judgement.verdict).then(|| case.source.to_string()),
             baseline,
         }
     }
@@ -63,8 +63,8 @@ fn tells_nothing(passed: &Judgement) -> bool {
         || (passed.expected == [Fact::AcceptedOrRejected] && passed.got == [Fact::Accepted])
 }
 
-/// Whether an engine did not do what was expected of it, be that known or not.
-const fn lacking(verdict: Verdict) -> bool {
+/// Returns whether a report shows the program: the engine did not do what was expected of it, be that known or not.
+const fn needs_program(verdict: Verdict) -> bool {
     match verdict {
         Verdict::Fail | Verdict::Xfail | Verdict::Crash | Verdict::Timeout | Verdict::Error => true,
         Verdict::Pass | Verdict::Xpass | Verdict::Unsupported => false,

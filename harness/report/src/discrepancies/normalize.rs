@@ -7,7 +7,7 @@ const WORDS: usize = 20;
 
 /// The first words of a message, without what changes from program to program: what has a digit in it, the names of elementary
 /// types, and what stands in quotes or brackets.
-pub(super) fn gist(message: &str) -> String {
+pub(super) fn normalize_message(message: &str) -> String {
     let first = message.lines().next().unwrap_or_default();
     let plain = without_quoted(first);
     let words = plain.split_whitespace().filter(|word| !is_of_the_program(word));
@@ -62,7 +62,7 @@ const fn closing(opening: char) -> Option<char> {
 
 #[cfg(test)]
 mod tests {
-    use super::gist;
+    use super::normalize_message;
 
     #[test]
     fn what_differs_from_program_to_program_is_left_out() {
@@ -81,7 +81,7 @@ mod tests {
             ("first line: \nsecond", "first line"),
             ("", ""),
         ] {
-            assert_eq!(gist(message), left, "{message}");
+            assert_eq!(normalize_message(message), left, "{message}");
         }
     }
 }

@@ -10,12 +10,12 @@ use stickler_suite::Case;
 use stickler_types::{Fault, Value};
 
 /// What one engine answered in earlier runs. Whoever has it keeps the answers apart of engines that differ in anything.
-pub trait Memory: Sync {
+pub trait AnswerStore: Sync {
     /// What was kept under this question before the run began.
-    fn recall(&self, question: &str) -> Option<&str>;
+    fn get(&self, question: &str) -> Option<&str>;
 
     /// Keeps answers under a question, for later runs. Neither has a line feed, nor the question a blank.
-    fn keep(&self, question: &str, answers: &str);
+    fn put(&self, question: &str, answers: &str);
 }
 
 /// The question that an engine is asked about a case: 32 hexadecimal digits.
@@ -47,37 +47,37 @@ pub(crate) fn question(case: &Case) -> String {
 
 /// The text of answers; `None` where they are not to be kept, or cannot be without loss.
 pub(crate) fn written(answers: &Answers) -> Option<String> {
-    let kept = Kept::of(answers)?;
+    let kept = StoredAnswers::of(answers)?;
     let text = serde_json::to_string(&kept).ok()?;
     (read(&text).as_ref() == Some(answers)).then_some(text)
 }
 
 /// The answers of a text; `None` where it is none of [`written`].
 pub(crate) fn read(text: &str) -> Option<Answers> {
-    serde_json::from_str::<Kept>(text).ok()?.answers()
+    serde_json::from_str::<StoredAnswers>(text).ok()?.answers()
 }
 
 /// All that an engine answered about a case.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Kept {
-    run: Done,
+struct StoredAnswers {
+    run: StoredOutcome,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    rendering: Option<Rendered>,
+    rendering: Option<StoredRendering>,
 }
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Rendered {
-    first: Done,
-    again: Option<Done>,
-    rerun: Option<Done>,
+struct StoredRendering {
+    first: StoredOutcome,
+    again: Option<StoredOutcome>,
+    rerun: Option<StoredOutcome>,
 }
 
 /// An outcome that may be kept; values are typed literals.
 #[derive(Serialize, Deserialize)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
-enum Done {
+enum StoredOutcome {
     Accepted,
     Executed(Vec<(String, String)>),
     Rejected(Vec<Diagnostic>),
@@ -86,14 +86,14 @@ enum Done {
     Unsupported(String),
 }
 
-impl Kept {
-    fn of(answers: &Answers) -> Option<Kept> {
+impl StoredAnswers {
+    fn of(answers: &Answers) -> Option<StoredAnswers> {
         let rendering = match &answers.rendering {
-            Some(rendering) => Some(Rendered::of(rendering)?),
+            Some(rendering) => Some(StoredRendering::of(rendering)?),
             None => None,
         };
-        Some(Kept {
-            run: Done::of(&answers.run)?,
+        Some(StoredAnswers {
+            run: StoredOutcome::of(&answers.run)?,
             rendering,
         })
     }
@@ -110,21 +110,21 @@ impl Kept {
     }
 }
 
-impl Rendered {
-    fn of(rendering: &Rendering) -> Option<Rendered> {
+impl StoredRendering {
+    fn of(rendering: &Rendering) -> Option<StoredRendering> {
         let done = |outcome: &Option<Outcome>| match outcome {
-            Some(outcome) => Done::of(outcome).map(Some),
+            Some(outcome) => StoredOutcome::of(outcome).map(Some),
             None => Some(None),
         };
-        Some(Rendered {
-            first: Done::of(&rendering.first)?,
+        Some(StoredRendering {
+            first: StoredOutcome::of(&rendering.first)?,
             again: done(&rendering.again)?,
             rerun: done(&rendering.rerun)?,
         })
     }
 
     fn rendering(self) -> Option<Rendering> {
-        let outcome = |done: Option<Done>| match done {
+        let outcome = |done: Option<StoredOutcome>| match done {
             Some(done) => done.outcome().map(Some),
             None => Some(None),
         };
@@ -136,18 +136,18 @@ impl Rendered {
     }
 }
 
-impl Done {
+impl StoredOutcome {
     /// `None` for what is not to be kept.
-    fn of(outcome: &Outcome) -> Option<Done> {
+    fn of(outcome: &Outcome) -> Option<StoredOutcome> {
         Some(match outcome {
-            Outcome::Accepted => Done::Accepted,
-            Outcome::Executed { values } => Done::Executed(literals(values)),
-            Outcome::Rejected { diagnostics } => Done::Rejected(diagnostics.clone()),
+            Outcome::Accepted => StoredOutcome::Accepted,
+            Outcome::Executed { values } => StoredOutcome::Executed(literals(values)),
+            Outcome::Rejected { diagnostics } => StoredOutcome::Rejected(diagnostics.clone()),
             Outcome::Faulted { fault, line, values } => {
-                Done::Faulted(fault.to_string(), *line, literals(values))
+                StoredOutcome::Faulted(fault.to_string(), *line, literals(values))
             }
-            Outcome::Rendered { text } => Done::Rendered(text.clone()),
-            Outcome::Unsupported { reason } => Done::Unsupported(reason.clone()),
+            Outcome::Rendered { text } => StoredOutcome::Rendered(text.clone()),
+            Outcome::Unsupported { reason } => StoredOutcome::Unsupported(reason.clone()),
             Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => return None,
         })
     }
@@ -155,18 +155,18 @@ impl Done {
     /// `None` where a literal or a fault cannot be read.
     fn outcome(self) -> Option<Outcome> {
         Some(match self {
-            Done::Accepted => Outcome::Accepted,
-            Done::Executed(literals) => Outcome::Executed {
+            StoredOutcome::Accepted => Outcome::Accepted,
+            StoredOutcome::Executed(literals) => Outcome::Executed {
                 values: values(literals)?,
             },
-            Done::Rejected(diagnostics) => Outcome::Rejected { diagnostics },
-            Done::Faulted(fault, line, literals) => Outcome::Faulted {
+            StoredOutcome::Rejected(diagnostics) => Outcome::Rejected { diagnostics },
+            StoredOutcome::Faulted(fault, line, literals) => Outcome::Faulted {
                 fault: fault.parse::<Fault>().ok()?,
                 line,
                 values: values(literals)?,
             },
-            Done::Rendered(text) => Outcome::Rendered { text },
-            Done::Unsupported(reason) => Outcome::Unsupported { reason },
+            StoredOutcome::Rendered(text) => Outcome::Rendered { text },
+            StoredOutcome::Unsupported(reason) => Outcome::Unsupported { reason },
         })
     }
 }

@@ -1,9 +1,9 @@
-//! Cases of a dialect that was defined, of which nobody says what must happen there.
+//! Drops the inherited cases of a custom dialect whose result its overrides change.
 //!
 //! Such a dialect takes over the cases of the one that it extends. What its definition states itself, cases expect already. What
 //! else depends on the rules that it overrides, the reference shows: it is asked under both. Where it no longer does what the
-//! documents of the base say, they do not speak of this dialect; and what it does instead is no expectation, for nobody has
-//! written that down. Such a case is left out, and counted.
+//! documents of the base say, these documents do not apply to this dialect; and what it does instead is no expectation, for no
+//! document says it. Such a case is dropped, and counted.
 
 use crate::{DefinedHeader, Grade, Plan, RunError, ask, is_open, judge, select};
 use stickler_engines::{EngineSession, Reference};
@@ -14,11 +14,12 @@ use stickler_workers::WorkerPool;
 /// How many cases a worker is given at a time.
 const BATCH_LEN: usize = 64;
 
-/// Takes out of the cases those that the plan selects and nobody states, in the order of the suite.
+/// Removes the selected cases that a custom dialect inherits and whose result its overrides change, and returns them in the order
+/// of the suite.
 ///
 /// # Errors
 /// [`RunError::Workers`] where the system gives no threads; [`RunError::Engine`] where the reference has no session.
-pub fn leave_out(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case>, RunError> {
+pub fn drop_changed_cases(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case>, RunError> {
     let taken_over =
         |case: &&Case| case.dialect.definition().is_some() && !case.is_stated() && !is_open(case);
     let selected: Vec<&Case> = select(plan, cases).into_iter().filter(taken_over).collect();
@@ -49,9 +50,9 @@ pub fn leave_out(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case>, RunErr
     Ok(gone)
 }
 
-/// What the header of a run says of the dialects that were defined, with how many of their cases were left out.
+/// Returns what the header of a run says of its custom dialects, with how many of their cases were dropped.
 #[must_use]
-pub fn defined(dialects: &[DialectName], left_out: &[Case]) -> Vec<DefinedHeader> {
+pub fn dialect_headers(dialects: &[DialectName], left_out: &[Case]) -> Vec<DefinedHeader> {
     let header = |dialect: &DialectName| {
         let definition = dialect.definition()?;
         Some(DefinedHeader {
@@ -65,7 +66,7 @@ pub fn defined(dialects: &[DialectName], left_out: &[Case]) -> Vec<DefinedHeader
     dialects.iter().filter_map(header).collect()
 }
 
-/// Whether the reference meets what the case expects in the dialect that its own extends, and no longer in its own.
+/// Returns whether the reference does something else with a case in its dialect than in the one that this extends.
 fn is_changed(session: &mut EngineSession<'_>, case: &Case) -> Result<bool, RunError> {
     let in_base = Case {
         dialect: case.dialect.base().name(),

@@ -1,4 +1,4 @@
-//! A baseline held against the cases of a suite and the judgements of a run.
+//! A baseline matched with the cases of a suite, and what it makes of their judgements.
 
 use super::fold::Key;
 use super::owned::Owned;
@@ -12,9 +12,9 @@ use stickler_engines::Identity;
 use stickler_suite::Suite;
 use stickler_types::DialectName;
 
-/// What is known of each case on one engine.
+/// The baseline of one engine, matched with the cases of a suite.
 #[derive(Debug)]
-pub struct Held<'a> {
+pub struct MatchedBaseline<'a> {
     header: BaselineHeader,
     /// What each entry says.
     notes: Vec<BaselineNote>,
@@ -22,58 +22,57 @@ pub struct Held<'a> {
     owners: HashMap<Key<'a>, usize>,
 }
 
-/// Holds the baseline of an engine against the suite: which cases each entry is about, and which entries are out of date on
-/// this day.
-///
-/// An entry that is a case's id goes before one that is a pattern; of two patterns the first of the file counts. Of a suite
-/// with broken files nobody can say that an entry fits no case, so nobody does.
-#[must_use]
-pub fn hold<'a>(baseline: &Baseline, suite: &'a Suite, engine: &Identity, today: Date) -> Held<'a> {
-    let standings: Vec<Standing> = baseline
-        .entries
-        .iter()
-        .map(|entry| Standing::of(entry, &engine.version, today))
-        .collect();
-    let spoken = suite.cases.iter().filter(|case| engine.speaks(case.dialect));
-    let cases: Vec<Key<'_>> = spoken.map(|case| (&*case.id, case.dialect)).collect();
-    let owned = Owned::of(&baseline.entries, &cases, |index| {
-        standings[index] == Standing::Holds
-    });
-    let outdated = baseline.entries.iter().zip(&standings).enumerate();
-    let outdated = outdated.filter_map(|(index, (entry, standing))| {
-        let fits = owned.fits[index] || !suite.errors.is_empty() || entry.is_beside(suite);
-        Some(OutdatedEntry {
-            at: baseline.place(entry),
-            case: entry.case.as_str().to_owned(),
-            why: standing.outdated(entry, fits)?,
-        })
-    });
-    Held {
-        header: BaselineHeader {
-            engine: engine.name.clone(),
-            file: baseline.file.clone(),
-            entries: baseline.entries.len() as u64,
-            outdated: outdated.collect(),
-        },
-        notes: baseline
+impl<'a> MatchedBaseline<'a> {
+    /// Finds which cases of the suite each entry of an engine's baseline is about, and which entries are out of date on this day.
+    ///
+    /// An entry that is a case's id goes before one that is a pattern; of two patterns the first of the file counts. Where files of
+    /// the suite are broken, no entry is out of date because it fits no case.
+    #[must_use]
+    pub fn new(baseline: &Baseline, suite: &'a Suite, engine: &Identity, today: Date) -> MatchedBaseline<'a> {
+        let states: Vec<EntryState> = baseline
             .entries
             .iter()
-            .map(|entry| note(baseline, entry))
-            .collect(),
-        owners: owned.owners,
+            .map(|entry| EntryState::of(entry, &engine.version, today))
+            .collect();
+        let spoken = suite.cases.iter().filter(|case| engine.speaks(case.dialect));
+        let cases: Vec<Key<'_>> = spoken.map(|case| (&*case.id, case.dialect)).collect();
+        let owned = Owned::of(&baseline.entries, &cases, |index| {
+            states[index] == EntryState::Holds
+        });
+        let outdated = baseline.entries.iter().zip(&states).enumerate();
+        let outdated = outdated.filter_map(|(index, (entry, state))| {
+            let fits = owned.fits[index] || !suite.errors.is_empty() || entry.is_beside(suite);
+            Some(OutdatedEntry {
+                at: baseline.place(entry),
+                case: entry.case.as_str().to_owned(),
+                why: state.outdated(entry, fits)?,
+            })
+        });
+        MatchedBaseline {
+            header: BaselineHeader {
+                engine: engine.name.clone(),
+                file: baseline.file.clone(),
+                entries: baseline.entries.len() as u64,
+                outdated: outdated.collect(),
+            },
+            notes: baseline
+                .entries
+                .iter()
+                .map(|entry| note(baseline, entry))
+                .collect(),
+            owners: owned.owners,
+        }
     }
-}
 
-impl Held<'_> {
-    /// What is to be said of the baseline before the first case.
+    /// Returns what the header of a run says of the baseline.
     #[must_use]
     pub fn header(&self) -> &BaselineHeader {
         &self.header
     }
 
-    /// The judgement of a case with what is known of it: what is expected to come becomes `xfail`, a pass that is not
-    /// expected becomes `xpass`. A pass that may come stays a pass, a case that is expected to be unsupported stays
-    /// `unsupported`, and whatever else comes than what is expected stays what it is.
+    /// Applies the baseline to the judgement of a case, and returns what it says of the case: an expected verdict becomes `xfail`, and a
+    /// pass that is not expected becomes `xpass`. A pass that may come stays a pass, a case that is expected to be unsupported
+    /// stays `unsupported`, and so does every other verdict that is not the expected one.
     #[must_use]
     pub fn apply(
         &self,
@@ -106,9 +105,9 @@ fn note(baseline: &Baseline, entry: &Entry) -> BaselineNote {
     }
 }
 
-/// How an entry stands to a version of the engine on a day.
+/// Whether an entry holds for a version of the engine on a day.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum Standing {
+pub(super) enum EntryState {
     /// It holds.
     Holds,
     /// It is about other versions.
@@ -119,18 +118,18 @@ pub(super) enum Standing {
     Expired(Date),
 }
 
-impl Standing {
-    pub(super) fn of(entry: &Entry, version: &str, today: Date) -> Standing {
+impl EntryState {
+    pub(super) fn of(entry: &Entry, version: &str, today: Date) -> EntryState {
         if let Some(range) = &entry.versions {
             match numbers(version) {
-                None => return Standing::UnknownVersion(version.to_owned()),
-                Some(version) if !range.matches(&version) => return Standing::OtherVersions,
+                None => return EntryState::UnknownVersion(version.to_owned()),
+                Some(version) if !range.matches(&version) => return EntryState::OtherVersions,
                 Some(_) => {}
             }
         }
         match entry.until {
-            Some(until) if until < today => Standing::Expired(until),
-            _ => Standing::Holds,
+            Some(until) if until < today => EntryState::Expired(until),
+            _ => EntryState::Holds,
         }
     }
 
@@ -141,11 +140,11 @@ impl Standing {
                 true => "fits no case that the engine could be asked".to_owned(),
                 false => "is no case that the engine could be asked; a pattern has a `*`".to_owned(),
             }),
-            Standing::UnknownVersion(version) => Some(format!(
+            EntryState::UnknownVersion(version) => Some(format!(
                 "names versions, and `{version}`, which the engine says of itself, is none"
             )),
-            Standing::Expired(until) => Some(format!("was to hold until {until}")),
-            Standing::Holds | Standing::OtherVersions => None,
+            EntryState::Expired(until) => Some(format!("was to hold until {until}")),
+            EntryState::Holds | EntryState::OtherVersions => None,
         }
     }
 }
@@ -190,9 +189,9 @@ mod tests {
     fn an_entry_that_names_versions_says_so_where_the_engine_has_none() {
         let text = "[[expected]]\ncase = \"x\"\nverdict = \"fail\"\nreason = \"r\"\nversions = \"<1\"\n";
         let baseline = Baseline::read(text, "b.toml", "b").unwrap();
-        let standing = Standing::of(&baseline.entries[0], "nightly", Date::default());
-        assert_eq!(standing, Standing::UnknownVersion("nightly".to_owned()));
-        let why = standing.outdated(&baseline.entries[0], true).unwrap();
+        let state = EntryState::of(&baseline.entries[0], "nightly", Date::default());
+        assert_eq!(state, EntryState::UnknownVersion("nightly".to_owned()));
+        let why = state.outdated(&baseline.entries[0], true).unwrap();
         assert!(why.contains("`nightly`"), "{why}");
     }
 }

@@ -6,12 +6,12 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_run::{CaseEvent, Fact, Verdict};
 
 /// How much is kept of what an engine said that did not do what was expected.
-const KEPT_LINES: usize = 20;
-const KEPT_CHARACTERS: usize = 200;
+const MAX_KEPT_LINES: usize = 20;
+const MAX_KEPT_CHARACTERS: usize = 200;
 
 /// A case of the older run: its verdict, and fingerprints of what was expected and of what came. That an engine did what
 /// was expected needs no text; of the others texts are kept, in part.
-pub(super) struct Known {
+pub(super) struct OlderCase {
     /// What came of it.
     pub(super) verdict: Verdict,
     expectation: u32,
@@ -26,18 +26,9 @@ struct Texts {
     said: String,
 }
 
-/// How a case of the newer run looks beside the older one.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Look {
-    /// As it was.
-    Alike,
-    /// Otherwise.
-    Changed(Kind),
-}
-
-/// What a verdict says of an engine.
+/// What a verdict says of an engine, whatever a baseline expects.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Result {
+enum Behavior {
     Right,
     Wrong,
     /// It died or hung.
@@ -45,19 +36,19 @@ enum Result {
     Unsupported,
 }
 
-impl Known {
+impl OlderCase {
     /// What is kept of a case.
-    pub(super) fn of(case: &CaseEvent) -> Known {
+    pub(super) fn of(case: &CaseEvent) -> OlderCase {
         let said = said(case, None);
-        let tells_more = case.came() != Verdict::Pass || !case.observations.is_empty();
-        Known {
-            verdict: case.came(),
+        let tells_more = case.actual_verdict() != Verdict::Pass || !case.observations.is_empty();
+        OlderCase {
+            verdict: case.actual_verdict(),
             expectation: case.expectation,
             said: fingerprint(&said),
             texts: tells_more.then(|| {
                 Box::new(Texts {
-                    expected: clip(&Fact::text(&case.expected), KEPT_LINES, KEPT_CHARACTERS),
-                    said: clip(&said, KEPT_LINES, KEPT_CHARACTERS),
+                    expected: clip(&Fact::text(&case.expected), MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),
+                    said: clip(&said, MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),
                 })
             }),
         }
@@ -68,17 +59,18 @@ impl Known {
         self.expectation != case.expectation
     }
 
-    /// How the case looks in the newer run. What an engine says while it dies need not be the same twice.
-    pub(super) fn look(&self, case: &CaseEvent) -> Look {
-        match (result(self.verdict), result(case.came())) {
-            (Result::Dead, Result::Dead) | (Result::Unsupported, Result::Unsupported) => Look::Alike,
-            (_, Result::Dead) => Look::Changed(Kind::Crashed),
-            (Result::Right, Result::Wrong | Result::Unsupported) => Look::Changed(Kind::Broken),
-            (_, Result::Right) if result(self.verdict) != Result::Right => Look::Changed(Kind::Fixed),
+    /// Returns how the case changed in the newer run; `None` where it came out alike. What an engine says while it dies need not
+    /// be the same twice.
+    pub(super) fn change(&self, case: &CaseEvent) -> Option<Kind> {
+        match (behavior(self.verdict), behavior(case.actual_verdict())) {
+            (Behavior::Dead, Behavior::Dead) | (Behavior::Unsupported, Behavior::Unsupported) => None,
+            (_, Behavior::Dead) => Some(Kind::Crashed),
+            (Behavior::Right, Behavior::Wrong | Behavior::Unsupported) => Some(Kind::Broken),
+            (_, Behavior::Right) if behavior(self.verdict) != Behavior::Right => Some(Kind::Fixed),
             // Where the suite expects something else of an engine that still does what is expected, the suite changed.
-            (Result::Right, Result::Right) if self.expects_otherwise(case) => Look::Alike,
-            (before, now) if before == now && self.said == fingerprint(&said(case, None)) => Look::Alike,
-            _ => Look::Changed(Kind::Otherwise),
+            (Behavior::Right, Behavior::Right) if self.expects_otherwise(case) => None,
+            (before, now) if before == now && self.said == fingerprint(&said(case, None)) => None,
+            _ => Some(Kind::Otherwise),
         }
     }
 
@@ -102,12 +94,12 @@ impl Known {
     }
 }
 
-fn result(verdict: Verdict) -> Result {
+fn behavior(verdict: Verdict) -> Behavior {
     match verdict {
-        Verdict::Pass | Verdict::Xpass => Result::Right,
-        Verdict::Fail | Verdict::Xfail | Verdict::Error => Result::Wrong,
-        Verdict::Crash | Verdict::Timeout => Result::Dead,
-        Verdict::Unsupported => Result::Unsupported,
+        Verdict::Pass | Verdict::Xpass => Behavior::Right,
+        Verdict::Fail | Verdict::Xfail | Verdict::Error => Behavior::Wrong,
+        Verdict::Crash | Verdict::Timeout => Behavior::Dead,
+        Verdict::Unsupported => Behavior::Unsupported,
     }
 }
 
@@ -136,41 +128,41 @@ fn fingerprint(text: &str) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Known, Look};
+    use super::OlderCase;
     use crate::comparison::Kind;
     use crate::sample;
     use stickler_run::{BaselineNote, CaseEvent, Verdict};
 
-    fn look(old: &CaseEvent, new: &CaseEvent) -> Look {
-        Known::of(old).look(new)
+    fn change(old: &CaseEvent, new: &CaseEvent) -> Option<Kind> {
+        OlderCase::of(old).change(new)
     }
 
-    fn between(old: Verdict, new: Verdict) -> Look {
-        look(&sample::case("a", old), &sample::case("a", new))
+    fn between(old: Verdict, new: Verdict) -> Option<Kind> {
+        change(&sample::case("a", old), &sample::case("a", new))
     }
 
     #[test]
     fn what_a_document_says_and_what_an_engine_does_decide_and_not_what_a_baseline_expects() {
         use Verdict::{Crash, Error, Fail, Pass, Timeout, Unsupported, Xfail, Xpass};
-        for (old, new, look) in [
-            (Pass, Fail, Look::Changed(Kind::Broken)),
-            (Pass, Xfail, Look::Changed(Kind::Broken)),
-            (Xpass, Error, Look::Changed(Kind::Broken)),
-            (Pass, Unsupported, Look::Changed(Kind::Broken)),
-            (Pass, Crash, Look::Changed(Kind::Crashed)),
-            (Fail, Timeout, Look::Changed(Kind::Crashed)),
-            (Unsupported, Crash, Look::Changed(Kind::Crashed)),
-            (Fail, Pass, Look::Changed(Kind::Fixed)),
-            (Crash, Xpass, Look::Changed(Kind::Fixed)),
-            (Unsupported, Pass, Look::Changed(Kind::Fixed)),
-            (Crash, Fail, Look::Changed(Kind::Otherwise)),
-            (Fail, Unsupported, Look::Changed(Kind::Otherwise)),
-            (Unsupported, Fail, Look::Changed(Kind::Otherwise)),
-            (Fail, Xfail, Look::Alike),
-            (Crash, Timeout, Look::Alike),
-            (Pass, Pass, Look::Alike),
+        for (old, new, change) in [
+            (Pass, Fail, Some(Kind::Broken)),
+            (Pass, Xfail, Some(Kind::Broken)),
+            (Xpass, Error, Some(Kind::Broken)),
+            (Pass, Unsupported, Some(Kind::Broken)),
+            (Pass, Crash, Some(Kind::Crashed)),
+            (Fail, Timeout, Some(Kind::Crashed)),
+            (Unsupported, Crash, Some(Kind::Crashed)),
+            (Fail, Pass, Some(Kind::Fixed)),
+            (Crash, Xpass, Some(Kind::Fixed)),
+            (Unsupported, Pass, Some(Kind::Fixed)),
+            (Crash, Fail, Some(Kind::Otherwise)),
+            (Fail, Unsupported, Some(Kind::Otherwise)),
+            (Unsupported, Fail, Some(Kind::Otherwise)),
+            (Fail, Xfail, None),
+            (Crash, Timeout, None),
+            (Pass, Pass, None),
         ] {
-            assert_eq!(between(old, new), look, "{old} → {new}");
+            assert_eq!(between(old, new), change, "{old} → {new}");
         }
     }
 
@@ -187,9 +179,9 @@ mod tests {
             baseline: Some(note),
             ..sample::case("a", Verdict::Xfail)
         };
-        let crashed = Look::Changed(Kind::Crashed);
-        assert_eq!(look(&sample::case("a", Verdict::Fail), &crash), crashed);
-        assert_eq!(look(&sample::case("a", Verdict::Crash), &crash), Look::Alike);
+        let crashed = Some(Kind::Crashed);
+        assert_eq!(change(&sample::case("a", Verdict::Fail), &crash), crashed);
+        assert_eq!(change(&sample::case("a", Verdict::Crash), &crash), None);
     }
 
     #[test]
@@ -199,12 +191,12 @@ mod tests {
             got: vec![sample::value("into", "INT#0")],
             ..wrong.clone()
         };
-        assert_eq!(look(&wrong, &otherwise), Look::Changed(Kind::Otherwise));
+        assert_eq!(change(&wrong, &otherwise), Some(Kind::Otherwise));
         let open = sample::open_case("a");
         let mut observed = open.clone();
         observed.observations[0].value = "INT#2".to_owned();
-        assert_eq!(look(&open, &open), Look::Alike);
-        assert_eq!(look(&open, &observed), Look::Changed(Kind::Otherwise));
+        assert_eq!(change(&open, &open), None);
+        assert_eq!(change(&open, &observed), Some(Kind::Otherwise));
     }
 
     #[test]
@@ -214,10 +206,10 @@ mod tests {
             expectation: old.expectation + 1,
             ..old.clone()
         };
-        assert_eq!(look(&old, &new), Look::Alike);
-        assert!(Known::of(&old).expects_otherwise(&new));
+        assert_eq!(change(&old, &new), None);
+        assert!(OlderCase::of(&old).expects_otherwise(&new));
         assert_eq!(
-            Known::of(&old).said(None, true),
+            OlderCase::of(&old).said(None, true),
             None,
             "what was expected then is not known"
         );
