@@ -4,34 +4,35 @@
 //! are wrong alike are both found.
 
 mod comparison;
-mod entrant;
-mod finding;
+mod describe;
+mod engine;
+mod evaluated;
 mod pace;
 mod pack;
-mod subject;
-mod told;
+mod reduction;
+mod renumber;
 mod worker;
 
 pub(crate) use comparison::{Agreement, Disagreement, Question, compare};
-pub use entrant::Entrant;
-pub(crate) use entrant::ask;
-pub(crate) use finding::expected;
-pub use pace::Packs;
-pub(crate) use subject::Subject;
-pub(crate) use told::told;
+pub(crate) use describe::describe;
+pub use engine::EngineUnderTest;
+pub(crate) use engine::ask;
+pub(crate) use evaluated::EvaluatedProgram;
+pub use pace::PackPolicy;
+pub(crate) use reduction::expected;
 
-use crate::bench::{Bench, Worker};
 use crate::commands::Commands;
+use crate::exclusions::Exclusions;
 use crate::inputs::Inputs;
-use crate::without::Without;
+use crate::oracle::{Oracle, Worker};
 use stickler_engines::EngineError;
 use stickler_generate::model::Program;
 use stickler_types::DialectName;
 
-/// The bench of a campaign with engines.
-pub struct Differential<'e> {
+/// The oracle of a campaign with engines.
+pub struct DifferentialOracle<'e> {
     /// The engines.
-    pub entrants: Vec<Entrant<'e>>,
+    pub engines: Vec<EngineUnderTest<'e>>,
     /// Where programs come from.
     pub inputs: Inputs,
     /// The dialects that programs are made for; an engine is asked only for those that it speaks.
@@ -39,14 +40,14 @@ pub struct Differential<'e> {
     /// Whether programs may use what documents leave open. Values of such programs are not compared.
     pub open: bool,
     /// What programs shall not have.
-    pub without: Without,
+    pub without: Exclusions,
     /// When an engine is given several programs at a time.
-    pub packs: Packs,
+    pub packs: PackPolicy,
     /// How commands are written.
     pub commands: Commands,
 }
 
-impl Differential<'_> {
+impl DifferentialOracle<'_> {
     /// The program at a place; `None` where nothing comes without what is to be left out.
     fn program(&self, place: u64) -> Option<Program> {
         self.inputs
@@ -54,8 +55,8 @@ impl Differential<'_> {
     }
 }
 
-impl Bench for Differential<'_> {
+impl Oracle for DifferentialOracle<'_> {
     fn worker(&self) -> Result<Box<dyn Worker + '_>, EngineError> {
-        Ok(Box::new(worker::Asking::new(self)?))
+        Ok(Box::new(worker::DifferentialWorker::new(self)?))
     }
 }

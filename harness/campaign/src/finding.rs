@@ -8,7 +8,7 @@ use stickler_types::{DialectName, Fnv1a};
 pub const FORMAT: u32 = 1;
 
 /// So much of a symptom stands in a name; some compilers say much.
-const LONGEST_KIND: usize = 40;
+const MAX_KIND_LEN: usize = 40;
 
 /// A disagreement or crash, reduced and run again.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -22,7 +22,7 @@ pub struct Finding {
     /// The target whose oracle found it.
     pub target: String,
     /// The engine that disagrees; `None` where it is the reference, asked by a target of its own.
-    pub engine: Option<Asked>,
+    pub engine: Option<EngineInfo>,
     /// How it disagrees, in a word such as `value:INT`, `rejected:P4035`, `crash`.
     pub symptom: String,
     /// What is left of the language in the reduced program: functions, operators, kinds of statements. Sorted.
@@ -38,7 +38,7 @@ pub struct Finding {
     /// What must happen.
     pub expected: Expected,
     /// What each engine did with the reduced program.
-    pub outcomes: Vec<Answer>,
+    pub outcomes: Vec<EngineReport>,
     /// Commands for a shell: the first judges the saved program again, the second finds the original again.
     pub reproduce: Vec<String>,
     /// Of the saved program, so that one that was edited is not taken for what was found.
@@ -56,7 +56,7 @@ pub struct Finding {
 
 /// An engine that was asked.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct Asked {
+pub struct EngineInfo {
     /// Its name in the campaign.
     pub name: String,
     /// Its version, in its own words.
@@ -101,7 +101,7 @@ pub enum Expected {
     /// The program is accepted, and at its end its variables have these values.
     Values {
         /// The variables and their values, as typed literals.
-        values: Vec<Observed>,
+        values: Vec<ObservedValue>,
         /// The document and section that say so; `None` where something that happened is open.
         basis: Option<String>,
         /// What happened that no document settles.
@@ -125,7 +125,7 @@ pub enum Expected {
 
 /// A variable and its value.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct Observed {
+pub struct ObservedValue {
     /// The variable, or a path to an elementary value.
     pub name: String,
     /// A typed literal.
@@ -134,9 +134,9 @@ pub struct Observed {
 
 /// What one engine did.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct Answer {
+pub struct EngineReport {
     /// The engine.
-    pub engine: Asked,
+    pub engine: EngineInfo,
     /// `executed`, `rejected`, `crashed` …
     pub outcome: String,
     /// One fact a line: values, diagnostics, reasons.
@@ -152,7 +152,7 @@ impl Finding {
         print.write_part(&self.target);
         self.rule.iter().for_each(|part| print.write_part(part));
         print.write_part(self.kind());
-        let kind: String = self.kind().chars().take(LONGEST_KIND).collect();
+        let kind: String = self.kind().chars().take(MAX_KIND_LEN).collect();
         self.id = format!("{}-{:08x}", file_name(&format!("{who}-{kind}")), print.folded());
         self.fingerprint = fingerprint(self.program.as_deref(), &self.input);
         self

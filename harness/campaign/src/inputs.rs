@@ -1,6 +1,6 @@
 //! The input at each place of a seed's row: the same on every machine, whoever asks and in whatever order.
 
-use crate::without::Without;
+use crate::exclusions::Exclusions;
 use arbitrary::Unstructured;
 use stickler_generate::generator::{self, GeneratorSettings};
 use stickler_generate::model::Program;
@@ -75,7 +75,7 @@ impl Inputs {
         place: u64,
         dialects: &[DialectName],
         open: bool,
-        without: &Without,
+        without: &Exclusions,
     ) -> Option<Program> {
         let first = self.program(place, dialects, open);
         if without.admits(&first) {

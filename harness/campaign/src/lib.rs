@@ -1,20 +1,20 @@
 //! Fuzz campaigns without libFuzzer: programs from a seed, engines side by side, findings that are kept.
 //!
-//! [`run`] gives out places of a seed's row to workers of a [`Bench`], takes their [`Verdict`]s in order, has what is
+//! [`run`] gives out places of a seed's row to workers of a [`Oracle`], takes their [`Verdict`]s in order, has what is
 //! suspicious made small, and tells each [`Finding`] once. [`Store`] keeps findings in a folder.
 //!
 //! Architecture Invariant: this crate knows no terminal and no command line.
 #![forbid(unsafe_code)]
 
 mod basis;
-mod bench;
 mod commands;
 mod differential;
+mod exclusions;
 mod expressions;
 pub mod finding;
 mod inputs;
 mod merge;
-mod oracles;
+mod oracle;
 mod plan;
 mod promote;
 pub mod record;
@@ -24,20 +24,20 @@ mod run;
 mod sample;
 mod shrink;
 mod store;
+mod targets;
 mod texts;
-mod without;
 
-pub use bench::{Bench, Suspicion, Verdict, Worker};
 pub use commands::Commands;
-pub use differential::{Differential, Entrant, Packs};
+pub use differential::{DifferentialOracle, EngineUnderTest, PackPolicy};
+pub use exclusions::{Exclusions, UnknownWord};
 pub use finding::Finding;
 pub use inputs::Inputs;
 pub use merge::{Merged, merge};
-pub use oracles::Oracles;
+pub use oracle::{Mismatch, Oracle, Verdict, Worker};
 pub use plan::{Plan, Until};
-pub use promote::{FOUND, PromoteError, Promoted, Words, promote};
+pub use promote::{CaseHead, FOUND, PromoteError, Promoted, promote};
 pub use record::{Record, Request};
 pub use replay::{Replayed, replay};
 pub use run::{CampaignError, Ended, Event, Progress, Summary, run};
 pub use store::{Saved, Store, StoreError, load};
-pub use without::{UnknownWord, Without};
+pub use targets::TargetOracle;

@@ -1,6 +1,6 @@
 //! A finding made a case: what must happen, by the evaluator or by the planted error, never by what an engine did.
 
-use crate::finding::{Expected, Finding, Observed, Standing};
+use crate::finding::{Expected, Finding, ObservedValue, Standing};
 use std::fmt::Write;
 use std::fs;
 use std::io;
@@ -54,7 +54,7 @@ pub struct Promoted {
 
 /// What a person says of a finding; what is left out is proposed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Words<'w> {
+pub struct CaseHead<'w> {
     /// The name of the case.
     pub name: Option<&'w str>,
     /// What holds, in a line.
@@ -67,7 +67,7 @@ pub struct Words<'w> {
 ///
 /// # Errors
 /// [`PromoteError`]; then no file is left.
-pub fn promote(finding: &Finding, cases: &Path, words: &Words<'_>) -> Result<Promoted, PromoteError> {
+pub fn promote(finding: &Finding, cases: &Path, words: &CaseHead<'_>) -> Result<Promoted, PromoteError> {
     let name = words.name.unwrap_or(&finding.id);
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte);
     if name.is_empty() || name.starts_with('.') || !name.bytes().all(plain) {
@@ -118,7 +118,7 @@ fn mistake(cases: &Path, path: &Path) -> Option<String> {
 ///
 /// # Errors
 /// [`PromoteError::Refused`].
-fn case_file(finding: &Finding, words: &Words<'_>) -> Result<(String, String), PromoteError> {
+fn case_file(finding: &Finding, words: &CaseHead<'_>) -> Result<(String, String), PromoteError> {
     let refused = |reason: String| PromoteError::Refused {
         id: finding.id.clone(),
         reason,
@@ -213,14 +213,14 @@ fn toml_string(text: &str) -> String {
     quoted
 }
 
-fn with_values(program: &str, values: &[Observed]) -> String {
+fn with_values(program: &str, values: &[ObservedValue]) -> String {
     let mut text = program.to_owned();
     if values.is_empty() {
         return with_error_free_end(text);
     }
     end_line(&mut text);
     text.push_str("(*! values\n");
-    for Observed { name, value } in values {
+    for ObservedValue { name, value } in values {
         // Neither end nor beginning of a comment may stand in a mark.
         let value = value.replace("*)", "*$29").replace("(*", "($2A");
         text.push_str(&format!("{name} = {value}\n"));
@@ -271,7 +271,7 @@ mod tests {
     }
 
     fn reason(finding: &Finding) -> String {
-        promote(finding, cases().path(), &Words::default())
+        promote(finding, cases().path(), &CaseHead::default())
             .unwrap_err()
             .to_string()
     }
@@ -280,7 +280,7 @@ mod tests {
     fn a_finding_becomes_a_case_that_expects_what_the_evaluator_says() {
         let cases = cases();
         let finding = sample::finding("a", "value:INT", &["MOD"], 6);
-        let words = Words {
+        let words = CaseHead {
             name: Some("mod-of-things"),
             title: Some("MOD gives (* what is *) left"),
             basis: None,
@@ -309,13 +309,13 @@ mod tests {
             },
             ..sample::finding("a", "not-rejected:P4035", &[], 6)
         };
-        let error = promote(&finding, cases.path(), &Words::default())
+        let error = promote(&finding, cases.path(), &CaseHead::default())
             .unwrap_err()
             .to_string();
         assert!(error.contains("name it with --basis"), "{error}");
-        let words = Words {
+        let words = CaseHead {
             basis: Some("stickler-design: §7"),
-            ..Words::default()
+            ..CaseHead::default()
         };
         let promoted = promote(&finding, cases.path(), &words).unwrap();
         let text = fs::read_to_string(promoted.path).unwrap();
@@ -357,7 +357,7 @@ mod tests {
     fn a_case_with_a_basis_that_is_none_is_not_kept() {
         let cases = cases();
         let finding = sample::finding("a", "value:INT", &["MOD"], 6);
-        let words = |name, basis| Words {
+        let words = |name, basis| CaseHead {
             name: Some(name),
             basis,
             title: None,

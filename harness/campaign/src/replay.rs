@@ -1,7 +1,7 @@
 //! A finding, or an input alone, judged once more.
 
-use crate::differential::{Agreement, Disagreement, Entrant, Question, ask, compare, told};
-use crate::finding::{Answer, Expected, Finding};
+use crate::differential::{Agreement, Disagreement, EngineUnderTest, Question, ask, compare, describe};
+use crate::finding::{EngineReport, Expected, Finding};
 use stickler_engines::{EngineError, EngineSession, Outcome};
 use stickler_generate::oracles::{FuzzTarget, InputOutcome, OracleFailure};
 use stickler_types::{DialectName, Value};
@@ -10,7 +10,7 @@ use stickler_types::{DialectName, Value};
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Replayed {
     /// What each engine did with the saved program, and how it differs from what must happen, where it does.
-    pub answers: Vec<(Answer, Option<String>)>,
+    pub answers: Vec<(EngineReport, Option<String>)>,
     /// What the target said of the saved input; `None` where the finding has none.
     pub judged: Option<Result<InputOutcome, OracleFailure>>,
 }
@@ -27,11 +27,11 @@ impl Replayed {
 ///
 /// # Errors
 /// [`EngineError`] where an engine cannot be started.
-pub fn replay(finding: &Finding, entrants: &[Entrant<'_>]) -> Result<Replayed, EngineError> {
+pub fn replay(finding: &Finding, engines: &[EngineUnderTest<'_>]) -> Result<Replayed, EngineError> {
     let mut replayed = Replayed::default();
     if let (Some(program), Some(dialect)) = (&finding.program, finding.dialect()) {
-        for entrant in entrants {
-            if let Some(answer) = again(&finding.expected, program, dialect, *entrant)? {
+        for engine in engines {
+            if let Some(answer) = again(&finding.expected, program, dialect, *engine)? {
                 replayed.answers.push(answer);
             }
         }
@@ -48,9 +48,9 @@ fn again(
     expected: &Expected,
     program: &str,
     dialect: DialectName,
-    entrant: Entrant<'_>,
-) -> Result<Option<(Answer, Option<String>)>, EngineError> {
-    let mut session = EngineSession::open(entrant.engine)?;
+    engine: EngineUnderTest<'_>,
+) -> Result<Option<(EngineReport, Option<String>)>, EngineError> {
+    let mut session = EngineSession::open(engine.engine)?;
     let (outcome, wrong) = match expected {
         Expected::Values { values, opened, .. } => {
             let values: Vec<(String, Value)> = values
@@ -77,7 +77,7 @@ fn again(
         }
         Expected::Property { .. } => return Ok(None),
     };
-    Ok(Some((told(entrant.asked(), &outcome), wrong)))
+    Ok(Some((describe(engine.info(), &outcome), wrong)))
 }
 
 fn not_rejected_so(outcome: &Outcome, code: &str, line: u32) -> Option<String> {

@@ -1,4 +1,4 @@
-//! The campaign itself: places are given out, verdicts taken in order, suspicions made small, findings told once.
+//! The campaign itself: places are given out, verdicts taken in order, mismatches made small, findings told once.
 //!
 //! Architecture Invariant: what is found depends on the row of verdicts alone, which is taken in the order of places, never
 //! on who was quicker. So the number of workers changes nothing, and with a count a seed finds the same every time.
@@ -8,8 +8,8 @@ mod tasks;
 #[cfg(test)]
 mod tests;
 
-use crate::bench::{Bench, Suspicion, Verdict};
 use crate::finding::Finding;
+use crate::oracle::{Mismatch, Oracle, Verdict};
 use crate::plan::{Plan, Until};
 use ledger::Ledger;
 use std::collections::{BTreeMap, VecDeque};
@@ -74,13 +74,13 @@ pub enum Ended {
 }
 
 /// Runs a campaign. `tell` is called on this thread. When `cancel` is requested, what is under way is given up: a
-/// suspicion that is being made small becomes a finding as it is.
+/// mismatch that is being made small becomes a finding as it is.
 ///
 /// # Errors
 /// [`CampaignError`] where an engine or a thread cannot be started; no input was judged then.
 pub fn run(
     plan: &Plan,
-    bench: &dyn Bench,
+    oracle: &dyn Oracle,
     tell: &mut dyn FnMut(Event<'_>),
     cancel: &Cancellation,
 ) -> Result<Summary, CampaignError> {
@@ -97,7 +97,7 @@ pub fn run(
         tell,
     };
     pool.run(
-        || bench.worker().map_err(CampaignError::Engine),
+        || oracle.worker().map_err(CampaignError::Engine),
         |worker, task| task.attempt(&mut **worker, &clock),
         &mut campaign,
     )?;
@@ -129,7 +129,7 @@ pub(crate) struct Clock<'c> {
 }
 
 /// How long findings may still be made small once the time of a campaign is up.
-const GRACE: Duration = Duration::from_secs(10);
+const REDUCTION_TIMEOUT: Duration = Duration::from_secs(10);
 
 impl<'c> Clock<'c> {
     fn new(until: Until, cancel: &'c Cancellation) -> Clock<'c> {
@@ -141,7 +141,7 @@ impl<'c> Clock<'c> {
         Clock {
             begun,
             end,
-            late: end.and_then(|end| end.checked_add(GRACE)),
+            late: end.and_then(|end| end.checked_add(REDUCTION_TIMEOUT)),
             cancel,
             over: AtomicBool::new(false),
         }
@@ -175,15 +175,15 @@ struct Campaign<'c, 't, B> {
     begun: usize,
     verdicts: Reorder<Vec<Verdict>>,
     /// Done before further batches: a campaign that is cut short has then reduced most of what it found.
-    reductions: VecDeque<Suspicion>,
+    reductions: VecDeque<Mismatch>,
     ledger: Ledger,
     tell: &'t mut dyn FnMut(Event<'_>),
 }
 
 impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<Task, Done> for Campaign<'_, '_, B> {
     fn next_task(&mut self) -> Option<Task> {
-        if let Some(suspicion) = self.reductions.pop_front() {
-            return Some(Task::Reduce(suspicion));
+        if let Some(mismatch) = self.reductions.pop_front() {
+            return Some(Task::Reduce(mismatch));
         }
         if self.begun - self.verdicts.taken() >= self.batches_ahead || !self.clock.judges() {
             return None;

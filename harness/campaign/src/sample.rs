@@ -1,6 +1,6 @@
 //! Findings for tests.
 
-use crate::finding::{Asked, Expected, FORMAT, Finding, Observed, Origin, Standing};
+use crate::finding::{EngineInfo, Expected, FORMAT, Finding, ObservedValue, Origin, Standing};
 
 /// A finding of an engine of this name.
 pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) -> Finding {
@@ -9,7 +9,7 @@ pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) ->
         id: String::new(),
         stickler: env!("CARGO_PKG_VERSION").to_owned(),
         target: "differential".to_owned(),
-        engine: Some(Asked {
+        engine: Some(EngineInfo {
             name: engine.to_owned(),
             version: "1".to_owned(),
             asked_for: format!("cmd:{engine}"),
@@ -29,7 +29,7 @@ pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) ->
         },
         message: "x: expected INT#5, got INT#6".to_owned(),
         expected: Expected::Values {
-            values: vec![Observed {
+            values: vec![ObservedValue {
                 name: "x".to_owned(),
                 value: "INT#5".to_owned(),
             }],

@@ -6,11 +6,9 @@
 //!
 //! Basis: design, section 6.
 
-mod renumber;
-
 use super::comparison::Question;
-use super::subject::Subject;
-use renumber::Shift;
+use super::evaluated::EvaluatedProgram;
+use super::renumber::Shift;
 use stickler_generate::model::visit::bodies;
 use stickler_generate::model::visit_mut::walk_program;
 use stickler_generate::model::{DeclaredKind, MainPou, Program, Statement, StatementKind};
@@ -26,7 +24,7 @@ pub(super) struct Pack {
 
 impl Pack {
     /// Puts subjects of one dialect together; `None` where there are none.
-    pub(super) fn of(subjects: &[&Subject]) -> Option<Pack> {
+    pub(super) fn of(subjects: &[&EvaluatedProgram]) -> Option<Pack> {
         let dialect = subjects.first()?.program.dialect;
         let mut all = Program {
             dialect,
@@ -69,7 +67,7 @@ impl Pack {
 }
 
 /// Whether a program can stand among others: nothing in it is open, and its main program runs to its end.
-pub(super) fn packs(subject: &Subject) -> bool {
+pub(super) fn packs(subject: &EvaluatedProgram) -> bool {
     subject.opened.is_empty() && !returns(&subject.program.main.body)
 }
 
@@ -118,9 +116,9 @@ mod tests {
     use crate::inputs::Inputs;
     use stickler_engines::{EngineSession, Reference};
 
-    fn subjects(dialect: DialectName) -> Vec<Subject> {
+    fn subjects(dialect: DialectName) -> Vec<EvaluatedProgram> {
         let programs = (0..60).map(|place| Inputs::new(5).program(place, &[dialect], false));
-        let subjects = programs.filter_map(|program| Subject::new(program).ok());
+        let subjects = programs.filter_map(|program| EvaluatedProgram::new(program).ok());
         subjects.filter(packs).collect()
     }
 

@@ -1,20 +1,20 @@
 //! One conversation with each engine, and what is judged through them.
 
-use super::Differential;
+use super::DifferentialOracle;
 use super::comparison::{Agreement, compare};
-use super::entrant::{ask, has_died, lives};
+use super::engine::{ask, has_died, lives};
+use super::evaluated::EvaluatedProgram;
 use super::pace::Pace;
 use super::pack::{Pack, packs};
-use super::subject::Subject;
-use crate::bench::{Suspicion, Verdict, Worker};
 use crate::finding::Finding;
+use crate::oracle::{Mismatch, Verdict, Worker};
 use std::time::Instant;
 use stickler_engines::{EngineError, EngineSession, Outcome};
 use stickler_types::DialectName;
 
 /// A worker with a session of each engine.
-pub(super) struct Asking<'b> {
-    pub(super) bench: &'b Differential<'b>,
+pub(super) struct DifferentialWorker<'b> {
+    pub(super) oracle: &'b DifferentialOracle<'b>,
     sessions: Vec<EngineSession<'b>>,
     paces: Vec<Pace>,
     /// Why an engine does not answer any more, by its number; `None` where it does.
@@ -24,37 +24,37 @@ pub(super) struct Asking<'b> {
 /// A place, and its program where there is one.
 struct Input {
     verdict: Verdict,
-    subject: Option<Subject>,
+    subject: Option<EvaluatedProgram>,
     /// How many engines could do it.
     asked: usize,
 }
 
-impl<'b> Asking<'b> {
+impl<'b> DifferentialWorker<'b> {
     /// Opens the sessions.
     ///
     /// # Errors
     /// [`EngineError`] of the first that cannot be opened.
-    pub(super) fn new(bench: &'b Differential<'b>) -> Result<Asking<'b>, EngineError> {
-        let sessions = bench
-            .entrants
+    pub(super) fn new(oracle: &'b DifferentialOracle<'b>) -> Result<DifferentialWorker<'b>, EngineError> {
+        let sessions = oracle
+            .engines
             .iter()
-            .map(|entrant| EngineSession::open(entrant.engine));
-        Ok(Asking {
-            bench,
+            .map(|engine| EngineSession::open(engine.engine));
+        Ok(DifferentialWorker {
+            oracle,
             sessions: sessions.collect::<Result<_, _>>()?,
-            paces: vec![Pace::new(bench.packs); bench.entrants.len()],
-            lost: vec![None; bench.entrants.len()],
+            paces: vec![Pace::new(oracle.packs); oracle.engines.len()],
+            lost: vec![None; oracle.engines.len()],
         })
     }
 
     fn input(&self, place: u64) -> Input {
         let mut verdict = Verdict::agreed(place);
         let program = self
-            .bench
+            .oracle
             .program(place)
             .ok_or("none came without what is to be left out");
         let subject = program
-            .and_then(Subject::new)
+            .and_then(EvaluatedProgram::new)
             .map_err(|word| verdict.passed_over = Some(word))
             .ok();
         Input {
@@ -69,7 +69,7 @@ impl<'b> Asking<'b> {
         let speaks = |input: &Input| {
             let subject = input.subject.as_ref();
             subject.is_some_and(|subject| {
-                self.bench.entrants[index]
+                self.oracle.engines[index]
                     .identity()
                     .speaks(subject.program.dialect)
             })
@@ -125,7 +125,7 @@ impl<'b> Asking<'b> {
         if let [one] = numbers {
             return going() && self.ask_alone(index, &mut inputs[*one]);
         }
-        let subjects: Vec<&Subject> = numbers
+        let subjects: Vec<&EvaluatedProgram> = numbers
             .iter()
             .filter_map(|&number| inputs[number].subject.as_ref())
             .collect();
@@ -159,9 +159,9 @@ impl<'b> Asking<'b> {
         self.paces[index].took(begun.elapsed());
         input.asked += usize::from(agreement != Agreement::Unsupported);
         if let Some(symptom) = agreement.symptom() {
-            input.verdict.suspicions.push(Suspicion {
+            input.verdict.mismatches.push(Mismatch {
                 place: input.verdict.place,
-                subject: self.bench.entrants[index].identity().name.clone(),
+                subject: self.oracle.engines[index].identity().name.clone(),
                 symptom: symptom.to_owned(),
             });
         }
@@ -173,8 +173,8 @@ impl<'b> Asking<'b> {
     }
 
     /// Gives the program to one engine, and holds what it does against what it must do.
-    pub(super) fn hold(&mut self, index: usize, subject: &Subject) -> (Outcome, Agreement) {
-        let question = subject.question(self.bench.entrants[index].is_reference);
+    pub(super) fn hold(&mut self, index: usize, subject: &EvaluatedProgram) -> (Outcome, Agreement) {
+        let question = subject.question(self.oracle.engines[index].is_reference);
         let outcome = ask(&mut self.sessions[index], question);
         let agreement = compare(question, &outcome);
         (outcome, agreement)
@@ -183,7 +183,7 @@ impl<'b> Asking<'b> {
     /// Whether an engine that has died can be started again; if not, the campaign is at its end.
     pub(super) fn lives(&mut self, index: usize, dialect: DialectName) -> bool {
         if self.lost[index].is_none() {
-            let name = &self.bench.entrants[index].identity().name;
+            let name = &self.oracle.engines[index].identity().name;
             self.lost[index] = lives(&mut self.sessions[index], dialect).err().map(|reason| {
                 format!("engine {name} is lost: over the smallest program that there is it {reason}")
             });
@@ -203,7 +203,7 @@ impl Input {
         if let Some(subject) = self.subject {
             verdict.passed_over = match self.asked {
                 0 => Some("no engine can do it"),
-                _ if subject.opened.is_empty() || !verdict.suspicions.is_empty() => None,
+                _ if subject.opened.is_empty() || !verdict.mismatches.is_empty() => None,
                 _ => Some("no document settles all of it"),
             };
         }
@@ -211,24 +211,24 @@ impl Input {
     }
 }
 
-impl Worker for Asking<'_> {
+impl Worker for DifferentialWorker<'_> {
     fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict> {
         if self.lost().is_some() || !going() {
             return Vec::new();
         }
         let mut inputs: Vec<Input> = places.iter().map(|&place| self.input(place)).collect();
-        for index in 0..self.bench.entrants.len() {
+        for index in 0..self.oracle.engines.len() {
             if !self.ask_all(index, &mut inputs, going) {
                 // Some engines have not seen all of it. What was seen to be wrong is wrong all the same.
-                inputs.retain(|input| !input.verdict.suspicions.is_empty());
+                inputs.retain(|input| !input.verdict.mismatches.is_empty());
                 break;
             }
         }
         inputs.into_iter().map(Input::into_verdict).collect()
     }
 
-    fn reduce(&mut self, suspicion: &Suspicion, going: &dyn Fn() -> bool) -> Finding {
-        self.finding(suspicion, going)
+    fn reduce(&mut self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding {
+        self.finding(mismatch, going)
     }
 
     fn lost(&self) -> Option<String> {

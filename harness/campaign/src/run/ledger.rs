@@ -1,8 +1,8 @@
 //! What a campaign counts and keeps.
 
 use super::{Ended, Progress, Summary};
-use crate::bench::{Suspicion, Verdict};
 use crate::finding::Finding;
+use crate::oracle::{Mismatch, Verdict};
 use crate::plan::is_reduced;
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -21,20 +21,20 @@ pub(super) struct Ledger {
 }
 
 impl Ledger {
-    /// Counts a verdict, and gives those of its suspicions that are to be made small.
-    pub(super) fn enter(&mut self, verdict: Verdict) -> Vec<Suspicion> {
+    /// Counts a verdict, and gives those of its mismatches that are to be made small.
+    pub(super) fn enter(&mut self, verdict: Verdict) -> Vec<Mismatch> {
         self.programs += 1;
         self.deaths += verdict.deaths;
         if let Some(word) = verdict.passed_over {
             *self.passed_over.entry(word).or_default() += 1;
         }
         let mut reduced = Vec::new();
-        for suspicion in verdict.suspicions {
-            let key = (suspicion.subject.clone(), suspicion.symptom.clone());
+        for mismatch in verdict.mismatches {
+            let key = (mismatch.subject.clone(), mismatch.symptom.clone());
             let number = self.disagreements.entry(key).or_default();
             *number += 1;
             if is_reduced(*number) {
-                reduced.push(suspicion);
+                reduced.push(mismatch);
             } else {
                 self.left += 1;
             }

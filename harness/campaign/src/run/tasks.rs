@@ -1,8 +1,8 @@
 //! What the workers of a campaign do: judge a batch of inputs, or reduce a mismatch.
 
 use super::Clock;
-use crate::bench::{Suspicion, Verdict, Worker};
 use crate::finding::Finding;
+use crate::oracle::{Mismatch, Verdict, Worker};
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -16,7 +16,7 @@ pub(super) enum Task {
         places: Vec<u64>,
     },
     /// Make the input of this mismatch small.
-    Reduce(Suspicion),
+    Reduce(Mismatch),
 }
 
 /// Something that was done.
@@ -52,8 +52,8 @@ impl Task {
                 verdicts: worker.judge(&places, &|| clock.judges()),
                 lost: worker.lost(),
             },
-            Task::Reduce(suspicion) => Done::Reduced {
-                finding: Box::new(worker.reduce(&suspicion, &|| clock.reduces())),
+            Task::Reduce(mismatch) => Done::Reduced {
+                finding: Box::new(worker.reduce(&mismatch, &|| clock.reduces())),
                 lost: worker.lost(),
             },
         }));
@@ -72,7 +72,7 @@ impl fmt::Display for Task {
                 let (first, last) = (places.first().unwrap_or(&0), places.last().unwrap_or(&0));
                 write!(f, "over one of the inputs {first} to {last}")
             }
-            Task::Reduce(suspicion) => write!(f, "while it made input {} small", suspicion.place),
+            Task::Reduce(mismatch) => write!(f, "while it made input {} small", mismatch.place),
         }
     }
 }

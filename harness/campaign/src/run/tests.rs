@@ -1,8 +1,8 @@
-//! The campaign on a bench that knows beforehand what it will say.
+//! The campaign on a oracle that knows beforehand what it will say.
 
 use super::{Ended, Event, Summary, run};
-use crate::bench::{Bench, Suspicion, Verdict, Worker};
 use crate::finding::Finding;
+use crate::oracle::{Mismatch, Oracle, Verdict, Worker};
 use crate::{Plan, Until, sample};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -22,7 +22,7 @@ struct Known {
 
 struct KnownWorker<'b>(&'b Known);
 
-impl Bench for Known {
+impl Oracle for Known {
     fn worker(&self) -> Result<Box<dyn Worker + '_>, EngineError> {
         Ok(Box::new(KnownWorker(self)))
     }
@@ -34,13 +34,13 @@ fn verdict(place: u64) -> Verdict {
         0 => &["value:INT"],
         _ => &[],
     };
-    let suspicion = |symptom: &&str| Suspicion {
+    let mismatch = |symptom: &&str| Mismatch {
         place,
         subject: "engine".to_owned(),
         symptom: (*symptom).to_owned(),
     };
     Verdict {
-        suspicions: symptoms.iter().map(suspicion).collect(),
+        mismatches: symptoms.iter().map(mismatch).collect(),
         passed_over: (place % 5 == 1).then_some("poisoned"),
         ..Verdict::agreed(place)
     }
@@ -54,14 +54,14 @@ impl Worker for KnownWorker<'_> {
         going.map(|&place| verdict(place)).collect()
     }
 
-    fn reduce(&mut self, suspicion: &Suspicion, _: &dyn Fn() -> bool) -> Finding {
-        let rule = if suspicion.place.is_multiple_of(7) {
+    fn reduce(&mut self, mismatch: &Mismatch, _: &dyn Fn() -> bool) -> Finding {
+        let rule = if mismatch.place.is_multiple_of(7) {
             "MOD"
         } else {
             "FOR"
         };
-        let mut finding = sample::finding("engine", &suspicion.symptom, &[rule], suspicion.place % 11);
-        finding.origin.place = suspicion.place;
+        let mut finding = sample::finding("engine", &mismatch.symptom, &[rule], mismatch.place % 11);
+        finding.origin.place = mismatch.place;
         finding
     }
 
@@ -81,8 +81,8 @@ fn plan(jobs: usize, shard: Shard, until: Until) -> Plan {
     }
 }
 
-fn campaign(bench: &Known, plan: Plan) -> Summary {
-    run(&plan, bench, &mut |_| (), &Cancellation::new()).unwrap()
+fn campaign(oracle: &Known, plan: Plan) -> Summary {
+    run(&plan, oracle, &mut |_| (), &Cancellation::new()).unwrap()
 }
 
 #[test]
@@ -164,22 +164,22 @@ fn a_campaign_ends_when_its_time_is_up() {
 
 #[test]
 fn an_engine_that_is_lost_ends_the_campaign_and_what_was_found_is_kept() {
-    let bench = Known {
+    let oracle = Known {
         gone: Some(400),
         ..Known::default()
     };
-    let summary = campaign(&bench, plan(2, Shard::WHOLE, Until::Count(u64::MAX)));
+    let summary = campaign(&oracle, plan(2, Shard::WHOLE, Until::Count(u64::MAX)));
     assert_eq!(summary.ended, Ended::Lost("it does not answer".to_owned()));
     assert!(!summary.findings.is_empty());
 }
 
 #[test]
 fn a_defect_of_stickler_itself_ends_the_campaign_in_words_and_loses_nothing() {
-    let bench = Known {
+    let oracle = Known {
         panics: Some(401),
         ..Known::default()
     };
-    let summary = campaign(&bench, plan(1, Shard::WHOLE, Until::Count(u64::MAX)));
+    let summary = campaign(&oracle, plan(1, Shard::WHOLE, Until::Count(u64::MAX)));
     let Ended::Lost(reason) = &summary.ended else {
         panic!("{:?}", summary.ended)
     };

@@ -5,7 +5,7 @@ use crate::reproducible::{campaign, whole};
 use std::fs;
 use std::path::Path;
 use stickler_campaign::finding::{Expected, Standing};
-use stickler_campaign::{Ended, Entrant, Finding, Store, Words, load, promote, replay};
+use stickler_campaign::{CaseHead, Ended, EngineUnderTest, Finding, Store, load, promote, replay};
 use stickler_engines::{Engine, Reference};
 use stickler_workers::Shard;
 
@@ -153,12 +153,12 @@ fn a_finding_is_saved_judged_again_and_promoted() {
     let finding = load(&store.place(&finding.id)).unwrap();
     let reference = Reference::default();
     let shows = |engine: &dyn Engine| {
-        let entrant = Entrant {
+        let engine = EngineUnderTest {
             engine,
             asked_for: "",
             is_reference: false,
         };
-        replay(&finding, &[entrant]).unwrap().shows()
+        replay(&finding, &[engine]).unwrap().shows()
     };
     assert!(shows(&defective));
     assert!(!shows(&reference));
@@ -169,9 +169,9 @@ fn a_finding_is_saved_judged_again_and_promoted() {
     for file in ["suite.toml", "dialects.toml"] {
         fs::copy(cases.join(file), folder.path().join(file)).unwrap();
     }
-    let words = Words {
+    let words = CaseHead {
         name: Some("mod"),
-        ..Words::default()
+        ..CaseHead::default()
     };
     let promoted = promote(&finding, folder.path(), &words).unwrap();
     let (read, errors) = stickler_suite::load_file(folder.path(), &promoted.path);

@@ -4,7 +4,8 @@ use crate::engines::{Defect, Defective};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use stickler_campaign::{
-    Commands, Differential, Entrant, Finding, Inputs, Packs, Plan, Store, Summary, Until, Without, merge, run,
+    Commands, DifferentialOracle, EngineUnderTest, Exclusions, Finding, Inputs, PackPolicy, Plan, Store,
+    Summary, Until, merge, run,
 };
 use stickler_engines::{Engine, Reference};
 use stickler_types::DialectName;
@@ -12,22 +13,25 @@ use stickler_workers::{Cancellation, Shard};
 
 /// A campaign of the reference and this engine, which are asked for one program at a time.
 pub fn campaign(engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> Summary {
-    campaign_with(Packs::Never, engine, shard, count, jobs)
+    campaign_with(PackPolicy::Never, engine, shard, count, jobs)
 }
 
-fn campaign_with(packs: Packs, engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> Summary {
+fn campaign_with(packs: PackPolicy, engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> Summary {
     let reference = Reference::default();
-    let entrant = |engine, asked_for| Entrant {
+    let under_test = |engine, asked_for| EngineUnderTest {
         engine,
         asked_for,
         is_reference: asked_for == "reference",
     };
-    let bench = Differential {
-        entrants: vec![entrant(&reference, "reference"), entrant(engine, "cmd:defective")],
+    let oracle = DifferentialOracle {
+        engines: vec![
+            under_test(&reference, "reference"),
+            under_test(engine, "cmd:defective"),
+        ],
         inputs: Inputs::new(11),
         dialects: DialectName::ALL.to_vec(),
         open: false,
-        without: Without::default(),
+        without: Exclusions::default(),
         packs,
         commands: Commands {
             program: "stickler".to_owned(),
@@ -45,7 +49,7 @@ fn campaign_with(packs: Packs, engine: &dyn Engine, shard: Shard, count: u64, jo
         jobs,
         batch: 16,
     };
-    run(&plan, &bench, &mut |_| (), &Cancellation::new()).expect("the engines start")
+    run(&plan, &oracle, &mut |_| (), &Cancellation::new()).expect("the engines start")
 }
 
 /// A campaign that is no part, on two threads.
@@ -69,7 +73,7 @@ fn packs_change_nothing_that_is_found() {
         let defective = Defective::new(Defect::DiesOver("WHILE "));
         campaign_with(packs, &defective, Shard::WHOLE, 64, 1)
     };
-    let (alone, packed) = (of(Packs::Never), of(Packs::Always));
+    let (alone, packed) = (of(PackPolicy::Never), of(PackPolicy::Always));
     assert!(!alone.findings.is_empty());
     assert_eq!(alone.findings, packed.findings);
     assert_eq!(alone.disagreements, packed.disagreements);
@@ -79,7 +83,7 @@ fn packs_change_nothing_that_is_found() {
 #[test]
 fn an_engine_that_is_right_is_asked_about_the_programs_of_a_pack_at_once() {
     let right = Defective::new(Defect::DiesOver("what no program has"));
-    let summary = campaign_with(Packs::Always, &right, Shard::WHOLE, 160, 1);
+    let summary = campaign_with(PackPolicy::Always, &right, Shard::WHOLE, 160, 1);
     assert_eq!((summary.programs, summary.findings.len()), (160, 0));
     assert!(right.requests() < 80, "{}", right.requests());
 }

@@ -18,8 +18,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use stickler_campaign::{
-    Bench, Commands, Differential, Ended, Entrant, Event, Inputs, Oracles, Packs, Plan, Request, Store,
-    Summary, Until, Without,
+    Commands, DifferentialOracle, Ended, EngineUnderTest, Event, Exclusions, Inputs, Oracle, PackPolicy,
+    Plan, Request, Store, Summary, TargetOracle, Until,
 };
 use stickler_generate::oracles::FuzzTarget;
 use stickler_types::DialectName;
@@ -38,7 +38,7 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
     }
     // An engine may take its time to start; the campaign itself ends in an orderly way.
     interrupt::at_once()?;
-    let without = Without::new(&arguments.without)?;
+    let without = Exclusions::new(&arguments.without)?;
     let engines = engines_of(&arguments.engine)?;
     let store = Store::open(&findings_folder(arguments.findings.as_ref()))?;
     let inputs = Inputs::new(arguments.seed);
@@ -48,16 +48,16 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
             bail!("--dialect needs an --engine; the oracles of the reference choose dialects by their input");
         }
         let targets = match &arguments.target[..] {
-            [] => Oracles::TARGETS.to_vec(),
+            [] => TargetOracle::TARGETS.to_vec(),
             named => named.to_vec(),
         };
         let request = request(arguments, &targets, Vec::new(), &[]);
-        let bench = Oracles {
+        let oracle = TargetOracle {
             targets,
             inputs,
             commands,
         };
-        return campaign(&bench, 64, arguments, request, store, out);
+        return campaign(&oracle, 64, arguments, request, store, out);
     }
     let dialects = dialects_of(arguments, &engines)?;
     let names = engines
@@ -65,21 +65,21 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
         .map(|named| named.identity().name.clone())
         .collect();
     let request = request(arguments, &[FuzzTarget::Differential], names, &dialects);
-    let bench = Differential {
-        entrants: engines.iter().map(entrant).collect(),
+    let oracle = DifferentialOracle {
+        engines: engines.iter().map(under_test).collect(),
         inputs,
         dialects,
         open: arguments.open,
         without,
-        packs: Packs::WhereSlow,
+        packs: PackPolicy::WhereSlow,
         commands,
     };
-    campaign(&bench, 16, arguments, request, store, out)
+    campaign(&oracle, 16, arguments, request, store, out)
 }
 
-/// Runs it on a bench.
+/// Runs it on a oracle.
 fn campaign(
-    bench: &dyn Bench,
+    oracle: &dyn Oracle,
     batch: usize,
     arguments: &FuzzArguments,
     request: Request,
@@ -106,7 +106,7 @@ fn campaign(
         Event::Progress(progress) => bar.reach(progress),
         Event::Found(finding) => keeper.keep(finding),
     };
-    let summary = stickler_campaign::run(&plan, bench, &mut tell, cancel);
+    let summary = stickler_campaign::run(&plan, oracle, &mut tell, cancel);
     bar.finish();
     let summary = summary?;
     let unsaved = keeper.end(&summary);
@@ -139,8 +139,8 @@ fn engines_of(names: &[String]) -> anyhow::Result<Vec<Named>> {
     engines::by_names(&all)
 }
 
-fn entrant(named: &Named) -> Entrant<'_> {
-    Entrant {
+fn under_test(named: &Named) -> EngineUnderTest<'_> {
+    EngineUnderTest {
         engine: named.engine.as_ref(),
         asked_for: &named.asked_for,
         is_reference: named.asked_for == engines::REFERENCE,

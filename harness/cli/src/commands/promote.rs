@@ -6,7 +6,7 @@ use crate::case_folder::CaseFolder;
 use crate::exit::Exit;
 use crate::{output, shell};
 use std::io::Write;
-use stickler_campaign::{FOUND, Words, load, promote};
+use stickler_campaign::{CaseHead, FOUND, load, promote};
 
 /// Writes the case, and says how to run it.
 ///
@@ -15,7 +15,7 @@ use stickler_campaign::{FOUND, Words, load, promote};
 pub fn execute(arguments: &PromoteArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let finding = load(&finding_place(&arguments.finding, None))?;
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let words = Words {
+    let words = CaseHead {
         name: arguments.name.as_deref(),
         title: arguments.title.as_deref(),
         basis: arguments.basis.as_deref(),

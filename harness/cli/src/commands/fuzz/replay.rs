@@ -1,6 +1,6 @@
 //! One input, or one finding, judged again.
 
-use super::{engines_of, entrant, finding_place};
+use super::{engines_of, finding_place, under_test};
 use crate::arguments::FuzzArguments;
 use crate::exit::Exit;
 use crate::{engines, output, source_file};
@@ -53,8 +53,8 @@ fn finding(path: &Path, arguments: &FuzzArguments, out: &mut dyn Write) -> anyho
         );
     }
     let engines = engines_of(&names(&finding, arguments))?;
-    let entrants: Vec<_> = engines.iter().map(entrant).collect();
-    let replayed = replay(&finding, &entrants)?;
+    let engines: Vec<_> = engines.iter().map(under_test).collect();
+    let replayed = replay(&finding, &engines)?;
     write_replayed(&finding, &replayed, out)?;
     Ok(exit_of(replayed.shows()))
 }

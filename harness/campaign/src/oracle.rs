@@ -4,7 +4,7 @@ use crate::finding::Finding;
 use stickler_engines::EngineError;
 
 /// What inputs are held against; shared by all workers.
-pub trait Bench: Sync {
+pub trait Oracle: Sync {
     /// Someone who judges, with conversations of their own. Called once a worker.
     ///
     /// # Errors
@@ -20,8 +20,8 @@ pub trait Worker {
     /// how many are asked for at a time.
     fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict>;
 
-    /// Makes a suspicion small and runs it once more. When `going` becomes false, the smallest so far is given.
-    fn reduce(&mut self, suspicion: &Suspicion, going: &dyn Fn() -> bool) -> Finding;
+    /// Makes a mismatch small and runs it once more. When `going` becomes false, the smallest so far is given.
+    fn reduce(&mut self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding;
 
     /// An engine that can no longer be used, and why; asked after each judgement.
     fn lost(&self) -> Option<String> {
@@ -37,14 +37,14 @@ pub struct Verdict {
     /// Why it was not judged, where it was not.
     pub passed_over: Option<&'static str>,
     /// Who disagreed, each once.
-    pub suspicions: Vec<Suspicion>,
+    pub mismatches: Vec<Mismatch>,
     /// How often an engine died or hung over it and was started anew.
     pub deaths: u64,
 }
 
 /// A disagreement, before it is made small.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub struct Suspicion {
+pub struct Mismatch {
     /// The place of the input.
     pub place: u64,
     /// Who: an engine, or the target that asked the reference.
@@ -60,7 +60,7 @@ impl Verdict {
         Verdict {
             place,
             passed_over: None,
-            suspicions: Vec::new(),
+            mismatches: Vec::new(),
             deaths: 0,
         }
     }

@@ -1,13 +1,13 @@
 //! An engine of a campaign.
 
 use super::comparison::{Agreement, Disagreement, Question, compare};
-use crate::finding::Asked;
+use crate::finding::EngineInfo;
 use stickler_engines::{Engine, EngineSession, Identity, Observation, Outcome, RunRequest};
 use stickler_types::DialectName;
 
 /// An engine, and how it was asked for.
 #[derive(Clone, Copy)]
-pub struct Entrant<'e> {
+pub struct EngineUnderTest<'e> {
     /// The engine.
     pub engine: &'e dyn Engine,
     /// What stands behind `--engine` to get it.
@@ -16,16 +16,16 @@ pub struct Entrant<'e> {
     pub is_reference: bool,
 }
 
-impl Entrant<'_> {
+impl EngineUnderTest<'_> {
     /// Who it is.
     pub(crate) fn identity(&self) -> &Identity {
         self.engine.identity()
     }
 
     /// Who it is, for a finding.
-    pub(crate) fn asked(&self) -> Asked {
+    pub(crate) fn info(&self) -> EngineInfo {
         let Identity { name, version, .. } = self.identity();
-        Asked {
+        EngineInfo {
             name: name.clone(),
             version: version.clone(),
             asked_for: self.asked_for.to_owned(),

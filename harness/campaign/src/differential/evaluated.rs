@@ -7,7 +7,7 @@ use stickler_generate::writer::{Style, write};
 use stickler_types::Value;
 
 /// A program, its text, and what it must give.
-pub(crate) struct Subject {
+pub(crate) struct EvaluatedProgram {
     /// The text.
     pub(crate) text: String,
     /// The program.
@@ -20,17 +20,17 @@ pub(crate) struct Subject {
     pub(crate) binds_the_reference: bool,
 }
 
-impl Subject {
+impl EvaluatedProgram {
     /// Evaluates and writes a program.
     ///
     /// # Errors
     /// Why nothing can be asked about it, in a word that is the same for all of a kind.
-    pub(crate) fn new(program: Program) -> Result<Subject, &'static str> {
+    pub(crate) fn new(program: Program) -> Result<EvaluatedProgram, &'static str> {
         let evaluation = evaluate(&program, 1).map_err(word)?;
         let binds_the_reference = evaluation.binds_the_reference();
         let Evaluation { values, opened, .. } = evaluation;
         let text = write(&program, &Style::default()).text;
-        Ok(Subject {
+        Ok(EvaluatedProgram {
             text,
             program,
             values,

@@ -1,50 +1,53 @@
-//! A suspicion made small, run once more, and written down.
+//! A mismatch made small, run once more, and written down.
 
 use super::comparison::{Agreement, Disagreement};
-use super::entrant::has_died;
-use super::subject::Subject;
-use super::told::told;
-use super::worker::Asking;
+use super::describe::describe;
+use super::engine::has_died;
+use super::evaluated::EvaluatedProgram;
+use super::worker::DifferentialWorker;
 use crate::basis::basis;
-use crate::bench::Suspicion;
-use crate::finding::{Answer as Said, Expected, FORMAT, Finding, Observed, Origin, Standing};
+use crate::finding::{EngineReport, Expected, FORMAT, Finding, ObservedValue, Origin, Standing};
+use crate::oracle::Mismatch;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
 
 /// How many smaller programs are tried where an engine answers from within this process.
-const MANY_TRIES: u64 = 5000;
+const MAX_TRIES_IN_PROCESS: u64 = 5000;
 /// How many where each starts a compiler.
-const TRIES: u64 = 800;
+const MAX_TRIES: u64 = 800;
 /// How many where each takes as long as an engine may take.
-const FEW_TRIES: u64 = 30;
+const MAX_TRIES_OF_HANG: u64 = 30;
 
-impl Asking<'_> {
-    /// Makes the program of a suspicion as small as it can be, and asks every engine about what is left.
-    pub(super) fn finding(&mut self, suspicion: &Suspicion, going: &dyn Fn() -> bool) -> Finding {
-        let bench = self.bench;
-        let start = bench.program(suspicion.place);
+impl DifferentialWorker<'_> {
+    /// Makes the program of a mismatch as small as it can be, and asks every engine about what is left.
+    pub(super) fn finding(&mut self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding {
+        let oracle = self.oracle;
+        let start = oracle.program(mismatch.place);
         // What was judged at this place came from it then, and comes from it again.
-        let start =
-            start.unwrap_or_else(|| bench.inputs.program(suspicion.place, &bench.dialects, bench.open));
-        let entrants = &bench.entrants;
-        // A suspicion names an engine of this campaign.
-        let index = entrants
+        let start = start.unwrap_or_else(|| {
+            oracle
+                .inputs
+                .program(mismatch.place, &oracle.dialects, oracle.open)
+        });
+        let engines = &oracle.engines;
+        // A mismatch names an engine of this campaign.
+        let index = engines
             .iter()
-            .position(|entrant| entrant.identity().name == suspicion.subject)
+            .position(|engine| engine.identity().name == mismatch.subject)
             .unwrap_or(0);
         let stop = || !going();
         let budget = ReductionBudget {
-            tries: self.tries(index, suspicion),
+            tries: self.tries(index, mismatch),
             stop: &stop,
         };
-        let opened = Subject::new(start.clone()).is_ok_and(|subject| !subject.opened.is_empty());
+        let opened = EvaluatedProgram::new(start.clone()).is_ok_and(|subject| !subject.opened.is_empty());
         let reduced = reduce::program(
             &start,
-            |candidate| self.shows(index, suspicion, candidate, opened),
+            |candidate| self.shows(index, mismatch, candidate, opened),
             &budget,
         );
-        let again = self.shows(index, suspicion, &reduced.value, opened);
+        let again = self.shows(index, mismatch, &reduced.value, opened);
         let standing = match (reduced.ended, again) {
             (StopReason::NotInteresting, _) => Standing::Flaky,
             (_, Interestingness::Interesting) => Standing::Confirmed,
@@ -57,22 +60,22 @@ impl Asking<'_> {
             reduced.value
         };
         let origin = Origin {
-            seed: bench.inputs.seed(),
-            place: suspicion.place,
-            open: bench.open,
+            seed: oracle.inputs.seed(),
+            place: mismatch.place,
+            open: oracle.open,
             smallest: reduced.ended == StopReason::Smallest && self.gone(index).is_none(),
             tries: reduced.tries,
             size_found: 0,
             size: 0,
         };
-        self.written_down(index, suspicion, &start, program, standing, origin)
+        self.written_down(index, mismatch, &start, program, standing, origin)
     }
 
-    fn tries(&self, index: usize, suspicion: &Suspicion) -> u64 {
-        match (&*suspicion.symptom, self.bench.entrants[index].is_reference) {
-            ("hang", _) => FEW_TRIES,
-            (_, true) => MANY_TRIES,
-            (_, false) => TRIES,
+    fn tries(&self, index: usize, mismatch: &Mismatch) -> u64 {
+        match (&*mismatch.symptom, self.oracle.engines[index].is_reference) {
+            ("hang", _) => MAX_TRIES_OF_HANG,
+            (_, true) => MAX_TRIES_IN_PROCESS,
+            (_, false) => MAX_TRIES,
         }
     }
 
@@ -83,7 +86,7 @@ impl Asking<'_> {
     fn shows(
         &mut self,
         index: usize,
-        suspicion: &Suspicion,
+        mismatch: &Mismatch,
         candidate: &Program,
         opened: bool,
     ) -> Interestingness {
@@ -94,7 +97,7 @@ impl Asking<'_> {
         if candidate.main.variables.is_empty() || candidate.main.body.is_empty() {
             return Interestingness::Invalid;
         }
-        let Ok(subject) = Subject::new(candidate.clone()) else {
+        let Ok(subject) = EvaluatedProgram::new(candidate.clone()) else {
             return Interestingness::Invalid;
         };
         // A program that the documents settle must not become one of which they say nothing.
@@ -105,27 +108,27 @@ impl Asking<'_> {
         if has_died(&outcome) && !self.lives(index, candidate.dialect) {
             return Interestingness::Invalid;
         }
-        Interestingness::from(agreement.symptom() == Some(&suspicion.symptom))
+        Interestingness::from(agreement.symptom() == Some(&mismatch.symptom))
     }
 
     fn written_down(
         &mut self,
         index: usize,
-        suspicion: &Suspicion,
+        mismatch: &Mismatch,
         start: &Program,
         program: Program,
         standing: Standing,
         origin: Origin,
     ) -> Finding {
-        let original = Subject::new(start.clone())
+        let original = EvaluatedProgram::new(start.clone())
             .map(|subject| subject.text)
             .unwrap_or_default();
         let rule = stickler_generate::features::distinctive(&program);
         let basis = basis(&program);
         let dialect = program.dialect;
-        let (text, expected, outcomes, message) = match Subject::new(program) {
+        let (text, expected, outcomes, message) = match EvaluatedProgram::new(program) {
             Ok(subject) => {
-                let (outcomes, message) = self.outcomes(index, suspicion, &subject);
+                let (outcomes, message) = self.outcomes(index, mismatch, &subject);
                 (subject.text.clone(), expected(&subject, basis), outcomes, message)
             }
             // What was evaluated before can be evaluated again; if not, the original says all that is known.
@@ -143,8 +146,8 @@ impl Asking<'_> {
             id: String::new(),
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
             target: FuzzTarget::Differential.name().to_owned(),
-            engine: Some(self.bench.entrants[index].asked()),
-            symptom: suspicion.symptom.clone(),
+            engine: Some(self.oracle.engines[index].info()),
+            symptom: mismatch.symptom.clone(),
             rule,
             dialect: Some(dialect.as_str().to_owned()),
             standing,
@@ -153,7 +156,7 @@ impl Asking<'_> {
                 size: lines(&text),
                 ..origin
             },
-            message: message.unwrap_or_else(|| self.unseen(index, suspicion)),
+            message: message.unwrap_or_else(|| self.unseen(index, mismatch)),
             expected,
             outcomes,
             reproduce: Vec::new(),
@@ -164,7 +167,7 @@ impl Asking<'_> {
         }
         .named();
         Finding {
-            reproduce: self.bench.commands.of(&finding),
+            reproduce: self.oracle.commands.of(&finding),
             ..finding
         }
     }
@@ -173,24 +176,24 @@ impl Asking<'_> {
     fn outcomes(
         &mut self,
         index: usize,
-        suspicion: &Suspicion,
-        subject: &Subject,
-    ) -> (Vec<Said>, Option<String>) {
+        mismatch: &Mismatch,
+        subject: &EvaluatedProgram,
+    ) -> (Vec<EngineReport>, Option<String>) {
         let mut said = Vec::new();
         let mut message = None;
-        for other in 0..self.bench.entrants.len() {
-            let entrant = &self.bench.entrants[other];
-            if self.gone(other).is_some() || !entrant.identity().speaks(subject.program.dialect) {
+        for other in 0..self.oracle.engines.len() {
+            let engine = &self.oracle.engines[other];
+            if self.gone(other).is_some() || !engine.identity().speaks(subject.program.dialect) {
                 continue;
             }
-            let asked = entrant.asked();
+            let asked = engine.info();
             let (outcome, agreement) = self.hold(other, subject);
-            said.push(told(asked, &outcome));
+            said.push(describe(asked, &outcome));
             match agreement {
                 Agreement::Disagrees(Disagreement {
                     symptom,
                     message: text,
-                }) if other == index && symptom == suspicion.symptom => {
+                }) if other == index && symptom == mismatch.symptom => {
                     message = Some(text);
                 }
                 _ => {}
@@ -200,8 +203,8 @@ impl Asking<'_> {
     }
 
     /// What can be said of a symptom that was seen once and not again.
-    fn unseen(&self, index: usize, suspicion: &Suspicion) -> String {
-        let symptom = &suspicion.symptom;
+    fn unseen(&self, index: usize, mismatch: &Mismatch) -> String {
+        let symptom = &mismatch.symptom;
         match self.gone(index) {
             Some(reason) => format!("{symptom}, and it could not be run again; {reason}"),
             None => format!("{symptom}, but not when it was run again"),
@@ -210,8 +213,8 @@ impl Asking<'_> {
 }
 
 /// What must happen, from the evaluator.
-pub(crate) fn expected(subject: &Subject, basis: String) -> Expected {
-    let values = subject.values.iter().map(|(name, value)| Observed {
+pub(crate) fn expected(subject: &EvaluatedProgram, basis: String) -> Expected {
+    let values = subject.values.iter().map(|(name, value)| ObservedValue {
         name: name.clone(),
         value: value.to_string(),
     });

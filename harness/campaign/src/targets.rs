@@ -1,19 +1,19 @@
 //! The reference alone: the oracles of the fuzz targets, in rotation.
 
-mod finding;
 mod planted;
-mod small;
+mod reduced;
+mod reduction;
 mod worker;
 
-use crate::bench::{Bench, Worker};
 use crate::commands::Commands;
 use crate::inputs::Inputs;
+use crate::oracle::{Oracle, Worker};
 use crate::texts;
 use stickler_engines::EngineError;
 use stickler_generate::oracles::FuzzTarget;
 
-/// The bench of a campaign without engines.
-pub struct Oracles {
+/// The oracle of a campaign without engines.
+pub struct TargetOracle {
     /// The targets; the place of an input says which of them judges it. At least one.
     pub targets: Vec<FuzzTarget>,
     /// Where inputs come from.
@@ -22,7 +22,7 @@ pub struct Oracles {
     pub commands: Commands,
 }
 
-impl Oracles {
+impl TargetOracle {
     /// The targets of a campaign for which none is named.
     pub const TARGETS: [FuzzTarget; 5] = [
         FuzzTarget::Execute,
@@ -44,8 +44,8 @@ impl Oracles {
     }
 }
 
-impl Bench for Oracles {
+impl Oracle for TargetOracle {
     fn worker(&self) -> Result<Box<dyn Worker + '_>, EngineError> {
-        Ok(Box::new(worker::Judging { bench: self }))
+        Ok(Box::new(worker::TargetWorker { oracle: self }))
     }
 }

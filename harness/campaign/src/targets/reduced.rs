@@ -3,7 +3,7 @@
 
 use super::planted::{self, SmallPlant};
 use crate::basis::basis;
-use crate::differential::{Subject, expected};
+use crate::differential::{EvaluatedProgram, expected};
 use crate::finding::Expected;
 use crate::shrink;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -14,7 +14,7 @@ use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReas
 use stickler_types::DialectName;
 
 /// How many smaller inputs are tried, and as many smaller programs: an oracle takes some microseconds.
-const TRIES: u64 = 5000;
+const MAX_TRIES: u64 = 5000;
 
 /// What is left of an input.
 pub(super) struct Small {
@@ -39,7 +39,7 @@ impl Small {
     pub(super) fn of(target: FuzzTarget, input: &[u8], symptom: &str, going: &dyn Fn() -> bool) -> Small {
         let stop = || !going();
         let budget = ReductionBudget {
-            tries: TRIES,
+            tries: MAX_TRIES,
             stop: &stop,
         };
         let failing = |bytes: &[u8]| {
@@ -101,7 +101,7 @@ impl Small {
         let failure = failing(&reduced.value);
         // A variant fails where the program itself does not.
         let variant = symptom.starts_with("variant");
-        let subject = Subject::new(reduced.value.clone());
+        let subject = EvaluatedProgram::new(reduced.value.clone());
         let expected = subject
             .ok()
             .filter(|_| !variant)

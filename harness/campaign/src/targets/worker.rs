@@ -1,34 +1,34 @@
 //! One who judges by the oracles. It needs no conversation, for the reference is in this process.
 
-use super::Oracles;
-use crate::bench::{Suspicion, Verdict, Worker};
+use super::TargetOracle;
 use crate::finding::Finding;
+use crate::oracle::{Mismatch, Verdict, Worker};
 use stickler_generate::oracles::InputOutcome;
 
 /// A worker.
-pub(super) struct Judging<'b> {
-    pub(super) bench: &'b Oracles,
+pub(super) struct TargetWorker<'b> {
+    pub(super) oracle: &'b TargetOracle,
 }
 
-impl Worker for Judging<'_> {
+impl Worker for TargetWorker<'_> {
     fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict> {
         let going = places.iter().take_while(|_| going());
         going.map(|&place| self.judge_one(place)).collect()
     }
 
-    fn reduce(&mut self, suspicion: &Suspicion, going: &dyn Fn() -> bool) -> Finding {
-        self.finding(suspicion, going)
+    fn reduce(&mut self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding {
+        self.finding(mismatch, going)
     }
 }
 
-impl Judging<'_> {
+impl TargetWorker<'_> {
     fn judge_one(&self, place: u64) -> Verdict {
-        let target = self.bench.target(place);
+        let target = self.oracle.target(place);
         let mut verdict = Verdict::agreed(place);
-        match target.judge(&self.bench.input(place)) {
+        match target.judge(&self.oracle.input(place)) {
             Ok(InputOutcome::Checked) => {}
             Ok(InputOutcome::Skipped(word)) => verdict.passed_over = Some(word),
-            Err(failure) => verdict.suspicions.push(Suspicion {
+            Err(failure) => verdict.mismatches.push(Mismatch {
                 place,
                 subject: target.name().to_owned(),
                 symptom: failure.symptom,

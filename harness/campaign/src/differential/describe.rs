@@ -1,12 +1,12 @@
 //! What an engine did, in words that can be saved.
 
 use super::comparison::diagnostic;
-use crate::finding::{Answer as Said, Asked};
+use crate::finding::{EngineInfo, EngineReport};
 use stickler_engines::Outcome;
 use stickler_types::Value;
 
 /// An outcome, one fact a line.
-pub(crate) fn told(engine: Asked, outcome: &Outcome) -> Said {
+pub(crate) fn describe(engine: EngineInfo, outcome: &Outcome) -> EngineReport {
     let values = |values: &[(String, Value)]| {
         values
             .iter()
@@ -33,7 +33,7 @@ pub(crate) fn told(engine: Asked, outcome: &Outcome) -> Said {
         Outcome::TimedOut { .. } => ("timed out", vec![outcome.to_string()]),
         Outcome::Error { message } => ("error", vec![message.clone()]),
     };
-    Said {
+    EngineReport {
         engine,
         outcome: word.to_owned(),
         said,

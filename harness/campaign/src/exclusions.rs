@@ -8,9 +8,9 @@ use stickler_generate::features::{FeatureDetail, NAMES, features};
 use stickler_generate::model::Program;
 use stickler_types::{DialectName, ElementaryType};
 
-/// Words for what programs shall not have.
+/// CaseHead for what programs shall not have.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Without(Vec<String>);
+pub struct Exclusions(Vec<String>);
 
 /// A word that stands for nothing that programs can have.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
@@ -21,17 +21,17 @@ pub struct Without(Vec<String>);
 )]
 pub struct UnknownWord(String);
 
-impl Without {
+impl Exclusions {
     /// Reads the words, in any case.
     ///
     /// # Errors
     /// [`UnknownWord`]: the first that stands for nothing, so that a slip does not pass for a wish that was granted.
-    pub fn new(words: &[String]) -> Result<Without, UnknownWord> {
+    pub fn new(words: &[String]) -> Result<Exclusions, UnknownWord> {
         let known = |word: &String| match is_known(word) {
             true => Ok(word.clone()),
             false => Err(UnknownWord(word.clone())),
         };
-        words.iter().map(known).collect::<Result<_, _>>().map(Without)
+        words.iter().map(known).collect::<Result<_, _>>().map(Exclusions)
     }
 
     /// Whether there is nothing to leave out.
@@ -77,8 +77,8 @@ mod tests {
     use super::*;
     use crate::inputs::Inputs;
 
-    fn without(words: &[&str]) -> Result<Without, UnknownWord> {
-        Without::new(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>())
+    fn without(words: &[&str]) -> Result<Exclusions, UnknownWord> {
+        Exclusions::new(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>())
     }
 
     #[test]
@@ -86,7 +86,7 @@ mod tests {
         for place in 0..300 {
             let program = Inputs::new(9).program(place, &DialectName::ALL, true);
             let names: Vec<String> = features(&program, FeatureDetail::Complete).into_keys().collect();
-            assert_eq!(Without::new(&names).map(|_| ()), Ok(()), "at {place}");
+            assert_eq!(Exclusions::new(&names).map(|_| ()), Ok(()), "at {place}");
         }
     }
 
@@ -138,7 +138,7 @@ mod tests {
             assert_eq!(found, None, "{text}");
         }
         assert!(came > 190, "{came}");
-        let all = Inputs::new(3).program_without(1, &ed3, false, &Without::default());
+        let all = Inputs::new(3).program_without(1, &ed3, false, &Exclusions::default());
         assert_eq!(all, Some(Inputs::new(3).program(1, &ed3, false)));
     }
 

@@ -1,18 +1,18 @@
-//! A suspicion of an oracle made small, judged once more, and written down.
+//! A mismatch of an oracle made small, judged once more, and written down.
 
-use super::small::Small;
-use super::worker::Judging;
-use crate::bench::Suspicion;
+use super::reduced::Small;
+use super::worker::TargetWorker;
 use crate::finding::{Expected, FORMAT, Finding, Origin, Standing};
+use crate::oracle::Mismatch;
 use stickler_generate::oracles::{FuzzTarget, OracleFailure};
 
-impl Judging<'_> {
-    /// Makes the input of a suspicion as small as it can be.
-    pub(super) fn finding(&self, suspicion: &Suspicion, going: &dyn Fn() -> bool) -> Finding {
-        let target = self.bench.target(suspicion.place);
-        let input = self.bench.input(suspicion.place);
+impl TargetWorker<'_> {
+    /// Makes the input of a mismatch as small as it can be.
+    pub(super) fn finding(&self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding {
+        let target = self.oracle.target(mismatch.place);
+        let input = self.oracle.input(mismatch.place);
         let found = target.judge(&input).err();
-        let small = Small::of(target, &input, &suspicion.symptom, going);
+        let small = Small::of(target, &input, &mismatch.symptom, going);
         let standing = match small.failure {
             Some(_) => Standing::Confirmed,
             None => Standing::Flaky,
@@ -22,8 +22,8 @@ impl Judging<'_> {
         let failure = small.failure.as_ref().or(found.as_ref());
         let program = text(target, failure, &small.input);
         let origin = Origin {
-            seed: self.bench.inputs.seed(),
-            place: suspicion.place,
+            seed: self.oracle.inputs.seed(),
+            place: mismatch.place,
             open: false,
             smallest: small.smallest,
             tries: small.tries,
@@ -32,7 +32,7 @@ impl Judging<'_> {
         };
         let message = match failure {
             Some(failure) => failure.message.clone(),
-            None => format!("{}, but not when it was judged again", suspicion.symptom),
+            None => format!("{}, but not when it was judged again", mismatch.symptom),
         };
         let finding = Finding {
             format: FORMAT,
@@ -40,7 +40,7 @@ impl Judging<'_> {
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
             target: target.name().to_owned(),
             engine: None,
-            symptom: suspicion.symptom.clone(),
+            symptom: mismatch.symptom.clone(),
             rule: small.rule,
             dialect: small.dialect.map(|dialect| dialect.as_str().to_owned()),
             standing,
@@ -58,7 +58,7 @@ impl Judging<'_> {
         }
         .named();
         Finding {
-            reproduce: self.bench.commands.of(&finding),
+            reproduce: self.oracle.commands.of(&finding),
             ..finding
         }
     }
