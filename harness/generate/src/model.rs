@@ -6,7 +6,7 @@
 //! here knows the syntax tree of the reference.
 
 mod expression;
-mod look;
+mod lookup;
 mod program;
 mod statement;
 mod types;
@@ -17,7 +17,7 @@ pub use expression::{
     Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector,
     StandardFunction, UnaryOperator,
 };
-pub use look::subscripts;
+pub use lookup::subscripts;
 pub use program::{
     Function, FunctionBlock, InitialValue, MainPou, Program, Variable, VariableId, VariableSection,
 };

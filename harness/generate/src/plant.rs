@@ -5,9 +5,9 @@
 //! standard. Architecture Invariant: nothing here knows the reference.
 
 mod fault_site;
-mod idle;
 mod kinds;
 mod scope;
+mod unused;
 mod walk;
 
 use crate::model::Program;
@@ -17,7 +17,7 @@ use fault_site::FaultSite;
 use kinds::KINDS;
 use stickler_types::Code;
 
-pub use idle::without_idle;
+pub use unused::without_unused;
 
 /// A program with one error.
 #[derive(Clone, PartialEq, Debug)]
@@ -55,7 +55,7 @@ impl Planted {
 /// Returns the number of the first `true`, from 1; 0, which no line has, if there is none.
 fn number_of_first(mut lines: impl Iterator<Item = bool>) -> u32 {
     lines.position(|found| found).map_or(0, |before| {
-        // A text with more lines is longer than any that is written.
+        // No written text has more lines.
         u32::try_from(before + 1).unwrap_or(u32::MAX)
     })
 }
@@ -71,7 +71,7 @@ pub fn kind_names() -> impl Iterator<Item = &'static str> {
 pub fn plant(program: &Program, input: &mut Unstructured<'_>) -> Option<Planted> {
     // When the bytes run out the first kind is tried first.
     let first = input.int_in_range(0..=KINDS.len() - 1).unwrap_or(0);
-    // A kind that finds no place hands on to another that is drawn again, so that its neighbour gets no more than others.
+    // A kind without a place is replaced by another draw, so that its neighbour in the table is not favoured.
     let drawn = (0..8).map(|_| input.int_in_range(0..=KINDS.len() - 1).unwrap_or(0));
     let drawn: Vec<usize> = drawn.collect();
     let order = [first].into_iter().chain(drawn).chain(0..KINDS.len());

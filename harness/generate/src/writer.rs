@@ -3,7 +3,7 @@
 //! | file | spells |
 //! |---|---|
 //! | `style` | nothing; it holds the choices of a spelling |
-//! | `sheet` | keywords, lines, indents and comments |
+//! | `source_writer` | keywords, lines, indents and comments |
 //! | `literals`, `notation` | literals |
 //! | `expressions` | expressions and places |
 //! | `statements` | statements |
@@ -13,7 +13,7 @@ mod declarations;
 mod expressions;
 mod literals;
 mod notation;
-mod sheet;
+mod source_writer;
 mod statements;
 mod style;
 

@@ -4,7 +4,7 @@ use crate::finding::Expected;
 use arbitrary::Unstructured;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::{OracleFailure, SoundProgram, judge_planted_text, judge_sound_text};
-use stickler_generate::plant::{Planted, plant, plant_kind, without_idle};
+use stickler_generate::plant::{Planted, plant, plant_kind, without_unused};
 use stickler_generate::random;
 use stickler_generate::reduce::{self, Interestingness, Reduction, ReductionBudget, StopReason};
 use stickler_generate::writer::{Style, write};
@@ -47,7 +47,7 @@ pub(super) fn small(input: &[u8], symptom: &str, budget: &ReductionBudget<'_>) -
     let found = if of_the_sound {
         found
     } else {
-        search.without_idle(found)
+        search.without_unused(found)
     };
     Some(SmallPlant {
         kind,
@@ -141,10 +141,10 @@ impl Search<'_> {
     }
 
     /// The same without the declarations that nothing uses but the sound program.
-    fn without_idle(self, mut found: Found) -> Found {
+    fn without_unused(self, mut found: Found) -> Found {
         loop {
             let text = found.failure.program.clone().unwrap_or_default();
-            let less = without_idle(&text, found.line).find_map(|(text, line)| {
+            let less = without_unused(&text, found.line).find_map(|(text, line)| {
                 let failure = (self.judge)(&found.sound, &found.planted, &text, line).err()?;
                 (failure.symptom == self.symptom).then_some((line, failure))
             });
@@ -208,7 +208,11 @@ mod tests {
         let (_, found) = search
             .reduce(&sound, &place, &ReductionBudget::default())
             .expect("it fails");
-        search.without_idle(found).failure.program.expect("it has a text")
+        search
+            .without_unused(found)
+            .failure
+            .program
+            .expect("it has a text")
     }
 
     #[test]

@@ -78,7 +78,7 @@ fn integers(operator: BinaryOperator, ty: ElementaryType, a: i128, b: i128) -> B
     let exact = match operator {
         BinaryOperator::Add => a + b,
         BinaryOperator::Subtract => a - b,
-        // Two numbers of 64 bits: their product is below 2^128, and what is cut off is cut off by the wrapping too.
+        // Two numbers of 64 bits: their product is below 2^128, and wrapping drops the same bits.
         BinaryOperator::Multiply => a.wrapping_mul(b),
         BinaryOperator::Divide | BinaryOperator::Modulo if b == 0 => return Binary::DivisionByZero,
         BinaryOperator::Divide => a / b,

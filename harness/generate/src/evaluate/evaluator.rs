@@ -116,7 +116,7 @@ impl<'p> ModelEvaluator<'p> {
 
     /// Resolves a type through its aliases.
     pub fn resolved(&self, mut ty: &'p Type) -> &'p Type {
-        // A name stands for no other name, so that this ends; a model that says otherwise is cut off.
+        // An alias stands for no other alias, so this ends; an ill-formed model is cut off.
         for _ in 0..=self.program.types.len() {
             let Type::Declared(index) = ty else { break };
             let Some(crate::model::DeclaredKind::Alias(named)) = self

@@ -70,7 +70,7 @@ impl<'p> ModelEvaluator<'p> {
             ExpressionKind::Read(place) => {
                 let address = self.locate(unit, place)?;
                 let outside = EvaluationError::IllFormed("a place outside the memory");
-                // A structure is copied as it is: what is unsettled in it stays so until somebody reads it.
+                // A structure is copied unchanged: its unsettled parts stay unsettled until they are read.
                 Ok(self.memory.get(address..address + size).ok_or(outside)?.to_vec())
             }
             ExpressionKind::Call(function, arguments) => self.call(unit, *function, arguments),
@@ -126,7 +126,7 @@ impl<'p> ModelEvaluator<'p> {
         let (a, b) = (self.expression(unit, left)?, self.expression(unit, right)?);
         let ty = match self.resolved(&left.ty) {
             Type::Elementary(ty) => *ty,
-            // Enumerated values are equal or not; their places tell.
+            // Enumerated values are equal if their indices are.
             Type::Declared(_) if matches!(operator, BinaryOperator::Equal | BinaryOperator::NotEqual) => {
                 ElementaryType::Ulint
             }
@@ -159,7 +159,7 @@ impl<'p> ModelEvaluator<'p> {
     ) -> Result<MemoryCell, EvaluationError> {
         use BinaryOperator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
         let Some(order) = ordering::compare(ty, a, b) else {
-            // What is no number is neither less, nor equal, nor greater (IEC 60559).
+            // NaN is neither less, nor equal, nor greater (IEC 60559).
             self.open(OpenQuestion::NotANumber, unit, || format!("{operator:?} of {ty}"));
             return Ok(MemoryCell::Plain(u64::from(operator == NotEqual)));
         };

@@ -86,7 +86,7 @@ impl Layout {
         let mut offsets = Offsets::default();
         for variable in variables {
             offsets.variables.push(offsets.size);
-            // An in-out has no value of its own, but a cell that says where its variable is.
+            // An in-out has no value of its own, but a cell for the address of its variable.
             let size = match variable.section {
                 VariableSection::InOut => 1,
                 _ => self.size(&variable.ty)?,

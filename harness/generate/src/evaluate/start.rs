@@ -14,7 +14,7 @@ impl<'p> ModelEvaluator<'p> {
             self.memory.resize(end, MemoryCell::Plain(0));
         }
         for (index, variable) in unit.variables.iter().enumerate() {
-            // What stands behind an in-out is said by each call.
+            // Each call sets the address of an in-out.
             if variable.section != VariableSection::InOut {
                 let offset = unit.offsets.variables.get(index).copied().unwrap_or_default();
                 self.start_variable(unit, variable, unit.base + offset)?;

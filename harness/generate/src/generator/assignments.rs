@@ -21,7 +21,7 @@ impl ProgramBuilder<'_, '_> {
             return Some(StatementKind::Assign(AssignmentTarget::Place(place), value));
         }
         let mut value = self.assigned(&ty, place.variable.0)?;
-        // What is assigned to itself tells nothing.
+        // An assignment of a variable to itself shows nothing.
         if matches!(&value.kind, ExpressionKind::Read(read) if *read == place) {
             value = self.assigned(&ty, place.variable.0)?;
         }

@@ -66,7 +66,7 @@ impl ProgramBuilder<'_, '_> {
     fn settled_operand(&mut self, offer: &ConversionOffer, depth: usize) -> Option<Expression> {
         let (from, to) = (offer.from, offer.signature.result);
         let variable = match (offer.signature.operation, from.family(), to.family()) {
-            // Only a NaN is not settled, and the evaluator sees to that.
+            // Only NaN is not settled, which the evaluator detects.
             (_, Family::Real, Family::Boolean) => return Some(self.value(from, TypeContext::Exact, depth)),
             (Operation::ToBcd, ..) => {
                 self.limited_number(from, 0, if to == ElementaryType::Byte { 99 } else { 9999 })
@@ -157,7 +157,7 @@ impl ProgramBuilder<'_, '_> {
             .inputs()
             .map(|(parameter, variable)| (parameter, variable.ty.clone()))
             .collect();
-        // One stays, for a call without arguments has none by name.
+        // One stays, because a call without arguments has none by name.
         if parameters.len() > 1 && self.profile.leaves_inputs_out(self.open) && self.random.chance(1, 3) {
             parameters.remove(self.random.below(parameters.len()));
         }

@@ -87,7 +87,7 @@ impl ProgramBuilder<'_, '_> {
                 self.as_lint(length, ElementaryType::Int)
                     .map(|number| mix(checksum, number)),
             );
-            // The same for each text of an array would fill pages.
+            // A comparison for each text of an array would fill pages.
             if is_element {
                 return statements;
             }

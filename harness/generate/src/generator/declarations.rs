@@ -52,7 +52,7 @@ impl ProgramBuilder<'_, '_> {
             2 => self.declared_type(),
             _ => Type::Elementary(self.any_type()),
         };
-        // A field has one initial value, so an array that needs several is no field.
+        // A field has a single initial value, so an array that needs several cannot be a field.
         let ty = match ty {
             Type::Array(array) if is_of_dates(&array) => array.element,
             ty => ty,
@@ -119,7 +119,7 @@ impl ProgramBuilder<'_, '_> {
 
     /// Declares the variables of main: some of every kind of type in the program, and an instance of every function block.
     pub fn main_variables(&mut self) {
-        // One of each type at least, so that values have somewhere to come from and to go.
+        // One of each type at least, so that every value can be read from and written to a variable.
         for ty in self.palette.clone() {
             self.declare_local(Type::Elementary(ty));
         }

@@ -197,7 +197,7 @@ impl ProgramBuilder<'_, '_> {
     fn source(&mut self, ty: ElementaryType, context: TypeContext) -> Option<ElementaryType> {
         let sources = self.profile.sources(ty);
         let start = self.random.below(sources.len());
-        // Beside an operator UDINT and TIME, which convert both ways, might as well be a duration and its factor.
+        // Beside an operator UDINT and TIME, which convert both ways, might also be read as a duration and its factor.
         let suits =
             |from: &ElementaryType| context != TypeContext::Operand || ty.is_duration() == from.is_duration();
         let from_here = || {

@@ -20,7 +20,7 @@ impl ProgramBuilder<'_, '_> {
         let operators = [Operator::Add, Operator::Subtract, Operator::Multiply];
         let operator = operators[self.random.below(operators.len())];
         let left = self.varying(ty, depth)?;
-        // Products of reals soon are no finite numbers any more, so mostly a variable meets a literal there.
+        // Products of reals soon overflow, so mostly a variable is multiplied by a literal.
         let right = if ty.is_real() && operator == Operator::Multiply && !self.random.chance(1, 4) {
             self.factor(ty)
         } else {
@@ -245,7 +245,7 @@ fn divides(value: &Value) -> bool {
         return false;
     };
     match real(ty, raw) {
-        // By what is tiny, a quotient is soon no finite number.
+        // A quotient by a tiny number soon overflows.
         Some(number) => number.abs() >= 0.001,
         None => !(-1..=0).contains(&ty.integer_value(raw)),
     }

@@ -18,7 +18,7 @@ impl ProgramBuilder<'_, '_> {
             return;
         }
         for number in 0..=self.random.below(3) {
-            // A text that a function gives could grow from call to call, and on which day time begins no document says.
+            // A text result could grow from call to call, and no document states on which day dates begin.
             let result = match self.small_type() {
                 Type::Elementary(ty) if ty.is_text() || ty.is_date_or_time() => {
                     Type::Elementary(ElementaryType::Int)

@@ -195,7 +195,7 @@ impl PouScope {
             }
             Type::Elementary(_) => {}
         }
-        // An array that has no name is of a type of its own, so nothing else can be assigned to it as a whole.
+        // An array type without a name is a type of its own, so no other array can be assigned as a whole.
         let named = !matches!(place.ty, Type::Array(_) | Type::Block(_));
         if named {
             self.places.push(VisiblePlace { ty, ..place });

@@ -95,7 +95,7 @@ impl ProgramBuilder<'_, '_> {
         let functions = [Function::Shl, Function::Shr, Function::Rol, Function::Ror];
         let function = functions[self.random.below(functions.len())];
         let operand = self.value(ty, TypeContext::Exact, depth);
-        // Where what is open is wanted, a shift may be longer than its operand.
+        // With open constructs a shift may be longer than its operand.
         let last = i64::from(ty.bits()) - 1;
         let most = last + if self.open { 2 } else { 0 };
         let count = if self.random.chance(1, 2) {

@@ -198,7 +198,7 @@ impl ProgramBuilder<'_, '_> {
             None => self.value(ty, TypeContext::Exact, 2),
         };
         let (least, greatest) = ty.integer_range()?;
-        // Labels go upwards, so that none meets another.
+        // Labels ascend, so that none overlaps another.
         let starts = [0, least, -3, greatest - 20];
         let mut next = starts[self.random.weighted(&[8, 1, 4, 1])].max(least);
         let mut branches: Vec<Vec<CaseLabel>> = Vec::new();
@@ -251,12 +251,12 @@ impl ProgramBuilder<'_, '_> {
             .collect();
         let mut inputs = Vec::new();
         let mut outputs = Vec::new();
-        // What the block may write, each variable once.
+        // The variables that the block may write, each once.
         let mut given = Vec::new();
         for (parameter, section, ty) in parameters {
             match section {
                 VariableSection::Input if self.random.chance(3, 4) => {
-                    // Texts that come out again would grow.
+                    // Texts that come out again could grow.
                     self.text_bound = VariableId(0);
                     let value = self.argument(&ty, 2);
                     inputs.push(Argument { parameter, value });

@@ -30,7 +30,7 @@ const MAX_CASES: usize = 200_000;
 /// Symptoms: `nothing`, `error:place`, `error:message`, `case:id`, `case:place`, `case:source`, `case:basis`, `size`, `changes`.
 pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let Ok(text) = std::str::from_utf8(data) else {
-        // The files' reader refuses them before this one sees them.
+        // The reader of files refuses these bytes before this reader sees them.
         return Ok(InputOutcome::Skipped("no text"));
     };
     let name = if text
@@ -52,7 +52,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
             "the file has neither a case nor an error",
         ));
     }
-    // What changes from reading to reading would come from the order of a hash table; a small file shows it as well.
+    // A difference between two readings would come from the order of a hash table, which a small file shows too.
     if text.len() < 1024 && read_case_file(name, text, &DIALECTS) != (cases, errors) {
         return Err(OracleFailure::new(
             "changes",

@@ -156,11 +156,11 @@ fn suggestion_helps(
             Ok(())
         };
     };
-    let Some(mended) = mended(text, said, suggestion) else {
+    let Some(apply_suggestion) = apply_suggestion(text, said, suggestion) else {
         let symptom = format!("span:{code}");
         return Err((symptom, format!("the span is not in the text: {said}")));
     };
-    match stickler_reference::check(&mended, dialect).first() {
+    match stickler_reference::check(&apply_suggestion, dialect).first() {
         None => Ok(()),
         Some(still) => {
             let symptom = format!("suggestion:{code}:{}", code_of(still));
@@ -171,7 +171,7 @@ fn suggestion_helps(
 }
 
 /// Applies a suggestion to the text; `None` if the span of the diagnostic is not in the text.
-fn mended(text: &str, said: &Diagnostic, suggestion: &str) -> Option<String> {
+fn apply_suggestion(text: &str, said: &Diagnostic, suggestion: &str) -> Option<String> {
     let start = offset(text, said.line?, said.column?)?;
     let end = offset(text, said.end_line?, said.end_column?)?;
     Some([text.get(..start)?, suggestion, text.get(end..)?].concat())

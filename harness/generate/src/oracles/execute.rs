@@ -86,7 +86,7 @@ fn judge_variants(
     evaluation: &Evaluation,
     rest: &[u8],
 ) -> Result<(), OracleFailure> {
-    let choices = scattered(rest);
+    let choices = choice_bytes(rest);
     let mut choices = Unstructured::new(&choices);
     for _ in 0..VARIANTS_TRIED {
         let chosen = Random::new(&mut choices).below(Variant::ALL.len());
@@ -199,7 +199,7 @@ pub(super) fn compare(expected: &[(String, Value)], given: &[(String, Value)]) -
 }
 
 /// Derives bytes for choices from an input; inputs that differ in one bit give unrelated bytes.
-fn scattered(input: &[u8]) -> Vec<u8> {
+fn choice_bytes(input: &[u8]) -> Vec<u8> {
     const LENGTH: usize = 512;
     bytes(Fnv1a::of(input).finish(), LENGTH)
 }
@@ -222,7 +222,7 @@ mod tests {
         let evaluation = evaluate(&program, 1).unwrap();
         for variant in Variant::ALL {
             for seed in 0..20 {
-                let choices = scattered(&[seed]);
+                let choices = choice_bytes(&[seed]);
                 if let Some(varied) = variant.text(&program, &mut Unstructured::new(&choices)) {
                     assert_eq!(
                         judge_variant(variant, &program, &text, &varied, &evaluation),
@@ -261,8 +261,8 @@ mod tests {
 
     #[test]
     fn one_bit_of_the_input_changes_the_choices_altogether() {
-        let (one, other) = (scattered(&[0]), scattered(&[1]));
+        let (one, other) = (choice_bytes(&[0]), choice_bytes(&[1]));
         assert!(one.iter().zip(&other).filter(|(a, b)| a == b).count() < 16);
-        assert_eq!(scattered(&[1]), other);
+        assert_eq!(choice_bytes(&[1]), other);
     }
 }

@@ -184,7 +184,7 @@ fn check_real(
     ty: ElementaryType,
     got: Result<Option<u64>, LiteralError>,
 ) -> Result<(), OracleFailure> {
-    // Whether a raw form is right can be told; which one is, need not be.
+    // The second reader verifies a raw form without computing it.
     let said = said.map(|decimal| match got {
         _ if decimal.overflows(ty) => None,
         Ok(Some(raw)) if decimal.rounds_to(raw, ty) => Some(raw),

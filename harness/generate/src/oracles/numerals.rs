@@ -93,7 +93,7 @@ impl DecimalNumber {
 
     /// Compares the magnitude of this number with another that is not 0.
     fn compare(&self, other: &Dyadic) -> Ordering {
-        // Beyond this power of ten the digits do not matter, and a power of the exponent could not be held.
+        // Beyond this power of ten the digits do not matter, and the power would be too large to compute.
         const FAR: i32 = 400;
         let first = &self.exponent + self.length;
         if self.length == 0 || first < BigInt::from(-FAR) {
@@ -102,7 +102,7 @@ impl DecimalNumber {
         if first > BigInt::from(FAR) {
             return Ordering::Greater;
         }
-        // Now the exponent is no larger than the text is long.
+        // From here on the exponent is at most the length of the text.
         let ten = BigUint::from(10_u8);
         let power = u32::try_from(self.exponent.magnitude()).unwrap_or(u32::MAX);
         let (mut left, mut right) = (self.digits.clone(), other.significand.clone());

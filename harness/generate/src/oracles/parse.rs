@@ -69,7 +69,7 @@ fn check_text(text: &str, broken: &[Diagnostic], dialect: &Dialect) -> Result<()
         let said = format!("bytes of the text, expressions of the tree, bytes of the rendering: {sizes:?}");
         return Err(OracleFailure::new("size", said));
     }
-    // What the dialect does not enable is not rendered either.
+    // Syntax that the dialect does not enable is not rendered either.
     let refused = |said: &Diagnostic| said.code.not_enabled();
     if !diagnostics.is_empty() || !broken.is_empty() || found.iter().any(refused) {
         return Ok(());

@@ -72,7 +72,7 @@ fn check_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
     }
     let Ok(Json::Object(request)) = serde_json::from_slice::<Json>(line) else {
         return match read {
-            // A number beyond what the reader of any JSON takes may still stand where nobody looks.
+            // A number beyond the range of a JSON reader may still stand in a part that is not read.
             Reply::Error(_) => Ok(()),
             _ => Err(OracleFailure::new(
                 "kind",
@@ -99,7 +99,7 @@ fn check_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
         Some("run") => answers(&["executed", "rejected", "faulted", "error"])?,
         _ => answers(&["error"])?,
     }
-    // A greeting has no id, and one that is there all the same need not be read.
+    // A greeting has no id; if there is one, it need not be read.
     let without = verb == Some("hello") && read.id().is_none();
     if read.id() != id && !without {
         return Err(OracleFailure::new("id", format!("the request's id is {id:?}")));

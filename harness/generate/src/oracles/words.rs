@@ -46,7 +46,7 @@ enum SourceWord<'t> {
 impl SourceWord<'_> {
     fn hash(self) -> u64 {
         match self {
-            // Clearing this bit makes letters capitals, and keeps digits and the underscore apart from them.
+            // Clearing this bit turns letters into capitals, and keeps digits and the underscore different from them.
             SourceWord::Letters(bytes) => hash(1, bytes, 0xDF),
             SourceWord::Quoted(bytes) => hash(2, bytes, 0xFF),
             SourceWord::Index(index) => hash(3, &index.to_le_bytes(), 0xFF),

@@ -37,7 +37,7 @@ pub(super) fn element_and_limits<'p>(
 pub(super) fn written(expression: &Expression) -> Option<ElementaryType> {
     let own = match expression.ty {
         Type::Elementary(ty) => Some(ty),
-        // An alias is not looked through: what a document says of aliases beside others is little.
+        // Aliases are not resolved: documents say little about them in mixed operations.
         _ => None,
     };
     match &expression.kind {
@@ -50,7 +50,7 @@ pub(super) fn written(expression: &Expression) -> Option<ElementaryType> {
         ExpressionKind::Widen(operand) => written(operand),
         ExpressionKind::Unary(_, operand) => written(operand),
         ExpressionKind::Binary(operator, left, right) => {
-            // Of two operands one converts to the other's type, which is that of the whole.
+            // One operand converts to the type of the other, which is the type of the whole.
             let rigid = compares(*operator) || written(left).or_else(|| written(right)).is_some();
             own.filter(|_| rigid)
         }
@@ -154,7 +154,7 @@ fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<NamedP
 
 /// Creates an untyped integer literal for a subscript.
 pub(super) fn integer(value: i64) -> Expression {
-    // The types in between are as good; this one holds every subscript.
+    // Any integer type would do; this one holds every subscript.
     let ty = ElementaryType::Lint;
     Expression {
         ty: Type::Elementary(ty),

@@ -271,7 +271,7 @@ impl<'p> SiteWalker<'p> {
             if let PlaceSelector::Index(subscripts) = selector {
                 let limits = within.and_then(|ty| element_and_limits(self.program, ty));
                 for (number, subscript) in subscripts.iter_mut().enumerate() {
-                    // What has no limits is no array, and the program is not what it should be.
+                    // Only an ill-formed program subscripts something without limits.
                     let limits = limits.and_then(|(_, limits)| limits.get(number));
                     let &(low, high) = limits.unwrap_or(&(0, 0));
                     self.expression(subscript, ExpressionContext::Subscript(low, high), visit);

@@ -203,7 +203,7 @@ impl<T: Clone> PassSearch<'_, T> {
         while chunk > 0 {
             let mut at = 0;
             while at < self.sites(pass) {
-                // What is kept makes room: the next sites have come to where these were.
+                // After a change the next sites have moved to this position.
                 if !self.attempt(pass, at..at + chunk)? {
                     at += chunk;
                 }

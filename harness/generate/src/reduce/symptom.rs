@@ -148,7 +148,7 @@ fn code_or_message(diagnostic: &Diagnostic) -> String {
 fn normalize_message(message: &str) -> String {
     const MAX_WORDS: usize = 6;
     let quote = |character: char| "'\"`".contains(character);
-    // Every other piece stands between quotation marks.
+    // Every other piece is quoted.
     let said = message.lines().next().unwrap_or_default().split(quote).step_by(2);
     let words = said.flat_map(str::split_whitespace);
     let plain = |word: &&str| {

@@ -8,15 +8,15 @@ use crate::random::Random;
 use crate::writer::{Style, write};
 
 /// Writes a program with each letter outside character strings in a random case; `None` if that changes nothing.
-pub(super) fn scattered(program: &Program, random: &mut Random<'_, '_>) -> Option<String> {
+pub(super) fn random_case(program: &Program, random: &mut Random<'_, '_>) -> Option<String> {
     let text = write(program, &Style::default()).text;
     let mut bits = random.bits() | 1;
     let mut quoted = None;
     let varied: String = text
         .chars()
         .map(|letter| match quoted {
-            // A quote within a text stands behind a dollar, or is written by its number: what the writer spells `$'` is passed by
-            // its dollar, see `after_dollar`.
+            // A quote in a character string follows a dollar, or is written by its code; the writer spells it `$'`, and the state
+            // `Escaped` passes over it.
             Some(QuoteState::Escaped(quote)) => {
                 quoted = Some(QuoteState::In(quote));
                 letter

@@ -34,7 +34,7 @@ pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
             *list = longer;
         });
         body.statements.push(statement(StatementKind::Return));
-        // What stands behind the last RETURN is never reached.
+        // Statements after the last RETURN are never reached.
         if let Some(first) = body
             .statements
             .first()

@@ -109,7 +109,7 @@ impl Variant {
                     },
                 )
             }
-            Variant::Capitals => capitals::scattered(program, &mut random),
+            Variant::Capitals => capitals::random_case(program, &mut random),
             Variant::Comments => {
                 let style = Style {
                     comments: true,

@@ -1,6 +1,6 @@
 //! Writing of types, variables, POUs, and the whole text.
 
-use super::sheet::TextSheet;
+use super::source_writer::SourceWriter;
 use super::statements::PouText;
 use super::style::Style;
 use crate::model::{
@@ -20,15 +20,15 @@ pub struct WrittenProgram {
 /// not have is omitted.
 #[must_use]
 pub fn write(program: &Program, style: &Style) -> WrittenProgram {
-    let mut sheet = TextSheet::new(program, *style);
-    sheet.types(&program.types);
+    let mut writer = SourceWriter::new(program, *style);
+    writer.types(&program.types);
     for function in &program.functions {
-        sheet.word("FUNCTION");
-        sheet.blank();
-        sheet.put(&function.name);
-        sheet.between_blanks(":");
-        sheet.type_name(&function.result);
-        sheet.pou(
+        writer.word("FUNCTION");
+        writer.blank();
+        writer.put(&function.name);
+        writer.between_blanks(":");
+        writer.type_name(&function.result);
+        writer.pou(
             &function.variables,
             &function.body,
             &function.name,
@@ -36,22 +36,22 @@ pub fn write(program: &Program, style: &Style) -> WrittenProgram {
         );
     }
     for block in &program.blocks {
-        sheet.word("FUNCTION_BLOCK");
-        sheet.blank();
-        sheet.put(&block.name);
-        sheet.pou(&block.variables, &block.body, &block.name, "END_FUNCTION_BLOCK");
+        writer.word("FUNCTION_BLOCK");
+        writer.blank();
+        writer.put(&block.name);
+        writer.pou(&block.variables, &block.body, &block.name, "END_FUNCTION_BLOCK");
     }
-    sheet.word("PROGRAM");
-    sheet.blank();
-    sheet.put("main");
-    sheet.pou(&program.main.variables, &program.main.body, "main", "END_PROGRAM");
+    writer.word("PROGRAM");
+    writer.blank();
+    writer.put("main");
+    writer.pou(&program.main.variables, &program.main.body, "main", "END_PROGRAM");
     WrittenProgram {
-        text: sheet.text,
-        raw_lines: sheet.raw_lines,
+        text: writer.text,
+        raw_lines: writer.raw_lines,
     }
 }
 
-impl<'p> TextSheet<'p> {
+impl<'p> SourceWriter<'p> {
     /// Writes the variables, the statements and the end of a POU.
     fn pou(&mut self, variables: &'p [Variable], body: &'p [Statement], name: &'p str, end: &str) {
         for section in variables.chunk_by(|one, next| one.section == next.section) {

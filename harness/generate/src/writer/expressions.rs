@@ -1,7 +1,7 @@
 //! Writing of expressions and places.
 
 use super::literals::begins_with_minus;
-use super::sheet::TextSheet;
+use super::source_writer::SourceWriter;
 use super::style::{ArgumentForm, Bits, WideningForm};
 use crate::model::{
     Argument, BinaryOperator, DeclaredKind, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector,
@@ -17,7 +17,7 @@ fn strength(kind: &ExpressionKind) -> u8 {
         ExpressionKind::Binary(operator, ..) => operator_strength(*operator),
         ExpressionKind::Unary(..) => UNARY,
         ExpressionKind::Literal(value, LiteralForm::Untyped) if begins_with_minus(value) => UNARY,
-        // Nobody knows what stands in it, so it stands in parentheses wherever an operator is near.
+        // The content is unknown, so it stands in parentheses beside any operator.
         ExpressionKind::Raw(_) => 0,
         _ => OPERAND,
     }
@@ -79,7 +79,7 @@ pub(crate) const fn function_name(function: StandardFunction) -> &'static str {
     }
 }
 
-impl TextSheet<'_> {
+impl SourceWriter<'_> {
     /// Writes an expression in the POU that declares `variables`.
     pub fn expression(&mut self, expression: &Expression, variables: &[Variable]) {
         match &expression.kind {
@@ -129,7 +129,7 @@ impl TextSheet<'_> {
         let Some(called) = self.program.functions.get(function) else {
             return;
         };
-        // Only a call by names can leave inputs out.
+        // Only a call with names can omit inputs.
         let named = self.style.arguments == ArgumentForm::Named || arguments.len() < called.inputs().count();
         self.put(&called.name);
         self.put("(");
@@ -161,7 +161,7 @@ impl TextSheet<'_> {
                 self.blank();
             }
         }
-        // Two signs beside each other are no expression of the standard.
+        // Two adjacent signs are not valid in the standard.
         self.operand(operand, OPERAND, variables);
     }
 
@@ -182,7 +182,7 @@ impl TextSheet<'_> {
 
     /// Writes an operand, in parentheses unless its precedence is at least `needed`.
     fn operand(&mut self, operand: &Expression, needed: u8, variables: &[Variable]) {
-        // What an implicit conversion leaves is its operand; an untyped minus at the left end of a product, too, is safer inside.
+        // An implicit conversion is spelled as its operand; an untyped minus at the left end of a product is also safer inside.
         let mut seen = operand;
         while let (ExpressionKind::Widen(inner), true) = (&seen.kind, self.stays_implicit(seen)) {
             seen = inner;

@@ -1,13 +1,13 @@
 //! Writing of literals.
 
 use super::notation::long_prefix;
-use super::sheet::TextSheet;
+use super::source_writer::SourceWriter;
 use super::style::Notation;
 use crate::model::LiteralForm;
 use std::fmt::Write as _;
 use stickler_types::{ElementaryType, Family, Value};
 
-impl TextSheet<'_> {
+impl SourceWriter<'_> {
     /// Writes a literal in its canonical spelling, or in the notation of the style, with or without the prefix of its type.
     ///
     /// Without the prefix, bit strings are written in base 16, and durations and dates keep the short prefix that the

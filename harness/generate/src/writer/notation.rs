@@ -1,10 +1,10 @@
 //! Other notations of literals: bases, underscores, exponents, composed durations, long prefixes, character codes.
 
-use super::sheet::TextSheet;
+use super::source_writer::SourceWriter;
 use crate::model::LiteralForm;
 use stickler_types::{BuiltIn, ElementaryType, Family, Value};
 
-impl TextSheet<'_> {
+impl SourceWriter<'_> {
     /// Returns the text of a literal after its prefix in another notation; `None` if there is only the canonical one.
     ///
     /// Basis: iec-61131-3: Tables 5 to 9.
@@ -32,7 +32,7 @@ impl TextSheet<'_> {
         } else {
             f64::from_bits(raw)
         };
-        // Integers up to here are numbers of either type, and no document says what becomes of longer ones.
+        // Integers up to here are numbers of either type, and no document states the value of longer ones.
         let is_whole = number.fract() == 0.0 && number.abs() < 16_777_216.0 && number.is_sign_positive();
         if choice.is_multiple_of(2) && is_whole && form == LiteralForm::Untyped && self.takes_whole_reals() {
             return Some(format!("{number}"));

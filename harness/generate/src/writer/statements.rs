@@ -1,6 +1,6 @@
 //! Writing of statements.
 
-use super::sheet::TextSheet;
+use super::source_writer::SourceWriter;
 use crate::model::{
     Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, Place, Statement, StatementKind, Type,
     Variable, VariableId,
@@ -14,7 +14,7 @@ pub(super) struct PouText<'p> {
     pub result: &'p str,
 }
 
-impl TextSheet<'_> {
+impl SourceWriter<'_> {
     /// Writes statements, each on a line of its own, one step deeper; an empty statement for an empty list, because the
     /// standard demands a statement.
     pub fn statements(&mut self, statements: &[Statement], pou: PouText<'_>) {

@@ -190,7 +190,7 @@ pub(super) fn other_type(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
         site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
     })?;
     let own = elementary(original, &expression.ty)?;
-    // What would widen as an input is the error that is easiest to overlook.
+    // A type that would widen as an input is the error that is easiest to overlook.
     let widening = fault.input.ratio(1, 2).unwrap_or(true);
     let yes = |ty| implicit(ty, own, original.dialect) == MatrixWord::Yes;
     let wrong: Vec<_> = types(original.dialect)

@@ -15,7 +15,7 @@ use stickler_types::ElementaryType;
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn argument_too_many(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
-    // A call that leaves inputs out has its arguments by names.
+    // A call that omits inputs has named arguments.
     let functions = &fault.original.functions;
     let gives_all = |function: usize, arguments: &[Argument]| {
         let called = functions.get(function);
@@ -156,7 +156,7 @@ fn call(
 ) -> Option<()> {
     let original = fault.original;
     let fitting = |site: ExpressionSite, expression: &Expression| {
-        // What is converted implicitly is of another type than its place.
+        // An implicitly converted value has another type than its place.
         let own = !matches!(expression.kind, ExpressionKind::Widen(_));
         let functions = callable(original, site.unit).into_iter();
         functions

@@ -162,7 +162,7 @@ fn misfit(
     let from = fault.choose(wrong)?;
     let kind = value(fault, site.unit, from, shape)?;
     fault.replace(number, kind);
-    // A literal of a text is untyped, so that no conversion function is meant.
+    // A text literal is untyped, so that no single conversion function is the right one.
     let typed = shape != MisfitForm::Literal || !from.is_text();
     let suggests = matches!(
         site.context,
@@ -246,7 +246,7 @@ pub(super) fn bound(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Basis: ironplc-problem-codes: P4053; widening/any-integer.toml (nothing widens in the place of a selector).
 pub(super) fn selector(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let in_place = |context| context == ExpressionContext::Selector;
-    // What converts to an integer elsewhere is the error that is easiest to overlook.
+    // A type that converts to an integer elsewhere is the error that is easiest to overlook.
     let tempting = fault.input.ratio(1, 2).unwrap_or(true);
     let wrong =
         |ty: ElementaryType, _| !ty.is_integer() && (!tempting || ty.is_bit_string() || ty.is_duration());

@@ -2,7 +2,8 @@
 
 use super::super::fault_site::FaultSite;
 use super::{
-    bits, blocks, calls, constants, declarations, left_out, literals, misfits, names, operands, statements,
+    bits, blocks, calls, constants, declarations, literals, misfits, names, omitted_conversions, operands,
+    statements,
 };
 use stickler_types::Code;
 
@@ -44,10 +45,10 @@ pub(in super::super) const KINDS: &[FaultKind] = kinds! {
     CaseSelectorTypeInvalid "a selector that is no integer" misfits::selector;
     AssignmentTypeMismatch "a subscript that is no integer" misfits::subscript;
     AssignmentTypeMismatch "a bound of FOR that is no integer" misfits::bound;
-    AssignmentTypeMismatch "a conversion left out of an assignment" left_out::conversion_left_out_of_assignment;
-    FunctionCallArgTypeMismatch "a conversion left out of an argument" left_out::conversion_left_out_of_argument;
-    ConditionTypeInvalid "a conversion left out of a condition" left_out::conversion_left_out_of_condition;
-    OperatorOperandTypeMismatch "a conversion left out of an operand" left_out::conversion_left_out_of_operand;
+    AssignmentTypeMismatch "a conversion left out of an assignment" omitted_conversions::conversion_left_out_of_assignment;
+    FunctionCallArgTypeMismatch "a conversion left out of an argument" omitted_conversions::conversion_left_out_of_argument;
+    ConditionTypeInvalid "a conversion left out of a condition" omitted_conversions::conversion_left_out_of_condition;
+    OperatorOperandTypeMismatch "a conversion left out of an operand" omitted_conversions::conversion_left_out_of_operand;
     OperatorOperandTypeMismatch "operands with no type in common" operands::operand;
     OperatorOperandTypeMismatch "an operator with one operand of a wrong type" operands::only_operand;
     OperatorOperandTypeMismatch "an operation that the type does not have" operands::undefined_operation;

@@ -79,7 +79,7 @@ pub fn program(
     mut interesting: impl FnMut(&Program) -> Interestingness,
     budget: &ReductionBudget<'_>,
 ) -> Reduction<Program> {
-    // Where the start breaks a rule of spelling, that may be what shows.
+    // If the start breaks such a rule, the breach may be the symptom.
     let most = breaches(start);
     let mut ask = |candidate: &Program| {
         if breaches(candidate) > most {

@@ -156,7 +156,7 @@ const fn unit_of(ty: ElementaryType) -> i128 {
 fn number_as_raw(ty: ElementaryType, number: i128) -> u64 {
     match ty.integer_range() {
         Some(_) => ty.wrap(number),
-        // Nanoseconds, or a code unit: nearer to nothing than what was there, so that it fits.
+        // Nanoseconds or a code unit: nearer to 0 than the old value, so it fits.
         None => number as u64,
     }
 }

@@ -67,7 +67,7 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
             results.statements(&mut program.main.body);
         }
         program.main.variables = variables;
-        // What is called by another unit has to stay.
+        // A unit that another one calls has to stay.
         let now = DeclarationUsage::of(program);
         let mut keep = DeclarationUsage::uniform(program, true);
         let (kept, used) = match unit.checked_sub(functions) {

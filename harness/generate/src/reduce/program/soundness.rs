@@ -174,7 +174,7 @@ impl Visitor for BreachCounter<'_> {
                 self.count(!has_own_type(operand))
             }
             ExpressionKind::Convert(_, operand) => self.count(is_bare(operand)),
-            // A call with nothing in its parentheses gives its arguments by position: all of them, that is.
+            // A call with empty parentheses is positional, and so must have all arguments.
             ExpressionKind::Call(function, arguments) if arguments.is_empty() => {
                 let called = self.program.functions.get(*function);
                 self.count(called.is_some_and(|called| called.inputs().next().is_some()));

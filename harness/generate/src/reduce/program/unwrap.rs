@@ -59,7 +59,7 @@ fn unwrap(variable: &mut Variable, head: Head, ty: Type, meant: &Type) {
             .map(|(_, value)| value),
         _ => None,
     };
-    // What is no single value any more, as an array in an array, starts as its type does.
+    // A part that is not a single value, such as an array in an array, gets the default of its type.
     variable.initial = part
         .filter(|value| value.ty == *meant)
         .map(InitialValue::Expression);

@@ -27,7 +27,7 @@ pub(super) fn to_value(program: &mut Program, sites: &mut Sites) {
     }
 
     probed.main.variables.extend(probes);
-    // The probes come behind all that the program itself has to observe.
+    // The probes come after everything observed of the program itself.
     let values = evaluate(&probed, 1)
         .map(|evaluation| evaluation.values)
         .unwrap_or_default();

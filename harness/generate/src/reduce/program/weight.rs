@@ -59,7 +59,7 @@ impl Visitor for Scales {
         if let StatementKind::Repeat(_, until) = &statement.kind
             && !is_true(until)
         {
-            // TRUE is what ends it, and FALSE no plainer.
+            // TRUE ends the loop, and FALSE is not plainer.
             self.size += 4;
         }
         walk_statement(self, statement);
@@ -100,7 +100,7 @@ impl Visitor for Scales {
     }
 
     fn variable(&mut self, variable: &Variable) {
-        // Each section that is not VAR brings two lines of its own.
+        // Each section other than VAR adds two lines.
         self.parts += if variable.section == VariableSection::Local {
             10
         } else {

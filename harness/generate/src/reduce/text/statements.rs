@@ -38,7 +38,7 @@ pub(super) fn drop_empty_statements(draft: &mut TextDraft, sites: &mut Sites) {
 fn whole(text: &str, statement: &Statement) -> Range<usize> {
     let place = bytes(statement.span);
     match statement.kind {
-        // Of a lone semicolon the span may be the semicolon.
+        // The span of a lone semicolon may be the semicolon.
         StatementKind::Empty if text[place.clone()].ends_with(';') => place,
         _ => place.start..with_semicolon(text, place.end),
     }
@@ -113,7 +113,7 @@ fn between_bodies(text: &str, before: &[Statement], next: &[Statement]) -> Optio
     let from = extent(text, before)?.end;
     let to = match extent(text, next) {
         Some(next) => next.end,
-        // ELSE with nothing behind it: up to the end of the word.
+        // An empty ELSE: up to the end of the word.
         None => behind_blanks(text, from) + "ELSE".len(),
     };
     Some(TextChange::drop(from..to))

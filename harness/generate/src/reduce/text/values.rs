@@ -56,12 +56,12 @@ fn values(draft: &TextDraft, scans: u32) -> HashMap<String, String> {
     };
     values
         .into_iter()
-        .map(|(name, value)| (name.to_ascii_lowercase(), spelled(&value)))
+        .map(|(name, value)| (name.to_ascii_lowercase(), spell(&value)))
         .collect()
 }
 
 /// Spells a value; BOOL and texts without the prefix of their type, which not every compiler reads.
-fn spelled(value: &Value) -> String {
+fn spell(value: &Value) -> String {
     let canonical = value.to_string();
     let bare = ["BOOL#", "STRING#", "WSTRING#"]
         .into_iter()

@@ -10,14 +10,14 @@ use std::ops::Range;
 ///
 /// The declaration is that of a local variable, a function, a function block or a type, as [`write`](crate::writer::write)
 /// writes it in its plain style, whose name occurs on no other line. The line of the error always stays.
-pub fn without_idle(text: &str, line: u32) -> impl Iterator<Item = (String, u32)> {
+pub fn without_unused(text: &str, line: u32) -> impl Iterator<Item = (String, u32)> {
     let lines: Vec<&str> = text.lines().collect();
     let error = usize::try_from(line).unwrap_or(usize::MAX).saturating_sub(1);
-    let idle: Vec<Range<usize>> = declarations(&lines)
-        .filter(|(name, place)| !place.contains(&error) && !is_said_outside(&lines, name, place))
+    let unused: Vec<Range<usize>> = declarations(&lines)
+        .filter(|(name, place)| !place.contains(&error) && !occurs_outside(&lines, name, place))
         .map(|(_, place)| with_empty_section(&lines, place))
         .collect();
-    idle.into_iter().map(move |place| {
+    unused.into_iter().map(move |place| {
         let above = if place.start <= error { place.len() } else { 0 };
         let kept = lines.iter().enumerate();
         let kept = kept.filter(|(number, _)| !place.contains(number));
@@ -64,7 +64,7 @@ fn declarations<'t>(lines: &'t [&'t str]) -> impl Iterator<Item = (&'t str, Rang
 }
 
 /// Returns whether a line outside of `place` contains a name, in any case of its letters.
-fn is_said_outside(lines: &[&str], name: &str, place: &Range<usize>) -> bool {
+fn occurs_outside(lines: &[&str], name: &str, place: &Range<usize>) -> bool {
     let others = lines
         .iter()
         .enumerate()
@@ -121,7 +121,7 @@ END_PROGRAM
 
     #[test]
     fn what_no_other_line_says_goes_and_takes_its_empty_section_with_it() {
-        let found: Vec<(String, u32)> = without_idle(TEXT, 20).collect();
+        let found: Vec<(String, u32)> = without_unused(TEXT, 20).collect();
         let first_lines: Vec<usize> = found.iter().map(|(text, _)| text.lines().count()).collect();
         // The type with its section, the function, and a variable beside another; an input is no local variable.
         assert_eq!(first_lines, [16, 15, 20]);
@@ -133,14 +133,14 @@ END_PROGRAM
 
     #[test]
     fn the_line_of_the_error_stays() {
-        let found = without_idle(TEXT, 14).map(|(text, _)| text);
+        let found = without_unused(TEXT, 14).map(|(text, _)| text);
         assert!(found.into_iter().all(|text| text.contains("v0 : INT")));
     }
 
     #[test]
     fn what_stands_below_the_error_does_not_move_it() {
         let text = "PROGRAM main\nVAR\n    a : missing;\n    b : INT;\nEND_VAR\n    ;\nEND_PROGRAM\n";
-        let found: Vec<(String, u32)> = without_idle(text, 3).collect();
+        let found: Vec<(String, u32)> = without_unused(text, 3).collect();
         assert_eq!(found, [(text.replace("    b : INT;\n", ""), 3)]);
     }
 }

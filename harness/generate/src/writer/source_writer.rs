@@ -5,7 +5,7 @@ use crate::model::Program;
 use stickler_types::SplitMix64;
 
 /// The text so far, and the state that determines its continuation.
-pub(super) struct TextSheet<'p> {
+pub(super) struct SourceWriter<'p> {
     pub program: &'p Program,
     pub style: Style,
     pub text: String,
@@ -31,9 +31,9 @@ const COMMENTS: [&str; 8] = [
     "(* two\nlines *)",
 ];
 
-impl<'p> TextSheet<'p> {
-    pub fn new(program: &'p Program, style: Style) -> TextSheet<'p> {
-        TextSheet {
+impl<'p> SourceWriter<'p> {
+    pub fn new(program: &'p Program, style: Style) -> SourceWriter<'p> {
+        SourceWriter {
             program,
             style,
             // A mean program has about this many bytes, so the text rarely moves.

@@ -13,7 +13,7 @@ use crate::model::{Expression, ExpressionKind};
 /// Omits a conversion from an assigned value.
 pub(super) fn conversion_left_out_of_assignment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let assigned = |context| matches!(context, ExpressionContext::Assigned | ExpressionContext::Result);
-    left_out(fault, assigned, |argument| !is_call(argument))?;
+    omit_conversion(fault, assigned, |argument| !is_call(argument))?;
     fault.suggested = true;
     Some(())
 }
@@ -21,7 +21,7 @@ pub(super) fn conversion_left_out_of_assignment(fault: &mut FaultSite<'_, '_, '_
 /// Omits a conversion from an argument.
 pub(super) fn conversion_left_out_of_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let argument = |context| matches!(context, ExpressionContext::Argument | ExpressionContext::Input);
-    left_out(fault, argument, |_| true)?;
+    omit_conversion(fault, argument, |_| true)?;
     fault.suggested = true;
     Some(())
 }
@@ -37,17 +37,17 @@ pub(super) fn conversion_left_out_of_condition(fault: &mut FaultSite<'_, '_, '_>
                 | ExpressionContext::Until
         )
     };
-    left_out(fault, condition, |_| true)
+    omit_conversion(fault, condition, |_| true)
 }
 
 /// Omits a conversion from an operand.
 pub(super) fn conversion_left_out_of_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
     let operand = |context| matches!(context, ExpressionContext::Operand(_, Some(_)));
-    left_out(fault, operand, |_| true)
+    omit_conversion(fault, operand, |_| true)
 }
 
 /// Replaces a call of a conversion function by its argument.
-fn left_out(
+fn omit_conversion(
     fault: &mut FaultSite<'_, '_, '_>,
     context: fn(ExpressionContext) -> bool,
     argument_fits: fn(&Expression) -> bool,
