@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use stickler_configuration::{Configuration, Kind};
 use stickler_engines::{
-    Compiler, DescribedEngine, Description, Engine, EngineError, Identity, Places, ProcessEngine,
-    ProcessLimits, Reference, Sought,
+    Compiler, CompilerSearch, DependencyPaths, DescribedEngine, Description, Engine, EngineError, Identity,
+    ProcessEngine, ProcessLimits, Reference,
 };
 use stickler_types::DialectName;
 
@@ -170,21 +170,21 @@ fn distinct(name: &str, taken: &[&str], configuration: &Configuration) -> anyhow
 }
 
 /// Looks for an engine that has a name of its own, to be called `called`; `None` where nothing has the name.
-pub fn seek(name: &str, called: &str, configuration: &Configuration) -> Option<Sought> {
+pub fn seek(name: &str, called: &str, configuration: &Configuration) -> Option<CompilerSearch> {
     if name == REFERENCE {
-        return Some(Sought {
+        return Some(CompilerSearch {
             located: Vec::new(),
             engine: Ok(Box::new(Reference::default())),
         });
     }
     Some(match configuration.engine(name).map(|entry| &entry.kind) {
         Some(Kind::Compiler { compiler, places }) => compiler.seek(called, name, places),
-        Some(Kind::Command { line }) => Sought {
+        Some(Kind::Command { line }) => CompilerSearch {
             located: Vec::new(),
             engine: start(line, called, configuration),
         },
         Some(Kind::Described(description)) => described(called, description, configuration),
-        None => Compiler::from_name(name)?.seek(called, name, &Places::default()),
+        None => Compiler::from_name(name)?.seek(called, name, &DependencyPaths::default()),
     })
 }
 
@@ -196,10 +196,10 @@ fn start(line: &str, called: &str, configuration: &Configuration) -> Result<Box<
 }
 
 /// Makes an engine of a description; what of its programs is here is told in any case.
-fn described(called: &str, description: &Description, configuration: &Configuration) -> Sought {
+fn described(called: &str, description: &Description, configuration: &Configuration) -> CompilerSearch {
     let folder = configuration.folder().unwrap_or(Path::new(""));
     let engine = DescribedEngine::start(called, description.clone(), folder);
-    Sought {
+    CompilerSearch {
         located: DescribedEngine::programs(description, folder),
         engine: engine.map(|engine| Box::new(engine) as Box<dyn Engine>),
     }

@@ -5,7 +5,7 @@ use crate::table::{Mistake, read, table, text};
 use serde::Deserialize;
 use std::ops::Range;
 use std::path::Path;
-use stickler_engines::{Compiler, Description, Places};
+use stickler_engines::{Compiler, DependencyPaths, Description};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -26,7 +26,7 @@ pub enum Kind {
         /// The compiler.
         compiler: Compiler,
         /// What the file says about its places.
-        places: Places,
+        places: DependencyPaths,
     },
     /// A program that speaks the wire protocol.
     Command {
@@ -112,12 +112,21 @@ fn compiler(name: &str, keys: &DeTable<'_>) -> Result<Option<Compiler>, Mistake>
 }
 
 /// What a table says about the places of a compiler.
-fn places(name: &str, compiler: Compiler, keys: &DeTable<'_>, place: Place<'_>) -> Result<Places, Mistake> {
-    let mut places = Places::default();
+fn places(
+    name: &str,
+    compiler: Compiler,
+    keys: &DeTable<'_>,
+    place: Place<'_>,
+) -> Result<DependencyPaths, Mistake> {
+    let mut places = DependencyPaths::default();
     if name != compiler.name() {
         places = places.without_variables();
     }
-    let known: Vec<&str> = compiler.places().iter().map(|place| place.key).collect();
+    let known: Vec<&str> = compiler
+        .dependencies()
+        .iter()
+        .map(|dependency| dependency.key)
+        .collect();
     for (key, value) in keys.iter() {
         match key.get_ref().as_ref() {
             "adapter" => {}

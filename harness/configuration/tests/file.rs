@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 use stickler_configuration::{Configuration, Entry, Kind};
-use stickler_engines::{Compiler, Places};
+use stickler_engines::{Compiler, DependencyPaths};
 use stickler_types::definition::Flag;
 use stickler_types::{
     BitStringText, BuiltIn, Definition, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding,
@@ -40,13 +40,13 @@ fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
         ("stickler.toml:2", Compiler::Ironplc)
     );
     let path = folder.path().join("bin/ironplcc");
-    let expected = Places::default().named("ironplcc", path, "stickler.toml:3".to_owned());
+    let expected = DependencyPaths::default().named("ironplcc", path, "stickler.toml:3".to_owned());
     assert_eq!(*places, expected);
     // Of a second version, environment variables say nothing.
     let Some(Kind::Compiler { places, .. }) = configuration.engine("old").map(|entry| &entry.kind) else {
         panic!("no compiler")
     };
-    let expected = Places::default()
+    let expected = DependencyPaths::default()
         .named(
             "ironplcvm",
             "/opt/old/ironplcvm".into(),

@@ -5,30 +5,30 @@
 //! be seen into something that it does show; no line of the program moves. What a compiler does wrong is its own: an
 //! adapter mends nothing.
 
-mod apart;
 mod builder;
+mod dependencies;
 mod described;
 mod driver;
 mod fingerprint;
 mod ironplc;
 mod locate;
 mod matiec;
-mod places;
 mod plain;
 mod printed;
+mod probe_variable;
+mod rename;
 mod rounds;
 mod rusty;
 mod source;
 mod strucpp;
-mod witness;
 
 use crate::{Engine, EngineError};
-pub use apart::declared;
+use dependencies::DependencySearch;
+pub use dependencies::{Dependency, DependencyPaths, FoundBy, FoundDependency};
 pub use described::{DescribedEngine, Description};
 use ironplc::Ironplc;
 use matiec::Matiec;
-use places::Search;
-pub use places::{FoundBy, Located, Place, Places};
+pub use rename::declared;
 use rusty::Rusty;
 pub use source::{Token, Tokens, Word, tokens};
 use strucpp::Strucpp;
@@ -85,12 +85,12 @@ impl Compiler {
 
     /// The programs and folders that it needs.
     #[must_use]
-    pub const fn places(self) -> &'static [Place] {
+    pub const fn dependencies(self) -> &'static [Dependency] {
         match self {
-            Compiler::Ironplc => ironplc::PLACES,
-            Compiler::Matiec => matiec::PLACES,
-            Compiler::Rusty => rusty::PLACES,
-            Compiler::Strucpp => strucpp::PLACES,
+            Compiler::Ironplc => ironplc::DEPENDENCIES,
+            Compiler::Matiec => matiec::DEPENDENCIES,
+            Compiler::Rusty => rusty::DEPENDENCIES,
+            Compiler::Strucpp => strucpp::DEPENDENCIES,
         }
     }
 
@@ -100,21 +100,21 @@ impl Compiler {
     /// # Errors
     /// [`EngineError`] where a program of it is not there or does not say its version, with what can tell where it is.
     pub fn engine(self, called: &str) -> Result<Box<dyn Engine>, EngineError> {
-        self.seek(called, called, &Places::default()).engine
+        self.seek(called, called, &DependencyPaths::default()).engine
     }
 
-    /// Finds the compiler on this machine, also by what `places` says, and makes it an engine that is called `called` in
+    /// Finds the compiler on this machine, also by the paths that a person named, and makes it an engine that is called `called` in
     /// reports; `table` is its name in `stickler.toml`, for messages.
     #[must_use]
-    pub fn seek(self, called: &str, table: &str, places: &Places) -> Sought {
-        let mut search = Search::new(table, places);
+    pub fn seek(self, called: &str, table: &str, paths: &DependencyPaths) -> CompilerSearch {
+        let mut search = DependencySearch::new(table, paths);
         let engine = match self {
             Compiler::Ironplc => Ironplc::find(called, &mut search).map(boxed),
             Compiler::Matiec => Matiec::find(called, &mut search).map(boxed),
             Compiler::Rusty => Rusty::find(called, &mut search).map(boxed),
             Compiler::Strucpp => Strucpp::find(called, &mut search).map(boxed),
         };
-        Sought {
+        CompilerSearch {
             located: search.into_located(),
             engine: engine.map_err(|reason| EngineError::NotStarted {
                 engine: format!("`{table}`"),
@@ -124,10 +124,10 @@ impl Compiler {
     }
 }
 
-/// What came of looking for a compiler.
-pub struct Sought {
+/// The result of looking for a compiler.
+pub struct CompilerSearch {
     /// What of it is there; all that it needs where there is an engine.
-    pub located: Vec<Located>,
+    pub located: Vec<FoundDependency>,
     /// The engine, or what is missing or does not work.
     pub engine: Result<Box<dyn Engine>, EngineError>,
 }

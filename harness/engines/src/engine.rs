@@ -57,14 +57,14 @@ pub trait Session {
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome;
 }
 
-/// What a pack tells about one of its programs.
+/// What running a pack shows of one of its programs.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Packed {
-    /// What [`Session::run`] would give.
-    Told(Outcome),
-    /// Nothing; it should be asked about in a smaller pack.
+    /// The outcome that [`Session::run`] would give.
+    Answered(Outcome),
+    /// No outcome; the program should be run in a smaller pack.
     Unknown,
-    /// Nothing, and no other pack would tell more: it has to be asked about alone.
+    /// No outcome, and no pack would give one: the program has to be run alone.
     Alone,
 }
 

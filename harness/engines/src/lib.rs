@@ -14,7 +14,10 @@ mod reference;
 mod session;
 mod validate;
 
-pub use adapters::{Compiler, DescribedEngine, Description, FoundBy, Located, Place, Places, Sought};
+pub use adapters::{
+    Compiler, CompilerSearch, Dependency, DependencyPaths, DescribedEngine, Description, FoundBy,
+    FoundDependency,
+};
 pub use adapters::{Token, Tokens, Word, declared, tokens};
 pub use digest::Digest;
 pub use engine::{Ability, Engine, EngineError, Identity, Packed, Session};
@@ -23,4 +26,4 @@ pub use process::{ProcessEngine, ProcessLimits, kill_all_processes, stop_all_pro
 pub use reference::Reference;
 pub use session::EngineSession;
 pub use stickler_types::{ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Setting};
-pub use validate::{Check, Judgement, Validation, validate};
+pub use validate::{Check, CheckVerdict, Validation, validate};

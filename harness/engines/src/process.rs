@@ -65,7 +65,7 @@ impl Default for ProcessLimits {
             hello: Duration::from_secs(60),
             reply: Duration::from_secs(60),
             line: crate::protocol::MAX_LINE,
-            memory: connection::MEMORY,
+            memory: connection::DEFAULT_MAX_MEMORY,
         }
     }
 }

@@ -153,7 +153,7 @@ mod tests {
         fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
             requests
                 .iter()
-                .map(|request| Packed::Told(self.run(request)))
+                .map(|request| Packed::Answered(self.run(request)))
                 .collect()
         }
 
@@ -203,7 +203,7 @@ mod tests {
         );
         assert_eq!(
             session.run_pack(&pack[..1]).unwrap(),
-            [Packed::Told(Outcome::Accepted)]
+            [Packed::Answered(Outcome::Accepted)]
         );
     }
 }

@@ -16,7 +16,7 @@ use stickler_types::DialectName;
 
 /// What a question showed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Judgement {
+pub enum CheckVerdict {
     /// All is as it must be.
     Right,
     /// The adapter does not keep to the protocol.
@@ -33,7 +33,7 @@ pub struct Check {
     /// What must be, as a sentence without its full stop.
     pub rule: String,
     /// What came of it.
-    pub judgement: Judgement,
+    pub judgement: CheckVerdict,
     /// What is not as it must be, as a fragment.
     pub told: Option<String>,
     /// What is allowed and may be a slip, as fragments.
@@ -56,7 +56,7 @@ pub struct Validation {
 impl Validation {
     /// How many questions had this judgement.
     #[must_use]
-    pub fn count(&self, judgement: Judgement) -> usize {
+    pub fn count(&self, judgement: CheckVerdict) -> usize {
         let of = |check: &&Check| check.judgement == judgement;
         self.checks.iter().filter(of).count()
     }
@@ -182,7 +182,7 @@ impl Conversation<'_> {
             Ok(line) => self.judged(rule, &line, verb, expect, types),
             Err(words) => broken(rule, words),
         };
-        if check.judgement != Judgement::Right {
+        if check.judgement != CheckVerdict::Right {
             check.sent = Some(shown);
         } else if check.notes.is_empty() {
             check.received = None;
@@ -228,12 +228,12 @@ impl Conversation<'_> {
             // What is still to come would be taken for the answer to a later request.
             Err(words) => {
                 self.connection = None;
-                (Judgement::Broken, Some(words), Vec::new())
+                (CheckVerdict::Broken, Some(words), Vec::new())
             }
             Ok(reply) if !self.answers(&reply, expect) => {
                 self.connection = None;
                 let words = format!("it repeats another `id` than {}", self.id);
-                (Judgement::Broken, Some(words), Vec::new())
+                (CheckVerdict::Broken, Some(words), Vec::new())
             }
             Ok(reply) => {
                 let (judgement, told) = reply::judge(&reply, expect, verb, self.identity.grade, types);
@@ -261,7 +261,7 @@ impl Conversation<'_> {
 fn right(rule: String) -> Check {
     Check {
         rule,
-        judgement: Judgement::Right,
+        judgement: CheckVerdict::Right,
         told: None,
         notes: Vec::new(),
         sent: None,
@@ -271,7 +271,7 @@ fn right(rule: String) -> Check {
 
 fn broken(rule: String, words: String) -> Check {
     Check {
-        judgement: Judgement::Broken,
+        judgement: CheckVerdict::Broken,
         told: Some(words),
         ..right(rule)
     }
@@ -279,7 +279,7 @@ fn broken(rule: String, words: String) -> Check {
 
 fn skipped(rule: &str, ability: Ability) -> Check {
     Check {
-        judgement: Judgement::Skipped,
+        judgement: CheckVerdict::Skipped,
         told: Some(format!("it does not claim the ability `{ability}`")),
         ..right(rule.to_owned())
     }

@@ -5,7 +5,7 @@
 use crate::answers::{self, ANSWERS, TEMPLATE};
 use crate::manifest::{MANIFEST, Manifest, PageRecord};
 use crate::page::{Page, elements_of};
-use crate::ready::{Company, Ready, With};
+use crate::page_case::{ExtraCases, PageCase, PageKind};
 use crate::{ExportError, Reason};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -27,7 +27,7 @@ pub struct ExportPlan {
     /// How many cases stand on a page at most.
     pub cases_per_page: usize,
     /// What it has beside programs that must be accepted.
-    pub with: BTreeSet<With>,
+    pub with: BTreeSet<ExtraCases>,
     /// Ids of cases that it must not have.
     pub without: BTreeSet<String>,
     /// How many cases it has at most, drawn evenly from all that it could have.
@@ -69,7 +69,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
             leave_out(Reason::Named);
             continue;
         }
-        match Ready::of(case, &plan.with) {
+        match PageCase::of(case, &plan.with) {
             Ok(mut ready_case) => {
                 ready_case.answered = answers.contains_key(&*case.id);
                 exported.answered += usize::from(ready_case.answered);
@@ -83,7 +83,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
     for _ in ready.len()..before {
         leave_out(Reason::Sampled);
     }
-    ready.sort_by_key(|ready| ready.company);
+    ready.sort_by_key(|ready| ready.kind);
     let chunks = chunks(&ready, plan.cases_per_page.max(1));
     let mut manifest = Manifest::new(&plan.suite, plan.dialect.as_str());
     manifest.defined.clone_from(&plan.defined);
@@ -101,7 +101,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
         if plan.panes {
             write_panes(&page, folder, &stem)?;
         }
-        exported.compiled_only += usize::from(page.company.is_rejected());
+        exported.compiled_only += usize::from(page.kind.is_rejected());
         exported.cases += chunk.len();
         manifest.pages.push(PageRecord::of(&page, format!("{stem}.st")));
     }
@@ -190,18 +190,18 @@ fn drawn<T>(all: Vec<T>, sample: Option<usize>) -> Vec<T> {
 
 /// How many elements of observations a page has at most, so that its whole array is shown: some editors show no more than a
 /// thousand of them.
-const ELEMENTS: usize = 980;
+const MAX_PAGE_ELEMENTS: usize = 980;
 
-/// The pages: cases of one company, no more than are wanted, and no more elements than an editor shows.
-fn chunks<'r, 'c>(ready: &'r [Ready<'c>], most: usize) -> Vec<&'r [Ready<'c>]> {
+/// The pages: cases of one kind, no more than are wanted, and no more elements than an editor shows.
+fn chunks<'r, 'c>(ready: &'r [PageCase<'c>], most: usize) -> Vec<&'r [PageCase<'c>]> {
     let mut chunks = Vec::new();
     let mut begin = 0;
     let mut elements = 0;
-    let company = |at: usize| -> Option<Company> { ready.get(at).map(|ready| ready.company) };
+    let kind = |at: usize| -> Option<PageKind> { ready.get(at).map(|ready| ready.kind) };
     for at in 0..ready.len() {
         elements += elements_of(&ready[at]);
         let next = ready.get(at + 1).map_or(0, elements_of);
-        if at + 1 - begin == most || company(at + 1) != company(at) || elements + next > ELEMENTS {
+        if at + 1 - begin == most || kind(at + 1) != kind(at) || elements + next > MAX_PAGE_ELEMENTS {
             chunks.push(&ready[begin..=at]);
             (begin, elements) = (at + 1, 0);
         }

@@ -4,12 +4,12 @@
 //! every reader of its reports says that it was cut short.
 
 use crate::answers::{self, ANSWERS, Answer, Answers};
-use crate::gathered::{Gathered, Told};
 use crate::manifest::Manifest;
-use crate::messages::{self, Messages};
-use crate::notes::{Unjudged, Without, shortened};
+use crate::messages::{MessageList, Messages};
 use crate::paste;
-use crate::{ExportError, MANIFEST, With};
+use crate::result_arrays::{CaseResult, ResultArrays};
+use crate::unjudged::{PagesWithoutResults, UnjudgedCases, shortened};
+use crate::{ExportError, ExtraCases, MANIFEST};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -34,7 +34,7 @@ pub struct Export {
 
 /// A text that a person copied out of an editor.
 #[derive(Clone, Debug)]
-pub struct Source {
+pub struct CopiedText {
     /// What the file is called.
     pub name: String,
     /// What it holds.
@@ -87,15 +87,15 @@ impl Export {
 
     /// What of its cases is beside those that must be accepted.
     #[must_use]
-    pub fn with(&self) -> BTreeSet<With> {
+    pub fn with(&self) -> BTreeSet<ExtraCases> {
         let kinds = self
             .cases
             .iter()
             .flatten()
             .filter_map(|case| match case.expectation.accepted {
                 Acceptance::Required => None,
-                Acceptance::Observed => Some(With::Open),
-                Acceptance::Rejected => Some(With::Rejected),
+                Acceptance::Observed => Some(ExtraCases::Open),
+                Acceptance::Rejected => Some(ExtraCases::Rejected),
             });
         kinds.collect()
     }
@@ -104,14 +104,14 @@ impl Export {
     /// pages, and a footer where those are all.
     pub fn import(
         &self,
-        sources: &[Source],
+        sources: &[CopiedText],
         plan: &Plan,
         engine: &Identity,
         baseline: Option<&MatchedBaseline<'_>>,
         sink: &mut dyn FnMut(Event),
     ) -> Imported {
         let mut imported = Imported::default();
-        let (gathered, messages) = self.gather(sources, &mut imported.notes);
+        let (arrays, messages) = self.gather(sources, &mut imported.notes);
         let header = self.header(plan, engine, baseline);
         imported.summary.outdated = header
             .baselines
@@ -124,9 +124,9 @@ impl Export {
             engine,
             baseline,
         };
-        let mut without = Without::default();
+        let mut without = PagesWithoutResults::default();
         for at in 0..self.manifest.pages.len() {
-            let given = self.given(at, &gathered, &messages);
+            let given = self.given(at, &arrays, &messages);
             self.page(at, given, &judge, (&mut imported, &mut without), sink);
         }
         without.tell(&mut imported.notes);
@@ -146,8 +146,8 @@ impl Export {
         imported
     }
 
-    fn gather(&self, sources: &[Source], notes: &mut Vec<String>) -> (Gathered, Messages) {
-        let (mut gathered, mut messages) = (Gathered::default(), Messages::default());
+    fn gather(&self, sources: &[CopiedText], notes: &mut Vec<String>) -> (ResultArrays, Messages) {
+        let (mut arrays, mut messages) = (ResultArrays::default(), Messages::default());
         for source in sources {
             let text = paste::decoded(&source.bytes);
             let taken = messages.take(&text, &self.manifest);
@@ -164,7 +164,7 @@ impl Export {
                 notes.push(format!("{}: there is no number in it", source.name));
             }
             for array in &pasted.arrays {
-                match gathered.take(array, &self.manifest) {
+                match arrays.take(array, &self.manifest) {
                     Ok(note) => {
                         notes.extend(note.map(|note| format!("{}:{}: {note}", source.name, array.line)))
                     }
@@ -172,31 +172,31 @@ impl Export {
                 }
             }
         }
-        (gathered, messages)
+        (arrays, messages)
     }
 
     /// What was given of a page: what is said of each of its cases, whether anything was, and how it ended where that is to be said.
-    fn given(&self, at: usize, gathered: &Gathered, messages: &Messages) -> Given {
+    fn given(&self, at: usize, arrays: &ResultArrays, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
         let mut given = match page.is_compiled() {
             true => self.compiled(at, messages),
-            false => self.run(at, gathered, messages),
+            false => self.run(at, arrays, messages),
         };
         // Whatever else there is, their programs were not.
         for case in &page.answered {
-            given.told[*case] = Told::NotRun;
+            given.cases[*case] = CaseResult::NotRun;
         }
         given
     }
 
     /// What the array of a page says; and what its messages say, where it did not run for the sake of some of its cases.
-    fn run(&self, at: usize, gathered: &Gathered, messages: &Messages) -> Given {
+    fn run(&self, at: usize, arrays: &ResultArrays, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
-        let cases = self.cases[at].iter().enumerate();
-        let told = cases
-            .map(|(number, case)| gathered.told(at, page, number, case))
+        let numbered = self.cases[at].iter().enumerate();
+        let cases = numbered
+            .map(|(number, case)| arrays.result(at, page, number, case))
             .collect();
-        let without = gathered.is_without(at);
+        let without = arrays.is_without(at);
         let by_case = messages
             .by_case(at, &page.lines)
             .filter(|_| without)
@@ -212,32 +212,32 @@ impl Export {
             "it was not accepted; write this into {ANSWERS} and export again in the same words:{}",
             lines.concat()
         );
-        Given {
-            told,
+        PageResults {
+            cases,
             without: without && lines.is_empty(),
             state: match lines.is_empty() {
-                true => gathered.state(at, page),
+                true => arrays.state(at, page),
                 false => Some(hint),
             },
         }
     }
 
     /// What the messages about a page say that is only compiled.
-    fn compiled(&self, at: usize, messages: &Messages) -> Given {
+    fn compiled(&self, at: usize, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
-        let missing = |without, state| Given {
-            told: page.cases.iter().map(|_| Told::Missing).collect(),
+        let missing = |without, state| PageResults {
+            cases: page.cases.iter().map(|_| CaseResult::Missing).collect(),
             without,
             state,
         };
-        match messages.told(at, &page.lines) {
-            messages::Told::Missing => missing(true, None),
-            messages::Told::Whole(cases) => Given {
-                told: cases.into_iter().map(compiled_outcome).collect(),
+        match messages.list(at, &page.lines) {
+            MessageList::Missing => missing(true, None),
+            MessageList::Complete(cases) => PageResults {
+                cases: cases.into_iter().map(compiled_outcome).collect(),
                 without: false,
                 state: None,
             },
-            messages::Told::Cut(last) => {
+            MessageList::Truncated(last) => {
                 let hint = match last.and_then(|last| page.cases.get(last)) {
                     Some(case) => format!(
                         "; the last case with a message is {}: if the compiler reads no further, note `rejected` of that one in \
@@ -255,18 +255,18 @@ impl Export {
     fn page(
         &self,
         at: usize,
-        given: Given,
+        given: PageResults,
         judge: &CaseJudge<'_>,
-        (imported, without): (&mut Imported, &mut Without),
+        (imported, without): (&mut Imported, &mut PagesWithoutResults),
         sink: &mut dyn FnMut(Event),
     ) {
         let page = &self.manifest.pages[at];
-        let mut unjudged = Unjudged::default();
-        for (case, told) in self.cases[at].iter().zip(given.told) {
+        let mut unjudged = UnjudgedCases::default();
+        for (case, told) in self.cases[at].iter().zip(given.cases) {
             let answer = self.answers.get(&*case.id);
             let (outcome, untold) = match (told, answer) {
-                (Told::Outcome(outcome, untold), None) => (outcome, untold),
-                (Told::Outcome(outcome, untold), Some((_, place))) => {
+                (CaseResult::Outcome(outcome, untold), None) => (outcome, untold),
+                (CaseResult::Outcome(outcome, untold), Some((_, place))) => {
                     imported
                         .notes
                         .push(format!("{place}: {} has results, which count", case.id));
@@ -344,18 +344,18 @@ fn is_still(then: &DefinedHeader, dialect: DialectName) -> bool {
         .any(|now| now.extends == then.extends && now.overrides == then.overrides)
 }
 
-/// What was given of a page.
-struct Given {
-    /// What is said of each of its cases.
-    told: Vec<Told>,
-    /// Nothing was given.
+/// The results of the cases of a page.
+struct PageResults {
+    /// The result of each case.
+    cases: Vec<CaseResult>,
+    /// Whether nothing of the page was pasted.
     without: bool,
-    /// How it ended, where that is to be said.
+    /// A sentence on how far the page ran, where there is something to say.
     state: Option<String>,
 }
 
-/// What a compiler did with a case by its first message. It names a line of the page, which is none of the case.
-fn compiled_outcome(message: Option<String>) -> Told {
+/// Returns what a compiler did with a case, by its first message. The message names a line of the page, which is none of the case.
+fn compiled_outcome(message: Option<String>) -> CaseResult {
     let outcome = match message {
         None => Outcome::Accepted,
         Some(message) => Outcome::Rejected {
@@ -365,7 +365,7 @@ fn compiled_outcome(message: Option<String>) -> Told {
             }],
         },
     };
-    Told::Outcome(outcome, Vec::new())
+    CaseResult::Outcome(outcome, Vec::new())
 }
 
 fn answered(answer: Answer, place: &str) -> Outcome {

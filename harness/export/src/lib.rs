@@ -3,29 +3,30 @@
 #![forbid(unsafe_code)]
 
 mod answers;
+mod compiled_page;
+mod encode;
+mod encoding;
 mod error;
 mod export;
-mod gathered;
 mod import;
-mod look;
 mod manifest;
 mod messages;
-mod notes;
 mod page;
-mod parts;
+mod page_case;
 mod paste;
-mod ready;
+mod program_parts;
 mod reason;
 mod record;
 mod rename;
+mod result_arrays;
 #[cfg(test)]
 mod round_trip;
-mod taking_apart;
+mod unjudged;
 
 pub use answers::ANSWERS;
 pub use error::ExportError;
 pub use export::{ExportPlan, Exported, export};
-pub use import::{Export, Imported, Source};
+pub use import::{CopiedText, Export, Imported};
 pub use manifest::MANIFEST;
-pub use ready::With;
+pub use page_case::ExtraCases;
 pub use reason::Reason;

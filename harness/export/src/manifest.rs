@@ -2,7 +2,7 @@
 //! in which element.
 
 use crate::ExportError;
-use crate::page::{FIRST, Page};
+use crate::page::{FIRST_OBSERVATION, Page};
 use crate::record::CaseRecord;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -17,7 +17,7 @@ pub const MANIFEST: &str = "manifest.json";
 const FORMAT: u32 = 1;
 
 /// No array has as many elements; a page has a thousand, and more only where one case alone has.
-const MOST_ELEMENTS: usize = 1_000_000;
+const MAX_ARRAY_ELEMENTS: usize = 1_000_000;
 
 /// An export.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
@@ -143,7 +143,7 @@ impl Manifest {
                     page.number
                 ));
             }
-            let has_array = (FIRST + 1..=MOST_ELEMENTS).contains(&page.elements);
+            let has_array = (FIRST_OBSERVATION + 1..=MAX_ARRAY_ELEMENTS).contains(&page.elements);
             if !page.is_compiled() && !has_array {
                 return Err(format!("page {} has no array of results", page.number));
             }

@@ -14,15 +14,15 @@ pub(crate) struct Messages {
     pages: BTreeMap<usize, BTreeMap<usize, String>>,
 }
 
-/// What the messages of a page say.
+/// The messages that a compiler gave about a page, by case.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) enum Told {
-    /// Nothing of the page was given.
+pub(crate) enum MessageList {
+    /// No message about the page was given.
     Missing,
-    /// The list is not whole. The case on whose lines its last message is, where there is one.
-    Cut(Option<usize>),
-    /// Each case, and its first message; none where it was accepted.
-    Whole(Vec<Option<String>>),
+    /// The list ends early. Holds the number of the case on whose lines its last message is, where there is one.
+    Truncated(Option<usize>),
+    /// The first message of each case; `None` where the case was accepted.
+    Complete(Vec<Option<String>>),
 }
 
 impl Messages {
@@ -60,15 +60,15 @@ impl Messages {
     }
 
     /// What the messages of a page that is only compiled say of its cases.
-    pub(crate) fn told(&self, at: usize, lines: &LinesRecord) -> Told {
+    pub(crate) fn list(&self, at: usize, lines: &LinesRecord) -> MessageList {
         let Some(mut told) = self.by_case(at, lines) else {
-            return Told::Missing;
+            return MessageList::Missing;
         };
         let ends = told.split_off(told.len().saturating_sub(2));
         if ends.iter().any(Option::is_none) {
-            return Told::Cut(told.iter().rposition(Option::is_some));
+            return MessageList::Truncated(told.iter().rposition(Option::is_some));
         }
-        Told::Whole(told)
+        MessageList::Complete(told)
     }
 
     /// The first message of each case of a page; `None` where no message is about the page.
@@ -194,11 +194,11 @@ mod tests {
         manifest
     }
 
-    fn told(text: &str) -> Told {
+    fn told(text: &str) -> MessageList {
         let manifest = manifest();
         let mut messages = Messages::default();
         messages.take(&decoded(text.as_bytes()), &manifest);
-        messages.told(0, &manifest.pages[0].lines)
+        messages.list(0, &manifest.pages[0].lines)
     }
 
     #[test]
@@ -216,7 +216,7 @@ mod tests {
             "stickler_page_1, Zeile 7: a\nstickler_page_1, Zeile 8: b\nstickler_page_1, Zeile 10: c\n",
         ];
         for list in lists {
-            let Told::Whole(cases) = told(list) else {
+            let MessageList::Complete(cases) = told(list) else {
                 panic!("{list}: {:?}", told(list))
             };
             assert!(cases[0].is_some() && cases[1].is_none(), "{list}: {cases:?}");
@@ -227,20 +227,23 @@ mod tests {
     fn a_list_without_both_ends_says_nothing() {
         assert_eq!(
             told("stickler_page_1, line 7: a\nstickler_page_1, line 9: b\n"),
-            Told::Cut(Some(1))
+            MessageList::Truncated(Some(1))
         );
-        assert_eq!(told("stickler_page_1, line 10: a\n"), Told::Cut(None));
-        assert_eq!(told("0 errors\n"), Told::Missing);
-        assert_eq!(told("stickler_page_2, line 7: a\n"), Told::Missing);
+        assert_eq!(
+            told("stickler_page_1, line 10: a\n"),
+            MessageList::Truncated(None)
+        );
+        assert_eq!(told("0 errors\n"), MessageList::Missing);
+        assert_eq!(told("stickler_page_2, line 7: a\n"), MessageList::Missing);
     }
 
     #[test]
     fn the_rows_of_a_watch_list_are_no_messages() {
         let rows = "Device.Application.stickler_page_1.results[4]\tDINT\t7\t\t\n\"stickler_page_1_DB\".results[5]\t\tDEC+/-\t10\n";
-        assert_eq!(told(rows), Told::Missing);
+        assert_eq!(told(rows), MessageList::Missing);
         assert_eq!(
             told("stickler_page_1, line 10: results[4] is none\n"),
-            Told::Cut(None)
+            MessageList::Truncated(None)
         );
     }
 
@@ -252,12 +255,12 @@ mod tests {
             )
         };
         let list = [at("error", 7), at("warning[P1]", 8), at("error", 10)].concat();
-        assert_eq!(told(&list), Told::Whole(vec![None, None]));
+        assert_eq!(told(&list), MessageList::Complete(vec![None, None]));
     }
 
     #[test]
     fn what_is_wrong_may_stand_above_its_place() {
-        let Told::Whole(cases) = told(
+        let MessageList::Complete(cases) = told(
             "error: a\n --> page-001.st:7:1\nerror: b\n --> page-001.st:5:1\nerror: c\n --> page-001.st:10:1\n",
         ) else {
             panic!("it is whole")

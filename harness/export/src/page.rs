@@ -18,12 +18,10 @@
 //! Whoever deletes the statements of a case, because the compiler does not take them, leaves its elements 0: it was not run,
 //! and nothing else is different.
 
-mod compiled;
-
-use crate::look::Look;
-use crate::ready::{Company, Ready, expected};
+use crate::encode;
+use crate::encoding::ValueEncoding;
+use crate::page_case::{PageCase, PageKind, expected};
 use crate::rename::Renaming;
-use crate::taking_apart;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use stickler_engines::{Token, tokens};
@@ -33,33 +31,33 @@ use stickler_types::{ElementaryType, Fnv1a, Value};
 pub(crate) const MAGIC: i32 = 0x5354_4B31;
 
 /// Where the first observation stands.
-pub(crate) const FIRST: usize = 8;
+pub(crate) const FIRST_OBSERVATION: usize = 8;
 
 /// Pages' own numbers are multiples of this, so that the number of an observation can be added and still be read.
-pub(crate) const ROOM: usize = 1000;
+pub(crate) const PAGE_NUMBER_STEP: usize = 1000;
 
 /// One observation of a page.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct Step {
+pub(crate) struct PageStep {
     /// The number of its case on the page.
     pub(crate) case: usize,
     /// The number of the variable among those that the case observes; `None` where it only has to run.
     pub(crate) observe: Option<usize>,
     /// Where its elements begin.
     pub(crate) place: usize,
-    /// How the value is seen.
-    pub(crate) look: Look,
+    /// How the value is written into the array.
+    pub(crate) encoding: ValueEncoding,
 }
 
 /// A page, written.
 pub(crate) struct Page<'c, 'r> {
     /// Its number, from 1.
     pub(crate) number: usize,
-    pub(crate) company: Company,
-    pub(crate) cases: &'r [Ready<'c>],
+    pub(crate) kind: PageKind,
+    pub(crate) cases: &'r [PageCase<'c>],
     /// Its observations, in order; the first has the number 1. None on a page that is only compiled.
-    pub(crate) steps: Vec<Step>,
-    /// Its own number: see [`ROOM`].
+    pub(crate) steps: Vec<PageStep>,
+    /// Its own number: see [`PAGE_NUMBER_STEP`].
     pub(crate) identity: i32,
     /// How many elements its array has; 0 where it has none.
     pub(crate) elements: usize,
@@ -75,9 +73,9 @@ pub(crate) struct Page<'c, 'r> {
 }
 
 /// How many elements the observations of a case take.
-pub(crate) fn elements_of(ready: &Ready<'_>) -> usize {
-    let looks = ready.looks.iter().map(|(_, look)| 2 + look.pieces());
-    looks.sum::<usize>().max(2)
+pub(crate) fn elements_of(ready: &PageCase<'_>) -> usize {
+    let encodings = ready.encodings.iter().map(|(_, encoding)| 2 + encoding.pieces());
+    encodings.sum::<usize>().max(2)
 }
 
 impl<'c, 'r> Page<'c, 'r> {
@@ -85,15 +83,15 @@ impl<'c, 'r> Page<'c, 'r> {
     /// pages, to which it adds its own.
     pub(crate) fn write(
         (number, pages): (usize, usize),
-        cases: &'r [Ready<'c>],
+        cases: &'r [PageCase<'c>],
         export: &str,
         taken: &mut BTreeSet<i32>,
     ) -> Page<'c, 'r> {
-        let company = cases[0].company;
+        let kind = cases[0].kind;
         let (steps, end) = steps(cases);
         let mut page = Page {
             number,
-            company,
+            kind,
             cases,
             elements: end + 1,
             steps,
@@ -103,7 +101,7 @@ impl<'c, 'r> Page<'c, 'r> {
             statements: String::new(),
             lines: vec![Vec::new(); cases.len()],
         };
-        if company.is_rejected() {
+        if kind.is_rejected() {
             page.write_compiled(pages, export);
             return page;
         }
@@ -178,7 +176,7 @@ impl<'c, 'r> Page<'c, 'r> {
         suffixes
     }
 
-    fn renaming(&self, case: usize, suffixes: &[String]) -> Renaming<'r> {
+    pub(crate) fn renaming(&self, case: usize, suffixes: &[String]) -> Renaming<'r> {
         let parts = &self.cases[case].parts;
         Renaming {
             units: (&parts.unit_names, suffixes[case].clone()),
@@ -194,7 +192,7 @@ impl<'c, 'r> Page<'c, 'r> {
             let _ = writeln!(text, "    stickler_{name} : DINT;");
         }
         for ty in self.types() {
-            let _ = writeln!(text, "    {}", taking_apart::declarations(ty));
+            let _ = writeln!(text, "    {}", encode::declarations(ty));
         }
         text.push_str("END_VAR\n");
         self.write_variables(&mut text, suffixes);
@@ -202,7 +200,7 @@ impl<'c, 'r> Page<'c, 'r> {
     }
 
     /// The variables of all cases: constants first, for variables may begin with their values.
-    fn write_variables(&mut self, text: &mut String, suffixes: &[String]) {
+    pub(crate) fn write_variables(&mut self, text: &mut String, suffixes: &[String]) {
         for constant in [true, false] {
             let mut section = String::new();
             let heading = if constant { "VAR CONSTANT\n" } else { "VAR\n" };
@@ -259,7 +257,7 @@ impl<'c, 'r> Page<'c, 'r> {
             if is_first && !ready.parts.statements.is_empty() {
                 let _ = writeln!(text, "    {}", renaming.of(&ready.parts.statements));
             }
-            write_look(&mut text, ready, step, &renaming, &kinds);
+            write_readout(&mut text, ready, step, &renaming, &kinds);
             self.lines[step.case].push((first, declarations + text.matches('\n').count()));
         }
         text.push_str("        END_CASE;\n");
@@ -286,7 +284,7 @@ impl<'c, 'r> Page<'c, 'r> {
         );
         for (number, ty) in kinds.iter().enumerate() {
             let _ = writeln!(text, "        {}: (* {ty} *)", number + 1);
-            text.push_str(&taking_apart::statements(*ty, "            "));
+            text.push_str(&encode::statements(*ty, "            "));
         }
         let _ = write!(
             text,
@@ -300,43 +298,43 @@ impl<'c, 'r> Page<'c, 'r> {
 
     /// The types whose values are taken apart, in their order.
     fn types(&self) -> Vec<ElementaryType> {
-        let types = self.steps.iter().filter_map(|step| match step.look {
-            Look::Numbers(ty) => Some(ty),
-            Look::Compared => None,
+        let types = self.steps.iter().filter_map(|step| match step.encoding {
+            ValueEncoding::Numbers(ty) => Some(ty),
+            ValueEncoding::Compared => None,
         });
         types.collect::<BTreeSet<_>>().into_iter().collect()
     }
 }
 
 /// The observations of these cases, and where the element behind the last of them is.
-fn steps(cases: &[Ready<'_>]) -> (Vec<Step>, usize) {
+fn steps(cases: &[PageCase<'_>]) -> (Vec<PageStep>, usize) {
     let mut steps = Vec::new();
-    let mut place = FIRST;
+    let mut place = FIRST_OBSERVATION;
     for (case, ready) in cases.iter().enumerate().filter(|(_, ready)| !ready.answered) {
-        let mut add = |observe, look: Look| {
-            steps.push(Step {
+        let mut add = |observe, encoding: ValueEncoding| {
+            steps.push(PageStep {
                 case,
                 observe,
                 place,
-                look,
+                encoding,
             });
-            place += 2 + look.pieces();
+            place += 2 + encoding.pieces();
         };
-        if ready.looks.is_empty() {
-            add(None, Look::Compared);
+        if ready.encodings.is_empty() {
+            add(None, ValueEncoding::Compared);
         }
-        for &(observe, look) in &ready.looks {
-            add(Some(observe), look);
+        for &(observe, encoding) in &ready.encodings {
+            add(Some(observe), encoding);
         }
     }
     (steps, place)
 }
 
-/// The statements that look at one variable.
-fn write_look(
+/// Writes the statements that read one variable out.
+fn write_readout(
     text: &mut String,
-    ready: &Ready<'_>,
-    step: &Step,
+    ready: &PageCase<'_>,
+    step: &PageStep,
     renaming: &Renaming<'_>,
     kinds: &[ElementaryType],
 ) {
@@ -350,12 +348,12 @@ fn write_look(
                 "{MARGIN}IF {name} = {literal} THEN stickler_equal := 1; ELSE stickler_equal := 2; END_IF;"
             );
         }
-        if let Look::Numbers(ty) = step.look {
+        if let ValueEncoding::Numbers(ty) = step.encoding {
             let kind = kinds
                 .iter()
                 .position(|kind| *kind == ty)
                 .map_or(0, |kind| kind + 1);
-            let _ = writeln!(text, "{MARGIN}{} := {name};", taking_apart::variable(ty));
+            let _ = writeln!(text, "{MARGIN}{} := {name};", encode::variable(ty));
             let _ = writeln!(text, "{MARGIN}stickler_kind := {kind};");
         }
     }
@@ -377,7 +375,7 @@ pub(crate) fn literal(value: &Value) -> Option<String> {
 }
 
 /// Whether variables of a case's program declare an enumeration in place.
-fn declares_in_place(ready: &Ready<'_>) -> bool {
+fn declares_in_place(ready: &PageCase<'_>) -> bool {
     let words: BTreeSet<String> = tokens(&ready.parts.units)
         .filter_map(|token| match token {
             Token::Word(word) => Some(word.text.to_ascii_uppercase()),
@@ -387,7 +385,7 @@ fn declares_in_place(ready: &Ready<'_>) -> bool {
     ready.parts.unit_names.iter().any(|name| !words.contains(name))
 }
 
-fn counted(cases: usize) -> String {
+pub(crate) fn counted(cases: usize) -> String {
     format!("{cases} {}", if cases == 1 { "case" } else { "cases" })
 }
 
@@ -396,12 +394,12 @@ pub(crate) fn shown(id: &str) -> String {
     id.replace("(*", "( *").replace("*)", "* )")
 }
 
-/// A number for a page by its text, by the hash function FNV-1a: a multiple of [`ROOM`], no zero, and none that is taken.
+/// A number for a page by its text, by the hash function FNV-1a: a multiple of [`PAGE_NUMBER_STEP`], no zero, and none that is taken.
 fn identity(texts: &[&str], taken: &mut BTreeSet<i32>) -> i32 {
     let mut hash = Fnv1a::default();
     texts.iter().for_each(|text| hash.write(text));
     let mut hash = hash.finish();
-    let room = ROOM as u64;
+    let room = PAGE_NUMBER_STEP as u64;
     let numbers = u64::from(i32::MAX.unsigned_abs()) / room - 1;
     loop {
         let identity = i32::try_from((hash % numbers + 1) * room).unwrap_or(i32::MAX);

@@ -113,7 +113,7 @@ pub(crate) fn settle(
         for (&place, packed) in pack.iter().zip(packed) {
             spent[place] += share;
             match packed {
-                Packed::Told(run) => settled[place] = Some((Answers::of_run(run), spent[place])),
+                Packed::Answered(run) => settled[place] = Some((Answers::of_run(run), spent[place])),
                 Packed::Unknown => unknown.push(place),
                 Packed::Alone => alone.push(vec![place]),
             }

@@ -4,7 +4,7 @@ use super::numbers::whole;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
-use stickler_export::With;
+use stickler_export::ExtraCases;
 use stickler_types::DialectName;
 
 /// `stickler export`.
@@ -31,7 +31,7 @@ pub struct ExportArguments {
     /// Beside programs that must be accepted, also those that no document decides about (`open`), or those that must be
     /// rejected (`rejected`), whose pages are only compiled: on pages of their own; may be repeated
     #[arg(long, value_name = "KIND", value_parser = kinds(), hide_possible_values = true)]
-    pub with: Vec<With>,
+    pub with: Vec<ExtraCases>,
     /// Leave out the case of this id; may be repeated
     #[arg(long, value_name = "CASE")]
     pub without: Vec<String>,
@@ -73,10 +73,10 @@ pub struct ImportArguments {
     pub no_report: bool,
 }
 
-fn kinds() -> impl TypedValueParser<Value = With> {
-    PossibleValuesParser::new(With::ALL.map(With::as_str)).map(|word| match word.as_str() {
-        "open" => With::Open,
-        _ => With::Rejected,
+fn kinds() -> impl TypedValueParser<Value = ExtraCases> {
+    PossibleValuesParser::new(ExtraCases::ALL.map(ExtraCases::as_str)).map(|word| match word.as_str() {
+        "open" => ExtraCases::Open,
+        _ => ExtraCases::Rejected,
     })
 }
 

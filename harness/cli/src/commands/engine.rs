@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use std::env;
 use std::io::{self, Write};
 use stickler_configuration::{Configuration, Kind};
-use stickler_engines::{Check, Judgement, ProcessLimits, Validation, protocol};
+use stickler_engines::{Check, CheckVerdict, ProcessLimits, Validation, protocol};
 
 const BOLD: Style = Style::new().bold();
 const BAD: Style = AnsiColor::Red.on_default().bold();
@@ -86,17 +86,17 @@ fn write_page(validation: &Validation, out: &mut dyn Write) -> io::Result<()> {
 
 fn write_check(check: &Check, out: &mut dyn Write) -> io::Result<()> {
     match check.judgement {
-        Judgement::Right => writeln!(out, "  ok       {}", check.rule)?,
-        Judgement::Skipped => writeln!(out, "  skipped  {}", check.rule)?,
-        Judgement::Broken => writeln!(out, "  {BAD}BROKEN{BAD:#}   {}", check.rule)?,
-        Judgement::Wrong => writeln!(out, "  {BAD}WRONG{BAD:#}    {}", check.rule)?,
+        CheckVerdict::Right => writeln!(out, "  ok       {}", check.rule)?,
+        CheckVerdict::Skipped => writeln!(out, "  skipped  {}", check.rule)?,
+        CheckVerdict::Broken => writeln!(out, "  {BAD}BROKEN{BAD:#}   {}", check.rule)?,
+        CheckVerdict::Wrong => writeln!(out, "  {BAD}WRONG{BAD:#}    {}", check.rule)?,
     }
     let told = check.told.iter().map(|told| ("", told));
     let notes = check.notes.iter().map(|note| ("note: ", note));
     for (label, words) in told.chain(notes) {
         writeln!(out, "             {label}{words}")?;
     }
-    if matches!(check.judgement, Judgement::Broken | Judgement::Wrong) {
+    if matches!(check.judgement, CheckVerdict::Broken | CheckVerdict::Wrong) {
         let lines = [("→", &check.sent), ("←", &check.received)];
         for (arrow, line) in lines {
             if let Some(line) = line {
@@ -128,12 +128,12 @@ fn excerpt(line: &str) -> String {
 fn conclusion(validation: &Validation) -> String {
     let count = |judgement| validation.count(judgement);
     let (right, broken, wrong) = (
-        count(Judgement::Right),
-        count(Judgement::Broken),
-        count(Judgement::Wrong),
+        count(CheckVerdict::Right),
+        count(CheckVerdict::Broken),
+        count(CheckVerdict::Wrong),
     );
     let all = right + broken + wrong;
-    let skipped = match count(Judgement::Skipped) {
+    let skipped = match count(CheckVerdict::Skipped) {
         0 => String::new(),
         number => format!("; skipped: {number}"),
     };
@@ -154,10 +154,10 @@ fn conclusion(validation: &Validation) -> String {
 
 fn exit(validation: &Validation) -> Exit {
     let (broken, wrong) = (
-        validation.count(Judgement::Broken),
-        validation.count(Judgement::Wrong),
+        validation.count(CheckVerdict::Broken),
+        validation.count(CheckVerdict::Wrong),
     );
-    match (broken, wrong, validation.count(Judgement::Right)) {
+    match (broken, wrong, validation.count(CheckVerdict::Right)) {
         (1.., _, _) => Exit::EngineNotRun,
         (0, 1.., _) => Exit::Failures,
         (0, 0, 0) => Exit::NothingTested,

@@ -7,7 +7,7 @@ use anstyle::Style;
 use serde::Serialize;
 use std::io::{self, Write};
 use stickler_configuration::{Configuration, Kind};
-use stickler_engines::{Compiler, EngineError, Located, Sought};
+use stickler_engines::{Compiler, CompilerSearch, EngineError, FoundDependency};
 use stickler_types::wrap;
 use stickler_workers::WorkerPool;
 
@@ -88,8 +88,8 @@ struct FoundPlace {
     found_by: String,
 }
 
-impl From<Located> for FoundPlace {
-    fn from(located: Located) -> FoundPlace {
+impl From<FoundDependency> for FoundPlace {
+    fn from(located: FoundDependency) -> FoundPlace {
         FoundPlace {
             key: located.key,
             path: located.path.display().to_string(),
@@ -99,7 +99,7 @@ impl From<Located> for FoundPlace {
 }
 
 impl<'n> Listed<'n> {
-    fn new(name: &'n str, sought: Sought, configuration: &'n Configuration) -> Listed<'n> {
+    fn new(name: &'n str, sought: CompilerSearch, configuration: &'n Configuration) -> Listed<'n> {
         let entry = configuration.engine(name);
         let (compiler, project) = match entry.map(|entry| &entry.kind) {
             Some(Kind::Compiler { compiler, .. }) => (Some(*compiler), Some(compiler.project())),

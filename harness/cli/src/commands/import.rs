@@ -11,7 +11,7 @@ use std::fs;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use stickler_engines::{Ability, Grade, Identity, Reference};
-use stickler_export::{Export, Imported, MANIFEST, Source};
+use stickler_export::{CopiedText, Export, Imported, MANIFEST};
 use stickler_report::events;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
@@ -26,7 +26,7 @@ use stickler_types::DialectName;
 pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let engine = engine(arguments)?;
     let export = Export::read(&export_folder(arguments))?;
-    let sources: Vec<Source> = arguments
+    let sources: Vec<CopiedText> = arguments
         .files
         .iter()
         .map(|file| source(file))
@@ -89,7 +89,7 @@ fn export_folder(arguments: &ImportArguments) -> PathBuf {
     }
 }
 
-fn source(file: &Path) -> anyhow::Result<Source> {
+fn source(file: &Path) -> anyhow::Result<CopiedText> {
     let mut bytes = Vec::new();
     if file == Path::new("-") {
         std::io::stdin()
@@ -104,7 +104,7 @@ fn source(file: &Path) -> anyhow::Result<Source> {
             file.display()
         );
     }
-    Ok(Source {
+    Ok(CopiedText {
         name: file.display().to_string(),
         bytes,
     })
@@ -166,7 +166,7 @@ fn report_folder(arguments: &ImportArguments, root: &Path) -> Option<PathBuf> {
 
 fn judged(
     export: &Export,
-    sources: &[Source],
+    sources: &[CopiedText],
     plan: &Plan,
     engine: &Identity,
     baseline: Option<&MatchedBaseline<'_>>,

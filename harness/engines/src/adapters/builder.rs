@@ -1,22 +1,22 @@
 //! A C or C++ compiler: it builds what a compiler under test wrote, together with a driver.
 
+use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
 use super::locate::{call, failed, first_error};
-use super::places::{Place, Search};
 use crate::Outcome;
 use crate::process::{Ended, Folder};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
 /// A C compiler.
-pub(super) const CC: Place = Place {
+pub(super) const CC: Dependency = Dependency {
     key: "cc",
     variable: "STICKLER_CC",
     name: "cc",
 };
 
 /// A C++ compiler.
-pub(super) const CXX: Place = Place {
+pub(super) const CXX: Dependency = Dependency {
     key: "cxx",
     variable: "STICKLER_CXX",
     name: "c++",
@@ -34,7 +34,7 @@ pub(super) enum Language {
 /// What the two languages differ in.
 struct Words {
     name: &'static str,
-    compiler: Place,
+    compiler: Dependency,
     options: &'static [&'static str],
     header: &'static str,
     header_kind: &'static str,
@@ -105,7 +105,7 @@ impl Builder {
     /// # Errors
     /// A fragment that says what is missing or does not work.
     pub(super) fn find(
-        search: &mut Search<'_>,
+        search: &mut DependencySearch<'_>,
         language: Language,
         headers: PathBuf,
         text: &str,

@@ -9,12 +9,12 @@ mod pattern;
 mod template;
 mod values;
 
+use super::dependencies::{FoundBy, FoundDependency, may_be_executed, on_path};
 use super::fingerprint::Fingerprint;
 use super::locate;
-use super::places::{FoundBy, Located, may_be_executed, on_path};
 use super::plain::without_colours;
+use super::probe_variable::{ProbeVariables, translate_with};
 use super::source::main_program;
-use super::witness::{Copies, translate_with};
 use crate::process::Folder;
 use crate::{Ability, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session};
 use call::{Call, Execution, unsupported};
@@ -72,7 +72,7 @@ impl DescribedEngine {
 
     /// The programs of its commands that are on this machine.
     #[must_use]
-    pub fn programs(description: &Description, here: &Path) -> Vec<Located> {
+    pub fn programs(description: &Description, here: &Path) -> Vec<FoundDependency> {
         let commands = description.commands().into_iter();
         commands
             .filter_map(|(key, template)| located(key, template, here).ok().flatten())
@@ -106,7 +106,7 @@ impl DescribedEngine {
 }
 
 /// Where the program of a command is; `None` for what a call of it makes itself.
-fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option<Located>, String> {
+fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option<FoundDependency>, String> {
     let Some(program) = template.program(here) else {
         return Ok(None);
     };
@@ -129,7 +129,7 @@ fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option
         }
         _ => (program, FoundBy::Configuration("stickler.toml".to_owned())),
     };
-    Ok(Some(Located { key, path, by }))
+    Ok(Some(FoundDependency { key, path, by }))
 }
 
 fn abilities(description: &Description) -> Vec<Ability> {
@@ -289,8 +289,8 @@ impl DescribedSession<'_> {
             return Err(unsupported("its command `run` takes no number of scans"));
         }
         let call = self.call(request.dialect)?;
-        let copies = Copies::of(request);
-        let executions = translate_with(request, &main, copies.witnesses(), |text| {
+        let probes = ProbeVariables::of(request);
+        let executions = translate_with(request, &main, probes.list(), |text| {
             call.write(text)?;
             if let Some(compile) = &description.compile {
                 call.all(compile)?;
@@ -300,14 +300,14 @@ impl DescribedSession<'_> {
                 .map(|scan| Ok((scan, call.execute(&run.0, scan)?)))
                 .collect()
         })?;
-        self.outcome(request, &copies, &executions)
+        self.outcome(request, &probes, &executions)
     }
 
     /// What came of the executions, one for each scan after which somebody wants to look.
     fn outcome(
         &self,
         request: &RunRequest<'_>,
-        copies: &Copies,
+        probes: &ProbeVariables,
         executions: &BTreeMap<u32, Execution>,
     ) -> Result<Outcome, Outcome> {
         let Some(pattern) = &self.engine.description.value else {
@@ -323,7 +323,7 @@ impl DescribedSession<'_> {
             let shown = printed
                 .get(&asked.after.unwrap_or(request.scans))
                 .ok_or("there was no such scan".to_owned())
-                .and_then(|printed| printed.value(copies.variable(asked), asked, request.source));
+                .and_then(|printed| printed.value(probes.variable(asked), asked, request.source));
             match (shown, fault) {
                 (Ok(value), _) => values.push((asked.key().to_string(), value)),
                 (Err(reason), None) => return Err(Outcome::Unsupported { reason }),

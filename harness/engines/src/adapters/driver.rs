@@ -12,7 +12,7 @@ pub(super) struct Driver<'r> {
     /// The program in C or C++.
     pub(super) text: String,
     /// Whom it runs, in order.
-    pub(super) subjects: Vec<Driven<'r>>,
+    pub(super) subjects: Vec<DrivenProgram<'r>>,
     /// Reads one value; gives nothing where it is nonsense.
     pub(super) read: fn(&Kind<'_>, &str) -> Option<Value>,
     /// The exit codes by which it tells faults.
@@ -20,7 +20,7 @@ pub(super) struct Driver<'r> {
 }
 
 /// A translated program that a driver runs.
-pub(super) struct Driven<'r> {
+pub(super) struct DrivenProgram<'r> {
     /// What was asked about it.
     pub(super) request: RunRequest<'r>,
     /// What is printed of each observed variable.
@@ -28,7 +28,7 @@ pub(super) struct Driven<'r> {
 }
 
 /// How long one of several programs may run, in seconds, before it is run alone.
-const PATIENCE: u32 = 5;
+const RUN_TIMEOUT_SECONDS: u32 = 5;
 
 /// The end of the text of a driver, which calls `runs(number)` for one of `count` programs and gives what that returns as
 /// its exit code. Where there are several it takes the number of one, or else runs all of them one after the other, each in
@@ -52,7 +52,7 @@ pub(super) fn main(count: usize, runs: impl Fn(usize) -> String) -> String {
          for (int number = 0; number < {count}; number++) {{\n        \
          printf(\"\\n{BEGINS}%d\\n\", number);\n        fflush(stdout);\n        \
          pid_t child = fork();\n        \
-         if (child == 0) {{\n            alarm({PATIENCE});\n            int code = run(number);\n            \
+         if (child == 0) {{\n            alarm({RUN_TIMEOUT_SECONDS});\n            int code = run(number);\n            \
          fflush(stdout);\n            _exit(code);\n        }}\n        \
          int status = 1;\n        \
          if (child > 0 && waitpid(child, &status, 0) == child && status == 0)\n            \
@@ -91,7 +91,7 @@ impl<'r> Driver<'r> {
         let printed = ended.filter(|ended| ended.status.success());
         let printed = printed.map_or_else(String::new, |ended| ended.stdout);
         let printed = parts(&printed, self.subjects.len());
-        let alone = |number: usize, subject: &Driven<'_>| {
+        let alone = |number: usize, subject: &DrivenProgram<'_>| {
             let outcome = self.execute_one(subject, &[number.to_string()], folder);
             outcome.unwrap_or_else(|outcome| outcome)
         };
@@ -109,7 +109,7 @@ impl<'r> Driver<'r> {
 
     fn execute_one<A: AsRef<std::ffi::OsStr>>(
         &self,
-        subject: &Driven<'_>,
+        subject: &DrivenProgram<'_>,
         arguments: &[A],
         folder: &Folder,
     ) -> Result<Outcome, Outcome> {
@@ -136,7 +136,11 @@ impl<'r> Driver<'r> {
     ///
     /// # Errors
     /// A fragment that says what is wrong with what it printed.
-    pub(super) fn values(&self, printed: &str, subject: &Driven<'_>) -> Result<Vec<NamedValue>, String> {
+    pub(super) fn values(
+        &self,
+        printed: &str,
+        subject: &DrivenProgram<'_>,
+    ) -> Result<Vec<NamedValue>, String> {
         printed::values(printed, &subject.request, &subject.kinds, self.read)
     }
 }

@@ -6,34 +6,34 @@
 
 mod diagnostics;
 mod dump;
-mod sight;
+mod readback;
 
+use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
 use super::locate::{self, call, failed};
-use super::places::{Place, Search};
+use super::probe_variable::translate_with;
 use super::source::main_program;
-use super::witness::translate_with;
 use crate::process::{Ended, Folder};
 use crate::{Ability, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session};
 use dump::Dump;
-use sight::{Blind, Experienced, Sights};
+use readback::{ReadbackError, Readbacks, RunHints};
 use std::path::{Path, PathBuf};
 use stickler_types::{BuiltIn, DialectName, Fault};
 
-const COMPILER: Place = Place {
+const COMPILER: Dependency = Dependency {
     key: "ironplcc",
     variable: "STICKLER_IRONPLCC",
     name: "ironplcc",
 };
 
-const MACHINE: Place = Place {
+const MACHINE: Dependency = Dependency {
     key: "ironplcvm",
     variable: "STICKLER_IRONPLCVM",
     name: "ironplcvm",
 };
 
 /// What is to be found.
-pub(super) const PLACES: &[Place] = &[COMPILER, MACHINE];
+pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, MACHINE];
 
 /// The compiler and its virtual machine.
 pub(super) struct Ironplc {
@@ -47,7 +47,7 @@ impl Ironplc {
     ///
     /// # Errors
     /// A fragment that says which is missing, or what the compiler did when it was asked for its version.
-    pub(super) fn find(called: &str, search: &mut Search<'_>) -> Result<Ironplc, String> {
+    pub(super) fn find(called: &str, search: &mut DependencySearch<'_>) -> Result<Ironplc, String> {
         let compiler = search.program(COMPILER)?;
         let machine = search.program(MACHINE)?;
         let version = locate::version(&compiler, &["version"], &Folder::new()?)?;
@@ -133,7 +133,7 @@ fn dialect_name(dialect: DialectName) -> Result<&'static str, Outcome> {
 }
 
 impl IronplcSession<'_> {
-    /// Executes a program, with witnesses for what the dump does not show. Where the witnesses are not accepted, the
+    /// Executes a program, with probes for what the dump does not show. Where the probes are not accepted, the
     /// program alone decides whether it is.
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         if !(request.clock.is_empty() && request.set.is_empty()) {
@@ -141,26 +141,30 @@ impl IronplcSession<'_> {
                 reason: "ironplcvm takes neither a clock nor values between scans".to_owned(),
             });
         }
-        let mut sights = Sights::of(request, None);
+        let mut readbacks = Readbacks::of(request, RunHints::default());
         loop {
-            let container = self.compile_with_witnesses(request, &sights)?;
+            let container = self.compile_with_probes(request, &readbacks)?;
             let scans = Scans {
                 session: self,
                 container: &container,
             };
             // A second turn is taken for texts that turn out to be long, and for names that several variables have.
-            match scans.outcome(request, &sights)? {
-                Look::Done(outcome) => return Ok(outcome),
-                Look::Again(experienced) => sights = Sights::of(request, Some(experienced)),
+            match scans.outcome(request, &readbacks)? {
+                RunResult::Done(outcome) => return Ok(outcome),
+                RunResult::Retry(hints) => readbacks = Readbacks::of(request, hints),
             }
         }
     }
 
-    fn compile_with_witnesses(&self, request: &RunRequest<'_>, sights: &Sights) -> Result<PathBuf, Outcome> {
+    fn compile_with_probes(
+        &self,
+        request: &RunRequest<'_>,
+        readbacks: &Readbacks,
+    ) -> Result<PathBuf, Outcome> {
         let Some(main) = main_program(request.source) else {
             return self.compile(request.dialect, request.source);
         };
-        translate_with(request, &main, sights.witnesses(), |text| {
+        translate_with(request, &main, readbacks.probes(), |text| {
             self.compile(request.dialect, text)
         })
     }
@@ -207,17 +211,17 @@ fn rejected(ended: &Ended) -> Outcome {
     diagnostics::outcome(diagnostics)
 }
 
-/// What came of looking at a program that ran.
-enum Look {
+/// What came of running a program and reading its values back.
+enum RunResult {
     Done(Outcome),
-    /// Something was not to be seen; these witnesses show it.
-    Again(Experienced),
+    /// Some value was not shown; the next run has the probe variables that these hints ask for.
+    Retry(RunHints),
 }
 
 /// How one execution ended.
 enum Execution {
     /// All scans were made; this was printed.
-    ToTheEnd(String),
+    Finished(String),
     /// A fault came first.
     Faulted(Fault, String),
 }
@@ -229,8 +233,8 @@ struct Scans<'s> {
 }
 
 impl Scans<'_> {
-    /// Runs the program once for each scan after which somebody wants to look.
-    fn outcome(&self, request: &RunRequest<'_>, sights: &Sights) -> Result<Look, Outcome> {
+    /// Runs the program once for each scan after which a value is wanted.
+    fn outcome(&self, request: &RunRequest<'_>, readbacks: &Readbacks) -> Result<RunResult, Outcome> {
         let last = self.execute(request.scans)?;
         let mut values: Vec<NamedValue> = Vec::with_capacity(request.observe.len());
         for asked in request.observe {
@@ -239,23 +243,23 @@ impl Scans<'_> {
                 _ => None,
             };
             match earlier.as_ref().unwrap_or(&last) {
-                Execution::ToTheEnd(text) => match sights.value(asked, &Dump::read(text)) {
+                Execution::Finished(text) => match readbacks.value(asked, &Dump::read(text)) {
                     Ok(value) => values.push((asked.key().to_string(), value)),
-                    Err(Blind::Again(experienced)) => return Ok(Look::Again(experienced)),
-                    Err(Blind::Unsupported(reason)) => return Err(Outcome::Unsupported { reason }),
+                    Err(ReadbackError::Retry(hints)) => return Ok(RunResult::Retry(hints)),
+                    Err(ReadbackError::Unsupported(reason)) => return Err(Outcome::Unsupported { reason }),
                 },
-                // The witnesses show what was before the fault; what they would show is left out.
+                // The probes show what was before the fault; what they would show is left out.
                 Execution::Faulted(_, text) => {
                     values.extend(
-                        sights
+                        readbacks
                             .simple(asked, &Dump::read(text))
                             .map(|value| (asked.key().to_string(), value)),
                     );
                 }
             }
         }
-        Ok(Look::Done(match last {
-            Execution::ToTheEnd(_) => Outcome::Executed { values },
+        Ok(RunResult::Done(match last {
+            Execution::Finished(_) => Outcome::Executed { values },
             Execution::Faulted(fault, _) => Outcome::Faulted {
                 fault,
                 line: None,
@@ -276,7 +280,7 @@ impl Scans<'_> {
         ];
         let ended = locate::execute(&self.session.engine.machine, &arguments, &self.session.folder)?;
         match ended.code()? {
-            0 => Ok(Execution::ToTheEnd(ended.stdout)),
+            0 => Ok(Execution::Finished(ended.stdout)),
             1 => match fault(&ended.stderr) {
                 Some(fault) => Ok(Execution::Faulted(fault, ended.stdout)),
                 None => Err(failed(format!(

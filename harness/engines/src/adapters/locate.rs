@@ -75,7 +75,7 @@ pub(super) fn call<A: AsRef<OsStr>>(
 
 /// How long a program that was compiled may run. Those of cases and campaigns are done in milliseconds, so that one which is
 /// still at work has a loop that does not end.
-pub(super) const EXECUTION: Duration = Duration::from_secs(10);
+pub(super) const EXECUTION_TIMEOUT: Duration = Duration::from_secs(10);
 
 /// Runs what was compiled, under the limits that every execution gets.
 ///
@@ -87,7 +87,7 @@ pub(super) fn execute<A: AsRef<OsStr>>(
     folder: &Folder,
 ) -> Result<Ended, Outcome> {
     let limits = ToolLimits {
-        time: EXECUTION,
+        time: EXECUTION_TIMEOUT,
         ..ToolLimits::default()
     };
     run_tool(program, arguments, folder.path(), &limits)

@@ -11,11 +11,11 @@ mod driver;
 mod pack;
 
 use super::builder::{self, Builder, Language};
+use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
 use super::locate::{self, call, failed};
-use super::places::{Place, Search};
+use super::probe_variable::{ProbeVariables, translate_with};
 use super::source::{main_program, words};
-use super::witness::{Copies, translate_with};
 use crate::process::{Ended, Folder};
 use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session};
 use driver::{Subject, driver};
@@ -37,20 +37,20 @@ fn configuration(program: &str) -> String {
 const HEADER: &str =
     "#include \"iec_std_lib.h\"\n#include \"accessor.h\"\n#include <stdio.h>\n#include <string.h>\n";
 
-const COMPILER: Place = Place {
+const COMPILER: Dependency = Dependency {
     key: "iec2c",
     variable: "STICKLER_IEC2C",
     name: "iec2c",
 };
 
-const LIBRARY: Place = Place {
+const LIBRARY: Dependency = Dependency {
     key: "lib",
     variable: "STICKLER_MATIEC_LIB",
     name: "the library of iec2c",
 };
 
 /// What is to be found.
-pub(super) const PLACES: &[Place] = &[COMPILER, LIBRARY, builder::CC];
+pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, LIBRARY, builder::CC];
 
 /// The compiler, its library, and what builds its C.
 pub(super) struct Matiec {
@@ -67,7 +67,7 @@ impl Matiec {
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
-    pub(super) fn find(called: &str, search: &mut Search<'_>) -> Result<Matiec, String> {
+    pub(super) fn find(called: &str, search: &mut DependencySearch<'_>) -> Result<Matiec, String> {
         let compiler = search.program(COMPILER)?;
         let library = search.folder(LIBRARY, &libraries(&compiler))?;
         let builder = Builder::find(search, Language::C, library.join("C"), HEADER)?;
@@ -192,10 +192,10 @@ impl MatiecSession<'_> {
             self.translate(request.source)?;
             return Ok(Outcome::Accepted);
         };
-        let copies = Copies::of(request);
+        let probes = ProbeVariables::of(request);
         let subject = Subject {
             request: *request,
-            copies: &copies,
+            probes: &probes,
             program: main.name.clone(),
         };
         let driver = driver(&[subject]).map_err(|reason| Outcome::Unsupported { reason })?;
@@ -204,7 +204,7 @@ impl MatiecSession<'_> {
             true => String::new(),
             false => configuration(&main.name),
         };
-        translate_with(request, &main, copies.witnesses(), |text| {
+        translate_with(request, &main, probes.list(), |text| {
             self.translate(&format!("{text}{configuration}"))
         })?;
         self.engine.builder.build(&driver.text, &self.folder)?;

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// So often programs are taken out of a pack and the rest goes on, unless an adapter has a reason for fewer; then whoever gave the
 /// pack makes smaller ones.
-pub(super) const ROUNDS: usize = 12;
+pub(super) const MAX_ROUNDS: usize = 12;
 
 /// What is known of the programs of a pack after they were looked at together. Programs have their numbers in the round, from 0.
 #[derive(Debug)]
@@ -46,7 +46,7 @@ pub(super) fn play<M>(
         match look(&members) {
             Round::Ran(outcomes) => {
                 for (member, outcome) in members.drain(..).zip(outcomes) {
-                    answers[place(&member)] = Packed::Told(outcome);
+                    answers[place(&member)] = Packed::Answered(outcome);
                 }
             }
             Round::TakenOut(taken) if taken.is_empty() => break,
@@ -86,7 +86,7 @@ mod tests {
     }
 
     fn told() -> Packed {
-        Packed::Told(Outcome::Accepted)
+        Packed::Answered(Outcome::Accepted)
     }
 
     #[test]

@@ -12,9 +12,9 @@ mod pack;
 mod program;
 
 use super::builder::{self, Builder, Language};
+use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
 use super::locate::{self, failed};
-use super::places::{Place, Search};
 use crate::process::{Folder, ToolLimits, run_tool_with};
 use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session};
 use diagnostics::{About, Found, Reader};
@@ -27,26 +27,26 @@ use std::slice;
 use std::sync::OnceLock;
 use stickler_types::{BuiltIn, DialectName};
 
-const COMPILER: Place = Place {
+const COMPILER: Dependency = Dependency {
     key: "plc",
     variable: "STICKLER_PLC",
     name: "plc",
 };
 
-const DECLARATIONS: Place = Place {
+const DECLARATIONS: Dependency = Dependency {
     key: "include",
     variable: "STICKLER_RUSTY_INCLUDE",
     name: "the folder of the declarations (`*.st`) of RuSTy's standard functions",
 };
 
-const LIBRARY: Place = Place {
+const LIBRARY: Dependency = Dependency {
     key: "lib",
     variable: "STICKLER_RUSTY_LIB",
     name: "the folder of RuSTy's standard library (`libiec61131std`)",
 };
 
 /// What is to be found.
-pub(super) const PLACES: &[Place] = &[COMPILER, DECLARATIONS, LIBRARY, builder::CC];
+pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, DECLARATIONS, LIBRARY, builder::CC];
 
 /// The compiler, its standard library, and what builds a program of its object files.
 pub(super) struct Rusty {
@@ -65,7 +65,7 @@ impl Rusty {
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
-    pub(super) fn find(called: &str, search: &mut Search<'_>) -> Result<Rusty, String> {
+    pub(super) fn find(called: &str, search: &mut DependencySearch<'_>) -> Result<Rusty, String> {
         let compiler = search.program(COMPILER)?;
         let beside = |path: &str| compiler.parent().unwrap_or(Path::new("")).join(path);
         // Where it is unpacked, where it is installed, and where its source is built.

@@ -10,11 +10,11 @@ mod driver;
 mod pack;
 
 use super::builder::{self, Builder, Language};
+use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
 use super::locate::{self, failed};
-use super::places::{Place, Search};
+use super::probe_variable::{ProbeVariables, translate_with};
 use super::source::main_program;
-use super::witness::{Copies, translate_with};
 use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits};
 use crate::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session,
@@ -30,22 +30,22 @@ use stickler_types::DialectName;
 const TRANSLATOR: &str = include_str!("strucpp/translator.mjs");
 
 /// The longest answer of the translator, in bytes: the C++ of a program is many times as long as the program.
-const LONGEST: usize = 64 << 20;
+const MAX_ANSWER_LEN: usize = 64 << 20;
 
-const COMPILER: Place = Place {
+const COMPILER: Dependency = Dependency {
     key: "strucpp",
     variable: "STICKLER_STRUCPP",
     name: "strucpp",
 };
 
-const NODE: Place = Place {
+const NODE: Dependency = Dependency {
     key: "node",
     variable: "STICKLER_NODE",
     name: "node",
 };
 
 /// What is to be found.
-pub(super) const PLACES: &[Place] = &[COMPILER, NODE, builder::CXX];
+pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, NODE, builder::CXX];
 
 /// The compiler, and what builds its C++.
 pub(super) struct Strucpp {
@@ -69,7 +69,7 @@ impl Strucpp {
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
-    pub(super) fn find(called: &str, search: &mut Search<'_>) -> Result<Strucpp, String> {
+    pub(super) fn find(called: &str, search: &mut DependencySearch<'_>) -> Result<Strucpp, String> {
         let command = search.script(COMPILER)?;
         let node = search.program(NODE)?;
         let package = package(&command)?;
@@ -231,7 +231,7 @@ struct Translated {
     #[serde(default)]
     success: bool,
     #[serde(default)]
-    errors: Vec<Told>,
+    errors: Vec<TranslatorError>,
     #[serde(default)]
     program: String,
     #[serde(default)]
@@ -242,14 +242,14 @@ struct Translated {
 
 /// A diagnostic of the compiler. Line 0 is no line.
 #[derive(Deserialize)]
-struct Told {
+struct TranslatorError {
     message: String,
     line: u32,
     column: u32,
     severity: String,
 }
 
-impl Told {
+impl TranslatorError {
     fn diagnostic(self) -> Diagnostic {
         Diagnostic {
             line: Some(self.line).filter(|&line| line > 0),
@@ -284,11 +284,11 @@ impl StrucppSession<'_> {
             return Ok(None);
         };
         driver::kinds(request).map_err(|reason| Outcome::Unsupported { reason })?;
-        let copies = Copies::of(request);
-        let translated = translate_with(request, &main, copies.witnesses(), |text| self.translate(text))?;
+        let probes = ProbeVariables::of(request);
+        let translated = translate_with(request, &main, probes.list(), |text| self.translate(text))?;
         let subject = Subject {
             request: *request,
-            copies,
+            probes,
             program: main.name,
         };
         Ok(Some(Accepted { subject, translated }))
@@ -320,7 +320,7 @@ impl StrucppSession<'_> {
         let limits = ToolLimits::default();
         let mut translator = match self.translator.take() {
             Some(translator) => translator,
-            None => Connection::open(&self.engine.translator, LONGEST).map_err(failed)?,
+            None => Connection::open(&self.engine.translator, MAX_ANSWER_LEN).map_err(failed)?,
         };
         let mut line = serde_json::json!({ "source": source }).to_string().into_bytes();
         line.push(b'\n');
@@ -340,16 +340,16 @@ impl StrucppSession<'_> {
                 reason: format!("it held more than {} MiB of memory", limit >> 20),
             }),
             Err(Failure::Flood) => Err(Outcome::Crashed {
-                reason: format!("it wrote more than {LONGEST} bytes"),
+                reason: format!("it wrote more than {MAX_ANSWER_LEN} bytes"),
             }),
         }
     }
 }
 
 /// The rejection that these errors are; warnings reject nothing.
-fn rejected(errors: Vec<Told>) -> Outcome {
+fn rejected(errors: Vec<TranslatorError>) -> Outcome {
     let errors = errors.into_iter().filter(|told| told.severity == "error");
-    let mut diagnostics: Vec<Diagnostic> = errors.map(Told::diagnostic).collect();
+    let mut diagnostics: Vec<Diagnostic> = errors.map(TranslatorError::diagnostic).collect();
     if diagnostics.is_empty() {
         return Outcome::Crashed {
             reason: "it fails without saying why".to_owned(),

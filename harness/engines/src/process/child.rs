@@ -13,13 +13,13 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// How long a process that is done may take to end, and its stderr to be read to the end.
-const GRACE: Duration = Duration::from_secs(1);
+const EXIT_TIMEOUT: Duration = Duration::from_secs(1);
 
 /// How much of stderr is kept, in bytes.
-const TAIL: usize = 4096;
+const MAX_STDERR_LEN: usize = 4096;
 
 /// How many lines of stderr are told.
-const TOLD_LINES: usize = 8;
+const MAX_STDERR_LINES: usize = 8;
 
 /// A running process with everything that it starts. Dropping it kills them all.
 pub(super) struct Child {
@@ -72,7 +72,7 @@ impl Child {
     /// Waits a moment for the end of a process that has nothing more to say, kills what is left of it, and tells how it
     /// ended: a fragment such as `it ended (exit status: 101); its stderr ends: …`.
     pub(super) fn end(mut self) -> String {
-        let status = self.group.wait_until(Instant::now() + GRACE);
+        let status = self.group.wait_until(Instant::now() + EXIT_TIMEOUT);
         self.group.kill();
         let how = match status {
             Some(status) => format!("it ended ({status})"),
@@ -92,7 +92,7 @@ impl Child {
 
     /// Lets a process that was told to leave do so, for a moment; whether it did.
     pub(super) fn leave(mut self) -> bool {
-        self.group.wait_until(Instant::now() + GRACE).is_some()
+        self.group.wait_until(Instant::now() + EXIT_TIMEOUT).is_some()
     }
 }
 
@@ -105,7 +105,7 @@ struct Tail {
 
 impl Tail {
     fn of(mut stream: ChildStderr) -> Tail {
-        let bytes = Arc::new(Mutex::new(VecDeque::with_capacity(TAIL)));
+        let bytes = Arc::new(Mutex::new(VecDeque::with_capacity(MAX_STDERR_LEN)));
         let (sender, ended) = mpsc::channel::<()>();
         let kept = Arc::clone(&bytes);
         // The thread ends with the stream; a process that outlives its group may keep it, which costs nothing else.
@@ -122,7 +122,7 @@ impl Tail {
     /// The last lines, joined into one; empty where there are none.
     fn text(&self) -> String {
         // Whether by its end or by the time limit: what there is now is told.
-        let _ = self.ended.recv_timeout(GRACE);
+        let _ = self.ended.recv_timeout(EXIT_TIMEOUT);
         let bytes: Vec<u8> = lock(&self.bytes).iter().copied().collect();
         told(&String::from_utf8_lossy(&bytes))
     }
@@ -130,18 +130,18 @@ impl Tail {
 
 fn keep(kept: &mut VecDeque<u8>, piece: &[u8]) {
     kept.extend(piece);
-    let surplus = kept.len().saturating_sub(TAIL);
+    let surplus = kept.len().saturating_sub(MAX_STDERR_LEN);
     kept.drain(..surplus);
 }
 
 /// The last lines that are not blank, in one line, without what would steer a terminal.
 pub(super) fn told(text: &str) -> String {
     // A flood may be one line.
-    let from = text.len().saturating_sub(TAIL);
+    let from = text.len().saturating_sub(MAX_STDERR_LEN);
     let from = (from..text.len()).find(|&at| text.is_char_boundary(at));
     let text = &text[from.unwrap_or(0)..];
     let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
-    let last = &lines[lines.len().saturating_sub(TOLD_LINES)..];
+    let last = &lines[lines.len().saturating_sub(MAX_STDERR_LINES)..];
     let joined = last
         .iter()
         .map(|line| line.trim())
@@ -155,7 +155,7 @@ pub(super) fn told(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{TAIL, keep, told};
+    use super::{MAX_STDERR_LEN, keep, told};
     use std::collections::VecDeque;
 
     #[test]
@@ -164,7 +164,7 @@ mod tests {
         let many: String = (0..20).map(|number| format!("{number}\n")).collect();
         assert_eq!(told(&many), "12 | 13 | 14 | 15 | 16 | 17 | 18 | 19");
         assert_eq!(told(""), "");
-        assert_eq!(told(&"ä".repeat(1 << 20)), "ä".repeat(TAIL / 2));
+        assert_eq!(told(&"ä".repeat(1 << 20)), "ä".repeat(MAX_STDERR_LEN / 2));
     }
 
     #[test]
@@ -173,7 +173,7 @@ mod tests {
         for number in 0..10_000_u32 {
             keep(&mut kept, &number.to_le_bytes());
         }
-        assert_eq!(kept.len(), TAIL);
+        assert_eq!(kept.len(), MAX_STDERR_LEN);
         assert!(kept.iter().rev().take(4).rev().eq(&9_999_u32.to_le_bytes()));
     }
 }

@@ -9,14 +9,14 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// How many lines are read ahead of whoever waits for them. An engine that floods its output then waits, too.
-const AHEAD: usize = 1;
+const MAX_LINES_AHEAD: usize = 1;
 
 /// How much memory a process and all that it starts may hold where nobody says otherwise, in bytes: some compilers live in
 /// run-time systems that take much.
-pub(super) const MEMORY: u64 = 4 << 30;
+pub(super) const DEFAULT_MAX_MEMORY: u64 = 4 << 30;
 
 /// How often somebody who waits for a line looks whether the process still lives, and how much it holds.
-const LOOK: Duration = Duration::from_millis(100);
+const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 /// A process and the two streams to and from it. Dropping it kills the process.
 ///
@@ -59,14 +59,14 @@ impl Connection {
     pub(crate) fn open(command: &CommandLine, longest: usize) -> Result<Connection, String> {
         let (child, stdin, stdout) = Child::start(command)?;
         let (requests, lines) = mpsc::channel();
-        let (sender, replies) = mpsc::sync_channel(AHEAD);
+        let (sender, replies) = mpsc::sync_channel(MAX_LINES_AHEAD);
         thread::spawn(move || write(stdin, &lines));
         thread::spawn(move || read(stdout, longest, &sender));
         Ok(Connection {
             child,
             requests,
             replies,
-            memory: MEMORY,
+            memory: DEFAULT_MAX_MEMORY,
         })
     }
 
@@ -86,12 +86,12 @@ impl Connection {
         let deadline = Instant::now() + limit;
         loop {
             let left = deadline.saturating_duration_since(Instant::now());
-            match self.replies.recv_timeout(left.min(LOOK)) {
+            match self.replies.recv_timeout(left.min(POLL_INTERVAL)) {
                 Ok(Incoming::Line(reply)) => return Ok(reply),
                 Ok(Incoming::Flood) => return Err(Failure::Flood),
                 Err(RecvTimeoutError::Disconnected) => return Err(Failure::Ended),
                 Err(RecvTimeoutError::Timeout) if self.child.has_ended() => return self.last_words(),
-                Err(RecvTimeoutError::Timeout) if left <= LOOK => return Err(Failure::TimedOut),
+                Err(RecvTimeoutError::Timeout) if left <= POLL_INTERVAL => return Err(Failure::TimedOut),
                 Err(RecvTimeoutError::Timeout) if self.child.memory() > self.memory => {
                     return Err(Failure::Memory(self.memory));
                 }
@@ -102,7 +102,7 @@ impl Connection {
 
     /// A line that a process wrote before it ended, where another that it started keeps its output open.
     fn last_words(&self) -> Result<Vec<u8>, Failure> {
-        match self.replies.recv_timeout(LOOK) {
+        match self.replies.recv_timeout(POLL_INTERVAL) {
             Ok(Incoming::Line(reply)) => Ok(reply),
             Ok(Incoming::Flood) => Err(Failure::Flood),
             Err(_) => Err(Failure::Ended),

@@ -121,7 +121,7 @@ fn values(mut told: BTreeMap<String, String>, observe: &[Observation]) -> Result
 }
 
 /// How many characters of a line are quoted in a message.
-const QUOTED: usize = 120;
+const MAX_EXCERPT_LEN: usize = 120;
 
 /// The beginning of a line, between backquotes, without what would steer a terminal.
 pub(crate) fn excerpt(line: &[u8]) -> String {
@@ -130,7 +130,7 @@ pub(crate) fn excerpt(line: &[u8]) -> String {
         .trim_end()
         .chars()
         .filter(|character| !character.is_control());
-    let beginning: String = characters.by_ref().take(QUOTED).collect();
+    let beginning: String = characters.by_ref().take(MAX_EXCERPT_LEN).collect();
     let more = if characters.next().is_some() { "…" } else { "" };
     format!("`{beginning}{more}`")
 }
@@ -188,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_long_line_is_quoted_in_part() {
-        assert_eq!(excerpt(&[b'x'; 1000]).chars().count(), QUOTED + 3);
+        assert_eq!(excerpt(&[b'x'; 1000]).chars().count(), MAX_EXCERPT_LEN + 3);
         assert_eq!(excerpt(b"\x1b[31mred\n"), "`[31mred`");
     }
 }

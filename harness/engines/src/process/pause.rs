@@ -4,7 +4,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// The longest pause between two looks at a process, where the system does not tell when it ends.
-const LONGEST: Duration = Duration::from_millis(16);
+const MAX_PAUSE: Duration = Duration::from_millis(16);
 
 /// The pauses between the looks at one process.
 pub(super) struct Pauses {
@@ -25,7 +25,7 @@ impl Pauses {
         let left = deadline.saturating_duration_since(Instant::now());
         if !ended_within(process, left) {
             thread::sleep(self.next.min(left));
-            self.next = LONGEST.min(self.next * 2);
+            self.next = MAX_PAUSE.min(self.next * 2);
         }
     }
 }

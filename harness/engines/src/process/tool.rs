@@ -13,10 +13,10 @@ use std::process::{Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
 /// How long a stream may take to end when its process has and all that it started was killed.
-const GRACE: Duration = Duration::from_secs(1);
+const EXIT_TIMEOUT: Duration = Duration::from_secs(1);
 
 /// How often somebody who waits looks after the process and its memory.
-const LOOK: Duration = Duration::from_millis(100);
+const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 /// What one run of a program may take.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -157,7 +157,7 @@ fn watch(
     let mut orphaned = None;
     while output.is_open() {
         let left = deadline.saturating_duration_since(Instant::now());
-        match output.wait(left.min(LOOK)) {
+        match output.wait(left.min(POLL_INTERVAL)) {
             Waited::Ended => {}
             Waited::Flooded => return Err(flooded(limits)),
             Waited::InVain if group.has_ended() => match orphaned {
@@ -167,10 +167,10 @@ fn watch(
                     group.kill();
                 }
                 // Somebody left the group, and is not waited for.
-                Some(since) if since.elapsed() > GRACE => return Ok(()),
+                Some(since) if since.elapsed() > EXIT_TIMEOUT => return Ok(()),
                 Some(_) => {}
             },
-            Waited::InVain if left > LOOK => within(group, usage, limits)?,
+            Waited::InVain if left > POLL_INTERVAL => within(group, usage, limits)?,
             Waited::InVain => return Err(timed_out(limits)),
         }
     }
@@ -221,7 +221,7 @@ fn end(
     limits: &ToolLimits,
 ) -> Result<ExitStatus, Outcome> {
     loop {
-        let look = deadline.min(Instant::now() + LOOK);
+        let look = deadline.min(Instant::now() + POLL_INTERVAL);
         if let Some(status) = group.wait_until(look) {
             return Ok(status);
         }

@@ -18,7 +18,7 @@ pub(super) struct Usage {
 const REST: u32 = 100;
 
 /// However long a look takes, the next one comes after this time.
-const LONGEST_REST: Duration = Duration::from_secs(1);
+const MAX_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Whoever looks again and again at what a group takes.
 pub(super) struct Watch {
@@ -39,7 +39,7 @@ impl Watch {
             return None;
         }
         let usage = of_group(group);
-        self.next = Instant::now() + LONGEST_REST.min(begun.elapsed() * REST);
+        self.next = Instant::now() + MAX_INTERVAL.min(begun.elapsed() * REST);
         usage
     }
 }

@@ -1,6 +1,6 @@
 //! One line of an adapter, held to the protocol as strictly as its schema is, and then to what must come back.
 
-use super::Judgement;
+use super::CheckVerdict;
 use super::smoke::Expect;
 use crate::process::excerpt;
 use crate::protocol::Reply;
@@ -78,16 +78,16 @@ pub(super) fn judge(
     verb: &str,
     grade: Grade,
     types: &[(String, &str)],
-) -> (Judgement, Option<String>) {
-    let broken = |words: String| (Judgement::Broken, Some(words));
-    let wrong = |words: String| (Judgement::Wrong, Some(words));
+) -> (CheckVerdict, Option<String>) {
+    let broken = |words: String| (CheckVerdict::Broken, Some(words));
+    let wrong = |words: String| (CheckVerdict::Wrong, Some(words));
     match (expect, reply) {
         (Expect::Refused, Reply::Error(_) | Reply::Unsupported(_)) | (Expect::Error, Reply::Error(_)) => {
-            (Judgement::Right, None)
+            (CheckVerdict::Right, None)
         }
         (Expect::Error, other) => broken(format!("it is answered by `{}`", other.word())),
         (_, Reply::Unsupported(reply)) => (
-            Judgement::Skipped,
+            CheckVerdict::Skipped,
             Some(format!("not supported: {}", reply.reason)),
         ),
         (_, Reply::Error(reply)) => broken(format!(
@@ -95,7 +95,7 @@ pub(super) fn judge(
             reply.message
         )),
         (Expect::Accepted, Reply::Accepted(_)) | (Expect::Rendered, Reply::Rendered(_)) => {
-            (Judgement::Right, None)
+            (CheckVerdict::Right, None)
         }
         (Expect::Rejected(line), Reply::Rejected(reply)) => rejected(&reply.diagnostics, *line, grade),
         (Expect::Values(expected), Reply::Executed(reply)) => {
@@ -105,11 +105,11 @@ pub(super) fn judge(
                     .find(|(name, _)| name == key)
                     .map_or("", |(_, ty)| *ty);
                 match value(reply.values.get(*key), key, ty, literal) {
-                    (Judgement::Right, _) => {}
+                    (CheckVerdict::Right, _) => {}
                     other => return other,
                 }
             }
-            (Judgement::Right, None)
+            (CheckVerdict::Right, None)
         }
         (Expect::Rejected(_), Reply::Accepted(_) | Reply::Executed(_)) => {
             wrong("the program is accepted, and must be rejected".to_owned())
@@ -138,8 +138,8 @@ pub(super) fn judge(
 }
 
 /// What a rejection tells, as far as the adapter claims to tell it.
-fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (Judgement, Option<String>) {
-    let broken = |words: String| (Judgement::Broken, Some(words));
+fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (CheckVerdict, Option<String>) {
+    let broken = |words: String| (CheckVerdict::Broken, Some(words));
     if diagnostics.is_empty() {
         return broken("it rejects the program without a diagnostic".to_owned());
     }
@@ -156,18 +156,18 @@ fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (Jud
     let named: Vec<u32> = diagnostics.iter().filter_map(|told| told.line).collect();
     match line {
         Some(line) if !named.is_empty() && !named.contains(&line) => (
-            Judgement::Wrong,
+            CheckVerdict::Wrong,
             Some(format!(
                 "the diagnostics name the lines {named:?}, and the mistake stands on line {line}"
             )),
         ),
-        _ => (Judgement::Right, None),
+        _ => (CheckVerdict::Right, None),
     }
 }
 
 /// One value: as the protocol has it, of the type that was asked for, and the one that must come.
-fn value(told: Option<&String>, key: &str, ty: &str, expected: &str) -> (Judgement, Option<String>) {
-    let broken = |words: String| (Judgement::Broken, Some(words));
+fn value(told: Option<&String>, key: &str, ty: &str, expected: &str) -> (CheckVerdict, Option<String>) {
+    let broken = |words: String| (CheckVerdict::Broken, Some(words));
     let Some(literal) = told else {
         return broken(format!("`values` has no `{key}`, which was asked for"));
     };
@@ -186,10 +186,10 @@ fn value(told: Option<&String>, key: &str, ty: &str, expected: &str) -> (Judgeme
     }
     match Value::parse(expected) {
         Ok(right) if right != value => (
-            Judgement::Wrong,
+            CheckVerdict::Wrong,
             Some(format!("`{key}` is {literal}, and must be {expected}")),
         ),
-        _ => (Judgement::Right, None),
+        _ => (CheckVerdict::Right, None),
     }
 }
 
@@ -230,11 +230,11 @@ mod tests {
     #[test]
     fn a_wrong_value_is_the_compilers_and_a_wrong_literal_the_adapters() {
         let told = |literal: &str| value(Some(&literal.to_owned()), "x", "INT", "INT#5").0;
-        assert_eq!(told("INT#5"), Judgement::Right);
-        assert_eq!(told("INT#16#5"), Judgement::Right);
-        assert_eq!(told("INT#6"), Judgement::Wrong);
-        assert_eq!(told("5"), Judgement::Broken);
-        assert_eq!(told("DINT#5"), Judgement::Broken);
-        assert_eq!(value(None, "x", "INT", "INT#5").0, Judgement::Broken);
+        assert_eq!(told("INT#5"), CheckVerdict::Right);
+        assert_eq!(told("INT#16#5"), CheckVerdict::Right);
+        assert_eq!(told("INT#6"), CheckVerdict::Wrong);
+        assert_eq!(told("5"), CheckVerdict::Broken);
+        assert_eq!(told("DINT#5"), CheckVerdict::Broken);
+        assert_eq!(value(None, "x", "INT", "INT#5").0, CheckVerdict::Broken);
     }
 }

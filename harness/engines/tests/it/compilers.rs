@@ -2,7 +2,7 @@
 
 use std::io::Write;
 use stickler_engines::{
-    Compiler, DescribedEngine, Description, Engine, Observation, Outcome, Packed, Places, RunRequest,
+    Compiler, DependencyPaths, DescribedEngine, Description, Engine, Observation, Outcome, Packed, RunRequest,
 };
 use stickler_types::{DialectName, Fault};
 
@@ -138,7 +138,7 @@ fn packs(engine: &dyn Engine) {
     let mut left = Vec::new();
     for ((source, alone), packed) in COMPANY.iter().zip(&alone).zip(packed) {
         match packed {
-            Packed::Told(outcome) => assert_eq!(&outcome, alone, "{source}"),
+            Packed::Answered(outcome) => assert_eq!(&outcome, alone, "{source}"),
             Packed::Alone | Packed::Unknown => left.push(*source),
         }
     }
@@ -182,7 +182,7 @@ fn ironplc_behaves() {
 
 #[test]
 fn a_description_of_ironplc_checks_as_its_adapter_does() {
-    let sought = Compiler::Ironplc.seek("ironplc", "ironplc", &Places::default());
+    let sought = Compiler::Ironplc.seek("ironplc", "ironplc", &DependencyPaths::default());
     let (Ok(adapter), Some(compiler)) = (&sought.engine, sought.located.first()) else {
         // Not `eprintln`, which nobody sees when the test passes.
         let _ = writeln!(

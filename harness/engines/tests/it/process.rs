@@ -222,15 +222,15 @@ fn an_answer_to_another_question_is_an_error() {
 #[test]
 fn what_a_dead_process_started_is_killed_too() {
     let folder = tempfile::tempdir().unwrap();
-    let witness = folder.path().join("witness");
-    mkfifo(&witness);
+    let probe = folder.path().join("probe");
+    mkfifo(&probe);
     let engine = ProcessEngine::start(
-        &format!("env 'WITNESS={}' sh '{UNRULY}'", witness.display()),
+        &format!("env 'WITNESS={}' sh '{UNRULY}'", probe.display()),
         LIMITS,
     )
     .unwrap();
     // Ends when nobody holds the other side any more.
-    let reader = thread::spawn(move || fs::read(witness));
+    let reader = thread::spawn(move || fs::read(probe));
     let mut session = engine.session().unwrap();
     let outcome = please(session.as_mut(), "leave a child");
     assert!(matches!(outcome, Outcome::Crashed { .. }), "{outcome:?}");

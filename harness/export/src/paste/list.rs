@@ -2,7 +2,7 @@
 
 use super::number::{Number, is_blank, number};
 use super::{Complaint, Pasted, column};
-use crate::page::{MAGIC, ROOM};
+use crate::page::{MAGIC, PAGE_NUMBER_STEP};
 
 /// A number of a list, and the line on which it stands.
 type Listed = (i32, usize);
@@ -37,7 +37,7 @@ pub(super) fn read(lines: &[&str]) -> Pasted {
 }
 
 fn is_of_a_page(number: i32) -> bool {
-    usize::try_from(number).is_ok_and(|number| number > 0 && number % ROOM == 0)
+    usize::try_from(number).is_ok_and(|number| number > 0 && number % PAGE_NUMBER_STEP == 0)
 }
 
 /// Whether every row is a number of an element and its value.
@@ -96,7 +96,7 @@ fn repeated(part: &str) -> Option<(usize, i32)> {
         .trim()
         .parse::<usize>()
         .ok()
-        .filter(|times| *times <= ROOM * 8)?;
+        .filter(|times| *times <= PAGE_NUMBER_STEP * 8)?;
     match number(value)? {
         Number::Whole(value) => Some((times, value)),
         Number::Other => None,

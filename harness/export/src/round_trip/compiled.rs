@@ -25,7 +25,7 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
     let cases: Vec<&Case> = cases.iter().collect();
     for dialect in DialectName::ALL {
         let plan = ExportPlan {
-            with: BTreeSet::from([With::Rejected]),
+            with: BTreeSet::from([ExtraCases::Rejected]),
             sample: Some(200),
             ..plan(dialect)
         };
@@ -42,7 +42,7 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
             rejected += page.cases.len();
         }
         let judged = |list: &str| {
-            let source = Source {
+            let source = CopiedText {
                 name: "messages.txt".to_owned(),
                 bytes: list.as_bytes().to_vec(),
             };
@@ -56,7 +56,7 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
         };
         let (verdicts, notes) = judged(&list);
         assert_eq!(verdicts, vec![Verdict::Pass; rejected], "{dialect}: {notes}");
-        // Without the message of one case, that one was accepted; without that of the last statement, nothing is known.
+        // PagesWithoutResults the message of one case, that one was accepted; without that of the last statement, nothing is known.
         let first = &manifest
             .pages
             .iter()

@@ -87,7 +87,7 @@ fn programs_that_may_be_accepted_have_pages_of_their_own() {
         "conversion/real-to-integer-edges.toml",
     ]);
     let with = ExportPlan {
-        with: BTreeSet::from([With::Open]),
+        with: BTreeSet::from([ExtraCases::Open]),
         sample: None,
         cases_per_page: 1000,
         ..plan(DialectName::Plcnext)

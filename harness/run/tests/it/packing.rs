@@ -100,7 +100,7 @@ impl<E> Session for PackingSession<'_, E> {
         let sure = (self.engine.sure)(&outcomes);
         let told = |(outcome, sure)| {
             if sure {
-                Packed::Told(outcome)
+                Packed::Answered(outcome)
             } else {
                 Packed::Unknown
             }

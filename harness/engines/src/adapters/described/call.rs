@@ -72,7 +72,7 @@ impl Call<'_> {
     /// Runs the program for so many scans.
     pub(super) fn execute(&self, template: &Template, scans: u32) -> Result<Execution, Outcome> {
         let description = self.description();
-        let limits = self.limits(Some(locate::EXECUTION));
+        let limits = self.limits(Some(locate::EXECUTION_TIMEOUT));
         let ended = self.run_for(template, scans, limits)?;
         let text = without_colours(&ended.stdout);
         if ended.stopped_by_arithmetic() {

@@ -37,7 +37,7 @@ impl Placeholder {
 #[derive(Clone, PartialEq, Eq, Debug)]
 enum Piece {
     Text(String),
-    Place(Placeholder),
+    Dependency(Placeholder),
 }
 
 /// A command: words, each of pieces. The first is the program.
@@ -107,7 +107,7 @@ fn pieces(word: &str) -> Result<Vec<Piece>, String> {
             format!("`{{{name}}}` stands for nothing; there are {}", known.join(", "))
         })?;
         pieces.push(Piece::Text(std::mem::take(&mut text)));
-        pieces.push(Piece::Place(placeholder));
+        pieces.push(Piece::Dependency(placeholder));
         rest = behind;
     }
     text.push_str(rest);
@@ -118,7 +118,7 @@ fn pieces(word: &str) -> Result<Vec<Piece>, String> {
 impl Template {
     /// Whether something in it stands for this.
     pub(super) fn has(&self, placeholder: Placeholder) -> bool {
-        let place = Piece::Place(placeholder);
+        let place = Piece::Dependency(placeholder);
         self.words.iter().any(|pieces| pieces.contains(&place))
     }
 
@@ -135,7 +135,7 @@ impl Template {
 
     /// The program, where no placeholder of one call is part of it.
     pub(super) fn program(&self, here: &Path) -> Option<PathBuf> {
-        let fixed = |piece: &Piece| matches!(piece, Piece::Text(_) | Piece::Place(Placeholder::Here));
+        let fixed = |piece: &Piece| matches!(piece, Piece::Text(_) | Piece::Dependency(Placeholder::Here));
         if !self.words.first()?.iter().all(fixed) {
             return None;
         }
@@ -156,11 +156,11 @@ fn word(pieces: &[Piece], filling: &Filling<'_>) -> String {
     for piece in pieces {
         match piece {
             Piece::Text(text) => word.push_str(text),
-            Piece::Place(Placeholder::File) => word.push_str(filling.file),
-            Piece::Place(Placeholder::Dialect) => word.push_str(filling.dialect),
-            Piece::Place(Placeholder::Folder) => word.push_str(&filling.folder.to_string_lossy()),
-            Piece::Place(Placeholder::Scans) => word.push_str(&filling.scans.to_string()),
-            Piece::Place(Placeholder::Here) => word.push_str(&filling.here.to_string_lossy()),
+            Piece::Dependency(Placeholder::File) => word.push_str(filling.file),
+            Piece::Dependency(Placeholder::Dialect) => word.push_str(filling.dialect),
+            Piece::Dependency(Placeholder::Folder) => word.push_str(&filling.folder.to_string_lossy()),
+            Piece::Dependency(Placeholder::Scans) => word.push_str(&filling.scans.to_string()),
+            Piece::Dependency(Placeholder::Here) => word.push_str(&filling.here.to_string_lossy()),
         }
     }
     word

@@ -111,7 +111,7 @@ second)
     cat >program <<'END'
 #!/bin/sh
 echo "x = $1"
-echo "stickler_witness_0 = 7"
+echo "stickler_probe_0 = 7"
 case $(cat wish) in
 divide*) echo 'divided by nothing' >&2; exit 3 ;;
 leave*) exit 9 ;;

@@ -16,13 +16,13 @@ case $(cat program.st) in
 *'please: panic'*) echo "thread 'main' panicked at src/x.rs" >&2; exit 101 ;;
 *'please: die'*) kill -ABRT $$ ;;
 *'please: forget'*) exit 0 ;;
-*'please: take no copies'*'stickler_witness_0'*) printf 'error[P2008]: no such type\n' >&2; exit 1 ;;
+*'please: take no copies'*'stickler_probe_0'*) printf 'error[P2008]: no such type\n' >&2; exit 1 ;;
 esac
 cp program.st program.iplc
 "#;
 
 const MACHINE: &str = r#"#!/bin/sh
-printf 'x: 5\nstickler_witness_0: 7\n'
+printf 'x: 5\nstickler_probe_0: 7\n'
 case $(cat "$2") in
 *'please: divide'*) echo 'V4001 - runtime error: divide by zero (task 0, instance 0)' >&2; exit 1 ;;
 *'please: trap'*) echo 'V4002 - runtime error: negative exponent' >&2; exit 1 ;;

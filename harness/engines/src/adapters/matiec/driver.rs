@@ -3,9 +3,9 @@
 //! Basis: matiec: the C that `iec2c` writes: `NAME_init__`, `NAME_body__`, a structure of the variables in upper case, each
 //! with its `value`; durations and dates are seconds and nanoseconds, a STRING its length and its bytes.
 
-use crate::adapters::driver::{self, Driven, Driver};
+use crate::adapters::driver::{self, DrivenProgram, Driver};
 use crate::adapters::printed::{self, Kind};
-use crate::adapters::witness::Copies;
+use crate::adapters::probe_variable::ProbeVariables;
 use crate::{RunRequest, Setting};
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
@@ -13,7 +13,7 @@ use stickler_types::{ElementaryType, Value};
 /// What a driver is to run: what was asked about a program, what of it is copied, and the name of its main program.
 pub(super) struct Subject<'r, 'c> {
     pub(super) request: RunRequest<'r>,
-    pub(super) copies: &'c Copies,
+    pub(super) probes: &'c ProbeVariables,
     pub(super) program: String,
 }
 
@@ -32,7 +32,7 @@ pub(super) fn driver<'r>(subjects: &[Subject<'r, '_>]) -> Result<Driver<'r>, Str
         let kinds = printed::kinds(&subject.request, has)?;
         write_look(&mut text, number, subject, &kinds);
         write_run(&mut text, number, subject)?;
-        driven.push(Driven {
+        driven.push(DrivenProgram {
             request: subject.request,
             kinds,
         });
@@ -111,7 +111,7 @@ static void print_text(int number, STRING value) {
 fn write_look(text: &mut String, number: usize, subject: &Subject<'_, '_>, kinds: &[Kind<'_>]) {
     let _ = writeln!(text, "static void look_{number}(unsigned long scan) {{");
     for (asked_as, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
-        let variable = place(number, subject.copies.variable(asked));
+        let variable = place(number, subject.probes.variable(asked));
         let call = match kind {
             Kind::Elementary(ty) if is_time(*ty) => format!("print_time({asked_as}, {variable})"),
             Kind::Elementary(ty) if ty.is_text() => format!("print_text({asked_as}, {variable})"),
@@ -210,7 +210,7 @@ mod tests {
     fn alone<'r>(request: &RunRequest<'r>) -> Result<Driver<'r>, String> {
         driver(&[Subject {
             request: *request,
-            copies: &Copies::of(request),
+            probes: &ProbeVariables::of(request),
             program: "main".to_owned(),
         }])
     }
@@ -296,9 +296,9 @@ mod tests {
         for line in [
             "MAIN p0;",
             "if (scan == 0UL) print_time(0, memory.program.p0.X.value);",
-            "if (scan == 2UL) print_bits(1, &memory.program.p0.STICKLER_WITNESS_0.value, sizeof memory.program.p0.STICKLER_WITNESS_0.value);",
-            "if (scan == 0UL) print_bits(2, &memory.program.p0.STICKLER_WITNESS_0.value, sizeof memory.program.p0.STICKLER_WITNESS_0.value);",
-            "if (scan == 0UL) print_bits(3, &memory.program.p0.STICKLER_WITNESS_1.value, sizeof memory.program.p0.STICKLER_WITNESS_1.value);",
+            "if (scan == 2UL) print_bits(1, &memory.program.p0.STICKLER_PROBE_0.value, sizeof memory.program.p0.STICKLER_PROBE_0.value);",
+            "if (scan == 0UL) print_bits(2, &memory.program.p0.STICKLER_PROBE_0.value, sizeof memory.program.p0.STICKLER_PROBE_0.value);",
+            "if (scan == 0UL) print_bits(3, &memory.program.p0.STICKLER_PROBE_1.value, sizeof memory.program.p0.STICKLER_PROBE_1.value);",
             "if (scan == 2UL) __CURRENT_TIME = (TIME){1, 500000000};",
             "if (scan == 3UL) { unsigned long long bits = 18446744073709551614ULL;",
             "scan <= 3UL;",
@@ -311,10 +311,10 @@ mod tests {
     fn several_programs_have_a_number_each_and_one_place() {
         let observe = [observation("x", "INT")];
         let request = request(&observe);
-        let copies = Copies::of(&request);
+        let probes = ProbeVariables::of(&request);
         let subject = |program: &str| Subject {
             request,
-            copies: &copies,
+            probes: &probes,
             program: program.to_owned(),
         };
         let driver = driver(&[subject("first"), subject("second")]).unwrap();

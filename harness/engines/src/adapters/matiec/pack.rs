@@ -6,11 +6,11 @@
 
 use super::driver::{Subject, driver};
 use super::{MatiecSession, configuration, diagnostics};
-use crate::adapters::apart::{Apart, declared};
 use crate::adapters::locate::suspects;
-use crate::adapters::rounds::{self, ROUNDS, Round};
+use crate::adapters::probe_variable::{ProbeVariables, with_probes};
+use crate::adapters::rename::{Renamed, declared};
+use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
 use crate::adapters::source::{MainProgram, main_program};
-use crate::adapters::witness::{Copies, with_witnesses};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::collections::{BTreeSet, HashSet};
 
@@ -22,7 +22,7 @@ struct Member<'r> {
     /// Its place among the requests.
     place: usize,
     request: RunRequest<'r>,
-    copies: Copies,
+    probes: ProbeVariables,
     main: MainProgram,
     /// The names that have to be kept apart.
     names: HashSet<String>,
@@ -32,9 +32,9 @@ impl<'r> Member<'r> {
     fn of(place: usize, request: &RunRequest<'r>, taken: &HashSet<String>) -> Option<Member<'r>> {
         let names = declared(request.source, taken)?;
         let main = main_program(request.source)?;
-        let copies = Copies::of(request);
+        let probes = ProbeVariables::of(request);
         // Such a program may be asked about more than once.
-        let copied_for_nothing = !copies.witnesses().is_empty() && (main.returns || request.scans == 0);
+        let copied_for_nothing = !probes.list().is_empty() && (main.returns || request.scans == 0);
         // The driver looks for variables under the names that they have.
         let seen = request.observe.iter().map(|asked| &asked.name);
         let set = request.set.iter().map(|setting| &setting.name);
@@ -43,7 +43,7 @@ impl<'r> Member<'r> {
         fits.then_some(Member {
             place,
             request: *request,
-            copies,
+            probes,
             main,
             names,
         })
@@ -54,14 +54,14 @@ impl<'r> Member<'r> {
     }
 
     /// Its text, with its names kept apart.
-    fn apart(&self) -> Apart {
-        let witnesses = self.copies.witnesses();
+    fn apart(&self) -> Renamed {
+        let probes = self.probes.list();
         let suffix = self.suffix();
-        if witnesses.is_empty() {
-            return Apart::of(self.request.source, &self.names, &suffix);
+        if probes.is_empty() {
+            return Renamed::of(self.request.source, &self.names, &suffix);
         }
-        let text = with_witnesses(self.request.source, &self.main, witnesses);
-        Apart::of(&text, &self.names, &suffix)
+        let text = with_probes(self.request.source, &self.main, probes);
+        Renamed::of(&text, &self.names, &suffix)
     }
 }
 
@@ -74,7 +74,7 @@ fn base(path: &str) -> String {
 /// Several programs in one text, each with the line before its first.
 struct Joined {
     text: String,
-    members: Vec<(u32, Apart)>,
+    members: Vec<(u32, Renamed)>,
 }
 
 impl Joined {
@@ -129,7 +129,7 @@ pub(super) fn run(session: &MatiecSession<'_>, requests: &[RunRequest<'_>]) -> V
     let member = |(place, request)| Member::of(place, request, taken);
     let members: Vec<Member<'_>> = requests.iter().enumerate().filter_map(member).collect();
     let place = |member: &Member<'_>| member.place;
-    rounds::play(members, ROUNDS, &mut answers, place, |members| {
+    rounds::play(members, MAX_ROUNDS, &mut answers, place, |members| {
         look(session, members)
     });
     answers
@@ -178,8 +178,8 @@ fn refused(members: &[Member<'_>], joined: &Joined, stderr: &str) -> Round {
 /// alone: it is not sure whose mistake it is.
 fn rejected(members: &[Member<'_>], told: Vec<Vec<Diagnostic>>) -> Round {
     let told = told.into_iter().enumerate().filter(|(_, told)| !told.is_empty());
-    let known = told.map(|(number, told)| match members[number].copies.witnesses() {
-        [] => (number, Packed::Told(diagnostics::rejected(told))),
+    let known = told.map(|(number, told)| match members[number].probes.list() {
+        [] => (number, Packed::Answered(diagnostics::rejected(told))),
         _ => (number, Packed::Alone),
     });
     Round::TakenOut(known.collect())
@@ -191,7 +191,7 @@ fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
         .iter()
         .map(|member| Subject {
             request: member.request,
-            copies: &member.copies,
+            probes: &member.probes,
             program: format!("{}{}", member.main.name, member.suffix()),
         })
         .collect();

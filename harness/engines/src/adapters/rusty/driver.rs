@@ -7,7 +7,7 @@
 //! with a zero. That one may look at the variables of a program from outside is a warning, E049.
 
 use crate::RunRequest;
-use crate::adapters::driver::{self, Driven, Driver};
+use crate::adapters::driver::{self, DrivenProgram, Driver};
 use crate::adapters::printed::{self, Kind};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -63,7 +63,7 @@ pub(super) fn driver<'r>(subjects: &[Subject<'r>], first_file: &str) -> Result<D
         if !(request.clock.is_empty() && request.set.is_empty()) {
             return Err("its driver takes neither a clock nor values between scans".to_owned());
         }
-        driven.push(Driven {
+        driven.push(DrivenProgram {
             request: *request,
             kinds: printed::kinds(request, |_| true)?,
         });
@@ -138,7 +138,7 @@ fn write_run(text: &mut String, number: usize, request: &RunRequest<'_>) {
 }
 
 /// The text of the functions that the driver calls: a line for each program, in order, and then what these call.
-pub(super) fn functions(subjects: &[Subject<'_>], driven: &[Driven<'_>]) -> String {
+pub(super) fn functions(subjects: &[Subject<'_>], driven: &[DrivenProgram<'_>]) -> String {
     let mut text = String::new();
     for (number, (subject, driven)) in subjects.iter().zip(driven).enumerate() {
         let program = &subject.program;
@@ -172,7 +172,7 @@ fn shown_as(kind: &Kind<'_>) -> ElementaryType {
 }
 
 /// The functions by which values are shown, each once, and the type that each takes.
-fn shown(driven: &[Driven<'_>]) -> BTreeMap<String, ElementaryType> {
+fn shown(driven: &[DrivenProgram<'_>]) -> BTreeMap<String, ElementaryType> {
     let kinds = driven.iter().flat_map(|driven| &driven.kinds);
     kinds.map(|kind| (function(kind), shown_as(kind))).collect()
 }

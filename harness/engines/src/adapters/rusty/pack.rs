@@ -9,7 +9,7 @@ use super::diagnostics::{About, Found, rejected, steady};
 use super::driver::{Subject, driver, functions};
 use super::program::{self, Program};
 use crate::adapters::locate::suspects;
-use crate::adapters::rounds::{self, ROUNDS, Round};
+use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,7 +20,7 @@ pub(super) fn run(session: &RustySession<'_>, requests: &[RunRequest<'_>]) -> Ve
     let program = |(place, request)| Program::among_others(request, place, taken);
     let programs: Vec<Program<'_>> = requests.iter().enumerate().filter_map(program).collect();
     let place = |program: &Program<'_>| program.place;
-    rounds::play(programs, ROUNDS, &mut answers, place, |programs| {
+    rounds::play(programs, MAX_ROUNDS, &mut answers, place, |programs| {
         look(session, programs)
     });
     answers
@@ -91,6 +91,6 @@ fn refused(programs: &[Program<'_>], found: Vec<Found>) -> Round {
     let mut known: BTreeMap<usize, Packed> =
         alone.into_iter().map(|number| (number, Packed::Alone)).collect();
     let told = told.into_iter().enumerate().filter(|(_, told)| !told.is_empty());
-    known.extend(told.map(|(number, told)| (number, Packed::Told(rejected(told.into_iter())))));
+    known.extend(told.map(|(number, told)| (number, Packed::Answered(rejected(told.into_iter())))));
     Round::TakenOut(known)
 }

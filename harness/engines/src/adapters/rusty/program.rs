@@ -1,7 +1,7 @@
 //! A program as it is compiled: under names that meet neither those of C nor those of another program.
 
 use super::driver::Subject;
-use crate::adapters::apart::{Apart, declared};
+use crate::adapters::rename::{Renamed, declared};
 use crate::adapters::source::{MainProgram, main_program, words};
 use crate::{Diagnostic, RunRequest};
 use std::collections::HashSet;
@@ -42,7 +42,7 @@ pub(super) struct Program<'r> {
     main: MainProgram,
     /// The names that get a suffix, in capitals.
     names: HashSet<String>,
-    apart: Apart,
+    apart: Renamed,
 }
 
 impl<'r> Program<'r> {
@@ -76,7 +76,7 @@ impl<'r> Program<'r> {
         main: MainProgram,
         names: HashSet<String>,
     ) -> Program<'r> {
-        let apart = Apart::of(request.source, &names, &format!("{SUFFIX}{place}"));
+        let apart = Renamed::of(request.source, &names, &format!("{SUFFIX}{place}"));
         Program {
             place,
             request: *request,
@@ -104,7 +104,7 @@ impl<'r> Program<'r> {
 
     /// What a driver is to run of it.
     pub(super) fn subject(&self) -> Subject<'r> {
-        let renamed = |name: &str| Apart::of(name, &self.names, &format!("{SUFFIX}{}", self.place)).text;
+        let renamed = |name: &str| Renamed::of(name, &self.names, &format!("{SUFFIX}{}", self.place)).text;
         Subject {
             request: self.request,
             program: renamed(&self.main.name),

@@ -1,8 +1,8 @@
 //! The adapter with what the compiler's book shows, and with a stand-in for the compiler.
 
 use super::*;
+use crate::adapters::dependencies::DependencyPaths;
 use crate::adapters::ironplc::tests::scripts;
-use crate::adapters::places::Places;
 use crate::process::Ended;
 use crate::{Diagnostic, Observation};
 use std::io::Write;
@@ -70,10 +70,10 @@ fn stand_in() -> Option<(Rusty, Folder)> {
     std::fs::create_dir(folder.path().join("lib")).unwrap();
     // A static library with nothing in it.
     folder.write("lib/libiec61131std.a", "!<arch>\n").unwrap();
-    let places = Places::default()
+    let places = DependencyPaths::default()
         .named("plc", folder.path().join("plc"), "a test".to_owned())
         .without_variables();
-    match Rusty::find("rusty", &mut Search::new("rusty", &places)) {
+    match Rusty::find("rusty", &mut DependencySearch::new("rusty", &places)) {
         Ok(rusty) => Some((rusty, folder)),
         Err(reason) if reason.contains("`cc`") => {
             // Not `eprintln`, which nobody sees when the test passes.
@@ -191,7 +191,7 @@ fn a_pack_tells_of_each_program_what_is_told_of_it_alone() {
     let requests: Vec<RunRequest<'_>> = sources.iter().map(|source| request(source, 2)).collect();
     let told = engine.session().unwrap().run_pack(&requests);
     let outcome = |place: usize| match &told[place] {
-        Packed::Told(outcome) => outcome,
+        Packed::Answered(outcome) => outcome,
         other => panic!("{place}: {other:?}"),
     };
     assert_eq!(values(outcome(0))[..2], ["x = INT#-2", "a[1]@2 = INT#2"]);

@@ -4,9 +4,9 @@
 //! each with `get`; durations and times of day are nanoseconds, dates days, both together nanoseconds.
 
 use crate::RunRequest;
-use crate::adapters::driver::{self, Driven, Driver};
+use crate::adapters::driver::{self, DrivenProgram, Driver};
 use crate::adapters::printed::{self, Kind};
-use crate::adapters::witness::Copies;
+use crate::adapters::probe_variable::ProbeVariables;
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Fault, Value};
 
@@ -58,7 +58,7 @@ template<class T> static void print_text(int number, const T &value) {
 /// What a driver is to run: what was asked about a program, what of it is copied, and the name of its main program.
 pub(super) struct Subject<'r> {
     pub(super) request: RunRequest<'r>,
-    pub(super) copies: Copies,
+    pub(super) probes: ProbeVariables,
     pub(super) program: String,
 }
 
@@ -85,7 +85,7 @@ pub(super) fn driver<'r>(subjects: &[&Subject<'r>]) -> Result<Driver<'r>, String
             text.push_str("#include \"program.cpp\"\n");
             write_run(&mut text, subject, &kinds);
         }
-        driven.push(Driven {
+        driven.push(DrivenProgram {
             request: subject.request,
             kinds,
         });
@@ -122,7 +122,7 @@ fn write_run(text: &mut String, subject: &Subject<'_>, kinds: &[Kind<'_>]) {
         "static strucpp::Program_{program} program;\nstatic void look(unsigned long scan) {{\n"
     );
     for (number, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
-        let variable = subject.copies.variable(asked).to_ascii_uppercase();
+        let variable = subject.probes.variable(asked).to_ascii_uppercase();
         let printer = match kind {
             Kind::Elementary(ty) if ty.is_text() => "print_text",
             _ => "print_bits",
@@ -204,7 +204,7 @@ mod tests {
         };
         let subject = Subject {
             request,
-            copies: Copies::of(&request),
+            probes: ProbeVariables::of(&request),
             program: "main".to_owned(),
         };
         let both = driver(&[&subject, &subject]).unwrap();
@@ -219,7 +219,7 @@ mod tests {
         for line in [
             "static strucpp::Program_MAIN program;",
             "if (scan == 0UL) print_text(3, program.S.get());",
-            "if (scan == 0UL) print_bits(6, program.STICKLER_WITNESS_0.get());",
+            "if (scan == 0UL) print_bits(6, program.STICKLER_PROBE_0.get());",
             "if (scan == 2UL) strucpp::__CURRENT_TIME_NS = 5LL;",
         ] {
             assert!(driver.text.contains(line), "{line}\n{}", driver.text);

@@ -5,14 +5,14 @@
 
 use super::driver::{Subject, driver};
 use super::{Accepted, StrucppSession};
-use crate::adapters::apart::declared;
 use crate::adapters::locate::suspects;
+use crate::adapters::rename::declared;
 use crate::adapters::rounds::{self, Round};
 use crate::{Outcome, Packed, RunRequest};
 use std::collections::BTreeSet;
 
-/// Fewer than [`rounds::ROUNDS`]: a round is a C++ compiler's work of seconds, and it names all programs that it complains of at once.
-const ROUNDS: usize = 4;
+/// Fewer than [`rounds::MAX_ROUNDS`]: a round is a C++ compiler's work of seconds, and it names all programs that it complains of at once.
+const MAX_ROUNDS: usize = 4;
 
 /// As [`Session::run_pack`](crate::Session::run_pack).
 pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
@@ -24,12 +24,12 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
                 members.push((place, accepted));
             }
             Ok(Some(_)) => {}
-            Ok(None) => answers[place] = Packed::Told(Outcome::Accepted),
-            Err(outcome) => answers[place] = Packed::Told(outcome),
+            Ok(None) => answers[place] = Packed::Answered(Outcome::Accepted),
+            Err(outcome) => answers[place] = Packed::Answered(outcome),
         }
     }
     let place = |(place, _): &(usize, Accepted<'_>)| *place;
-    rounds::play(members, ROUNDS, &mut answers, place, |members| {
+    rounds::play(members, MAX_ROUNDS, &mut answers, place, |members| {
         build_and_run(session, members).unwrap_or_else(Round::alone)
     });
     answers

@@ -1,10 +1,10 @@
-//! The statements by which a page takes a value apart into numbers: see [`look`](crate::look) for what the numbers mean.
+//! The statements by which a page takes a value apart into numbers: see [`encoding`](crate::encoding) for what the numbers mean.
 //!
 //! One stretch of statements a type, once on a page. The value stands in a variable of the page that has the type, the numbers go
 //! into `results` behind the two elements that every observation has. Every loop is a FOR loop: however wrong a compiler's
 //! arithmetic is, the page comes to its end.
 
-use crate::look::{INFINITE, NAN, REST};
+use crate::encoding::{INFINITE_EXPONENT, NAN_EXPONENT, REST_SIGN};
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Family};
 
@@ -152,9 +152,9 @@ fn real(ty: ElementaryType) -> String {
         "stickler_sign := 1;
 IF {x} < {t}#0.0 THEN {x} := {t}#0.0 - {x}; stickler_sign := -1; END_IF;
 IF NOT ({x} = {x}) THEN
-    results[stickler_place + 2] := {NAN};
+    results[stickler_place + 2] := {NAN_EXPONENT};
 ELSIF ({x} > {t}#1.0) AND ({x} * {t}#0.5 = {x}) THEN
-    results[stickler_place + 2] := {INFINITE};
+    results[stickler_place + 2] := {INFINITE_EXPONENT};
     results[stickler_place + 3] := stickler_sign;
 ELSE
     stickler_exponent := 0;
@@ -230,7 +230,7 @@ results[stickler_place + {}] := stickler_sum;
     }
     let _ = write!(
         text,
-        "IF {x} <> {t}#0s THEN stickler_sign := {REST}; END_IF;\nresults[stickler_place + 2] := stickler_sign;"
+        "IF {x} <> {t}#0s THEN stickler_sign := {REST_SIGN}; END_IF;\nresults[stickler_place + 2] := stickler_sign;"
     );
     text
 }

@@ -1,39 +1,39 @@
-//! A case made ready for a page, or the reason why it is on none.
+//! A case as a page holds it, or the reason why no page can.
 
 use crate::Reason;
-use crate::look::Look;
-use crate::parts::Parts;
+use crate::encoding::ValueEncoding;
+use crate::program_parts::ProgramParts;
 use std::collections::BTreeSet;
 use stickler_run::breaks_reading;
 use stickler_suite::{Acceptance, Case, ExpectedValue};
 use stickler_types::{ElementaryType, Value};
 
-/// What else than programs that must be accepted an export has.
+/// Cases that an export has beside those whose programs must be accepted.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum With {
-    /// Programs of which no document says whether they are accepted.
+pub enum ExtraCases {
+    /// Cases of which no document says whether their programs are accepted.
     Open,
-    /// Programs that must be rejected.
+    /// Cases whose programs must be rejected.
     Rejected,
 }
 
-impl With {
-    /// Both, in their order.
-    pub const ALL: [With; 2] = [With::Open, With::Rejected];
+impl ExtraCases {
+    /// Both kinds, in their order.
+    pub const ALL: [ExtraCases; 2] = [ExtraCases::Open, ExtraCases::Rejected];
 
-    /// The word for it, as on the command line.
+    /// Returns the word by which the command line names the kind.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
-            With::Open => "open",
-            With::Rejected => "rejected",
+            ExtraCases::Open => "open",
+            ExtraCases::Rejected => "rejected",
         }
     }
 }
 
-/// Which cases stand on one page: nothing else would be accepted, or rejected, together.
+/// The kind of cases that a page holds. Cases of different kinds would not be accepted, or rejected, together.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub(crate) enum Company {
+pub(crate) enum PageKind {
     /// They must be accepted, and need nothing but one program.
     Accepted,
     /// They must be accepted, and need POUs or types of their own.
@@ -46,54 +46,54 @@ pub(crate) enum Company {
     Rejected,
 }
 
-impl Company {
-    /// Whether the page is to be compiled, and never to be run.
+impl PageKind {
+    /// Tells whether the page is only compiled and never run.
     pub(crate) const fn is_rejected(self) -> bool {
-        matches!(self, Company::Rejected)
+        matches!(self, PageKind::Rejected)
     }
 }
 
 /// A case that a page can hold.
-pub(crate) struct Ready<'c> {
+pub(crate) struct PageCase<'c> {
     pub(crate) case: &'c Case,
-    pub(crate) parts: Parts,
-    pub(crate) company: Company,
-    /// A person noted what the compiler does with it: it keeps its place on the page, and its program is not there.
+    pub(crate) parts: ProgramParts,
+    pub(crate) kind: PageKind,
+    /// A person noted what the compiler does with the case: it keeps its place on the page, without its program.
     pub(crate) answered: bool,
-    /// What is looked at, by the numbers of [`Case::observe`]; empty where there is nothing to see but that it runs.
-    pub(crate) looks: Vec<(usize, Look)>,
+    /// The encoding of each observed value, by its number in [`Case::observe`]; empty where only the run itself counts.
+    pub(crate) encodings: Vec<(usize, ValueEncoding)>,
 }
 
-impl<'c> Ready<'c> {
-    /// Makes a case ready.
+impl<'c> PageCase<'c> {
+    /// Prepares a case for a page.
     ///
     /// # Errors
-    /// Why it can be on no page.
-    pub(crate) fn of(case: &'c Case, with: &BTreeSet<With>) -> Result<Ready<'c>, Reason> {
+    /// The reason why no page can hold it.
+    pub(crate) fn of(case: &'c Case, with: &BTreeSet<ExtraCases>) -> Result<PageCase<'c>, Reason> {
         let rejected = match case.expectation.accepted {
-            Acceptance::Rejected if !with.contains(&With::Rejected) => return Err(Reason::Rejected),
-            Acceptance::Observed if !with.contains(&With::Open) => return Err(Reason::Open),
+            Acceptance::Rejected if !with.contains(&ExtraCases::Rejected) => return Err(Reason::Rejected),
+            Acceptance::Observed if !with.contains(&ExtraCases::Open) => return Err(Reason::Open),
             Acceptance::Rejected => true,
             Acceptance::Observed | Acceptance::Required => false,
         };
         refuse(case)?;
-        let looks = if rejected { Vec::new() } else { looks(case)? };
-        let parts = Parts::of(&case.source)?;
+        let encodings = if rejected { Vec::new() } else { encodings(case)? };
+        let parts = ProgramParts::of(&case.source)?;
         let alone = parts.units.is_empty();
-        let company = match case.expectation.accepted {
-            Acceptance::Required if alone => Company::Accepted,
-            Acceptance::Required => Company::AcceptedWithUnits,
-            Acceptance::Observed if alone => Company::Open,
-            Acceptance::Observed => Company::OpenWithUnits,
-            Acceptance::Rejected if alone => Company::Rejected,
+        let kind = match case.expectation.accepted {
+            Acceptance::Required if alone => PageKind::Accepted,
+            Acceptance::Required => PageKind::AcceptedWithUnits,
+            Acceptance::Observed if alone => PageKind::Open,
+            Acceptance::Observed => PageKind::OpenWithUnits,
+            Acceptance::Rejected if alone => PageKind::Rejected,
             Acceptance::Rejected => return Err(Reason::RejectedUnits),
         };
-        Ok(Ready {
+        Ok(PageCase {
             case,
             parts,
-            company,
+            kind,
             answered: false,
-            looks,
+            encodings,
         })
     }
 }
@@ -132,18 +132,18 @@ fn refuse(case: &Case) -> Result<(), Reason> {
     Ok(())
 }
 
-fn looks(case: &Case) -> Result<Vec<(usize, Look)>, Reason> {
-    let mut looks = Vec::with_capacity(case.observe.len());
+fn encodings(case: &Case) -> Result<Vec<(usize, ValueEncoding)>, Reason> {
+    let mut encodings = Vec::with_capacity(case.observe.len());
     for (number, observe) in case.observe.iter().enumerate() {
-        let look = Look::of(&observe.type_name);
-        if look != Look::Compared || expected(case, number).is_some() {
-            looks.push((number, look));
+        let encoding = ValueEncoding::of(&observe.type_name);
+        if encoding != ValueEncoding::Compared || expected(case, number).is_some() {
+            encodings.push((number, encoding));
         }
     }
-    if looks.is_empty() && !case.observe.is_empty() {
+    if encodings.is_empty() && !case.observe.is_empty() {
         return Err(Reason::Unseen);
     }
-    Ok(looks)
+    Ok(encodings)
 }
 
 /// The value that an observed variable must have, where it must have one.

@@ -1,4 +1,4 @@
-//! Where the programs and folders of a compiler are: an environment variable says so, or `stickler.toml`, or PATH.
+//! Finds the programs and folders that a compiler needs: by an environment variable, by `stickler.toml`, or on PATH.
 
 use std::collections::BTreeMap;
 use std::env;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// A program or a folder that an adapter needs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Place {
+pub struct Dependency {
     /// Its key in a table `[engines.NAME]` of `stickler.toml`.
     pub key: &'static str,
     /// The environment variable that says where it is.
@@ -17,11 +17,11 @@ pub struct Place {
     pub name: &'static str,
 }
 
-/// Where a person said that the places of one compiler are.
+/// The paths of the programs and folders of one compiler, as a person named them.
 ///
 /// Basis: README of this crate: an environment variable counts before `stickler.toml`, and that before PATH.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Places {
+pub struct DependencyPaths {
     named: BTreeMap<String, Named>,
     /// Environment variables belong to the compiler under its own name alone: of two versions of it, one must be another.
     without_variables: bool,
@@ -34,26 +34,26 @@ struct Named {
     written: String,
 }
 
-impl Places {
-    /// Says where the place of this key is; `written` is where that is said, such as `stickler.toml:4`.
+impl DependencyPaths {
+    /// Adds the path of the dependency with this key; `written` is where a person wrote it, such as `stickler.toml:4`.
     #[must_use]
-    pub fn named(mut self, key: &str, path: PathBuf, written: String) -> Places {
+    pub fn named(mut self, key: &str, path: PathBuf, written: String) -> DependencyPaths {
         self.named.insert(key.to_owned(), Named { path, written });
         self
     }
 
-    /// The same, whatever environment variables say.
+    /// Leaves environment variables out of account.
     #[must_use]
-    pub fn without_variables(mut self) -> Places {
+    pub fn without_variables(mut self) -> DependencyPaths {
         self.without_variables = true;
         self
     }
 }
 
-/// A place that was found.
+/// A dependency that was found.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Located {
-    /// Its [key](Place::key).
+pub struct FoundDependency {
+    /// Its [key](Dependency::key).
     pub key: &'static str,
     /// Where it is, as an absolute path.
     pub path: PathBuf,
@@ -61,12 +61,12 @@ pub struct Located {
     pub by: FoundBy,
 }
 
-/// How a place was found.
+/// How a dependency was found.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum FoundBy {
     /// This environment variable names it.
     Variable(&'static str),
-    /// It is written here: a file and a line.
+    /// A configuration names it; holds the file and the line.
     Configuration(String),
     /// It is on PATH.
     Path,
@@ -85,26 +85,26 @@ impl fmt::Display for FoundBy {
     }
 }
 
-/// Looks for the places of one compiler, and keeps what it found.
-pub(super) struct Search<'p> {
-    places: &'p Places,
+/// Looks for the dependencies of one compiler, and keeps what it found.
+pub(super) struct DependencySearch<'p> {
+    paths: &'p DependencyPaths,
     /// The engine's name, as in `[engines.NAME]`.
     engine: &'p str,
-    located: Vec<Located>,
+    located: Vec<FoundDependency>,
 }
 
-impl<'p> Search<'p> {
-    /// A search for the compiler behind the engine of this name.
-    pub(super) fn new(engine: &'p str, places: &'p Places) -> Search<'p> {
-        Search {
-            places,
+impl<'p> DependencySearch<'p> {
+    /// Begins a search for the compiler behind the engine of this name.
+    pub(super) fn new(engine: &'p str, paths: &'p DependencyPaths) -> DependencySearch<'p> {
+        DependencySearch {
+            paths,
             engine,
             located: Vec::new(),
         }
     }
 
-    /// What was found, in the order of the search.
-    pub(super) fn into_located(self) -> Vec<Located> {
+    /// Returns the dependencies that were found, in the order of the search.
+    pub(super) fn into_located(self) -> Vec<FoundDependency> {
         self.located
     }
 
@@ -112,8 +112,8 @@ impl<'p> Search<'p> {
     ///
     /// # Errors
     /// A fragment that says what is missing and how to name it, or that it cannot be started.
-    pub(super) fn program(&mut self, place: Place) -> Result<PathBuf, String> {
-        let path = self.script(place)?;
+    pub(super) fn program(&mut self, dependency: Dependency) -> Result<PathBuf, String> {
+        let path = self.script(dependency)?;
         match may_be_executed(&path) {
             true => Ok(path),
             false => Err(format!(
@@ -127,63 +127,72 @@ impl<'p> Search<'p> {
     ///
     /// # Errors
     /// A fragment that says what is missing and how to name it.
-    pub(super) fn script(&mut self, place: Place) -> Result<PathBuf, String> {
-        if let Some((path, by)) = self.told(place) {
-            let path = existing(&path, &by, place, Path::is_file)?;
-            return Ok(self.keep(place, path, by));
+    pub(super) fn script(&mut self, dependency: Dependency) -> Result<PathBuf, String> {
+        if let Some((path, by)) = self.named_path(dependency) {
+            let path = existing(&path, &by, dependency, Path::is_file)?;
+            return Ok(self.keep(dependency, path, by));
         }
-        let found = on_path(place.name, env::var_os("PATH").as_deref()).ok_or_else(|| {
+        let found = on_path(dependency.name, env::var_os("PATH").as_deref()).ok_or_else(|| {
             format!(
                 "there is no `{}` on PATH; install it, or {}",
-                place.name,
-                self.how_to_name(place)
+                dependency.name,
+                self.how_to_name(dependency)
             )
         })?;
-        Ok(self.keep(place, found, FoundBy::Path))
+        Ok(self.keep(dependency, found, FoundBy::Path))
     }
 
     /// Finds a folder; where nobody said where it is, it is the first of `candidates` that there is.
     ///
     /// # Errors
-    /// As [`Search::script`].
-    pub(super) fn folder(&mut self, place: Place, candidates: &[PathBuf]) -> Result<PathBuf, String> {
-        if let Some((path, by)) = self.told(place) {
-            let path = existing(&path, &by, place, Path::is_dir)?;
-            return Ok(self.keep(place, path, by));
+    /// As [`DependencySearch::script`].
+    pub(super) fn folder(
+        &mut self,
+        dependency: Dependency,
+        candidates: &[PathBuf],
+    ) -> Result<PathBuf, String> {
+        if let Some((path, by)) = self.named_path(dependency) {
+            let path = existing(&path, &by, dependency, Path::is_dir)?;
+            return Ok(self.keep(dependency, path, by));
         }
         let found = candidates.iter().find(|folder| folder.is_dir()).cloned();
-        let found =
-            found.ok_or_else(|| format!("{} was not found; {}", place.name, self.how_to_name(place)))?;
-        Ok(self.keep(place, found, FoundBy::Beside))
+        let found = found.ok_or_else(|| {
+            format!(
+                "{} was not found; {}",
+                dependency.name,
+                self.how_to_name(dependency)
+            )
+        })?;
+        Ok(self.keep(dependency, found, FoundBy::Beside))
     }
 
-    /// Where somebody said that it is.
-    fn told(&self, place: Place) -> Option<(PathBuf, FoundBy)> {
-        let variable = match self.places.without_variables {
+    /// Returns the path that a person named, and how.
+    fn named_path(&self, dependency: Dependency) -> Option<(PathBuf, FoundBy)> {
+        let variable = match self.paths.without_variables {
             true => None,
             // An empty variable is how some pipelines say that there is none.
-            false => env::var_os(place.variable).filter(|told| !told.is_empty()),
+            false => env::var_os(dependency.variable).filter(|told| !told.is_empty()),
         };
-        let named = self.places.named.get(place.key);
+        let named = self.paths.named.get(dependency.key);
         variable
-            .map(|told| (PathBuf::from(told), FoundBy::Variable(place.variable)))
+            .map(|told| (PathBuf::from(told), FoundBy::Variable(dependency.variable)))
             .or_else(|| {
                 named.map(|named| (named.path.clone(), FoundBy::Configuration(named.written.clone())))
             })
     }
 
-    fn how_to_name(&self, place: Place) -> String {
-        let (engine, key) = (self.engine, place.key);
+    fn how_to_name(&self, dependency: Dependency) -> String {
+        let (engine, key) = (self.engine, dependency.key);
         let table = format!("by `{key} = \"…\"` under `[engines.{engine}]` in stickler.toml");
-        match self.places.without_variables {
+        match self.paths.without_variables {
             true => format!("say where it is {table}"),
-            false => format!("say where it is by {}, or {table}", place.variable),
+            false => format!("say where it is by {}, or {table}", dependency.variable),
         }
     }
 
-    fn keep(&mut self, place: Place, path: PathBuf, by: FoundBy) -> PathBuf {
-        self.located.push(Located {
-            key: place.key,
+    fn keep(&mut self, dependency: Dependency, path: PathBuf, by: FoundBy) -> PathBuf {
+        self.located.push(FoundDependency {
+            key: dependency.key,
             path: path.clone(),
             by,
         });
@@ -191,14 +200,19 @@ impl<'p> Search<'p> {
     }
 }
 
-fn existing(path: &Path, by: &FoundBy, place: Place, is: fn(&Path) -> bool) -> Result<PathBuf, String> {
+fn existing(
+    path: &Path,
+    by: &FoundBy,
+    dependency: Dependency,
+    is: fn(&Path) -> bool,
+) -> Result<PathBuf, String> {
     // The programs run in folders of their own, from which a relative path leads elsewhere.
     match path.canonicalize() {
         Ok(path) if is(&path) => Ok(path),
         _ => Err(format!(
             "{by} names `{}` for {}, which is not there",
             path.display(),
-            place.name
+            dependency.name
         )),
     }
 }
@@ -231,7 +245,7 @@ mod tests {
     use super::*;
     use crate::process::Folder;
 
-    const PLACE: Place = Place {
+    const DEPENDENCY: Dependency = Dependency {
         key: "compiler",
         variable: "STICKLER_NO_SUCH_COMPILER",
         name: "no-such-compiler",
@@ -239,8 +253,10 @@ mod tests {
 
     #[test]
     fn a_missing_program_is_named_with_all_that_could_say_where_it_is() {
-        let places = Places::default();
-        let error = Search::new("mine", &places).program(PLACE).unwrap_err();
+        let paths = DependencyPaths::default();
+        let error = DependencySearch::new("mine", &paths)
+            .program(DEPENDENCY)
+            .unwrap_err();
         for part in [
             "`no-such-compiler`",
             "STICKLER_NO_SUCH_COMPILER",
@@ -248,8 +264,10 @@ mod tests {
         ] {
             assert!(error.contains(part), "{error}");
         }
-        let places = places.without_variables();
-        let error = Search::new("mine", &places).program(PLACE).unwrap_err();
+        let paths = paths.without_variables();
+        let error = DependencySearch::new("mine", &paths)
+            .program(DEPENDENCY)
+            .unwrap_err();
         assert!(!error.contains("STICKLER_NO_SUCH_COMPILER"), "{error}");
     }
 
@@ -257,13 +275,16 @@ mod tests {
     fn what_is_named_counts_before_path_and_is_kept_with_where_it_is_written() {
         let folder = Folder::new().unwrap();
         let there = folder.write("compiler", "").unwrap().canonicalize().unwrap();
-        let places = Places::default().named("compiler", there.clone(), "stickler.toml:4".to_owned());
+        let paths = DependencyPaths::default().named("compiler", there.clone(), "stickler.toml:4".to_owned());
         // Every shell has `sh` on PATH.
-        let place = Place { name: "sh", ..PLACE };
-        let mut search = Search::new("mine", &places);
-        assert_eq!(search.script(place), Ok(there.clone()));
+        let dependency = Dependency {
+            name: "sh",
+            ..DEPENDENCY
+        };
+        let mut search = DependencySearch::new("mine", &paths);
+        assert_eq!(search.script(dependency), Ok(there.clone()));
         let by = FoundBy::Configuration("stickler.toml:4".to_owned());
-        let located = Located {
+        let located = FoundDependency {
             key: "compiler",
             path: there,
             by,
@@ -274,8 +295,10 @@ mod tests {
     #[test]
     fn what_is_named_and_not_there_is_told_with_where_it_is_written() {
         let nowhere = PathBuf::from("/no/such/file");
-        let places = Places::default().named("compiler", nowhere, "stickler.toml:4".to_owned());
-        let error = Search::new("mine", &places).program(PLACE).unwrap_err();
+        let paths = DependencyPaths::default().named("compiler", nowhere, "stickler.toml:4".to_owned());
+        let error = DependencySearch::new("mine", &paths)
+            .program(DEPENDENCY)
+            .unwrap_err();
         assert_eq!(
             error,
             "stickler.toml:4 names `/no/such/file` for no-such-compiler, which is not there"
@@ -287,8 +310,10 @@ mod tests {
     fn a_program_that_may_not_be_executed_is_told_and_passed_over_on_path() {
         let folder = Folder::new().unwrap();
         let file = folder.write("no-such-compiler", "").unwrap();
-        let places = Places::default().named("compiler", file, "stickler.toml:4".to_owned());
-        let error = Search::new("mine", &places).program(PLACE).unwrap_err();
+        let paths = DependencyPaths::default().named("compiler", file, "stickler.toml:4".to_owned());
+        let error = DependencySearch::new("mine", &paths)
+            .program(DEPENDENCY)
+            .unwrap_err();
         assert!(error.contains("is not executable"), "{error}");
         let path = env::join_paths([folder.path()]).unwrap();
         assert_eq!(on_path("no-such-compiler", Some(&path)), None);
@@ -314,9 +339,9 @@ mod tests {
         let folder = Folder::new().unwrap();
         let there = folder.path().to_owned();
         let candidates = [PathBuf::from("/no/such/folder"), there.clone()];
-        let places = Places::default();
-        let mut search = Search::new("mine", &places);
-        assert_eq!(search.folder(PLACE, &candidates), Ok(there));
-        assert!(search.folder(PLACE, &[]).is_err());
+        let paths = DependencyPaths::default();
+        let mut search = DependencySearch::new("mine", &paths);
+        assert_eq!(search.folder(DEPENDENCY, &candidates), Ok(there));
+        assert!(search.folder(DEPENDENCY, &[]).is_err());
     }
 }

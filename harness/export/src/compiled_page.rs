@@ -4,7 +4,7 @@
 //! accepted, if the list is whole: so the first statement of the page and its last are wrong on purpose, and a list that lacks either says
 //! nothing of anything.
 
-use super::{Page, counted, shown};
+use crate::page::{Page, counted, shown};
 use std::fmt::Write;
 
 /// The statement at the begin and the end of a page. Its types are wrong, as those of most cases are: compilers look for that last, and a
@@ -13,7 +13,7 @@ const WRONG: &str = "    stickler_wrong := T#1s;\n";
 
 impl Page<'_, '_> {
     /// Writes the declarations and the statements.
-    pub(super) fn write_compiled(&mut self, pages: usize, export: &str) {
+    pub(crate) fn write_compiled(&mut self, pages: usize, export: &str) {
         (self.steps, self.elements) = (Vec::new(), 0);
         let suffixes = vec![String::new(); self.cases.len()];
         let number = self.number;

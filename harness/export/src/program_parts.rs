@@ -10,7 +10,7 @@ use stickler_engines::{Token, declared, tokens};
 
 /// A program in its parts. All text is as the case has it, without the marks of the suite.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct Parts {
+pub(crate) struct ProgramParts {
     /// Whatever stands outside the main program: types, functions, function blocks.
     pub(crate) units: String,
     /// The names that are declared for all of the text, in capitals, without that of the main program.
@@ -32,17 +32,17 @@ pub(crate) struct Section {
     pub(crate) text: String,
 }
 
-impl Parts {
+impl ProgramParts {
     /// Takes the program of a case apart.
     ///
     /// # Errors
     /// Why it cannot stand on a page among others.
-    pub(crate) fn of(source: &str) -> Result<Parts, Reason> {
+    pub(crate) fn of(source: &str) -> Result<ProgramParts, Reason> {
         let source = without_marks(source);
         let mut unit_names = declared(&source, &HashSet::new()).ok_or(Reason::Shares)?;
         let mut reader = Reader::new(&source);
         let main = reader.main()?;
-        let mut parts = Parts {
+        let mut parts = ProgramParts {
             units: [&source[..main.begins], &source[main.ends..]]
                 .map(str::trim)
                 .join("\n")
@@ -239,7 +239,7 @@ mod tests {
                       f := x; END_FUNCTION\nPROGRAM main\nVAR CONSTANT\n    k : INT := 3;\nEND_VAR\nVAR\n    a, b : ARRAY[1..2] OF \
                       INT := [1, 2]; c : COLOR;\nEND_VAR\n    a[1] := f(x := b[2]);    (*! ok *)\n    c := RED;\nEND_PROGRAM\n(*! values\n\
                       a[1] = INT#2\n*)\n";
-        let parts = Parts::of(source).expect("parts");
+        let parts = ProgramParts::of(source).expect("parts");
         assert!(
             parts.units.starts_with("TYPE COLOR") && parts.units.ends_with("END_FUNCTION"),
             "{}",
@@ -282,7 +282,7 @@ mod tests {
                 Reason::Shares,
             ),
         ] {
-            assert_eq!(Parts::of(source), Err(reason), "{source}");
+            assert_eq!(ProgramParts::of(source), Err(reason), "{source}");
         }
     }
 }

@@ -133,17 +133,17 @@ struct Insertion {
 }
 
 /// A program whose names have a suffix.
-pub(super) struct Apart {
+pub(super) struct Renamed {
     /// Its text.
     pub(super) text: String,
     suffix: String,
     insertions: Vec<Insertion>,
 }
 
-impl Apart {
+impl Renamed {
     /// Writes the suffix behind every one of these names, which are in capitals.
-    pub(super) fn of(source: &str, names: &HashSet<String>, suffix: &str) -> Apart {
-        let mut apart = Apart {
+    pub(super) fn of(source: &str, names: &HashSet<String>, suffix: &str) -> Renamed {
+        let mut apart = Renamed {
             text: String::with_capacity(source.len() * 2),
             suffix: suffix.to_owned(),
             insertions: Vec::new(),
@@ -244,7 +244,7 @@ mod tests {
         let source =
             "FUNCTION f : INT (* f *)\n  f := 'f';\nEND_FUNCTION\nPROGRAM p x := F(f(y)); END_PROGRAM";
         let names = HashSet::from(["F".to_owned(), "P".to_owned()]);
-        let apart = Apart::of(source, &names, "_in_pack_7");
+        let apart = Renamed::of(source, &names, "_in_pack_7");
         assert_eq!(
             apart.text,
             "FUNCTION f_in_pack_7 : INT (* f *)\n  f_in_pack_7 := 'f';\nEND_FUNCTION\n\

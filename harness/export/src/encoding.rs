@@ -1,4 +1,4 @@
-//! How the value of each type is seen in numbers of an array of `DINT`.
+//! How the value of each type is written as numbers into an array of `DINT`, and read back from it.
 //!
 //! `DINT` is the type that every compiler has and every watch list shows. The numbers are made by comparison, addition and
 //! subtraction within the value's own type, never by a conversion: conversions are what is tested. What cannot be taken
@@ -19,36 +19,36 @@
 
 use stickler_types::{ElementaryType, Family, Value};
 
-/// The exponent that stands for what is no number.
-pub(crate) const NAN: i32 = 9999;
+/// The exponent that stands for NaN.
+pub(crate) const NAN_EXPONENT: i32 = 9999;
 /// The exponent that stands for the infinities.
-pub(crate) const INFINITE: i32 = 9998;
+pub(crate) const INFINITE_EXPONENT: i32 = 9998;
 /// What stands in place of the sign where a duration has a part that is smaller than its unit, or could not be taken apart.
-pub(crate) const REST: i32 = 2;
+pub(crate) const REST_SIGN: i32 = 2;
 
-/// How a value is seen.
+/// How a value is written into an array of results.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) enum Look {
-    /// In numbers.
+pub(crate) enum ValueEncoding {
+    /// As the numbers of its elementary type.
     Numbers(ElementaryType),
-    /// Only by comparison with what it must be.
+    /// Not at all: the page only compares it with the expected value.
     Compared,
 }
 
-impl Look {
-    /// How values of a type are seen, by its name.
-    pub(crate) fn of(type_name: &str) -> Look {
+impl ValueEncoding {
+    /// Returns the encoding for the type of this name.
+    pub(crate) fn of(type_name: &str) -> ValueEncoding {
         match ElementaryType::from_name(type_name) {
-            Some(ty) if pieces(ty) > 0 => Look::Numbers(ty),
-            _ => Look::Compared,
+            Some(ty) if pieces(ty) > 0 => ValueEncoding::Numbers(ty),
+            _ => ValueEncoding::Compared,
         }
     }
 
-    /// How many elements the numbers of a value take.
+    /// Returns how many elements of the array the numbers of a value take.
     pub(crate) fn pieces(self) -> usize {
         match self {
-            Look::Numbers(ty) => pieces(ty),
-            Look::Compared => 0,
+            ValueEncoding::Numbers(ty) => pieces(ty),
+            ValueEncoding::Compared => 0,
         }
     }
 }
@@ -66,19 +66,19 @@ fn pieces(ty: ElementaryType) -> usize {
     }
 }
 
-/// What numbers tell of a value.
+/// A value decoded from the numbers in an array of results.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) enum Seen {
-    /// This value.
+pub(crate) enum DecodedValue {
+    /// The numbers stand for this value.
     Value(Value),
-    /// A value that the numbers cannot tell.
-    Untold,
-    /// No value: the numbers are none that a page writes.
-    Nonsense,
+    /// The numbers cannot tell the value.
+    Unknown,
+    /// The numbers are none that a page writes.
+    Invalid,
 }
 
-/// The value that these numbers stand for; there are as many as [`Look::pieces`] says.
-pub(crate) fn value(ty: ElementaryType, numbers: &[i32]) -> Seen {
+/// Decodes the numbers of a value; there are as many as [`ValueEncoding::pieces`] says.
+pub(crate) fn decode(ty: ElementaryType, numbers: &[i32]) -> DecodedValue {
     let found = match ty.family() {
         Family::Real => real(ty, numbers),
         Family::Duration => return duration(ty, numbers),
@@ -87,7 +87,9 @@ pub(crate) fn value(ty: ElementaryType, numbers: &[i32]) -> Seen {
             (least..=greatest).contains(&number).then(|| ty.wrap(number))
         }),
     };
-    found.map_or(Seen::Nonsense, |raw| Seen::Value(Value::plain(ty, raw)))
+    found.map_or(DecodedValue::Invalid, |raw| {
+        DecodedValue::Value(Value::plain(ty, raw))
+    })
 }
 
 /// Numbers to the base of 2^24, the first with the sign.
@@ -108,8 +110,8 @@ fn real(ty: ElementaryType, numbers: &[i32]) -> Option<u64> {
     let digits = if ty == ElementaryType::Real { 24 } else { 53 };
     let sign = if negative { -1.0 } else { 1.0 };
     let value = match exponent {
-        NAN => f64::NAN,
-        INFINITE => sign * f64::INFINITY,
+        NAN_EXPONENT => f64::NAN,
+        INFINITE_EXPONENT => sign * f64::INFINITY,
         _ if magnitude == 0 => 0.0,
         // What the loops of a page leave has its highest bit in one place.
         -1100..=1100 if magnitude >> (digits - 1) == 1 => sign * scaled(magnitude, exponent - (digits - 1)),
@@ -137,20 +139,20 @@ fn scaled(magnitude: i128, exponent: i32) -> f64 {
     value
 }
 
-fn duration(ty: ElementaryType, numbers: &[i32]) -> Seen {
+fn duration(ty: ElementaryType, numbers: &[i32]) -> DecodedValue {
     let Some((&sign, units)) = numbers.split_first() else {
-        return Seen::Nonsense;
+        return DecodedValue::Invalid;
     };
     let sign = match sign {
-        REST => return Seen::Untold,
+        REST_SIGN => return DecodedValue::Unknown,
         -1 | 1 => i128::from(sign),
-        _ => return Seen::Nonsense,
+        _ => return DecodedValue::Invalid,
     };
     let unit = if ty == ElementaryType::Time { 1_000_000 } else { 1 };
     let nanoseconds = whole(units).map(|units| sign * units * unit);
     match nanoseconds.and_then(|number| i64::try_from(number).ok()) {
-        Some(nanoseconds) => Seen::Value(Value::plain(ty, nanoseconds.cast_unsigned())),
-        None => Seen::Nonsense,
+        Some(nanoseconds) => DecodedValue::Value(Value::plain(ty, nanoseconds.cast_unsigned())),
+        None => DecodedValue::Invalid,
     }
 }
 
@@ -160,9 +162,9 @@ mod tests {
 
     fn told(ty: &str, numbers: &[i32]) -> String {
         let ty = ElementaryType::from_name(ty).expect("a type");
-        assert_eq!(numbers.len(), Look::Numbers(ty).pieces());
-        match value(ty, numbers) {
-            Seen::Value(value) => value.to_string(),
+        assert_eq!(numbers.len(), ValueEncoding::Numbers(ty).pieces());
+        match decode(ty, numbers) {
+            DecodedValue::Value(value) => value.to_string(),
             other => format!("{other:?}"),
         }
     }
@@ -171,13 +173,13 @@ mod tests {
     fn numbers_stand_for_values() {
         for (ty, numbers, expected) in [
             ("BOOL", &[1][..], "BOOL#TRUE"),
-            ("BOOL", &[2], "Nonsense"),
+            ("BOOL", &[2], "Invalid"),
             ("SINT", &[-128], "SINT#-128"),
-            ("SINT", &[128], "Nonsense"),
+            ("SINT", &[128], "Invalid"),
             ("DINT", &[i32::MIN], "DINT#-2147483648"),
             ("WORD", &[65535], "WORD#16#FFFF"),
             ("UDINT", &[255, 0xFF_FFFF], "UDINT#4294967295"),
-            ("UDINT", &[0, 1 << 24], "Nonsense"),
+            ("UDINT", &[0, 1 << 24], "Invalid"),
             ("LINT", &[-32768, 0, 0], "LINT#-9223372036854775808"),
             ("LINT", &[-1, 0xFF_FFFF, 0xFF_FFFF], "LINT#-1"),
             (
@@ -189,9 +191,9 @@ mod tests {
             ("REAL", &[1, -(3 << 22)], "REAL#-3.0"),
             ("REAL", &[-149, 1 << 23], "REAL#1.0E-45"),
             ("REAL", &[0, 0], "REAL#0.0"),
-            ("REAL", &[0, 1], "Nonsense"),
-            ("REAL", &[NAN, 0], "REAL#NaN"),
-            ("REAL", &[INFINITE, -1], "REAL#-Infinity"),
+            ("REAL", &[0, 1], "Invalid"),
+            ("REAL", &[NAN_EXPONENT, 0], "REAL#NaN"),
+            ("REAL", &[INFINITE_EXPONENT, -1], "REAL#-Infinity"),
             (
                 "LREAL",
                 &[1023, (1 << 29) - 1, (1 << 24) - 1],
@@ -201,8 +203,8 @@ mod tests {
             ("LREAL", &[-1, -(1 << 28), 0], "LREAL#-0.5"),
             ("TIME", &[1, 0, 0, 1500], "TIME#1500ms"),
             ("TIME", &[-1, 0, 1, 0], "TIME#-16777216ms"),
-            ("TIME", &[REST, 0, 0, 0], "Untold"),
-            ("TIME", &[0, 0, 0, 0], "Nonsense"),
+            ("TIME", &[REST_SIGN, 0, 0, 0], "Unknown"),
+            ("TIME", &[0, 0, 0, 0], "Invalid"),
             (
                 "LTIME",
                 &[1, 32767, 0xFF_FFFF, 0xFF_FFFF],

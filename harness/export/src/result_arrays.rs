@@ -1,34 +1,34 @@
 //! Pasted arrays, each put to its page; and what they say of each case.
 
-use crate::look::{self, Look, Seen};
+use crate::encoding::{self, DecodedValue, ValueEncoding};
 use crate::manifest::{Manifest, PageRecord, StepRecord};
 use crate::page::{MAGIC, literal};
+use crate::page_case::expected;
 use crate::paste::Array;
-use crate::ready::expected;
 use std::collections::BTreeMap;
 use stickler_engines::{NamedValue, Outcome};
 use stickler_suite::Case;
 
 /// The elements of each page that were pasted, by the page's place in the manifest.
 #[derive(Debug, Default)]
-pub(crate) struct Gathered {
+pub(crate) struct ResultArrays {
     pages: BTreeMap<usize, BTreeMap<usize, i32>>,
 }
 
-/// What an array says of a case.
+/// What the array of a page tells about one of its cases.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) enum Told {
-    /// What the engine did, and the keys of the values that no number tells, and that are not those which must be.
+pub(crate) enum CaseResult {
+    /// What the engine did. The keys are those of values that differ from the expected ones and that no number can tell.
     Outcome(Outcome, Vec<String>),
-    /// Nothing of it was pasted.
+    /// No element of the case was pasted.
     Missing,
-    /// The page came to its end without it, or has not come to it.
+    /// The page ended without running the case, or has not reached it yet.
     NotRun,
-    /// Its elements hold what no page writes: which, and what.
+    /// Elements of the case hold what no page writes; says which, and what.
     Nonsense(String),
 }
 
-impl Gathered {
+impl ResultArrays {
     /// Takes an array.
     ///
     /// # Errors
@@ -64,9 +64,9 @@ impl Gathered {
     }
 
     /// What the array of a page says of one of its cases.
-    pub(crate) fn told(&self, at: usize, page: &PageRecord, number: usize, case: &Case) -> Told {
+    pub(crate) fn result(&self, at: usize, page: &PageRecord, number: usize, case: &Case) -> CaseResult {
         let Some(elements) = self.pages.get(&at) else {
-            return Told::Missing;
+            return CaseResult::Missing;
         };
         let mut reading = Reading {
             values: Vec::new(),
@@ -84,8 +84,8 @@ impl Gathered {
             }
         }
         match reading.contradiction {
-            Some(message) => Told::Outcome(Outcome::Error { message }, Vec::new()),
-            None => Told::Outcome(
+            Some(message) => CaseResult::Outcome(Outcome::Error { message }, Vec::new()),
+            None => CaseResult::Outcome(
                 Outcome::Executed {
                     values: reading.values,
                 },
@@ -187,15 +187,15 @@ impl Reading {
         page: &PageRecord,
         (place, step): (usize, &StepRecord),
         case: &Case,
-    ) -> Result<(), Told> {
-        let element = |index: usize| elements.get(&index).copied().ok_or(Told::Missing);
-        let strange = |index: usize, value: i32| Told::Nonsense(format!("results[{index}] is {value}"));
+    ) -> Result<(), CaseResult> {
+        let element = |index: usize| elements.get(&index).copied().ok_or(CaseResult::Missing);
+        let strange = |index: usize, value: i32| CaseResult::Nonsense(format!("results[{index}] is {value}"));
         let marker = element(step.place)?;
         let own = page
             .identity
             .saturating_add(i32::try_from(place + 1).unwrap_or(i32::MAX));
         match marker {
-            0 => return Err(Told::NotRun),
+            0 => return Err(CaseResult::NotRun),
             _ if marker != own => return Err(strange(step.place, marker)),
             _ => {}
         }
@@ -211,31 +211,31 @@ impl Reading {
             0 if !comparable => None,
             _ => return Err(strange(step.place + 1, compared)),
         };
-        let look = Look::of(&observe.type_name);
-        let numbers: Vec<i32> = (0..look.pieces())
+        let encoding = ValueEncoding::of(&observe.type_name);
+        let numbers: Vec<i32> = (0..encoding.pieces())
             .map(|piece| element(step.place + 2 + piece))
-            .collect::<Result<_, Told>>()?;
-        let seen = match look {
-            Look::Numbers(ty) => look::value(ty, &numbers),
-            Look::Compared => Seen::Untold,
+            .collect::<Result<_, CaseResult>>()?;
+        let decoded = match encoding {
+            ValueEncoding::Numbers(ty) => encoding::decode(ty, &numbers),
+            ValueEncoding::Compared => DecodedValue::Unknown,
         };
         let key = observe.key().to_string();
-        match (seen, equal, must_be) {
-            (Seen::Nonsense, ..) => {
-                return Err(Told::Nonsense(format!(
+        match (decoded, equal, must_be) {
+            (DecodedValue::Invalid, ..) => {
+                return Err(CaseResult::Nonsense(format!(
                     "results[{}] and those behind it are {numbers:?}",
                     step.place + 2
                 )));
             }
-            (Seen::Value(value), Some(equal), Some(must_be)) if equal != (value == *must_be) => {
+            (DecodedValue::Value(value), Some(equal), Some(must_be)) if equal != (value == *must_be) => {
                 let word = if equal { "equals" } else { "does not equal" };
                 self.contradiction = Some(format!(
                     "the program's own comparison says that {key} {word} {must_be}, and its numbers say that it is {value}"
                 ));
             }
-            (Seen::Value(value), ..) => self.values.push((key, value)),
-            (Seen::Untold, Some(true), Some(must_be)) => self.values.push((key, must_be.clone())),
-            (Seen::Untold, ..) => self.untold.push(key),
+            (DecodedValue::Value(value), ..) => self.values.push((key, value)),
+            (DecodedValue::Unknown, Some(true), Some(must_be)) => self.values.push((key, must_be.clone())),
+            (DecodedValue::Unknown, ..) => self.untold.push(key),
         }
         Ok(())
     }

@@ -1,27 +1,27 @@
 //! What is said of cases that cannot be judged, and of pages of which nothing was given.
 
 use crate::ANSWERS;
-use crate::gathered::Told;
 use crate::manifest::PageRecord;
+use crate::result_arrays::CaseResult;
 
 /// How many ids of cases a note names.
-const NAMED: usize = 5;
+const MAX_NAMED_CASES: usize = 5;
 
 /// The cases of a page that cannot be judged, by the reason.
 #[derive(Default)]
-pub(crate) struct Unjudged {
+pub(crate) struct UnjudgedCases {
     missing: Vec<String>,
     not_run: Vec<String>,
     nonsense: Vec<(String, String)>,
 }
 
-impl Unjudged {
+impl UnjudgedCases {
     /// Adds a case of which this is said.
-    pub(crate) fn add(&mut self, id: &str, told: Told) {
+    pub(crate) fn add(&mut self, id: &str, told: CaseResult) {
         match told {
-            Told::Missing | Told::Outcome(..) => self.missing.push(id.to_owned()),
-            Told::NotRun => self.not_run.push(id.to_owned()),
-            Told::Nonsense(what) => self.nonsense.push((id.to_owned(), what)),
+            CaseResult::Missing | CaseResult::Outcome(..) => self.missing.push(id.to_owned()),
+            CaseResult::NotRun => self.not_run.push(id.to_owned()),
+            CaseResult::Nonsense(what) => self.nonsense.push((id.to_owned(), what)),
         }
     }
 
@@ -47,11 +47,11 @@ impl Unjudged {
             let named = self
                 .not_run
                 .iter()
-                .take(NAMED)
+                .take(MAX_NAMED_CASES)
                 .cloned()
                 .collect::<Vec<_>>()
                 .join(", ");
-            let rest = self.not_run.len().saturating_sub(NAMED);
+            let rest = self.not_run.len().saturating_sub(MAX_NAMED_CASES);
             let more = if rest > 0 {
                 format!(" and {rest} more")
             } else {
@@ -83,13 +83,13 @@ fn counted(number: u64) -> String {
 
 /// The pages of which nothing was given.
 #[derive(Default)]
-pub(crate) struct Without {
+pub(crate) struct PagesWithoutResults {
     /// The first and the last number of each stretch.
     stretches: Vec<(usize, usize)>,
     cases: u64,
 }
 
-impl Without {
+impl PagesWithoutResults {
     pub(crate) fn add(&mut self, page: usize, cases: u64) {
         self.cases += cases;
         match self.stretches.last_mut() {
@@ -119,10 +119,10 @@ impl Without {
 
 /// No more notes of one kind than a person reads.
 pub(crate) fn shortened(mut notes: Vec<String>) -> Vec<String> {
-    const MOST: usize = 20;
-    if notes.len() > MOST {
-        let rest = notes.len() - MOST;
-        notes.truncate(MOST);
+    const MAX_NOTES: usize = 20;
+    if notes.len() > MAX_NOTES {
+        let rest = notes.len() - MAX_NOTES;
+        notes.truncate(MAX_NOTES);
         notes.push(format!("... and {rest} more of the kind"));
     }
     notes

@@ -6,7 +6,7 @@ mod compiled;
 mod folders;
 
 use crate::manifest::Manifest;
-use crate::{Export, ExportPlan, Imported, Reason, Source, With, export};
+use crate::{CopiedText, Export, ExportPlan, ExtraCases, Imported, Reason, export};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs;
@@ -128,7 +128,7 @@ impl Exported {
     }
 
     fn import(&self, text: &str) -> (Imported, Vec<CaseEvent>, bool) {
-        let source = Source {
+        let source = CopiedText {
             name: "copied.txt".to_owned(),
             bytes: text.as_bytes().to_vec(),
         };

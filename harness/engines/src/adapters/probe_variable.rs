@@ -1,0 +1,143 @@
+//! Variables that an adapter adds to a program, so that a compiler shows what it would not show otherwise.
+
+use super::source::MainProgram;
+use crate::{Observation, Outcome, RunRequest};
+use std::fmt::Write;
+use stickler_types::ElementaryType;
+
+/// A variable that is added to a program and takes the value of an expression at the end of its main program.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct ProbeVariable {
+    /// Its name, which no program has: see [`ProbeVariable::name`].
+    pub(super) name: String,
+    /// Its type, as it is declared.
+    pub(super) type_name: String,
+    /// The expression whose value it takes.
+    pub(super) expression: String,
+}
+
+impl ProbeVariable {
+    /// Returns the name of the probe variable of this number.
+    pub(super) fn name(number: usize) -> String {
+        format!("stickler_probe_{number}")
+    }
+}
+
+/// Translates a program with its probe variables. Where the compiler does not accept those, the program is translated without
+/// them, to tell whether it is accepted itself.
+///
+/// # Errors
+/// What `translate` says of the program without probe variables; [`Outcome::Unsupported`] where it accepts that, and the probe
+/// variables would show nothing or are not accepted.
+pub(super) fn translate_with<T>(
+    request: &RunRequest<'_>,
+    main: &MainProgram,
+    probes: &[ProbeVariable],
+    mut translate: impl FnMut(&str) -> Result<T, Outcome>,
+) -> Result<T, Outcome> {
+    if probes.is_empty() {
+        return translate(request.source);
+    }
+    let reason = if main.returns {
+        "a program that may return early shows only its simple variables".to_owned()
+    } else if request.scans == 0 {
+        "before the first scan only simple variables are shown".to_owned()
+    } else {
+        match translate(&with_probes(request.source, main, probes)) {
+            Ok(translated) => return Ok(translated),
+            Err(outcome) => format!("with copies of its values: {outcome}"),
+        }
+    };
+    translate(request.source)?;
+    Err(Outcome::Unsupported { reason })
+}
+
+/// Adds probe variables to a program. Each line keeps its number: the declarations stand behind the program's
+/// name, the assignments before its `END_PROGRAM`.
+pub(super) fn with_probes(source: &str, main: &MainProgram, probes: &[ProbeVariable]) -> String {
+    let mut text = source[..main.inside.start].to_owned();
+    text.push_str(" VAR");
+    for probe in probes {
+        // Writing into a String does not fail.
+        let _ = write!(text, " {} : {};", probe.name, probe.type_name);
+    }
+    text.push_str(" END_VAR");
+    text.push_str(&source[main.inside.clone()]);
+    for probe in probes {
+        let _ = write!(text, "{} := {}; ", probe.name, probe.expression);
+    }
+    text.push_str(&source[main.inside.end..]);
+    text
+}
+
+/// The probe variables of a request: one for each observed value that is no variable of its own, such as an element, a field or
+/// an output of a function block.
+pub(super) struct ProbeVariables {
+    list: Vec<ProbeVariable>,
+}
+
+impl ProbeVariables {
+    /// Makes a probe variable for each observed path of a request, in the order in which they are observed.
+    pub(super) fn of(request: &RunRequest<'_>) -> ProbeVariables {
+        let mut probes = ProbeVariables { list: Vec::new() };
+        for asked in request.observe {
+            if is_path(&asked.name) && probes.copy(&asked.name).is_none() {
+                let ty = ElementaryType::from_name(&asked.type_name);
+                probes.list.push(ProbeVariable {
+                    name: ProbeVariable::name(probes.list.len()),
+                    type_name: ty.map_or(&*asked.type_name, |ty| ty.name()).to_owned(),
+                    expression: asked.name.to_string(),
+                });
+            }
+        }
+        probes
+    }
+
+    /// Returns the variables to add to the program.
+    pub(super) fn list(&self) -> &[ProbeVariable] {
+        &self.list
+    }
+
+    /// Returns the name of the variable that shows an observed value.
+    pub(super) fn variable<'v>(&'v self, asked: &'v Observation) -> &'v str {
+        self.copy(&asked.name).unwrap_or(&asked.name)
+    }
+
+    fn copy(&self, path: &str) -> Option<&str> {
+        let found = self.list.iter().find(|probe| probe.expression == path);
+        found.map(|probe| probe.name.as_str())
+    }
+}
+
+/// Tells whether a name is a path to a part of a variable.
+fn is_path(name: &str) -> bool {
+    name.contains(['.', '['])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::source::main_program;
+    use super::*;
+
+    #[test]
+    fn probe_variables_move_no_line() {
+        let source = "PROGRAM main\nVAR\n  a : ARRAY[1..2] OF INT;\nEND_VAR\n  a[1] := 7;\nEND_PROGRAM\n";
+        let probe = |number: usize, expression: &str| ProbeVariable {
+            name: ProbeVariable::name(number),
+            type_name: "INT".to_owned(),
+            expression: expression.to_owned(),
+        };
+        let text = with_probes(
+            source,
+            &main_program(source).unwrap(),
+            &[probe(0, "a[1]"), probe(1, "a[2]")],
+        );
+        assert_eq!(
+            text,
+            "PROGRAM main VAR stickler_probe_0 : INT; stickler_probe_1 : INT; END_VAR\n\
+             VAR\n  a : ARRAY[1..2] OF INT;\nEND_VAR\n  a[1] := 7;\n\
+             stickler_probe_0 := a[1]; stickler_probe_1 := a[2]; END_PROGRAM\n"
+        );
+        assert_eq!(text.lines().count(), source.lines().count());
+    }
+}
