@@ -1,6 +1,6 @@
 //! Bytes that may be no text.
 
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostics, SpannedDiagnostic};
 use crate::source::{Span, saturating_u32};
 use std::borrow::Cow;
 use stickler_types::Code;
@@ -14,7 +14,7 @@ pub(crate) const NO_TEXT: &str = "bytes that are no UTF-8 text";
 /// Gives the text, borrowed where nothing had to be replaced, and a P0003 for each such place, whose span
 /// is that of the replacement characters in the text.
 #[must_use]
-pub fn decode(bytes: &[u8]) -> (Cow<'_, str>, Vec<Diagnostic>) {
+pub fn decode(bytes: &[u8]) -> (Cow<'_, str>, Vec<SpannedDiagnostic>) {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     if let Ok(text) = std::str::from_utf8(bytes) {
         return (Cow::Borrowed(text), Vec::new());

@@ -5,7 +5,7 @@ use stickler_types::Code;
 
 /// An error in a source text.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Diagnostic {
+pub struct SpannedDiagnostic {
     /// The kind of error.
     pub code: Code,
     /// The place: the value's span for a type error.
@@ -16,10 +16,10 @@ pub struct Diagnostic {
     pub suggestion: Option<String>,
 }
 
-impl Diagnostic {
-    /// A diagnostic without a suggestion.
-    pub fn new(code: Code, span: Span, message: impl Into<String>) -> Diagnostic {
-        Diagnostic {
+impl SpannedDiagnostic {
+    /// Makes a diagnostic without a suggestion.
+    pub fn new(code: Code, span: Span, message: impl Into<String>) -> SpannedDiagnostic {
+        SpannedDiagnostic {
             code,
             span,
             message: message.into(),
@@ -31,7 +31,7 @@ impl Diagnostic {
 /// A list of diagnostics that stays bounded, whatever the input is.
 #[derive(Default, Debug)]
 pub(crate) struct Diagnostics {
-    list: Vec<Diagnostic>,
+    list: Vec<SpannedDiagnostic>,
 }
 
 impl Diagnostics {
@@ -41,13 +41,13 @@ impl Diagnostics {
     /// Adds a diagnostic; when the list is full, a last S0002 says so, and what follows is left out.
     pub(crate) fn report(&mut self, code: Code, span: Span, message: impl FnOnce() -> String) {
         match self.list.len() {
-            length if length < Self::MAX => self.list.push(Diagnostic::new(code, span, message())),
+            length if length < Self::MAX => self.list.push(SpannedDiagnostic::new(code, span, message())),
             _ => self.overflow(span),
         }
     }
 
     /// Adds a diagnostic that is already made.
-    pub(crate) fn push(&mut self, diagnostic: Diagnostic) {
+    pub(crate) fn push(&mut self, diagnostic: SpannedDiagnostic) {
         match self.list.len() {
             length if length < Self::MAX => self.list.push(diagnostic),
             _ => self.overflow(diagnostic.span),
@@ -58,7 +58,7 @@ impl Diagnostics {
         if self.list.len() == Self::MAX {
             let message = format!("more than {} errors; the rest is left out", Self::MAX);
             self.list
-                .push(Diagnostic::new(Code::LimitExceeded, span, message));
+                .push(SpannedDiagnostic::new(Code::LimitExceeded, span, message));
         }
     }
 
@@ -68,7 +68,7 @@ impl Diagnostics {
     }
 
     /// Returns the diagnostics in the order of the text.
-    pub(crate) fn into_list(mut self) -> Vec<Diagnostic> {
+    pub(crate) fn into_list(mut self) -> Vec<SpannedDiagnostic> {
         self.list.sort_by_key(|diagnostic| diagnostic.span.start);
         self.list
     }

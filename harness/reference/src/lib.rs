@@ -10,8 +10,8 @@
 //!
 //! [`conversion`] holds every rule about values that change their type: [`implicit`](conversion::implicit) and the
 //! catalogue of conversion [functions](conversion::function). [`Dialect`] is the one place where a dialect's name
-//! becomes behaviour. Errors are [`Diagnostic`](diagnostic::Diagnostic)s, with [`Span`](source::Span)s of bytes;
-//! [`check`] and [`run`] give lines and columns instead.
+//! becomes behaviour. Errors are [`SpannedDiagnostic`](diagnostic::SpannedDiagnostic)s, with [`Span`](source::Span)s of bytes;
+//! [`check`] and [`run`] give them with lines and columns instead.
 //!
 //! [`check`], [`run`] and [`render`] take these steps in order:
 //!

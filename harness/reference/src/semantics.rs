@@ -39,6 +39,7 @@ mod named_constants;
 mod observation;
 mod operators;
 mod order;
+mod parameters;
 mod places;
 mod recursion;
 mod reporter;

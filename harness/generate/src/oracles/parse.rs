@@ -4,7 +4,7 @@ use super::spans::{check_spans, is_inside};
 use super::words::{census, missing};
 use super::{InputOutcome, OracleFailure};
 use stickler_reference::decoding::decode;
-use stickler_reference::diagnostic::Diagnostic;
+use stickler_reference::diagnostic::SpannedDiagnostic;
 use stickler_reference::dialect::Dialect;
 use stickler_reference::semantics;
 use stickler_reference::source::LineIndex;
@@ -57,7 +57,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     Ok(InputOutcome::Checked)
 }
 
-fn check_text(text: &str, broken: &[Diagnostic], dialect: &Dialect) -> Result<(), OracleFailure> {
+fn check_text(text: &str, broken: &[SpannedDiagnostic], dialect: &Dialect) -> Result<(), OracleFailure> {
     let (unit, diagnostics) = parse(text, dialect);
     let (_, found) = semantics::check(&unit, text, &LineIndex::new(text), dialect);
     let all = || broken.iter().chain(&diagnostics).chain(&found);
@@ -70,7 +70,7 @@ fn check_text(text: &str, broken: &[Diagnostic], dialect: &Dialect) -> Result<()
         return Err(OracleFailure::new("size", said));
     }
     // Syntax that the dialect does not enable is not rendered either.
-    let refused = |said: &Diagnostic| said.code.not_enabled();
+    let refused = |said: &SpannedDiagnostic| said.code.not_enabled();
     if !diagnostics.is_empty() || !broken.is_empty() || found.iter().any(refused) {
         return Ok(());
     }
@@ -81,7 +81,7 @@ fn check_rendering(
     unit: &SourceUnit<'_>,
     text: &str,
     rendered: &str,
-    found: &[Diagnostic],
+    found: &[SpannedDiagnostic],
     dialect: &Dialect,
 ) -> Result<(), OracleFailure> {
     let failed =
@@ -96,7 +96,7 @@ fn check_rendering(
         );
     }
     let (again, complaints) = parse(rendered, dialect);
-    if let Some(Diagnostic { code, message, .. }) = complaints.first() {
+    if let Some(SpannedDiagnostic { code, message, .. }) = complaints.first() {
         let said = format!("the rendering is rejected with {}, {message}:", code.as_str());
         return failed(&format!("rendering:{}", code.as_str()), said);
     }
@@ -124,14 +124,14 @@ fn check_rendering(
 }
 
 /// Returns the codes of diagnostics without their places, which differ.
-fn codes(found: &[Diagnostic]) -> Vec<&'static str> {
+fn codes(found: &[SpannedDiagnostic]) -> Vec<&'static str> {
     let mut codes: Vec<_> = found.iter().map(|said| said.code.as_str()).collect();
     codes.sort_unstable();
     codes
 }
 
-fn check_diagnostic(diagnostic: &Diagnostic, text: &str) -> Result<(), OracleFailure> {
-    let Diagnostic {
+fn check_diagnostic(diagnostic: &SpannedDiagnostic, text: &str) -> Result<(), OracleFailure> {
+    let SpannedDiagnostic {
         code, span, message, ..
     } = diagnostic;
     if !is_inside(*span, text) {

@@ -2,7 +2,7 @@
 
 use super::located::locate;
 use crate::decoding::decode;
-use crate::diagnostic::Diagnostic as SpannedDiagnostic;
+use crate::diagnostic::SpannedDiagnostic;
 use crate::dialect::Dialect;
 use crate::semantics::{self, CheckedProgram};
 use crate::source::LineIndex;

@@ -3,7 +3,7 @@
 //! Basis: stickler-design: §4 (order, positions; a code that says a construct is not enabled suppresses every
 //! other diagnostic about that construct).
 
-use crate::diagnostic::Diagnostic as SpannedDiagnostic;
+use crate::diagnostic::SpannedDiagnostic;
 use crate::source::{LineIndex, Span};
 use stickler_types::Diagnostic;
 
@@ -23,7 +23,7 @@ pub(super) fn locate(
     located
 }
 
-/// What diagnostics are sorted by.
+/// Returns the key that diagnostics are sorted by.
 type Order<'a> = (
     Option<u32>,
     Option<u32>,

@@ -1,6 +1,6 @@
-//! What a run may take, and what keeps a request from being answered.
+//! The limits of a run, and the errors of a request.
 
-/// What a run may take.
+/// The limits of a run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Limits {
     /// The steps of the whole run, its start included; a step is an instruction of the stack machine, of which
@@ -22,14 +22,14 @@ pub enum RequestError {
     UnknownName {
         /// The name.
         name: String,
-        /// What is wrong with it.
+        /// The reason why it names none.
         reason: String,
     },
     /// A value to set is not of the variable's type.
     WrongType {
         /// The variable.
         name: String,
-        /// Its type.
+        /// The type of the variable.
         expected: String,
         /// The value as it was given.
         value: String,

@@ -5,8 +5,8 @@
 
 use super::lowering::Lowering;
 use super::model::PouEntry;
-use super::standard::mixed;
-use crate::diagnostic::Diagnostic;
+use super::parameters::mixed;
+use crate::diagnostic::SpannedDiagnostic;
 use crate::source::Span;
 use crate::syntax::tree::{Argument, CaseFolded, ExpressionId, Name, VariableKind};
 use rustc_hash::FxHashSet;
@@ -70,7 +70,7 @@ impl<'m> Lowering<'m> {
                 "`{name}` takes {needed} arguments by position, not {}",
                 positional.len()
             );
-            self.refuse(Diagnostic::new(code, call, message), arguments);
+            self.refuse(SpannedDiagnostic::new(code, call, message), arguments);
             return None;
         }
         let mut bound = BoundArguments::default();

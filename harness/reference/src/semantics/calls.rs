@@ -6,7 +6,7 @@ use super::model::TopLevelName;
 use super::standard::standard_function;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::SpannedDiagnostic;
 use crate::instruction::{Instruction, StandardFunction};
 use crate::syntax::tree::{Argument, CaseFolded, ExpressionId, ExpressionKind, Name, PouKind};
 use stickler_types::{Code, ElementaryType};
@@ -97,7 +97,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// The type of a call by itself.
+    /// Infers the type of a call by itself.
     pub(super) fn infer_call(&mut self, callee: ExpressionId, arguments: &'m [Argument<'m>]) -> Inferred {
         match self.callee(callee) {
             Callee::Block(_) => Inferred::Nothing,
@@ -139,7 +139,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// A call as a statement: what it gives is dropped.
+    /// Lowers a call as a statement: what it gives is dropped.
     pub(super) fn call_statement(&mut self, id: ExpressionId) {
         let ExpressionKind::Call { callee, arguments } = &self.expression(id).kind else {
             self.value(id, None);
@@ -181,7 +181,7 @@ impl<'m> Lowering<'m> {
     }
 
     /// Says what is wrong with the arguments as a whole, and what is wrong inside them.
-    pub(super) fn refuse(&mut self, reason: Diagnostic, arguments: &[Argument<'_>]) -> LoweredValue {
+    pub(super) fn refuse(&mut self, reason: SpannedDiagnostic, arguments: &[Argument<'_>]) -> LoweredValue {
         self.reporter.push(reason);
         self.lower_arguments(arguments);
         LoweredValue::ERROR

@@ -153,7 +153,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The integer type in which an operation on two constants is done right here. A power with a negative exponent
+/// Returns the integer type in which an operation on two constants is done right here. A power with a negative exponent
 /// is left to the machine.
 fn folds(action: Action, right: i128) -> Option<ElementaryType> {
     match action {

@@ -5,7 +5,7 @@ use super::lowering::Lowering;
 use super::model::{Model, SourceText};
 use super::observation::{CheckedProgram, VariableTable};
 use super::reporter::Reporter;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::SpannedDiagnostic;
 use crate::dialect::Dialect;
 use crate::instruction::MachineProgram;
 use crate::source::LineIndex;
@@ -21,7 +21,7 @@ pub fn check(
     text: &str,
     lines: &LineIndex,
     dialect: &Dialect,
-) -> (Option<CheckedProgram>, Vec<Diagnostic>) {
+) -> (Option<CheckedProgram>, Vec<SpannedDiagnostic>) {
     let mut reporter = Reporter::default();
     let source = SourceText {
         unit,

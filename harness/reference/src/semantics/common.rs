@@ -10,7 +10,7 @@ use crate::conversion::implicit;
 use crate::dialect::Dialect;
 use stickler_types::ElementaryType;
 
-/// The rules that decide: the table of types and the dialect.
+/// The rules of types in a text: the table of types and the dialect.
 #[derive(Clone, Copy)]
 pub(super) struct TypeRules<'a> {
     pub(super) types: &'a TypeTable,
@@ -28,7 +28,7 @@ impl TypeRules<'_> {
         }
     }
 
-    /// The type that both operands take: the one's, if the other converts to it.
+    /// Returns the type that both operands take: the one's, if the other converts to it.
     pub(super) fn common(self, left: Inferred, right: Inferred) -> Option<TypeId> {
         match (left, right) {
             (Inferred::Known(left), Inferred::Known(right)) => self.common_of_known(left, right),
@@ -49,7 +49,7 @@ impl TypeRules<'_> {
         }
     }
 
-    /// The type that several values, none of which is an error, have in common: the one of theirs to which the
+    /// Returns the type that several values, none of which is an error, have in common: the one of theirs to which the
     /// others convert. What does not go with the others is left out of account, and is to be found by
     /// [`Self::goes_with`]; untyped values that do not go together give an error.
     pub(super) fn common_of_all(self, values: &[Inferred]) -> Inferred {
@@ -123,7 +123,7 @@ impl TypeRules<'_> {
     }
 }
 
-/// The type that an untyped expression takes: the one that is wanted, where such an expression can have it, and
+/// Returns the type that an untyped expression takes: the one that is wanted, where such an expression can have it, and
 /// else the default.
 pub(super) fn settle(untyped: Inferred, wanted: Option<TypeId>) -> Option<ElementaryType> {
     let wanted = wanted.and_then(TypeId::elementary);

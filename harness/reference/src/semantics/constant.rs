@@ -1,6 +1,6 @@
 //! The values of constants, and what names mean in constant expressions.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::SpannedDiagnostic;
 use crate::syntax::tree::Name;
 use std::sync::Arc;
 use stickler_types::{Code, ElementaryType};
@@ -65,7 +65,7 @@ impl Constant {
     }
 
     /// Returns why `name`, which means this, stands for no integer; `None` where that has been reported.
-    pub(super) fn refusal(&self, name: Name<'_>) -> Option<Diagnostic> {
+    pub(super) fn refusal(&self, name: Name<'_>) -> Option<SpannedDiagnostic> {
         let (code, message) = match self {
             Constant::Silent => return None,
             Constant::Variable => (
@@ -79,7 +79,7 @@ impl Constant {
             Constant::Missing => (Code::ConstantMissingInitializer, "is a constant without a value"),
             Constant::Unknown => (Code::UndefinedConstantReference, "is not declared"),
         };
-        Some(Diagnostic::new(
+        Some(SpannedDiagnostic::new(
             code,
             name.span,
             format!("`{}` {message}", name.text),

@@ -11,7 +11,7 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::types::TypeId;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::SpannedDiagnostic;
 use crate::source::Span;
 use crate::syntax::tree::{
     Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Name, UnaryOperator,
@@ -39,7 +39,7 @@ impl<'m> Lowering<'m> {
             match combine(operator, value, right) {
                 Ok(result) => value = result,
                 Err((code, message)) => {
-                    return self.no_number(Diagnostic::new(code, self.span(node), message));
+                    return self.no_number(SpannedDiagnostic::new(code, self.span(node), message));
                 }
             }
         }
@@ -103,7 +103,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn no_number(&mut self, reason: Diagnostic) -> Option<i128> {
+    fn no_number(&mut self, reason: SpannedDiagnostic) -> Option<i128> {
         self.reporter.push(reason);
         None
     }
@@ -152,7 +152,7 @@ impl<'m> Lowering<'m> {
     /// Returns all parts of an expression, itself the first, if they are literals, constants whose values are known,
     /// operators and calls of conversion functions. Otherwise returns what is wrong, or nothing where that has been
     /// reported.
-    fn constant_parts(&mut self, id: ExpressionId) -> Result<Vec<ExpressionId>, Option<Diagnostic>> {
+    fn constant_parts(&mut self, id: ExpressionId) -> Result<Vec<ExpressionId>, Option<SpannedDiagnostic>> {
         let (mut parts, mut waiting) = (Vec::new(), vec![id]);
         while let Some(id) = waiting.pop() {
             parts.push(id);
@@ -183,14 +183,14 @@ impl<'m> Lowering<'m> {
     }
 
     /// Refuses what is no conversion function: one that nobody declared, or one that computes only as the program runs.
-    fn constant_callee(&mut self, callee: ExpressionId, call: Span) -> Result<(), Option<Diagnostic>> {
+    fn constant_callee(&mut self, callee: ExpressionId, call: Span) -> Result<(), Option<SpannedDiagnostic>> {
         match self.callee(callee) {
             Callee::Conversion(_) | Callee::Concatenation(_) => Ok(()),
             Callee::Nothing(code @ Code::FunctionCallUndeclared, reason) => {
                 let name = self.model.source.text_of(callee);
                 let hint = self.similar_function(name);
                 let message = format!("`{name}` {reason}{hint}");
-                Err(Some(Diagnostic::new(code, self.span(callee), message)))
+                Err(Some(SpannedDiagnostic::new(code, self.span(callee), message)))
             }
             _ => Err(Some(not_constant(call))),
         }
@@ -207,25 +207,25 @@ const fn is_computed(code: Code) -> bool {
     matches!(code, Code::VariableMustBeConst | Code::ConstantNotIntegerType)
 }
 
-fn not_constant(span: Span) -> Diagnostic {
+fn not_constant(span: Span) -> SpannedDiagnostic {
     let message = "only literals, constants, operators and conversion functions may stand here";
-    Diagnostic::new(Code::VariableMustBeConst, span, message)
+    SpannedDiagnostic::new(Code::VariableMustBeConst, span, message)
 }
 
-fn not_folded(span: Span) -> Diagnostic {
+fn not_folded(span: Span) -> SpannedDiagnostic {
     let message = "in a constant expression operators compute with integers only, which must fit their types";
-    Diagnostic::new(Code::VariableMustBeConst, span, message)
+    SpannedDiagnostic::new(Code::VariableMustBeConst, span, message)
 }
 
-fn no_integer(span: Span) -> Diagnostic {
-    Diagnostic::new(Code::ConstantNotIntegerType, span, "an integer is needed here")
+fn no_integer(span: Span) -> SpannedDiagnostic {
+    SpannedDiagnostic::new(Code::ConstantNotIntegerType, span, "an integer is needed here")
 }
 
-fn too_large(span: Span) -> Diagnostic {
-    Diagnostic::new(Code::ConstantOverflow, span, "the number is too large")
+fn too_large(span: Span) -> SpannedDiagnostic {
+    SpannedDiagnostic::new(Code::ConstantOverflow, span, "the number is too large")
 }
 
-/// The exact result of an operator.
+/// Returns the exact result of an operator.
 pub(super) fn combine(
     operator: BinaryOperator,
     left: i128,

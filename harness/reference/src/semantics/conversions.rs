@@ -4,13 +4,12 @@ use super::calls::Callee;
 use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
-use super::standard::{ParameterList, mixed, ordered_by};
+use super::parameters::{ParameterList, single_argument};
 use super::types::TypeId;
 use crate::conversion::{Concatenation, ConversionFunction, PARAMETERS, Parameter, ResultType};
-use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind};
-use stickler_types::{Code, ElementaryType};
+use stickler_types::ElementaryType;
 
 impl Lowering<'_> {
     /// The type of most results depends on nothing else, so it is known whatever is wrong with the argument.
@@ -26,7 +25,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The type, among those that it may have, that the result of a conversion function takes from its target.
+    /// Returns the type, among those that it may have, that the result of a conversion function takes from its target.
     ///
     /// Basis: stickler-design: §8 (the result of BCD_TO_INT and INT_TO_BCD takes the type of its target).
     pub(super) fn flexible_result(&mut self, id: ExpressionId, target: TypeId) -> Option<ElementaryType> {
@@ -44,7 +43,7 @@ impl Lowering<'_> {
         Some(conversion.result_type(argument, target.elementary()))
     }
 
-    /// The type that the one argument of a conversion function has or takes; `None` where it does not fit.
+    /// Returns the type that the one argument of a conversion function has or takes; `None` where it does not fit.
     fn converted(
         &mut self,
         conversion: &ConversionFunction,
@@ -111,9 +110,9 @@ impl Lowering<'_> {
         concatenation: Concatenation,
         arguments: &[Argument<'_>],
     ) -> LoweredValue {
-        const SIGNATURE: ParameterList = ParameterList::exactly(&PARAMETERS);
+        const LIST: ParameterList = ParameterList::exactly(&PARAMETERS);
         let result = LoweredValue::of(concatenation.result);
-        let values = match ordered_by(&SIGNATURE, arguments, span) {
+        let values = match LIST.ordered(arguments, span) {
             Ok(values) => values,
             Err(reason) => {
                 self.refuse(reason, arguments);
@@ -128,7 +127,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The type that the argument of a conversion function has or takes; `None` where it does not fit.
+/// Returns the type that the argument of a conversion function has or takes; `None` where it does not fit.
 pub(super) fn parameter_type(conversion: &ConversionFunction, argument: Inferred) -> Option<ElementaryType> {
     let Parameter::AnyOf { allowed, default } = conversion.parameter else {
         return Some(conversion.parameter.expected());
@@ -145,30 +144,5 @@ pub(super) fn parameter_type(conversion: &ConversionFunction, argument: Inferred
             Some(super::literals::text_type(wide)).filter(|ty| allowed.contains(ty))
         }
         Inferred::Nothing | Inferred::Enumerated | Inferred::Error | Inferred::Pending => None,
-    }
-}
-
-/// The one argument of a conversion function, by position or as `IN`.
-pub(super) fn single_argument(arguments: &[Argument<'_>], call: Span) -> Result<ExpressionId, Diagnostic> {
-    match arguments {
-        [Argument::Positional(value)] => Ok(*value),
-        [Argument::Named { name, value }] if name.text.eq_ignore_ascii_case("IN") => Ok(*value),
-        [Argument::Named { name, .. } | Argument::Output { name, .. }] => Err(Diagnostic::new(
-            Code::FunctionCallNamedArgUndeclared,
-            name.span,
-            format!(
-                "the function has no parameter `{}` here; its only one is IN",
-                name.text
-            ),
-        )),
-        _ if arguments.iter().any(|one| matches!(one, Argument::Positional(_)))
-            && arguments.iter().any(|one| matches!(one, Argument::Named { .. })) =>
-        {
-            Err(mixed(call))
-        }
-        _ => {
-            let message = format!("the function takes 1 argument, not {}", arguments.len());
-            Err(Diagnostic::new(Code::FunctionCallWrongArgCount, call, message))
-        }
     }
 }

@@ -326,12 +326,12 @@ impl<'m> Lowering<'m> {
     }
 }
 
-/// The raw form of a real number with the opposite sign.
+/// Returns the raw form of a real number with the opposite sign.
 pub(super) const fn opposite(ty: ElementaryType, raw: u64) -> u64 {
     raw ^ 1 << (ty.bits() - 1)
 }
 
-/// The raw form of a number that a type holds.
+/// Returns the raw form of a number that a type holds.
 pub(super) fn fitting(ty: ElementaryType, number: Option<i128>) -> Option<u64> {
     let (low, high) = ty.integer_range()?;
     number

@@ -10,7 +10,7 @@ use crate::syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, UnaryO
 use stickler_types::ElementaryType;
 
 impl<'m> Lowering<'m> {
-    /// The type of an expression by itself. The left spine of a chain of operators is walked without
+    /// Infers the type of an expression by itself. The left spine of a chain of operators is walked without
     /// recursion.
     pub(super) fn infer(&mut self, id: ExpressionId) -> Inferred {
         let mut spine = Vec::new();
@@ -60,7 +60,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// The type of a value of a declared type.
+    /// Returns the type of a value of a declared type.
     pub(super) fn inferred_of(&self, declared: TypeId) -> Inferred {
         match self.model.types.value_type(declared) {
             TypeId::ERROR => Inferred::Error,
@@ -82,7 +82,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// The enumerated value of a name: one that is declared with a variable of the POU, or else of a type.
+    /// Finds the enumerated value of a name: one that is declared with a variable of the POU, or else of a type.
     pub(super) fn enumerated_name(&self, name: &str) -> Option<EnumeratedName> {
         let local = self
             .entry()
@@ -92,7 +92,7 @@ impl<'m> Lowering<'m> {
             .copied()
     }
 
-    /// The type that a name declares; of the third edition's, the one that the text declares wins.
+    /// Returns the type that a name declares; of the third edition's, the one that the text declares wins.
     pub(super) fn declared_type(&self, name: &str) -> Option<TypeId> {
         match self.model.definitions.get(&CaseFolded(name)) {
             Some(&TopLevelName::Type(index)) => self.model.declared_types.get(index as usize).copied(),

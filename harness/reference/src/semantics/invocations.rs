@@ -11,7 +11,7 @@ use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
 use super::model::{DeclaredVariable, Storage};
 use super::types::TypeId;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::SpannedDiagnostic;
 use crate::instruction::Instruction;
 use crate::source::Span;
 use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, VariableKind};
@@ -235,8 +235,11 @@ impl<'m> Lowering<'m> {
                 types.name(from),
                 types.name(to)
             );
-            self.reporter
-                .push(Diagnostic::new(ValueContext::Capture.code(), span, message));
+            self.reporter.push(SpannedDiagnostic::new(
+                ValueContext::Capture.code(),
+                span,
+                message,
+            ));
             return false;
         }
         if self.is_aggregate(output.ty) {

@@ -7,7 +7,7 @@ use super::common::settle;
 use super::inferred::{Inferred, Magnitude};
 use super::lowering::{LoweredValue, Lowering};
 use super::types::TypeId;
-use crate::diagnostic::{Diagnostic, quoted};
+use crate::diagnostic::{SpannedDiagnostic, quoted};
 use crate::dialect::Dialect;
 use crate::instruction::Instruction;
 use crate::source::Span;
@@ -32,7 +32,7 @@ pub(super) enum LiteralValue {
 }
 
 impl<'m> Lowering<'m> {
-    /// The type of a literal by itself.
+    /// Infers the type of a literal by itself.
     pub(super) fn infer_literal(&self, literal: &Literal<'_>, negative: bool) -> Inferred {
         inferred_literal(literal, negative, self.model.source.dialect)
     }
@@ -63,7 +63,7 @@ impl<'m> Lowering<'m> {
     }
 }
 
-/// The type of a literal by itself.
+/// Infers the type of a literal by itself.
 pub(super) fn inferred_literal(literal: &Literal<'_>, negative: bool, dialect: &Dialect) -> Inferred {
     if let Some(prefix) = literal.prefix() {
         let ty = ElementaryType::from_literal_prefix(prefix.text);
@@ -88,23 +88,27 @@ pub(super) fn inferred_literal(literal: &Literal<'_>, negative: bool, dialect: &
     }
 }
 
-/// The type that a literal has, or takes where another is wanted.
+/// Returns the type that a literal has, or takes where another is wanted.
 pub(super) fn literal_type(
     signed: Signed<'_>,
     wanted: Option<ElementaryType>,
     dialect: &Dialect,
-) -> Result<ElementaryType, Diagnostic> {
+) -> Result<ElementaryType, SpannedDiagnostic> {
     let literal = signed.literal;
     if let Some(prefix) = literal.prefix() {
         return match ElementaryType::from_literal_prefix(prefix.text) {
             Some(ty) if dialect.has(ty) => Ok(ty),
             Some(ty) => {
                 let message = format!("{} is a type of the third edition", ty.name());
-                Err(Diagnostic::new(Code::Std2013Feature, signed.span, message))
+                Err(SpannedDiagnostic::new(Code::Std2013Feature, signed.span, message))
             }
             None => {
                 let message = format!("`{}` is no type of a literal", prefix.text);
-                Err(Diagnostic::new(Code::UndeclaredUnknownType, prefix.span, message))
+                Err(SpannedDiagnostic::new(
+                    Code::UndeclaredUnknownType,
+                    prefix.span,
+                    message,
+                ))
             }
         };
     }
@@ -120,12 +124,12 @@ pub(super) fn literal_type(
     })
 }
 
-/// The value of a literal in its type, or why it has none; `text` is the source text.
+/// Reads the value of a literal in its type; `text` is the source text.
 pub(super) fn read_literal(
     signed: Signed<'_>,
     ty: ElementaryType,
     text: &str,
-) -> Result<LiteralValue, Diagnostic> {
+) -> Result<LiteralValue, SpannedDiagnostic> {
     match ty.family() {
         _ if counts(ty) => integer_literal(signed, ty, text).map(LiteralValue::Plain),
         Family::Text | Family::Character => quoted_literal(signed, ty, text),
@@ -143,7 +147,7 @@ fn counts(ty: ElementaryType) -> bool {
     )
 }
 
-fn integer_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<u64, Diagnostic> {
+fn integer_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<u64, SpannedDiagnostic> {
     let literal = signed.literal;
     let value = match literal.kind {
         LiteralKind::Boolean => Ok(i128::from(literal.text().eq_ignore_ascii_case("TRUE"))),
@@ -161,16 +165,24 @@ fn integer_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result
     }
     let written = quoted(signed.span.text(text));
     let message = format!("{written} does not fit {} ({low}..{high})", ty.name());
-    Err(Diagnostic::new(Code::ConstantOverflow, signed.span, message))
+    Err(SpannedDiagnostic::new(
+        Code::ConstantOverflow,
+        signed.span,
+        message,
+    ))
 }
 
-fn quoted_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<LiteralValue, Diagnostic> {
+fn quoted_literal(
+    signed: Signed<'_>,
+    ty: ElementaryType,
+    text: &str,
+) -> Result<LiteralValue, SpannedDiagnostic> {
     let literal = signed.literal;
     let wide = matches!(ty, ElementaryType::Wstring | ElementaryType::Wchar);
     if wide != (literal.kind == LiteralKind::DoubleByteText) {
         let quotes = if wide { "double" } else { "single" };
         let message = format!("a literal of {} stands in {quotes} quotes", ty.name());
-        return Err(Diagnostic::new(
+        return Err(SpannedDiagnostic::new(
             Code::StringEncodingMismatch,
             signed.span,
             message,
@@ -182,7 +194,11 @@ fn quoted_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<
             [unit] => Ok(LiteralValue::Plain(unit.into())),
             _ => {
                 let message = format!("a {} is one character, not {}", ty.name(), units.len());
-                Err(Diagnostic::new(Code::ConstantOverflow, signed.span, message))
+                Err(SpannedDiagnostic::new(
+                    Code::ConstantOverflow,
+                    signed.span,
+                    message,
+                ))
             }
         },
         Err(error) => Err(misread(signed, ty, text, error)),
@@ -191,7 +207,7 @@ fn quoted_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<
 
 /// Says why a literal could not be read. Its form has been looked at by the lexer, so that as a rule it is the
 /// range.
-fn misread(signed: Signed<'_>, ty: ElementaryType, text: &str, error: LiteralError) -> Diagnostic {
+fn misread(signed: Signed<'_>, ty: ElementaryType, text: &str, error: LiteralError) -> SpannedDiagnostic {
     let (code, message) = match error {
         LiteralError::Overflow { .. } => {
             let code = match ty.family() {
@@ -210,10 +226,10 @@ fn misread(signed: Signed<'_>, ty: ElementaryType, text: &str, error: LiteralErr
         LiteralError::Escape { .. } => (Code::InvalidStringEscape, error.to_string()),
         LiteralError::Malformed { .. } => (Code::SyntaxError, error.to_string()),
     };
-    Diagnostic::new(code, signed.span, message)
+    SpannedDiagnostic::new(code, signed.span, message)
 }
 
-/// The value of a literal whose raw form is neither an integer nor a text.
+/// Reads a literal whose raw form is neither an integer nor a text.
 fn read(signed: Signed<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
     let text = signed.literal.text();
     match ty.family() {
@@ -233,7 +249,7 @@ fn read(signed: Signed<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
     }
 }
 
-/// A number as a real, rounded once from its digits.
+/// Reads a number as a real, rounded once from its digits.
 fn real(literal: &Literal<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
     match literal.kind {
         LiteralKind::Real => literal::real(literal.text(), ty),
@@ -254,7 +270,7 @@ fn real(literal: &Literal<'_>, ty: ElementaryType) -> Result<u64, LiteralError> 
     }
 }
 
-/// The number of an untyped integer literal with its sign; `None` where 128 bits do not hold it.
+/// Reads the number of an untyped integer literal with its sign; `None` where 128 bits do not hold it.
 fn untyped_integer(text: &str, negative: bool) -> Option<i128> {
     let magnitude = literal::unsigned_integer(text).ok()?;
     if negative {

@@ -51,13 +51,13 @@ pub(super) struct LoweredValue {
 }
 
 impl LoweredValue {
-    /// Nothing that more should be said about.
+    /// A value about which no more is reported.
     pub(super) const ERROR: LoweredValue = LoweredValue {
         ty: TypeId::ERROR,
         constant: None,
     };
 
-    /// A value that is computed as the program runs.
+    /// Returns a value that is computed as the program runs.
     pub(super) const fn of(ty: ElementaryType) -> LoweredValue {
         LoweredValue {
             ty: TypeId::of(ty),
@@ -107,12 +107,12 @@ impl<'m> Lowering<'m> {
         self.emitter.set_line(before);
     }
 
-    /// The line of what follows.
+    /// Sets the line of the instructions that follow.
     pub(super) fn set_line(&mut self, span: Span) {
         self.emitter.set_line(self.model.source.lines.line(span.start));
     }
 
-    /// The rules of operators.
+    /// Returns the rules of operators.
     pub(super) fn rules(&self) -> TypeRules<'m> {
         TypeRules {
             types: &self.model.types,
@@ -120,12 +120,12 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// An expression of the tree.
+    /// Returns an expression of the tree.
     pub(super) fn expression(&self, id: ExpressionId) -> &'m Expression<'m> {
         self.model.source.expression(id)
     }
 
-    /// The span of an expression.
+    /// Returns the span of an expression.
     pub(super) fn span(&self, id: ExpressionId) -> Span {
         self.expression(id).span
     }
@@ -135,7 +135,7 @@ impl<'m> Lowering<'m> {
         self.pou.map(|pou| &self.model.pous[pou as usize])
     }
 
-    /// The variable of a name: one of the POU, or else a global one. In an initial value those of its own scope
+    /// Finds the variable of a name: one of the POU, or else a global one. In an initial value those of its own scope
     /// that are declared later do not count.
     pub(super) fn variable(&self, name: &str) -> Option<(u32, &'m DeclaredVariable<'m>)> {
         let local = self.entry().and_then(|entry| entry.scope.get(&CaseFolded(name)));
@@ -148,7 +148,7 @@ impl<'m> Lowering<'m> {
         (!later && !away).then_some((index, variable))
     }
 
-    /// A plain cell of one's own, for what must be kept while other code runs. Recursion is forbidden, so it
+    /// Takes a plain cell for what must be kept while other code runs. Recursion is forbidden, so it
     /// may lie at a fixed address.
     pub(super) fn temporary(&mut self, span: Span) -> u32 {
         self.memory.cell().unwrap_or_else(|| {
@@ -157,7 +157,7 @@ impl<'m> Lowering<'m> {
         })
     }
 
-    /// Room for a value of a type.
+    /// Takes room for a value of a type.
     pub(super) fn temporary_of(&mut self, ty: TypeId, span: Span) -> u32 {
         let model = self.model;
         self.memory.allocate(&model.types, ty).unwrap_or_else(|| {

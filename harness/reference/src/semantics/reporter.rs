@@ -1,6 +1,6 @@
 //! Collects the checker's diagnostics.
 
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostics, SpannedDiagnostic};
 use crate::source::Span;
 use stickler_types::Code;
 
@@ -15,11 +15,11 @@ pub(super) struct Reporter {
 impl Reporter {
     /// Reports something wrong at a place.
     pub(super) fn report(&mut self, code: Code, span: Span, message: impl Into<String>) {
-        self.push(Diagnostic::new(code, span, message));
+        self.push(SpannedDiagnostic::new(code, span, message));
     }
 
     /// Reports a diagnostic that is already made, with its suggestion.
-    pub(super) fn push(&mut self, diagnostic: Diagnostic) {
+    pub(super) fn push(&mut self, diagnostic: SpannedDiagnostic) {
         self.reported += 1;
         if !self.muted {
             self.diagnostics.push(diagnostic);
@@ -42,7 +42,7 @@ impl Reporter {
     }
 
     /// Returns all diagnostics in the order of the text.
-    pub(super) fn finish(self) -> Vec<Diagnostic> {
+    pub(super) fn finish(self) -> Vec<SpannedDiagnostic> {
         self.diagnostics.into_list()
     }
 }

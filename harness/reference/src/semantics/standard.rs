@@ -7,8 +7,8 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::misfit::misfit;
+use super::parameters::ParameterList;
 use super::types::{TypeId, TypeKind};
-use crate::diagnostic::Diagnostic;
 use crate::instruction::{Instruction, StandardFunction};
 use crate::source::Span;
 use crate::syntax::tree::{Argument, ExpressionId};
@@ -30,7 +30,7 @@ pub(super) const NAMES: [(&str, StandardFunction); 12] = [
     ("CONCAT", StandardFunction::Concat),
 ];
 
-/// The standard function of a name.
+/// Finds the standard function of a name.
 pub(super) fn standard_function(name: &str) -> Option<StandardFunction> {
     if !(3..=6).contains(&name.len()) {
         return None;
@@ -41,17 +41,7 @@ pub(super) fn standard_function(name: &str) -> Option<StandardFunction> {
         .map(|&(_, function)| function)
 }
 
-/// The parameters of a standard function, or of a conversion function with more than one.
-pub(super) struct ParameterList {
-    /// The names of the first parameters.
-    fixed: &'static [&'static str],
-    /// The name of any more parameters, before their number, and the first one's number.
-    more: Option<(&'static str, usize)>,
-    /// The least number of arguments.
-    least: usize,
-}
-
-fn signature(function: StandardFunction) -> ParameterList {
+fn parameters(function: StandardFunction) -> ParameterList {
     let (fixed, more, least): (&'static [&'static str], _, _) = match function {
         StandardFunction::Abs | StandardFunction::Len => (&["IN"], None, 1),
         StandardFunction::Sel => (&["G", "IN0", "IN1"], None, 3),
@@ -66,133 +56,7 @@ fn signature(function: StandardFunction) -> ParameterList {
     ParameterList { fixed, more, least }
 }
 
-impl ParameterList {
-    /// Describes a function with these parameters and no others.
-    pub(super) const fn exactly(names: &'static [&'static str]) -> ParameterList {
-        ParameterList {
-            fixed: names,
-            more: None,
-            least: names.len(),
-        }
-    }
-
-    /// The end of a message about a parameter that there is not: which there are.
-    fn parameters(&self) -> String {
-        let more = self.more.map(|(stem, first)| format!("{stem}{first} …"));
-        let names: Vec<_> = self
-            .fixed
-            .iter()
-            .map(|&name| name.to_owned())
-            .chain(more)
-            .collect();
-        match &names[..] {
-            [] => String::new(),
-            [one] => format!("; its only one is {one}"),
-            [others @ .., last] => format!("; it has {} and {last}", others.join(", ")),
-        }
-    }
-
-    /// Returns the index of the parameter of a name.
-    fn position(&self, name: &str) -> Option<usize> {
-        let fixed = self
-            .fixed
-            .iter()
-            .position(|known| known.eq_ignore_ascii_case(name));
-        fixed.or_else(|| {
-            let (stem, first) = self.more?;
-            let (head, digits) = name.split_at_checked(stem.len())?;
-            let plain = !digits.starts_with('0') || digits == "0";
-            let number: usize = digits
-                .parse()
-                .ok()
-                .filter(|_| plain && !digits.starts_with('+'))?;
-            (head.eq_ignore_ascii_case(stem) && number >= first).then(|| self.fixed.len() + number - first)
-        })
-    }
-}
-
-/// The arguments of a call of a standard function in the order of its parameters.
-fn ordered(
-    function: StandardFunction,
-    arguments: &[Argument<'_>],
-    call: Span,
-) -> Result<Vec<ExpressionId>, Diagnostic> {
-    ordered_by(&signature(function), arguments, call)
-}
-
-/// The arguments of a call in the order of the parameters.
-pub(super) fn ordered_by(
-    signature: &ParameterList,
-    arguments: &[Argument<'_>],
-    call: Span,
-) -> Result<Vec<ExpressionId>, Diagnostic> {
-    const MAX_ARGUMENTS: usize = u16::MAX as usize;
-    let mut places: Vec<Option<ExpressionId>> = Vec::with_capacity(arguments.len());
-    for (index, argument) in arguments.iter().enumerate() {
-        let (name, value) = match argument {
-            Argument::Positional(value) if places.len() == index => {
-                places.push(Some(*value));
-                continue;
-            }
-            Argument::Positional(_) => return Err(mixed(call)),
-            Argument::Named { .. } if matches!(arguments[0], Argument::Positional(_)) => {
-                return Err(mixed(call));
-            }
-            Argument::Named { name, value } => (name, *value),
-            Argument::Output { name, .. } => {
-                return Err(Diagnostic::new(
-                    Code::FunctionCallNamedArgUndeclared,
-                    name.span,
-                    format!("the function has no output `{}`", name.text),
-                ));
-            }
-        };
-        // No call has more parameters than arguments, so a greater number leaves some out.
-        let position = signature
-            .position(name.text)
-            .filter(|&position| position < arguments.len() + signature.least);
-        let Some(position) = position else {
-            return Err(Diagnostic::new(
-                Code::FunctionCallNamedArgUndeclared,
-                name.span,
-                format!(
-                    "the function has no parameter `{}` here{}",
-                    name.text,
-                    signature.parameters()
-                ),
-            ));
-        };
-        if places.len() <= position {
-            places.resize(position + 1, None);
-        }
-        if places[position].replace(value).is_some() {
-            return Err(Diagnostic::new(
-                Code::FunctionCallDuplicateNamedArg,
-                name.span,
-                format!("`{}` is given twice", name.text),
-            ));
-        }
-    }
-    let count = arguments.len();
-    let fits = count >= signature.least
-        && (signature.more.is_some() || count == signature.least)
-        && count <= MAX_ARGUMENTS;
-    match places.into_iter().collect::<Option<Vec<_>>>() {
-        Some(values) if fits => Ok(values),
-        _ => {
-            let least = signature.least;
-            let needed = match signature.more {
-                Some(_) if count > MAX_ARGUMENTS => format!("at most {MAX_ARGUMENTS}"),
-                Some(_) => format!("at least {least}"),
-                None => least.to_string(),
-            };
-            let message = format!("the function takes {needed} arguments, not {count}");
-            Err(Diagnostic::new(Code::FunctionCallWrongArgCount, call, message))
-        }
-    }
-}
-
-/// The type that arguments are held to: the one that [`TypeRules::common_of_all`] finds. Where that does not go with all, it is
+/// Returns the type that arguments are held to: the one that [`TypeRules::common_of_all`] finds. Where that does not go with all, it is
 /// rather the one that is wanted of the result, if one of them has it and no more of them would be wrong.
 ///
 /// Basis: stickler-design: §7 (a suggestion makes the program acceptable; what the call gives has to fit, too).
@@ -204,20 +68,14 @@ fn held_to(rules: TypeRules<'_>, arguments: &[Inferred], common: TypeId, wanted:
         .unwrap_or(common)
 }
 
-/// Arguments by name and by position in one call.
-pub(super) fn mixed(call: Span) -> Diagnostic {
-    let message = "arguments are given all by name or all by position";
-    Diagnostic::new(Code::FunctionCallMixedArgTypes, call, message)
-}
-
 impl Lowering<'_> {
-    /// The type of a call of a standard function by itself.
+    /// Infers the type of a call of a standard function by itself.
     pub(super) fn infer_standard(
         &mut self,
         function: StandardFunction,
         arguments: &[Argument<'_>],
     ) -> Inferred {
-        let Ok(values) = ordered(function, arguments, Span::default()) else {
+        let Ok(values) = parameters(function).ordered(arguments, Span::default()) else {
             return Inferred::Error;
         };
         match function {
@@ -230,7 +88,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The type that several arguments have in common, if the function takes it.
+    /// Infers the type that several arguments have in common, if the function takes it.
     fn infer_common(&mut self, function: StandardFunction, values: &[ExpressionId]) -> Inferred {
         let inferred: Vec<_> = values.iter().map(|&value| self.infer(value)).collect();
         let rules = self.rules();
@@ -274,7 +132,7 @@ impl Lowering<'_> {
         arguments: &[Argument<'_>],
         wanted: Option<TypeId>,
     ) -> LoweredValue {
-        let values = match ordered(function, arguments, call) {
+        let values = match parameters(function).ordered(arguments, call) {
             Ok(values) => values,
             Err(reason) => return self.refuse(reason, arguments),
         };
@@ -353,7 +211,7 @@ impl Lowering<'_> {
         sound.then_some(target)
     }
 
-    /// The type of untyped arguments; what shifts bits takes DWORD or LWORD rather than an integer.
+    /// Returns the type of untyped arguments; what shifts bits takes DWORD or LWORD rather than an integer.
     fn settle_for(
         &self,
         function: StandardFunction,
@@ -372,7 +230,7 @@ impl Lowering<'_> {
         }))
     }
 
-    /// An argument of a type for which the function is not defined, with the conversion to the type that is wanted of the
+    /// Reports an argument of a type for which the function is not defined, with the conversion to the type that is wanted of the
     /// result. Where none is wanted nothing is suggested, for what the call would then give might not fit where it stands.
     ///
     /// Basis: stickler-design: §7 (a suggestion makes the program acceptable).
@@ -399,7 +257,7 @@ impl Lowering<'_> {
         self.report_misfit(id, inferred, target, ValueContext::CommonArgument);
     }
 
-    /// The count of a shift, or the selector of MUX.
+    /// Lowers the count of a shift, or the selector of MUX.
     fn integer_argument(&mut self, id: ExpressionId) {
         self.integer(id, ElementaryType::Lint, ValueContext::Argument);
     }

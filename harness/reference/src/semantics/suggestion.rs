@@ -8,7 +8,7 @@ use super::model::Model;
 use super::similarity::{Candidate, MAX_CHANGES, distance};
 use super::types::TypeId;
 use crate::conversion::{self, conversion_function_name};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::SpannedDiagnostic;
 use crate::syntax::tree::ExpressionId;
 use std::sync::LazyLock;
 use stickler_types::ElementaryType;
@@ -56,9 +56,9 @@ impl<'m> Lowering<'m> {
             _ => None,
         };
         let span = self.span(id);
-        self.reporter.push(Diagnostic {
+        self.reporter.push(SpannedDiagnostic {
             suggestion,
-            ..Diagnostic::new(context.code(), span, message)
+            ..SpannedDiagnostic::new(context.code(), span, message)
         });
     }
 

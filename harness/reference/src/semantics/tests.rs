@@ -13,7 +13,7 @@ mod suggestions;
 mod types;
 mod values;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::SpannedDiagnostic;
 use crate::dialect::Dialect;
 use crate::semantics::check;
 use crate::source::LineIndex;
@@ -26,8 +26,8 @@ pub(super) const RUSTY: DialectName = DialectName::IronplcRusty;
 pub(super) const MATIEC: DialectName = DialectName::Matiec;
 pub(super) const PLCNEXT: DialectName = DialectName::Plcnext;
 
-/// What the checker says of a text that can be read.
-pub(super) fn diagnose(name: DialectName, text: &str) -> Vec<Diagnostic> {
+/// Returns the diagnostics of the checker on a text that can be read.
+pub(super) fn diagnose(name: DialectName, text: &str) -> Vec<SpannedDiagnostic> {
     let dialect = Dialect::of(name);
     let (unit, diagnostics) = crate::syntax::parse(text, &dialect);
     assert_eq!(diagnostics, [], "the text of a test can be read: {text}");
@@ -52,7 +52,7 @@ pub(super) fn says_in(name: DialectName, text: &str) -> Vec<String> {
         .collect()
 }
 
-/// The same in the third edition.
+/// Returns the lines and codes that the checker reports in the third edition.
 pub(super) fn says(text: &str) -> Vec<String> {
     says_in(ED3, text)
 }
@@ -66,7 +66,7 @@ pub(super) fn codes_in(name: DialectName, variables: &str, statement: &str) -> V
         .collect()
 }
 
-/// The same in the third edition.
+/// Returns the codes that the checker reports, in the third edition, of a program with these variables and this statement.
 pub(super) fn codes(variables: &str, statement: &str) -> Vec<String> {
     codes_in(ED3, variables, statement)
 }
@@ -76,7 +76,7 @@ pub(super) fn gives(text: &str, expected: &[&str]) {
     gives_in(ED3, text, 1, expected);
 }
 
-/// The same for some dialect and number of scans.
+/// Runs a program in a dialect for some scans; `expected` are lines as `x = INT#5`.
 pub(super) fn gives_in(dialect: DialectName, text: &str, scans: u32, expected: &[&str]) {
     let expected: Vec<_> = expected
         .iter()

@@ -274,7 +274,7 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    /// How far ahead stands what comes behind the parentheses that open there. It is not looked for beyond the
+    /// Counts the tokens up to what comes behind the parentheses that open there. It is not looked for beyond the
     /// end of the statement, so that each token is looked at once.
     fn behind_parentheses(&mut self, opening: usize) -> usize {
         let (mut ahead, mut open) = (opening, 0_usize);

@@ -1,7 +1,7 @@
 //! The state that every production uses: the tokens, the arena, the limits, and the one way to report an error.
 
 use super::open::{OpenBlock, Pending};
-use crate::diagnostic::{Diagnostic, quoted};
+use crate::diagnostic::{SpannedDiagnostic, quoted};
 use crate::dialect::Dialect;
 use crate::source::{MAX_LENGTH, Span};
 use crate::syntax::lexer::Lexer;
@@ -31,7 +31,7 @@ pub(super) type ParseResult<T> = Result<T, Broken>;
 /// Gives the tree of all that could be read, and the diagnostics about the rest in the order of the text. Never
 /// fails and never panics; takes time and memory in proportion to the text. Where a diagnostic was given, the
 /// tree has [`ExpressionKind::Error`] or `TypeSpecificationKind::Error`, or nothing at all.
-pub fn parse<'s>(text: &'s str, dialect: &Dialect) -> (SourceUnit<'s>, Vec<Diagnostic>) {
+pub fn parse<'s>(text: &'s str, dialect: &Dialect) -> (SourceUnit<'s>, Vec<SpannedDiagnostic>) {
     let mut parser = Parser::new(text, dialect);
     let declarations = parser.source_unit();
     let unit = SourceUnit {

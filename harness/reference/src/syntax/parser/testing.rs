@@ -13,7 +13,7 @@ use stickler_types::Code;
 pub(super) fn errors(text: &str) -> Vec<String> {
     let (_, diagnostics) = parse(text, &Dialect::ironplc_ed2());
     let lines = LineIndex::new(text);
-    let show = |diagnostic: &crate::diagnostic::Diagnostic| {
+    let show = |diagnostic: &crate::diagnostic::SpannedDiagnostic| {
         let at = lines.position(text, diagnostic.span.start);
         format!(
             "{}:{} {} {}",
