@@ -144,12 +144,24 @@ mod tests {
         assert_eq!(list.stale([].iter()), [""; 0]);
     }
 
+    /// Returns the name of the function that a change is in: what stands behind `in`, or what is replaced as a whole.
+    fn function(change: &str) -> Option<&str> {
+        let whole = || change.strip_prefix("replace ")?.split_once(" -> ");
+        let path = match change.rsplit_once(" in ") {
+            Some((_, path)) => path,
+            None => whole()?.0,
+        };
+        path.rsplit("::").next()
+    }
+
     #[test]
-    fn the_list_of_this_repository_can_be_read_and_names_files_that_exist() {
+    fn the_list_of_this_repository_can_be_read_and_names_files_and_functions_that_exist() {
         let list = Explained::read().unwrap();
-        for entry in &list.0 {
+        for (entry, change) in list.changes() {
             let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../").to_owned() + &entry.file;
-            assert!(std::path::Path::new(&path).is_file(), "{path}");
+            let source = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+            let is_there = |name: &str| source.contains(&format!("fn {name}"));
+            assert!(function(change).is_none_or(is_there), "{path}: {change}");
         }
     }
 }

@@ -15,7 +15,7 @@ const TOPICS: [(&str, &[(&str, &str)]); 3] = [
             ("reference/src/semantics/places.rs", ""),
             ("reference/src/semantics/infer.rs", "infer_bit"),
             ("reference/src/semantics/locations.rs", "store_bit"),
-            ("reference/src/execution/machine.rs", "store_bit"),
+            ("reference/src/execution/operations.rs", "store_bit"),
         ],
     ),
     (
@@ -187,6 +187,19 @@ mod tests {
             topic: topic(&outcome),
             outcome,
             kind,
+        }
+    }
+
+    #[test]
+    fn the_places_of_all_topics_are_there() {
+        for (place, name) in TOPICS.iter().flat_map(|(_, places)| places.iter()) {
+            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../").to_owned() + place;
+            let source = match place.ends_with('/') {
+                true => std::fs::read_dir(&path).map(|_| String::new()),
+                false => std::fs::read_to_string(&path),
+            };
+            let source = source.unwrap_or_else(|error| panic!("{path}: {error}"));
+            assert!(source.contains(name), "{path} has no {name}");
         }
     }
 
