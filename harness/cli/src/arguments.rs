@@ -46,7 +46,7 @@ pub enum Command {
     /// Run cases, judge what the engines did, write reports
     #[command(after_help = RUN_EXAMPLES)]
     Run(RunArguments),
-    /// Write down what the last run found as known, in the baselines of its engines
+    /// Record the results of the last run as expected, in the baselines of its engines
     #[command(after_help = bless::BLESS_EXAMPLES)]
     Bless(BlessArguments),
     /// List the cases, or with --basis the claims that they check
@@ -67,43 +67,43 @@ pub enum Command {
     /// Print one file in the normalised form of the reference
     #[command(after_help = RENDER_EXAMPLES)]
     Render(SourceArguments),
-    /// Serve an engine over the wire protocol on stdin and stdout, or find out whether an adapter keeps to it
+    /// Serve an engine over the wire protocol on stdin and stdout, or check whether an adapter keeps to it
     #[command(after_help = engines::ENGINE_EXAMPLES)]
     Engine(EngineArguments),
-    /// List the engines: what was found where, what each can do, and what is missing
+    /// List the engines: where each was found, what it can do, and what is missing
     #[command(after_help = engines::ENGINES_EXAMPLES)]
     Engines(EnginesArguments),
     /// Explain a diagnostic code, or list all of them
     #[command(after_help = EXPLAIN_EXAMPLES)]
     Explain(ExplainArguments),
-    /// Show which types convert implicitly: what the documents say beside what engines do
+    /// Show which types convert implicitly, by the documents and on engines
     #[command(after_help = MATRIX_EXAMPLES)]
     Matrix(MatrixArguments),
     /// Show what a conversion function gives for boundary values, dialects side by side
     #[command(after_help = CONVERSIONS_EXAMPLES)]
     Conversions(ConversionsArguments),
-    /// Hold every input of a conversion function against exact arithmetic
+    /// Compare every input of a conversion function with exact arithmetic
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(SweepArguments),
     /// Show what a newer run does better or worse than an older one
     #[command(after_help = compare::COMPARE_EXAMPLES)]
     Compare(CompareArguments),
-    /// Look for programs on which an engine, or the reference, does not do what documents say
+    /// Search for programs on which an engine, or the reference, does not do what documents say
     #[command(after_help = fuzz::FUZZ_EXAMPLES)]
     Fuzz(FuzzArguments),
-    /// Make a program small that shows a symptom on an engine
+    /// Reduce a program that shows a symptom on an engine
     #[command(after_help = reduce::REDUCE_EXAMPLES)]
     Reduce(ReduceArguments),
-    /// Make a case of a finding
+    /// Turn a finding into a case
     #[command(after_help = fuzz::PROMOTE_EXAMPLES)]
     Promote(PromoteArguments),
-    /// Put the parts of a run together, or those of a campaign
+    /// Merge the parts of a run, or of a campaign
     #[command(after_help = fuzz::MERGE_EXAMPLES)]
     Merge(MergeArguments),
-    /// Write pages of self-checking programs, for a compiler that only lives behind an editor
+    /// Write pages of self-checking programs, for a compiler that is only reachable through an editor
     #[command(after_help = export::EXPORT_EXAMPLES)]
     Export(ExportArguments),
-    /// Judge and report what those pages left in their arrays of results
+    /// Judge and report the results that exported pages left in their arrays
     #[command(after_help = export::IMPORT_EXAMPLES)]
     Import(ImportArguments),
 }

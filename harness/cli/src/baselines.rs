@@ -6,7 +6,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use stickler_run::Baseline;
 
-/// Where the baseline of an engine is unless a file is named. `root` is the folder in which `reports/` stands.
+/// Returns the path of the baseline of an engine for which no file is named. `root` is the folder in which `reports/` stands.
 pub fn place(root: &Path, engine: &str) -> PathBuf {
     root.join("reports")
         .join("baselines")
@@ -72,7 +72,7 @@ pub fn load(named: &[PathBuf], root: &Path, engines: &[&str]) -> anyhow::Result<
 }
 
 /// # Errors
-/// Where the file says that it is about another engine than this.
+/// Returns an error where the file says that it is about another engine than this.
 pub fn check_engine(baseline: &Baseline, engine: &str) -> anyhow::Result<()> {
     if baseline.engine != engine {
         bail!(

@@ -13,12 +13,12 @@ pub struct Caches {
 }
 
 impl Caches {
-    /// No engine has one.
+    /// Returns no cache for any engine.
     pub const fn none() -> Caches {
         Caches { caches: Vec::new() }
     }
 
-    /// Those of the engines that have a fingerprint, in this folder.
+    /// Opens the caches in a folder, of the engines that have a fingerprint.
     pub fn open(folder: &Path, engines: &[&dyn Engine]) -> Caches {
         let cache = |engine: &&dyn Engine| {
             let fingerprint = engine.fingerprint()?;
@@ -31,7 +31,7 @@ impl Caches {
         caches
     }
 
-    /// As a run takes them.
+    /// Returns the caches in the form that a run takes.
     pub fn stores(&self) -> Vec<Option<&dyn AnswerStore>> {
         let store = |cache| -> Option<&dyn AnswerStore> {
             Option::<&Cache>::map(cache, |cache| cache as &dyn AnswerStore)
@@ -39,7 +39,7 @@ impl Caches {
         self.caches.iter().map(Option::as_ref).map(store).collect()
     }
 
-    /// Says on stderr what is wrong with them; each thing once.
+    /// Writes the problems of the caches to stderr, each once.
     pub fn tell(&self) {
         for note in self.caches.iter().flatten().flat_map(Cache::notes) {
             output::note(note);
@@ -47,7 +47,7 @@ impl Caches {
     }
 }
 
-/// Says how much of what a run shows was not asked again.
+/// Writes how many of the results of a run come from the cache.
 ///
 /// # Errors
 /// Those of `out`.

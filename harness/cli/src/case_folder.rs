@@ -21,7 +21,7 @@ const NAME: &str = "conformance-cases";
 pub struct CaseFolder {
     /// The folder itself.
     pub path: PathBuf,
-    /// Where `reports/` stands by default: beside a folder that was found here or above, otherwise here.
+    /// The folder in which `reports/` stands by default: beside a folder that was found here or above, otherwise here.
     pub root: PathBuf,
 }
 
@@ -81,7 +81,7 @@ impl CaseFolder {
     pub fn load_with(&self, dialects: impl IntoIterator<Item = DialectName>) -> Suite {
         let suite = Suite::load_with(&self.path, &defined(dialects));
         for error in &suite.errors {
-            output::complain(&anyhow::anyhow!("{error}"));
+            output::error(&anyhow::anyhow!("{error}"));
         }
         if !suite.errors.is_empty() {
             let number = suite.errors.len();
@@ -103,7 +103,7 @@ impl CaseFolder {
         let named: Vec<DialectName> = plan.dialects.iter().copied().chain(in_filters).collect();
         let mut suite = self.load_with(named.iter().copied());
         let left_out = stickler_run::drop_changed_cases(plan, &mut suite.cases)?;
-        tell_left_out(&left_out);
+        note_left_out(&left_out);
         Ok(Loaded {
             defined: stickler_run::dialect_headers(&defined(named), &left_out),
             suite,
@@ -114,15 +114,15 @@ impl CaseFolder {
 
 /// The cases that a plan is about.
 pub struct Loaded {
-    /// All of them, and those that it does not select.
+    /// The suite, with the cases that the plan does not select.
     pub suite: Suite,
-    /// What reports say of the dialects of stickler.toml among those of the cases.
+    /// The dialects of stickler.toml among those of the cases, as reports describe them.
     pub defined: Vec<DefinedHeader>,
-    /// The cases that were left out, because what their dialects override changes them and nobody says how.
+    /// The inherited cases that were left out, because an override of their dialect may change their result.
     pub left_out: Vec<Case>,
 }
 
-/// Those of the dialects that stickler.toml defines, each once.
+/// Returns the dialects that stickler.toml defines, each once.
 fn defined(dialects: impl IntoIterator<Item = DialectName>) -> Vec<DialectName> {
     let defined = dialects
         .into_iter()
@@ -130,7 +130,7 @@ fn defined(dialects: impl IntoIterator<Item = DialectName>) -> Vec<DialectName> 
     defined.collect::<BTreeSet<_>>().into_iter().collect()
 }
 
-fn tell_left_out(left_out: &[Case]) {
+fn note_left_out(left_out: &[Case]) {
     for dialect in DialectName::defined() {
         let number = left_out.iter().filter(|case| case.dialect == dialect).count();
         let base = dialect.base().name();
@@ -149,7 +149,7 @@ fn tell_left_out(left_out: &[Case]) {
     }
 }
 
-/// What broken case files mean for the exit code.
+/// Returns the exit code of a command that read broken case files, or none.
 pub fn exit_of(suite: &Suite) -> Exit {
     if suite.errors.is_empty() {
         Exit::AsExpected
@@ -165,7 +165,7 @@ pub fn nothing_selected(suite: &Suite) -> Exit {
         true => "; a dialect of stickler.toml has cases where --dialect names it",
         false => "",
     };
-    output::complain(&match suite.cases.len() {
+    output::error(&match suite.cases.len() {
         0 => anyhow::anyhow!("no case is selected: there are none"),
         number => {
             anyhow::anyhow!(

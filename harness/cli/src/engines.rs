@@ -18,11 +18,11 @@ use stickler_types::DialectName;
 /// The name of the engine that is always there.
 pub const REFERENCE: &str = "reference";
 
-/// What stands in front of the command line of an engine that is a process.
+/// The prefix before the command line of an engine that is a process.
 pub const COMMAND: &str = "cmd:";
 
-/// The same command line with any word for a dialect: which there are, the file says, and a word that is wrong would hide what
-/// stands behind it.
+/// Changes a command line to accept any word for a dialect: the file says which there are, and a wrong word would hide the
+/// arguments behind it.
 fn with_any_dialect(command: clap::Command) -> clap::Command {
     let any = |argument: clap::Arg| match argument.get_id().as_str() {
         "dialect" => argument.value_parser(clap::value_parser!(OsString)),
@@ -41,7 +41,7 @@ static FILE: OnceLock<PathBuf> = OnceLock::new();
 /// A [`ConfigurationError`](stickler_configuration::ConfigurationError) where the file cannot be used.
 pub fn configure() -> anyhow::Result<()> {
     if let Some(file) = named_file() {
-        // Nobody was here before.
+        // The command line is read once.
         let _ = FILE.set(file);
     }
     match (FILE.get(), env::current_dir()) {
@@ -51,7 +51,7 @@ pub fn configure() -> anyhow::Result<()> {
     }
 }
 
-/// What stands behind `--config`. Whatever else is wrong with the command line is told later.
+/// Returns the argument of `--config`. Other mistakes of the command line are reported later.
 fn named_file() -> Option<PathBuf> {
     let mentions = |word: OsString| word.to_string_lossy().starts_with("--config");
     if !env::args_os().any(mentions) {
@@ -62,12 +62,12 @@ fn named_file() -> Option<PathBuf> {
     matches.try_get_one::<PathBuf>("config").ok()?.cloned()
 }
 
-/// The file that `--config` names.
+/// Returns the file that `--config` names.
 pub fn config_file() -> Option<&'static Path> {
     FILE.get().map(PathBuf::as_path)
 }
 
-/// What `stickler.toml` says.
+/// Reads `stickler.toml`, or the file that `--config` names.
 ///
 /// # Errors
 /// A [`ConfigurationError`](stickler_configuration::ConfigurationError) where it cannot be used; no working directory.
@@ -78,7 +78,7 @@ pub fn configuration() -> anyhow::Result<Configuration> {
     })
 }
 
-/// The engine of this name: `reference`, one that `stickler.toml` names, a compiler for which there is an adapter, or
+/// Returns the engine of this name: `reference`, one that `stickler.toml` names, a compiler for which there is an adapter, or
 /// `cmd:COMMAND LINE` for a program that speaks the wire protocol.
 ///
 /// # Errors
@@ -89,30 +89,30 @@ pub fn by_name(name: &str) -> anyhow::Result<Box<dyn Engine>> {
 }
 
 /// An engine, and the name by which it was asked for.
-pub struct Named {
+pub struct NamedEngine {
     /// The engine.
     pub engine: Box<dyn Engine>,
-    /// What stands behind `--engine` to get it again.
+    /// The argument of `--engine` by which it was asked for.
     pub asked_for: String,
 }
 
-impl Named {
-    /// Who it is.
+impl NamedEngine {
+    /// Returns the identity of the engine.
     pub fn identity(&self) -> &Identity {
         self.engine.identity()
     }
 }
 
-/// The engines of these names, each once; the reference where none is named. No two of them have the same identity:
+/// Returns the engines of these names, each once; the reference where none is named. No two of them have the same identity:
 /// where one calls itself as another does, it gets a number, as in `my-compiler-2`.
 ///
 /// # Errors
 /// Those of [`by_name`], for the first name that has one.
-pub fn by_names(names: &[String]) -> anyhow::Result<Vec<Named>> {
+pub fn by_names(names: &[String]) -> anyhow::Result<Vec<NamedEngine>> {
     let reference = [REFERENCE.to_owned()];
     let names = if names.is_empty() { &reference[..] } else { names };
     let configuration = configuration()?;
-    let mut engines: Vec<Named> = Vec::with_capacity(names.len());
+    let mut engines: Vec<NamedEngine> = Vec::with_capacity(names.len());
     for (index, name) in names.iter().enumerate() {
         if names[..index].contains(name) {
             continue;
@@ -125,7 +125,7 @@ pub fn by_names(names: &[String]) -> anyhow::Result<Vec<Named>> {
             .chain(engines.iter().map(|named| named.identity().name.as_str()))
             .collect();
         let engine = distinct(name, &taken, &configuration)?;
-        engines.push(Named {
+        engines.push(NamedEngine {
             engine,
             asked_for: name.clone(),
         });
@@ -133,10 +133,10 @@ pub fn by_names(names: &[String]) -> anyhow::Result<Vec<Named>> {
     Ok(engines)
 }
 
-/// Those of the dialects that an engine speaks.
+/// Returns those of the dialects that an engine speaks.
 ///
 /// # Errors
-/// Where it speaks none of them.
+/// [`SpeaksNone`] where it speaks none of them.
 pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<DialectName>> {
     let speaks = |dialect: &DialectName| identity.speaks(*dialect);
     let spoken: Vec<DialectName> = asked.iter().copied().filter(speaks).collect();
@@ -155,7 +155,7 @@ pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<
     Ok(spoken)
 }
 
-/// The engine of this name, under an identity that none of the others has.
+/// Returns the engine of this name, under an identity that none of the others has.
 fn distinct(name: &str, taken: &[&str], configuration: &Configuration) -> anyhow::Result<Box<dyn Engine>> {
     if let Some(line) = name.strip_prefix(COMMAND) {
         let engine = ProcessEngine::start(line, ProcessLimits::default())?;
@@ -195,7 +195,7 @@ fn start(line: &str, called: &str, configuration: &Configuration) -> Result<Box<
     Ok(Box::new(engine.named(called.to_owned())))
 }
 
-/// Makes an engine of a description; what of its programs is here is told in any case.
+/// Makes an engine of a description; also returns which of its programs were found.
 fn described(called: &str, description: &Description, configuration: &Configuration) -> CompilerSearch {
     let folder = configuration.folder().unwrap_or(Path::new(""));
     let engine = DescribedEngine::start(called, description.clone(), folder);
@@ -205,7 +205,7 @@ fn described(called: &str, description: &Description, configuration: &Configurat
     }
 }
 
-/// Every name by which an engine can be asked for: `reference`, the compilers with an adapter, and those of the file.
+/// Returns every name by which an engine can be asked for: `reference`, the compilers with an adapter, and those of the file.
 pub fn names(configuration: &Configuration) -> Vec<&str> {
     let mut names = vec![REFERENCE];
     names.extend(Compiler::ALL.map(Compiler::name));
@@ -217,7 +217,7 @@ pub fn names(configuration: &Configuration) -> Vec<&str> {
     names
 }
 
-/// The error that nothing is called so.
+/// Returns the error that no engine has this name.
 pub fn no_such(name: &str, configuration: &Configuration) -> NoSuchEngine {
     let names = names(configuration);
     NoSuchEngine {

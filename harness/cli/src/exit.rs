@@ -6,7 +6,7 @@ use stickler_campaign::CampaignError;
 use stickler_engines::EngineError;
 use stickler_run::{RunError, Totals, Verdict};
 
-/// How a command ended, as its caller sees it.
+/// The exit codes of the commands.
 ///
 /// Where several apply, [`Exit::worst`] decides: what kept a command from doing its work outranks what the work
 /// found, so that a pipeline never takes a half-read suite for a verdict on a compiler.
@@ -65,7 +65,7 @@ impl Exit {
         }
     }
 
-    /// The one of two that the process reports: 130 over 3 over 2 over 4 over 1 over 0.
+    /// Returns the one of two that the process reports: 130 over 3 over 2 over 4 over 1 over 0.
     pub fn worst(self, other: Exit) -> Exit {
         if self.rank() >= other.rank() { self } else { other }
     }
@@ -102,7 +102,7 @@ pub fn of_totals(totals: &Totals, outdated: bool) -> Exit {
 
 /// The exit code of an error that ended a command.
 ///
-/// All that is not said otherwise here is [`Exit::Usage`]: a file that cannot be read, a folder that cannot be written.
+/// Every other error is [`Exit::Usage`]: a file that cannot be read, a folder that cannot be written.
 pub fn of_error(error: &anyhow::Error) -> Exit {
     match error.downcast_ref::<RunError>() {
         Some(RunError::NoCaseSelected) => Exit::NothingTested,
@@ -123,9 +123,9 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
 pub struct NoSuchEngine {
     /// The name.
     pub name: String,
-    /// The one that it nearly is.
+    /// The name of an engine that is nearly the same.
     pub meant: Option<String>,
-    /// All that there are, in a list.
+    /// The names of all engines, in a list.
     pub known: String,
 }
 
@@ -133,11 +133,11 @@ pub struct NoSuchEngine {
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("engine {engine} speaks none of {asked}; it says that it speaks: {spoken}")]
 pub struct SpeaksNone {
-    /// Its name.
+    /// The name of the engine.
     pub engine: String,
     /// The dialects at hand, in a list.
     pub asked: String,
-    /// Those that it speaks, in a list.
+    /// The dialects that the engine speaks, in a list.
     pub spoken: String,
 }
 

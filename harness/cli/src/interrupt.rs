@@ -8,39 +8,39 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use stickler_workers::Cancellation;
 
-/// Whether Ctrl-C is to be obeyed in an orderly way first.
+/// Whether the first Ctrl-C requests an orderly end; otherwise it ends the process at once.
 static ORDERLY: AtomicBool = AtomicBool::new(false);
 
-/// Whether Ctrl-C came while it was.
+/// The cancellation that Ctrl-C requests.
 static STOP: Cancellation = Cancellation::new();
 
-/// Listens once in the life of the process.
+/// Whether the handler is set; it is set once in the life of the process.
 static LISTENING: OnceLock<()> = OnceLock::new();
 
-/// Whether it also ends what the engines are at.
+/// Whether the first Ctrl-C also ends what the engines have under way.
 static ENDS_ENGINES: AtomicBool = AtomicBool::new(false);
 
-/// As [`flag`]; with the flag, Ctrl-C ends what the engines have under way, for one may take minutes over many programs. What
-/// they seem to answer then says nothing of them.
-///
-/// # Errors
-/// As [`flag`].
-pub fn flag_that_ends_engines() -> anyhow::Result<&'static Cancellation> {
-    ENDS_ENGINES.store(true, Ordering::Relaxed);
-    flag()
-}
-
-/// The flag that Ctrl-C raises, from now on.
+/// Returns the cancellation that Ctrl-C requests from now on. Ctrl-C also ends what the engines have under way, for one may
+/// take minutes over many programs; what they answer after that is meaningless.
 ///
 /// # Errors
 /// Where the system lets no handler be set.
-pub fn flag() -> anyhow::Result<&'static Cancellation> {
+pub fn cancellation_ending_engines() -> anyhow::Result<&'static Cancellation> {
+    ENDS_ENGINES.store(true, Ordering::Relaxed);
+    cancellation()
+}
+
+/// Returns the cancellation that Ctrl-C requests from now on.
+///
+/// # Errors
+/// Where the system lets no handler be set.
+pub fn cancellation() -> anyhow::Result<&'static Cancellation> {
     listen()?;
     ORDERLY.store(true, Ordering::Relaxed);
     Ok(&STOP)
 }
 
-/// From now on Ctrl-C ends the process at once, and those of its engines with it: they would not notice it themselves.
+/// Lets Ctrl-C end the process at once from now on, and the processes of its engines, which would not notice it themselves.
 ///
 /// # Errors
 /// Where the system lets no handler be set.
@@ -58,7 +58,7 @@ fn listen() -> anyhow::Result<()> {
             if ends_engines {
                 stickler_engines::stop_all_processes();
             }
-            tell(ends_engines);
+            report(ends_engines);
         })
         .context("cannot listen for Ctrl-C")?;
         LISTENING.get_or_init(|| ());
@@ -67,7 +67,7 @@ fn listen() -> anyhow::Result<()> {
 }
 
 /// Says that the signal came through: an engine may take its whole time limit for the request that it works on.
-fn tell(ends_engines: bool) {
+fn report(ends_engines: bool) {
     let when = match ends_engines {
         true => "stopping",
         false => "stopping after what is under way",

@@ -2,6 +2,9 @@
 //!
 //! *Architecture invariant.* A command parses its arguments, calls the layers below, and shows what they answer; what
 //! another crate can do is done there. Exit codes are decided in [`exit`] alone, and only this file ends the process.
+//!
+//! [`arguments`] declares the command line, [`commands`] has one module for each command, [`engines`] finds engines by
+//! their names, and [`case_folder`] finds and reads the cases.
 #![forbid(unsafe_code)]
 
 mod arguments;
@@ -25,20 +28,20 @@ use std::process::ExitCode;
 #[cfg(unix)]
 use std::sync::Arc;
 
-/// A file that must not grow any more (`ulimit -f`) is an error that is told, not the end of the process by a signal.
+/// Lets a file that must not grow any more (`ulimit -f`) be an ordinary error instead of a signal that ends the process.
 #[cfg(unix)]
-fn survive_the_largest_file() {
+fn ignore_file_size_signal() {
     let whether_it_came = Arc::default();
     // Where no handler can be set all is as it was.
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, whether_it_came);
 }
 
-/// Other systems have no such signal.
+/// Does nothing, for other systems have no such signal.
 #[cfg(not(unix))]
-fn survive_the_largest_file() {}
+fn ignore_file_size_signal() {}
 
 fn main() -> ExitCode {
-    survive_the_largest_file();
+    ignore_file_size_signal();
     // The command line may name the dialects of stickler.toml.
     let configured = engines::configure();
     let arguments = match (Arguments::try_parse(), configured) {
@@ -47,7 +50,7 @@ fn main() -> ExitCode {
         // Help is no less needed then.
         (Err(usage), Err(_)) if !usage.use_stderr() => usage.exit(),
         (_, Err(error)) => {
-            output::complain(&error);
+            output::error(&error);
             return exit::of_error(&error).into();
         }
     };
@@ -59,9 +62,9 @@ fn main() -> ExitCode {
     match result {
         Ok(exit) => exit.into(),
         Err(error) => {
-            // What was found so far stands before what went wrong; neither can be told anyone if both streams fail.
+            // What was found so far stands before what went wrong; nothing can be done where both streams fail.
             let _ = out.flush();
-            output::complain(&error);
+            output::error(&error);
             exit::of_error(&error).into()
         }
     }

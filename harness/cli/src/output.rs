@@ -20,14 +20,14 @@ pub fn stdout() -> impl Write {
     )
 }
 
-/// Writes for as long as somebody reads.
+/// A writer that drops what is written after its reader has gone.
 struct WhileRead<W> {
     inner: W,
     read: bool,
 }
 
 impl<W> WhileRead<W> {
-    /// What an attempt to write gave, or `dropped` where nobody reads any more.
+    /// Returns the result of an attempt to write, or `dropped` where nobody reads any more.
     fn unless_gone<T>(&mut self, attempt: io::Result<T>, dropped: T) -> io::Result<T> {
         match attempt {
             Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {
@@ -63,9 +63,9 @@ pub fn stderr() -> impl Write {
 }
 
 /// Writes an error and its causes to stderr.
-pub fn complain(error: &anyhow::Error) {
+pub fn error(error: &anyhow::Error) {
     let causes: Vec<String> = error.chain().map(ToString::to_string).collect();
-    // Where stderr is closed there is nobody to tell.
+    // A closed stderr is no reason to fail.
     let _ = writeln!(anstream::stderr(), "{ERROR}error:{ERROR:#} {}", causes.join(": "));
 }
 

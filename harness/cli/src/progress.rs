@@ -3,13 +3,13 @@
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
 
-/// How far a run is.
+/// The bar that shows how far a run is.
 pub struct Progress {
     bar: ProgressBar,
 }
 
 impl Progress {
-    /// A bar for so many cases or inputs; it shows nothing where stderr is no terminal.
+    /// Makes a bar for so many cases or inputs, which shows nothing where stderr is no terminal.
     pub fn new(cases: u64) -> Progress {
         let bar = ProgressBar::new(cases);
         // The template is a constant; if it were wrong, the bar would look plain.
@@ -20,7 +20,7 @@ impl Progress {
         Progress { bar }
     }
 
-    /// One case more, and how many of all so far were not as expected.
+    /// Counts one case more; `failed` of all so far were not as expected.
     pub fn advance(&self, failed: u64) {
         self.bar.inc(1);
         if failed > 0 && self.bar.position().is_multiple_of(64) {
@@ -28,7 +28,7 @@ impl Progress {
         }
     }
 
-    /// So many are done, and so many of them were not as expected.
+    /// Sets how many are done, and how many of them were not as expected.
     pub fn reach(&self, done: u64, failed: u64) {
         self.bar.set_position(done);
         if failed > 0 {
@@ -36,7 +36,7 @@ impl Progress {
         }
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }

@@ -12,7 +12,7 @@ pub fn quote(argument: &str) -> Cow<'_, str> {
     format!("'{}'", argument.replace('\'', r"'\''")).into()
 }
 
-/// What stands for `stickler` where the reader is. Whoever came by `cargo run` has no `stickler` to call.
+/// Returns how the reader calls `stickler`: one who came by `cargo run` has no `stickler` to call.
 pub fn program() -> &'static str {
     // Cargo tells the programs that it runs where their manifest is.
     let by_cargo = env::var_os("CARGO_MANIFEST_DIR").is_some_and(|folder| !folder.is_empty());

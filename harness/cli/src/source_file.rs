@@ -8,7 +8,7 @@ use std::path::Path;
 /// The bytes of a file, or of stdin where the path is `-`, and the name to show for it.
 ///
 /// # Errors
-/// Where it cannot be read; a text that is no text is none.
+/// A file that cannot be read, or that is no text.
 pub fn read(path: &Path) -> anyhow::Result<(Vec<u8>, String)> {
     if path.as_os_str() == "-" {
         let mut bytes = Vec::new();

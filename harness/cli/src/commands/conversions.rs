@@ -1,7 +1,7 @@
 //! `stickler conversions`: what one conversion function does, dialects side by side.
 
 use crate::arguments::ConversionsArguments;
-use crate::engines::{self, Named, REFERENCE};
+use crate::engines::{self, NamedEngine, REFERENCE};
 use crate::exit::Exit;
 use crate::interrupt;
 use std::io::Write;
@@ -32,7 +32,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         asked.push((named.engine.as_ref(), engines::spoken(named.identity(), &having)?));
     }
     let results = overview::gather(calls, &asked)?;
-    let identities: Vec<_> = engines.iter().map(Named::identity).collect();
+    let identities: Vec<_> = engines.iter().map(NamedEngine::identity).collect();
     if arguments.json {
         overview::write_json(&function, &results, &identities, out)?;
     } else {
@@ -50,7 +50,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     })
 }
 
-/// Every signature that one of the dialects has, each once.
+/// Returns every signature that one of the dialects has, each once.
 fn signatures(function: &str, dialects: &[DialectName]) -> Vec<Signature> {
     let mut found: Vec<Signature> = Vec::new();
     for dialect in dialects {

@@ -107,17 +107,17 @@ fn write_check(check: &Check, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// How much of a line is shown, in characters: whoever looks into one wants to send it again.
-const SHOWN: usize = 2000;
+/// How many characters of a line are shown: enough to send most requests again.
+const MAX_LINE_LEN: usize = 2000;
 
 fn excerpt(line: &str) -> String {
     // A control character of an adapter must not steer the terminal.
     let shown: String = line
         .chars()
         .filter(|character| !character.is_control())
-        .take(SHOWN)
+        .take(MAX_LINE_LEN)
         .collect();
-    let more = if line.chars().nth(SHOWN).is_some() {
+    let more = if line.chars().nth(MAX_LINE_LEN).is_some() {
         "…"
     } else {
         ""

@@ -52,11 +52,11 @@ fn seek_all<'n>(names: &[&'n str], configuration: &'n Configuration) -> anyhow::
     )
 }
 
-/// What is told of one engine; in JSON by these names.
+/// The entry of one engine in the list; the fields are those of the JSON object.
 #[derive(Serialize)]
 struct Listed<'n> {
     name: &'n str,
-    /// Whether it can be used.
+    /// Whether the engine can be used.
     here: bool,
     /// The adapter of Stickler's own that it has.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -65,17 +65,17 @@ struct Listed<'n> {
     version: Option<String>,
     dialects: Vec<&'static str>,
     abilities: Vec<String>,
-    /// How exactly its rejections are judged.
+    /// The grade at which its rejections are judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     grade: Option<&'static str>,
-    /// Where `stickler.toml` names it.
+    /// The place at which `stickler.toml` names the engine.
     #[serde(skip_serializing_if = "Option::is_none")]
     named_in: Option<&'n str>,
     places: Vec<FoundPlace>,
-    /// What is missing or does not work.
+    /// The reason for which the engine cannot be used.
     #[serde(skip_serializing_if = "Option::is_none")]
     problem: Option<String>,
-    /// Where its project is.
+    /// The address of its project.
     #[serde(skip_serializing_if = "Option::is_none")]
     project: Option<&'n str>,
 }
@@ -133,7 +133,7 @@ impl<'n> Listed<'n> {
     }
 }
 
-/// What is missing, without the name that stands above it.
+/// Returns what is missing, without the name that stands above it.
 fn problem(error: &EngineError) -> String {
     match error {
         EngineError::NotStarted { reason, .. } => reason.clone(),
@@ -146,7 +146,7 @@ fn write_json(engine: &Listed<'_>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out)
 }
 
-/// How wide the column of labels is.
+/// The width of the column of labels.
 const LABEL: usize = 10;
 
 fn write_entry(engine: &Listed<'_>, gap: bool, out: &mut dyn Write) -> io::Result<()> {

@@ -8,7 +8,7 @@ use std::io::{self, Write};
 use stickler_reference::Limits;
 use stickler_types::{Observation, Outcome, RunRequest, Value};
 
-/// How many values are shown where none is asked for.
+/// How many values are shown where no variable is named.
 const MOST: usize = 1000;
 
 /// Prints the final values, as a `values` mark has them. Of a program that is rejected, the diagnostics go to stderr; of
@@ -39,7 +39,7 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
             write_values(&values, out)?;
             out.flush()?;
             let line = line.unwrap_or_default();
-            output::complain(&anyhow::anyhow!(
+            output::error(&anyhow::anyhow!(
                 "{path}:{line}: the program stops with the fault {fault}"
             ));
             Ok(Exit::Failures)
@@ -53,7 +53,7 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
     }
 }
 
-/// What was asked for, or all there is.
+/// Returns the variables that were named, or all.
 fn names(arguments: &EvalArguments, text: &str) -> Vec<String> {
     if !arguments.observe.is_empty() {
         return arguments.observe.clone();

@@ -7,7 +7,7 @@ mod replay;
 
 use crate::arguments::FuzzArguments;
 use crate::case_folder::CaseFolder;
-use crate::engines::{self, Named};
+use crate::engines::{self, NamedEngine};
 use crate::exit::Exit;
 use crate::{interrupt, shell};
 use anyhow::bail;
@@ -99,7 +99,7 @@ fn campaign(
     };
     let mut page = Page::new(out);
     page.begin(&request, shard)?;
-    let cancel = interrupt::flag()?;
+    let cancel = interrupt::cancellation()?;
     let mut keeper = Keeper::begin(store, request, shard)?;
     let bar = Bar::new(&plan);
     let mut tell = |event: Event<'_>| match event {
@@ -130,7 +130,7 @@ fn exit(summary: &Summary) -> Exit {
 ///
 /// # Errors
 /// Those of [`engines::by_names`].
-fn engines_of(names: &[String]) -> anyhow::Result<Vec<Named>> {
+fn engines_of(names: &[String]) -> anyhow::Result<Vec<NamedEngine>> {
     if names.is_empty() {
         return Ok(Vec::new());
     }
@@ -139,7 +139,7 @@ fn engines_of(names: &[String]) -> anyhow::Result<Vec<Named>> {
     engines::by_names(&all)
 }
 
-fn under_test(named: &Named) -> EngineUnderTest<'_> {
+fn under_test(named: &NamedEngine) -> EngineUnderTest<'_> {
     EngineUnderTest {
         engine: named.engine.as_ref(),
         asked_for: &named.asked_for,
@@ -151,7 +151,7 @@ fn under_test(named: &Named) -> EngineUnderTest<'_> {
 ///
 /// # Errors
 /// Where one of the engines speaks none of them.
-fn dialects_of(arguments: &FuzzArguments, engines: &[Named]) -> anyhow::Result<Vec<DialectName>> {
+fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Result<Vec<DialectName>> {
     let asked = match &arguments.dialect[..] {
         [] => &DialectName::ALL[..],
         named => named,

@@ -5,14 +5,14 @@ mod table;
 
 use crate::arguments::{MatrixArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
-use crate::engines::Named;
+use crate::engines::NamedEngine;
 use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::{engines, interrupt, shell};
 use std::io::{self, Write};
 use stickler_suite::{Case, MatrixCell};
 use stickler_types::{DialectName, ElementaryType};
-use table::{Column, Documents, Matrix};
+use table::{Documents, EngineAnswers, Matrix};
 
 /// The probe whose cells the matrix is made of.
 const PROBE: &str = "assignment";
@@ -70,7 +70,7 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     }
     for dialect in asked {
         let speaking = engines.iter().filter(|named| named.identity().speaks(*dialect));
-        let speaking: Vec<&Named> = speaking.collect();
+        let speaking: Vec<&NamedEngine> = speaking.collect();
         if speaking.is_empty() {
             continue;
         }
@@ -106,7 +106,7 @@ fn documents(cases: &[Case], dialect: DialectName) -> Documents {
 ///
 /// # Errors
 /// An engine that cannot be started.
-fn gather(dialect: DialectName, documents: Documents, engines: &[&Named]) -> anyhow::Result<Matrix> {
+fn gather(dialect: DialectName, documents: Documents, engines: &[&NamedEngine]) -> anyhow::Result<Matrix> {
     let named = |ty: &ElementaryType| documents.keys().any(|(row, column)| row == ty || column == ty);
     let types: Vec<ElementaryType> = ElementaryType::ALL
         .into_iter()
@@ -118,7 +118,7 @@ fn gather(dialect: DialectName, documents: Documents, engines: &[&Named]) -> any
     let mut columns = Vec::with_capacity(engines.len());
     for named in engines {
         let answers = ask::answers(named.engine.as_ref(), dialect, &pairs, &|| bar.advance(0))?;
-        columns.push(Column {
+        columns.push(EngineAnswers {
             engine: named.identity().name.clone(),
             answers: pairs.iter().copied().zip(answers).collect(),
         });
@@ -132,7 +132,7 @@ fn gather(dialect: DialectName, documents: Documents, engines: &[&Named]) -> any
     })
 }
 
-fn legend(engines: &[Named], out: &mut dyn Write) -> io::Result<()> {
+fn legend(engines: &[NamedEngine], out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "A row is the value's type, a column the target's. In a cell, first the documents:"

@@ -29,7 +29,7 @@ use std::io::Write;
 /// Does what the command line says; results go to `out`.
 ///
 /// # Errors
-/// What kept the command from its work.
+/// The error that kept the command from its work.
 pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     match arguments
         .command

@@ -31,7 +31,7 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
         ));
     }
     let engine = engine(arguments)?;
-    let stop = interrupt::flag()?;
+    let stop = interrupt::cancellation()?;
     let mut subject = Subject::new(engine.as_ref(), arguments.engine == engines::REFERENCE)?;
     let Some((dialect, symptom)) = shown(&mut subject, arguments, &text, &path)? else {
         return Ok(Exit::Failures);
@@ -135,7 +135,7 @@ fn shown(
     }
     let dialects: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
     let dialects = dialects.join(", ");
-    output::complain(&match &arguments.symptom {
+    output::error(&match &arguments.symptom {
         Some(wanted) if others.is_empty() => {
             anyhow::anyhow!("{path} shows no {wanted} on {name} in {dialects}, and nothing else")
         }

@@ -3,7 +3,7 @@
 use crate::arguments::RunArguments;
 use crate::caches::Caches;
 use crate::case_folder::{self, CaseFolder, Loaded};
-use crate::engines::Named;
+use crate::engines::NamedEngine;
 use crate::exit::{self, Exit};
 use crate::progress::Progress;
 use crate::{baselines, caches, engines, interrupt, shell};
@@ -47,7 +47,7 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     let report_folder = report_folder(arguments, &folder);
     let caches = caches(arguments, &folder, &engines);
     let stores: Vec<Option<&dyn AnswerStore>> = caches.stores();
-    let cancel = interrupt::flag_that_ends_engines()?;
+    let cancel = interrupt::cancellation_ending_engines()?;
     let mut sink = EventSink::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
     let take = &mut |event| sink.take(&event);
     let summary = stickler_run::run_with(&plan, &suite, &engines, &stores, take, cancel);
@@ -82,16 +82,16 @@ fn understood(cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
     failed.map_or(Ok(()), Err)
 }
 
-/// How to ask for each engine again, in words for a shell.
-fn asked_for(engines: &[Named]) -> BTreeMap<String, String> {
-    let entry = |named: &Named| {
+/// Returns the arguments by which each engine is asked for again, quoted for a shell.
+fn asked_for(engines: &[NamedEngine]) -> BTreeMap<String, String> {
+    let entry = |named: &NamedEngine| {
         let name = named.identity().name.clone();
         (name, shell::quote(&named.asked_for).into_owned())
     };
     engines.iter().map(entry).collect()
 }
 
-/// What is known of the engines.
+/// Returns the description of the engines.
 ///
 /// # Errors
 /// A baseline that cannot be read, or that is about no engine of the run.
@@ -126,7 +126,7 @@ fn plan(arguments: &RunArguments) -> Plan {
     }
 }
 
-/// What makes a case that is run again be judged as it was.
+/// Returns the arguments with which a case that is run again is judged alike.
 fn judged_alike(arguments: &RunArguments) -> String {
     let mut options = String::new();
     if let Some(grade) = arguments.strict {
@@ -143,7 +143,7 @@ fn judged_alike(arguments: &RunArguments) -> String {
     options
 }
 
-/// Where answers are kept, unless nothing is to be written.
+/// Returns the folder in which answers are kept, unless nothing is to be written.
 fn caches(arguments: &RunArguments, folder: &CaseFolder, engines: &[&dyn Engine]) -> Caches {
     match arguments.no_cache || arguments.no_report {
         true => Caches::none(),
@@ -159,7 +159,7 @@ fn report_folder(arguments: &RunArguments, folder: &CaseFolder) -> Option<PathBu
     }
 }
 
-/// Where the events of a run arrive, and go on to every report.
+/// The receiver of the events of a run, which passes them to every report.
 struct EventSink<'c> {
     overview: Overview,
     reports: Option<Reports>,

@@ -15,10 +15,10 @@ const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
 
 /// How many names are suggested for one that is no case.
-const SUGGESTIONS: usize = 5;
+const MAX_SUGGESTIONS: usize = 5;
 
-/// Longer names are compared with no id: they are no slips of the finger.
-const LONGEST_NAME: usize = 200;
+/// The length up to which a name is compared with ids: a longer one is no slip of the finger.
+const MAX_NAME_LEN: usize = 200;
 
 /// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
 ///
@@ -167,16 +167,16 @@ fn suggestions<'a>(suite: &'a Suite, name: &str) -> Vec<&'a str> {
         .iter()
         .copied()
         .filter(|id| id.contains(name))
-        .take(SUGGESTIONS)
+        .take(MAX_SUGGESTIONS)
         .collect();
-    if close.is_empty() && name.len() <= LONGEST_NAME {
+    if close.is_empty() && name.len() <= MAX_NAME_LEN {
         let mut near: Vec<(usize, &str)> = ids
             .iter()
             .map(|id| (strsim::levenshtein(id, name), *id))
             .filter(|(distance, id)| *distance <= id.len() / 3)
             .collect();
         near.sort_unstable();
-        close = near.into_iter().map(|(_, id)| id).take(SUGGESTIONS).collect();
+        close = near.into_iter().map(|(_, id)| id).take(MAX_SUGGESTIONS).collect();
     }
     close
 }

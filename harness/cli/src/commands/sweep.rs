@@ -1,4 +1,4 @@
-//! `stickler sweep`: every input of a conversion function, held against exact arithmetic.
+//! `stickler sweep`: every input of a conversion function, compared with exact arithmetic.
 
 mod names;
 mod page;
@@ -23,7 +23,7 @@ use stickler_workers::Cancellation;
 pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let function = arguments.function.to_ascii_uppercase();
     let present =
-        find_function(&function, &arguments.dialect).inspect_err(|_| names::tell_unless_known(&function))?;
+        find_function(&function, &arguments.dialect).inspect_err(|_| names::list_unless_known(&function))?;
     let engine = engines::by_name(&arguments.engine)?;
     if arguments.engine != engines::REFERENCE {
         return programs::execute(&function, &present, engine.as_ref(), arguments, out);
@@ -35,7 +35,7 @@ pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Resul
         detail: Detail::Fine,
     };
     let sweeps = agenda(&function, &having, sampling, SweepMethod::Conversion)?;
-    let cancel = interrupt::flag()?;
+    let cancel = interrupt::cancellation()?;
     let mut page = Page::new(out, engine.identity());
     page.lacking(&function, &lacking)?;
     let jobs = arguments.jobs.map_or(0, usize::from);

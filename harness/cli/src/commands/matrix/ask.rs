@@ -1,4 +1,4 @@
-//! Asking an engine which types it takes for which.
+//! Asks an engine which types convert implicitly.
 
 use anyhow::Result;
 use stickler_engines::{Engine, EngineError, EngineSession, Outcome};
@@ -8,22 +8,22 @@ use stickler_workers::WorkerPool;
 /// A value's type, and the type of the variable that it is assigned to.
 pub type Pair = (ElementaryType, ElementaryType);
 
-/// What an engine makes of a value of one type in a variable of another. Basis: design, section 2, rule 3 (a crash is no
+/// The reaction of an engine to a value of one type in a variable of another. Basis: design, section 2, rule 3 (a crash is no
 /// rejection).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Answer {
-    /// It takes the program.
+    /// The engine accepts the program.
     Accepts,
-    /// It does not.
+    /// The engine rejects the program.
     Rejects,
-    /// It says that it cannot tell, which contradicts no document.
+    /// The engine says that it cannot tell, which contradicts no document.
     Unsupported,
-    /// It crashed, took too long or answered nonsense.
+    /// The engine crashed, took too long or answered nonsense.
     Fails,
 }
 
-/// The answer for each pair, in their order. Compilers take their time to start, so several are asked at once, each in a
-/// session of its own; `told` is called after each answer.
+/// Returns the answer for each pair, in their order. Compilers take their time to start, so several are asked at once, each in a
+/// session of its own; `answered` is called after each answer.
 ///
 /// # Errors
 /// Where the engine cannot be started.
@@ -31,14 +31,14 @@ pub fn answers(
     engine: &dyn Engine,
     dialect: DialectName,
     pairs: &[Pair],
-    told: &(dyn Fn() + Sync),
+    answered: &(dyn Fn() + Sync),
 ) -> Result<Vec<Answer>> {
     WorkerPool::new(0).map(
         pairs.iter(),
         || Ok(EngineSession::open(engine)?),
         |session, pair| {
             let outcome = ask(session, dialect, *pair)?;
-            told();
+            answered();
             Ok(answer(&outcome))
         },
     )
@@ -91,9 +91,9 @@ mod tests {
             .into_iter()
             .map(|ty| (ElementaryType::Sint, ty))
             .collect();
-        let told = AtomicUsize::new(0);
+        let answered = AtomicUsize::new(0);
         let count = || {
-            told.fetch_add(1, Ordering::Relaxed);
+            answered.fetch_add(1, Ordering::Relaxed);
         };
         let found = answers(&Reference::default(), DialectName::Matiec, &pairs, &count).unwrap();
         // In matiec only the identities convert.
@@ -104,6 +104,6 @@ mod tests {
             };
             assert_eq!(*answer, expected, "{pair:?}");
         }
-        assert_eq!(told.load(Ordering::Relaxed), pairs.len());
+        assert_eq!(answered.load(Ordering::Relaxed), pairs.len());
     }
 }

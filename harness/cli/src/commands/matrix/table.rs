@@ -17,35 +17,35 @@ const WIDTH: usize = 80;
 /// How wide the first column is: the longest name of a type and a space.
 const HEAD: usize = 8;
 
-/// What the documents say of each pair, from the case files.
+/// The words of the documents for each pair, from the case files.
 pub type Documents = BTreeMap<Pair, MatrixWord>;
 
-/// One dialect: what is said, and what each engine does.
+/// The matrix of one dialect: the words of the documents, and the answers of engines.
 pub struct Matrix {
     /// The dialect.
     pub dialect: DialectName,
-    /// The types of its rows and columns.
+    /// The types of the rows and columns.
     pub types: Vec<ElementaryType>,
-    /// What is said.
+    /// The words of the documents.
     pub documents: Documents,
-    /// The engines that speak the dialect, each with what it does, in their order.
-    pub engines: Vec<Column>,
+    /// The answers of each engine that speaks the dialect, in the order of the engines.
+    pub engines: Vec<EngineAnswers>,
 }
 
-/// What one engine does.
-pub struct Column {
-    /// Its name.
+/// The answers of one engine.
+pub struct EngineAnswers {
+    /// The name of the engine.
     pub engine: String,
-    /// Its answers.
+    /// The answer for each pair.
     pub answers: BTreeMap<Pair, Answer>,
 }
 
-impl Column {
+impl EngineAnswers {
     fn answer(&self, pair: Pair) -> Answer {
         self.answers.get(&pair).copied().unwrap_or(Answer::Unsupported)
     }
 
-    /// Whether the engine does what the documents do not say.
+    /// Returns whether the engine contradicts the documents.
     fn differs(&self, documents: &Documents, pair: Pair) -> bool {
         match (documents.get(&pair), self.answer(pair)) {
             (_, Answer::Unsupported) | (Some(MatrixWord::Open) | None, _) => false,
@@ -63,7 +63,7 @@ impl Column {
 }
 
 impl Matrix {
-    /// Whether any engine does anywhere what the documents do not say.
+    /// Returns whether any engine contradicts the documents anywhere.
     pub fn differs(&self) -> bool {
         self.engines
             .iter()
@@ -104,17 +104,17 @@ impl Matrix {
         match &self.engines[..] {
             [engine] => writeln!(out, ", {} differ", engine.differing(&self.documents)),
             engines => {
-                let told = |column: &Column| {
+                let count = |column: &EngineAnswers| {
                     let differing = column.differing(&self.documents);
                     format!("{differing} differ on {}", column.engine)
                 };
-                let told: Vec<String> = engines.iter().map(told).collect();
-                writeln!(out, ": {}", told.join(", "))
+                let counts: Vec<String> = engines.iter().map(count).collect();
+                writeln!(out, ": {}", counts.join(", "))
             }
         }
     }
 
-    /// The columns, in pieces that fit the width.
+    /// Divides the columns into pieces that fit the width.
     fn blocks(&self) -> Vec<&[ElementaryType]> {
         let mut blocks = Vec::new();
         let (mut start, mut used) = (0, HEAD);
@@ -130,7 +130,7 @@ impl Matrix {
         blocks
     }
 
-    /// How wide a column is: its name, or the mark, what is said and a sign an engine.
+    /// Returns the width of a column: of its name, or of the mark, the word of the documents and a sign for each engine.
     fn width(&self, column: ElementaryType) -> usize {
         column.name().len().max(self.signs())
     }
@@ -147,7 +147,7 @@ impl Matrix {
             Some(MatrixWord::Open) => '?',
             None => ' ',
         };
-        let differs = |engine: &Column| engine.differs(&self.documents, pair);
+        let differs = |engine: &EngineAnswers| engine.differs(&self.documents, pair);
         let mark = if self.engines.iter().any(differs) {
             '!'
         } else {
@@ -180,7 +180,7 @@ fn sign(answer: Answer) -> char {
 
 #[cfg(test)]
 mod tests {
-    use super::{Column, Documents, Matrix};
+    use super::{Documents, EngineAnswers, Matrix};
     use crate::commands::matrix::ask::Answer;
     use std::collections::BTreeMap;
     use stickler_types::{DialectName, ElementaryType, MatrixWord};
@@ -192,8 +192,8 @@ mod tests {
         Documents::from([(WIDENING, MatrixWord::Yes), (NARROWING, MatrixWord::No)])
     }
 
-    fn always(engine: &str, answer: Answer) -> Column {
-        Column {
+    fn always(engine: &str, answer: Answer) -> EngineAnswers {
+        EngineAnswers {
             engine: engine.to_owned(),
             answers: BTreeMap::from([(WIDENING, answer), (NARROWING, answer)]),
         }

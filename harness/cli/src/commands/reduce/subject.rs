@@ -32,12 +32,12 @@ impl<'e> Subject<'e> {
         })
     }
 
-    /// Who the engine is.
+    /// Returns the identity of the engine.
     pub fn identity(&self) -> &'e Identity {
         self.session.engine().identity()
     }
 
-    /// Every symptom of a program. Of the reference: how it does not run it to its end.
+    /// Returns every symptom of a program. Of the reference: how it does not run it to its end.
     ///
     /// # Errors
     /// Where the engine died and cannot be started again.
@@ -63,7 +63,7 @@ impl<'e> Subject<'e> {
         Ok(Symptom::all(&expected, &got))
     }
 
-    /// Whether a program shows a symptom.
+    /// Returns whether a program shows a symptom.
     ///
     /// # Errors
     /// Those of [`Subject::symptoms`].
@@ -77,7 +77,7 @@ impl<'e> Subject<'e> {
         Ok(Interestingness::from(symptoms.contains(symptom)))
     }
 
-    /// What the reference does: the values of all variables of an elementary type.
+    /// Returns the answer of the reference: the values of all variables of an elementary type.
     fn expected(&self, dialect: DialectName, source: &str) -> Result<Outcome, EngineError> {
         let names = stickler_reference::variables(source, dialect, MOST);
         let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
@@ -92,7 +92,7 @@ impl<'e> Subject<'e> {
         })
     }
 
-    /// What the engine does with a program, asked for the values that there are to compare.
+    /// Returns the answer of the engine to a program, asked for the values that there are to compare.
     fn ask(
         &mut self,
         dialect: DialectName,

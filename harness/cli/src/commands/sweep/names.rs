@@ -1,4 +1,4 @@
-//! What can be swept, for whoever named something that cannot.
+//! The list of conversion functions, for a name that is none.
 
 use crate::output;
 use std::io::Write;
@@ -7,12 +7,12 @@ use stickler_types::wrap;
 
 /// Lists all conversion functions on stderr, where the name is one of no dialect. It is so long a list that what was wrong
 /// with the name belongs behind it.
-pub fn tell_unless_known(function: &str) {
+pub fn list_unless_known(function: &str) {
     let names = all_functions();
     if names.iter().any(|name| name == function) {
         return;
     }
-    // Where stderr is closed there is nobody to tell.
+    // A closed stderr is no reason to fail.
     let _ = writeln!(
         output::stderr(),
         "Conversion functions, `…` standing for each of the types behind it:\n{}\n",
@@ -20,7 +20,7 @@ pub fn tell_unless_known(function: &str) {
     );
 }
 
-/// All names, those with the same beginning in one paragraph.
+/// Returns all names, those with the same beginning in one paragraph.
 fn list(names: &[String]) -> String {
     let mut families: Vec<(String, Vec<&str>)> = Vec::new();
     for name in names {
@@ -36,7 +36,7 @@ fn list(names: &[String]) -> String {
     paragraphs.collect::<Vec<_>>().join("\n").trim_end().to_owned()
 }
 
-/// What names have in common, and what follows; names without types follow `also:`.
+/// Splits a name into the beginning that it shares with others, and the rest; names without types follow `also:`.
 fn split(name: &str) -> (String, &str) {
     for middle in ["_TO_BCD_", "_TRUNC_", "_TO_"] {
         if let Some(at) = name.find(middle) {

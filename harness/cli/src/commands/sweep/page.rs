@@ -1,4 +1,4 @@
-//! What a sweep shows: before it begins, what it goes through; after it ended, what it found.
+//! The page of a sweep: its inputs before it begins, its findings after it ended.
 
 mod programs;
 
@@ -15,10 +15,10 @@ const BOLD: Style = Style::new().bold();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 const DIM: Style = Style::new().dimmed();
 
-/// How much of a value is shown; texts can be long.
+/// How many characters of a value are shown; texts can be long.
 const MAX_VALUE_LEN: usize = 60;
 
-/// The page that is being written, and what it has to add up.
+/// The page that is being written, and the sums over its sweeps.
 pub struct Page<'p> {
     out: &'p mut dyn Write,
     engine: String,
@@ -28,7 +28,7 @@ pub struct Page<'p> {
 }
 
 impl<'p> Page<'p> {
-    /// An empty one.
+    /// Makes an empty page.
     pub fn new(out: &'p mut dyn Write, engine: &Identity) -> Page<'p> {
         Page {
             out,
@@ -39,7 +39,7 @@ impl<'p> Page<'p> {
         }
     }
 
-    /// The dialects that were asked for and lack the function.
+    /// Writes the dialects that were asked for and lack the function.
     pub fn lacking(&mut self, function: &str, dialects: &[DialectName]) -> io::Result<()> {
         match dialects {
             [] => Ok(()),
@@ -47,7 +47,7 @@ impl<'p> Page<'p> {
         }
     }
 
-    /// What is about to be swept; shown at once, for a sweep may take long.
+    /// Writes the function and its inputs, before they are swept: a sweep may take long.
     pub fn begin(&mut self, sweep: &Sweep, sampling: Sampling) -> io::Result<()> {
         let signature = &sweep.signature;
         let operands: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
@@ -78,7 +78,7 @@ impl<'p> Page<'p> {
         self.out.flush()
     }
 
-    /// What was found.
+    /// Writes the findings of a sweep.
     pub fn end(&mut self, sweep: &Sweep, found: &Findings, took: Duration) -> io::Result<()> {
         self.sweeps += 1;
         self.inputs += found.done;
@@ -99,7 +99,7 @@ impl<'p> Page<'p> {
         Ok(())
     }
 
-    /// The first differences, and how many more there are.
+    /// Writes the first differences, and how many more there are.
     fn differences(&mut self, first: &[Difference], all: u64) -> io::Result<()> {
         first
             .iter()
@@ -143,7 +143,7 @@ impl<'p> Page<'p> {
         }
     }
 
-    /// How many sweeps were left out because of Ctrl-C.
+    /// Writes how many sweeps were left out because of Ctrl-C.
     pub fn not_begun(&mut self, sweeps: usize) -> io::Result<()> {
         match sweeps {
             0 => Ok(()),
@@ -152,7 +152,7 @@ impl<'p> Page<'p> {
         }
     }
 
-    /// All sweeps together, where there are several.
+    /// Writes the sums over all sweeps, where there are several.
     pub fn total(&mut self) -> io::Result<()> {
         if self.sweeps < 2 {
             return Ok(());
@@ -169,7 +169,7 @@ impl<'p> Page<'p> {
         )
     }
 
-    /// Whether all was as it must be.
+    /// Returns the exit code: whether there was no mismatch.
     pub const fn exit(&self) -> Exit {
         match self.mismatches {
             0 => Exit::AsExpected,
@@ -178,7 +178,7 @@ impl<'p> Page<'p> {
     }
 }
 
-/// A value in few words.
+/// Shows a value, a long one in part.
 fn shown(value: &Value) -> String {
     let written = value.to_string();
     match written.char_indices().nth(MAX_VALUE_LEN) {
@@ -191,7 +191,7 @@ fn counted(count: u64, one: &str, several: &str) -> String {
     format!("{} {}", grouped(count), if count == 1 { one } else { several })
 }
 
-/// A number with blanks between its thousands: `4 294 967 296`.
+/// Writes a number with blanks between its thousands: `4 294 967 296`.
 fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() * 4 / 3);

@@ -17,7 +17,7 @@ use stickler_workers::Cancellation;
 /// Sweeps a function of an engine in each dialect that both have, and shows what was found after each.
 ///
 /// # Errors
-/// An engine that speaks none of the dialects or cannot be started, no threads. What it does not execute is told on the
+/// An engine that speaks none of the dialects or cannot be started, no threads. What it does not execute stands on the
 /// page, and ends with [`Exit::EngineNotRun`] if that is all of it.
 pub fn execute(
     function: &str,
@@ -33,7 +33,7 @@ pub fn execute(
         detail: Detail::Coarse,
     };
     let sweeps = agenda(function, &dialects, sampling, SweepMethod::Programs)?;
-    let cancel = interrupt::flag()?;
+    let cancel = interrupt::cancellation()?;
     let mut page = Page::new(out, engine.identity());
     page.lacking(function, &present.lacking)?;
     let jobs = arguments.jobs.map_or(0, usize::from);

@@ -1,4 +1,4 @@
-//! What was found by programs: mismatches, what no document speaks of, and what was not answered, each apart.
+//! The findings of a sweep through programs: mismatches, observations and inputs without an answer, each apart.
 
 use super::{BAD, Page, counted, grouped, shown};
 use std::io;
@@ -7,7 +7,7 @@ use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, Unansw
 use stickler_types::{Value, wrap};
 
 impl Page<'_> {
-    /// What was found.
+    /// Writes the findings of a sweep through programs.
     pub fn end_of_programs(&mut self, found: &ForeignFindings, took: Duration) -> io::Result<()> {
         self.sweeps += 1;
         self.inputs += found.answered();
@@ -51,7 +51,7 @@ impl Page<'_> {
             .try_for_each(|reason| self.unanswered(reason))
     }
 
-    /// A sweep of which the engine executed nothing.
+    /// Writes why the engine executed nothing of a sweep.
     pub fn not_run(&mut self, error: &ForeignError) -> io::Result<()> {
         self.paragraph(&error.to_string())
     }
@@ -76,7 +76,7 @@ impl Page<'_> {
         ))
     }
 
-    /// Words that may need several lines.
+    /// Writes a paragraph that may need several lines.
     fn paragraph(&mut self, words: &str) -> io::Result<()> {
         let wrapped = wrap(words);
         wrapped
