@@ -32,5 +32,6 @@ mod statements;
 #[cfg(test)]
 pub(crate) mod tests;
 
+use answer::ill_formed;
 pub use answer::{Evaluation, EvaluationError, OpenPoint, OpenQuestion};
 pub use evaluator::{MAX_STEPS, evaluate};

@@ -166,6 +166,11 @@ pub enum EvaluationError {
     IllFormed(&'static str),
 }
 
+/// Returns the error for a model whose parts contradict each other.
+pub(super) const fn ill_formed(contradiction: &'static str) -> EvaluationError {
+    EvaluationError::IllFormed(contradiction)
+}
+
 impl fmt::Display for EvaluationError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

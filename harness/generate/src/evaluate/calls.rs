@@ -2,7 +2,7 @@
 
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
-use super::{EvaluationError, OpenQuestion};
+use super::{EvaluationError, OpenQuestion, ill_formed};
 use crate::model::{Argument, ExpressionKind, Place, Type, VariableId, VariableSection};
 use std::rc::Rc;
 
@@ -17,7 +17,7 @@ impl<'p> ModelEvaluator<'p> {
         function: usize,
         arguments: &'p [Argument],
     ) -> Result<Vec<MemoryCell>, EvaluationError> {
-        let missing = EvaluationError::IllFormed("a call of an undeclared function");
+        let missing = ill_formed("a call of an undeclared function");
         let called = self.program.functions.get(function).ok_or(missing)?;
         let offsets = self.layout.functions.get(function).ok_or(missing)?;
         let base = self.memory.len();
@@ -72,7 +72,7 @@ impl<'p> ModelEvaluator<'p> {
         callee: Activation<'p>,
         arguments: &'p [Argument],
     ) -> Result<Vec<(usize, Vec<MemoryCell>)>, EvaluationError> {
-        let unknown = EvaluationError::IllFormed("an argument for an undeclared parameter");
+        let unknown = ill_formed("an argument for an undeclared parameter");
         let mut given = Vec::with_capacity(arguments.len());
         for argument in arguments {
             let offset = *callee
@@ -98,9 +98,7 @@ impl<'p> ModelEvaluator<'p> {
         argument: &'p Argument,
     ) -> Result<MemoryCell, EvaluationError> {
         let ExpressionKind::Read(place) = &argument.value.kind else {
-            return Err(EvaluationError::IllFormed(
-                "an in-out argument that is not a variable",
-            ));
+            return Err(ill_formed("an in-out argument that is not a variable"));
         };
         let address = self.locate(caller, place)?;
         Ok(MemoryCell::Plain(address as u64))
@@ -124,7 +122,7 @@ impl<'p> ModelEvaluator<'p> {
         inputs: &'p [Argument],
         outputs: &'p [(VariableId, Place)],
     ) -> Result<(), EvaluationError> {
-        let missing = EvaluationError::IllFormed("an invocation of a variable that is not an instance");
+        let missing = ill_formed("an invocation of a variable that is not an instance");
         let (base, ty) = self.variable(caller, instance)?;
         let Type::Block(index) = self.resolved(ty) else {
             return Err(missing);

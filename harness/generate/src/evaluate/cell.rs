@@ -1,6 +1,6 @@
 //! Memory cells, one for each elementary variable.
 
-use super::{EvaluationError, OpenQuestion};
+use super::{EvaluationError, OpenQuestion, ill_formed};
 use stickler_types::{ElementaryType, Value};
 
 /// The content of one elementary variable.
@@ -22,9 +22,7 @@ impl MemoryCell {
                 Ok(Value::plain(ty, raw))
             }
             MemoryCell::Text(units) if ty.is_text() => Ok(Value::text(ty, units.into_vec())),
-            _ => Err(EvaluationError::IllFormed(
-                "a text where a number is stored, or the reverse",
-            )),
+            _ => Err(ill_formed("a text where a number is stored, or the reverse")),
         }
     }
 
@@ -33,9 +31,7 @@ impl MemoryCell {
         match value {
             Value::Plain { raw, .. } => Ok(MemoryCell::Plain(raw)),
             Value::Text { units, .. } => Ok(MemoryCell::Text(units.into_boxed_slice())),
-            Value::Enumerated { .. } => Err(EvaluationError::IllFormed(
-                "an enumerated value where a literal stands",
-            )),
+            Value::Enumerated { .. } => Err(ill_formed("an enumerated value where a literal stands")),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
-use super::{EvaluationError, OpenQuestion};
+use super::{EvaluationError, OpenQuestion, ill_formed};
 use std::sync::LazyLock;
 use stickler_exact::{
     ImplicitResult, Operation, Signature, choices_of, expected, implicit, implicit_result, value,
@@ -38,9 +38,7 @@ impl<'p> ModelEvaluator<'p> {
     ) -> Result<MemoryCell, EvaluationError> {
         let operands = [cell.into_value(from)?];
         if !signature.takes(&operands) {
-            return Err(EvaluationError::IllFormed(
-                "an argument of another type than the signature has",
-            ));
+            return Err(ill_formed("an argument of another type than the signature has"));
         }
         let given = expected(signature, &operands, self.program.dialect);
         if given.basis.is_none() {
@@ -67,7 +65,7 @@ impl<'p> ModelEvaluator<'p> {
         }
         let operand = cell.into_value(from)?;
         let Some(plain) = PLAIN.get(from as usize * TYPES + to as usize) else {
-            return Err(EvaluationError::IllFormed("an implicit conversion of no types"));
+            return Err(ill_formed("an implicit conversion of no types"));
         };
         let result = value(
             plain,

@@ -2,7 +2,7 @@
 
 use super::cell::MemoryCell;
 use super::layout::{Layout, Offsets};
-use super::{Evaluation, EvaluationError, OpenPoint, OpenQuestion};
+use super::{Evaluation, EvaluationError, OpenPoint, OpenQuestion, ill_formed};
 use crate::model::{Program, Type, Variable};
 use std::rc::Rc;
 use stickler_types::ElementaryType;
@@ -96,7 +96,7 @@ impl<'p> ModelEvaluator<'p> {
         inside: impl FnOnce(&mut Self) -> Result<T, EvaluationError>,
     ) -> Result<T, EvaluationError> {
         if self.depth >= MAX_DEPTH {
-            return Err(EvaluationError::IllFormed("a program nested too deeply"));
+            return Err(ill_formed("a program nested too deeply"));
         }
         self.depth += 1;
         let result = inside(self);
@@ -136,9 +136,7 @@ impl<'p> ModelEvaluator<'p> {
     pub fn elementary(&self, ty: &'p Type) -> Result<ElementaryType, EvaluationError> {
         match self.resolved(ty) {
             Type::Elementary(elementary) => Ok(*elementary),
-            _ => Err(EvaluationError::IllFormed(
-                "an operation on something that is not elementary",
-            )),
+            _ => Err(ill_formed("an operation on something that is not elementary")),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
 use super::statements::DIVISION_BY_ZERO;
-use super::{EvaluationError, OpenQuestion, arithmetic, ordering};
+use super::{EvaluationError, OpenQuestion, arithmetic, ill_formed, ordering};
 use crate::model::{BinaryOperator, Expression, ExpressionKind, Place, Type, UnaryOperator};
 use stickler_types::ElementaryType;
 
@@ -48,9 +48,7 @@ impl<'p> ModelEvaluator<'p> {
                 let mut cells = self.call(unit, *function, arguments)?;
                 match (cells.pop(), cells.is_empty()) {
                     (Some(cell), true) => self.settled(unit, cell),
-                    _ => Err(EvaluationError::IllFormed(
-                        "a function whose result is no single value",
-                    )),
+                    _ => Err(ill_formed("a function whose result is no single value")),
                 }
             }
             ExpressionKind::Standard(function, arguments) => self.standard(unit, *function, arguments),
@@ -69,13 +67,13 @@ impl<'p> ModelEvaluator<'p> {
             _ if size == 1 => Ok(vec![self.expression(unit, expression)?]),
             ExpressionKind::Read(place) => {
                 let address = self.locate(unit, place)?;
-                let outside = EvaluationError::IllFormed("a place outside the memory");
+                let outside = ill_formed("a place outside the memory");
                 // A structure is copied unchanged: its unsettled parts stay unsettled until they are read.
                 Ok(self.memory.get(address..address + size).ok_or(outside)?.to_vec())
             }
             ExpressionKind::Call(function, arguments) => self.call(unit, *function, arguments),
             ExpressionKind::Raw(_) => Err(EvaluationError::Raw),
-            _ => Err(EvaluationError::IllFormed("an operation on a structure or array")),
+            _ => Err(ill_formed("an operation on a structure or array")),
         }
     }
 
@@ -98,7 +96,7 @@ impl<'p> ModelEvaluator<'p> {
         let address = self.locate(unit, place)?;
         match self.load(unit, address)? {
             MemoryCell::Plain(raw) if bit < ty.bits() => Ok(MemoryCell::Plain(raw >> bit & 1)),
-            _ => Err(EvaluationError::IllFormed("a bit that the type does not have")),
+            _ => Err(ill_formed("a bit that the type does not have")),
         }
     }
 
@@ -110,9 +108,8 @@ impl<'p> ModelEvaluator<'p> {
     ) -> Result<MemoryCell, EvaluationError> {
         let ty = self.elementary(&operand.ty)?;
         let raw = self.plain(unit, operand)?;
-        let computed = arithmetic::unary(operator, ty, raw).ok_or(EvaluationError::IllFormed(
-            "a prefix operator on a type that does not have it",
-        ))?;
+        let computed = arithmetic::unary(operator, ty, raw)
+            .ok_or(ill_formed("a prefix operator on a type that does not have it"))?;
         self.computed(unit, computed, || format!("{operator:?} of {ty}"))
     }
 
@@ -130,22 +127,20 @@ impl<'p> ModelEvaluator<'p> {
             Type::Declared(_) if matches!(operator, BinaryOperator::Equal | BinaryOperator::NotEqual) => {
                 ElementaryType::Ulint
             }
-            _ => return Err(EvaluationError::IllFormed("an operator on a structure or array")),
+            _ => return Err(ill_formed("an operator on a structure or array")),
         };
         if is_comparison(operator) {
             return self.comparison(unit, operator, ty, &a, &b);
         }
         let (MemoryCell::Plain(a), MemoryCell::Plain(b)) = (a, b) else {
-            return Err(EvaluationError::IllFormed("arithmetic with a text"));
+            return Err(ill_formed("arithmetic with a text"));
         };
         match arithmetic::binary(operator, ty, a, b) {
             arithmetic::Binary::Computed(computed) => {
                 self.computed(unit, computed, || format!("{operator:?} of {ty}"))
             }
             arithmetic::Binary::DivisionByZero => Err(DIVISION_BY_ZERO),
-            arithmetic::Binary::Undefined => Err(EvaluationError::IllFormed(
-                "an operator on a type that does not have it",
-            )),
+            arithmetic::Binary::Undefined => Err(ill_formed("an operator on a type that does not have it")),
         }
     }
 

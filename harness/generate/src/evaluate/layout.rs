@@ -1,6 +1,6 @@
 //! The memory layout of a program: every elementary value has one cell, in the order of declaration.
 
-use super::EvaluationError;
+use super::{EvaluationError, ill_formed};
 use crate::model::{ArrayType, DeclaredKind, Program, Type, Variable, VariableSection};
 
 /// The maximum number of cells of a variable.
@@ -101,22 +101,16 @@ impl Layout {
         match ty {
             Type::Elementary(_) => Ok(1),
             Type::Array(array) => limited(elements(array)?.saturating_mul(self.size(&array.element)?)),
-            Type::Declared(index) => {
-                self.types
-                    .get(*index)
-                    .map(|laid| laid.size)
-                    .ok_or(EvaluationError::IllFormed(
-                        "a type that is not declared before its use",
-                    ))
-            }
-            Type::Block(index) => {
-                self.blocks
-                    .get(*index)
-                    .map(|offsets| offsets.size)
-                    .ok_or(EvaluationError::IllFormed(
-                        "a function block that is not declared before its use",
-                    ))
-            }
+            Type::Declared(index) => self
+                .types
+                .get(*index)
+                .map(|laid| laid.size)
+                .ok_or(ill_formed("a type that is not declared before its use")),
+            Type::Block(index) => self
+                .blocks
+                .get(*index)
+                .map(|offsets| offsets.size)
+                .ok_or(ill_formed("a function block that is not declared before its use")),
         }
     }
 
@@ -137,7 +131,7 @@ pub(super) fn elements(array: &ArrayType) -> Result<usize, EvaluationError> {
 pub(super) fn extent((low, high): (i64, i64)) -> Result<usize, EvaluationError> {
     let extent = i128::from(high) - i128::from(low) + 1;
     if extent < 1 {
-        return Err(EvaluationError::IllFormed("an array without elements"));
+        return Err(ill_formed("an array without elements"));
     }
     limited(usize::try_from(extent).unwrap_or(usize::MAX))
 }

@@ -1,9 +1,9 @@
 //! The places of a program in memory, and the values at the end.
 
-use super::EvaluationError;
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
 use super::layout::extent;
+use super::{EvaluationError, ill_formed};
 use crate::model::{DeclaredKind, Place, PlaceSelector, Type, VariableId, VariableSection};
 use stickler_types::{Fault, Value};
 
@@ -14,7 +14,7 @@ impl<'p> ModelEvaluator<'p> {
         unit: Activation<'p>,
         id: VariableId,
     ) -> Result<(usize, &'p Type), EvaluationError> {
-        let unknown = EvaluationError::IllFormed("a variable that its unit does not have");
+        let unknown = ill_formed("a variable that its unit does not have");
         let variable = unit.variables.get(id.0).ok_or(unknown)?;
         let own = unit.base + unit.offsets.variables.get(id.0).ok_or(unknown)?;
         if variable.section != VariableSection::InOut {
@@ -24,7 +24,7 @@ impl<'p> ModelEvaluator<'p> {
             Some(MemoryCell::Plain(address)) => {
                 Ok((usize::try_from(*address).map_err(|_| unknown)?, &variable.ty))
             }
-            _ => Err(EvaluationError::IllFormed("an in-out with nothing behind it")),
+            _ => Err(ill_formed("an in-out with nothing behind it")),
         }
     }
 
@@ -47,7 +47,7 @@ impl<'p> ModelEvaluator<'p> {
         ty: &'p Type,
         selector: &'p PlaceSelector,
     ) -> Result<(usize, &'p Type), EvaluationError> {
-        let nothing = EvaluationError::IllFormed("a selection of something that its type does not have");
+        let nothing = ill_formed("a selection of something that its type does not have");
         match (selector, ty) {
             (PlaceSelector::Index(subscripts), Type::Array(array))
                 if subscripts.len() == array.dimensions.len() =>
@@ -87,7 +87,7 @@ impl<'p> ModelEvaluator<'p> {
         let cell = self
             .memory
             .get(address)
-            .ok_or(EvaluationError::IllFormed("a place outside the memory"))?;
+            .ok_or(ill_formed("a place outside the memory"))?;
         if let MemoryCell::Unsettled(raw, question) = *cell {
             self.open(question, unit, || "it is read".to_owned());
             return Ok(MemoryCell::Plain(raw));
@@ -100,7 +100,7 @@ impl<'p> ModelEvaluator<'p> {
         let into = self
             .memory
             .get_mut(address)
-            .ok_or(EvaluationError::IllFormed("a place outside the memory"))?;
+            .ok_or(ill_formed("a place outside the memory"))?;
         *into = cell;
         Ok(())
     }

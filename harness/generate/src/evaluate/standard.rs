@@ -5,7 +5,7 @@
 use super::arithmetic::{self, Computed};
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
-use super::{EvaluationError, OpenQuestion, ordering};
+use super::{EvaluationError, OpenQuestion, ill_formed, ordering};
 use crate::model::{Expression, StandardFunction, Type, UnaryOperator};
 use std::cmp::Ordering;
 use stickler_types::{ElementaryType, Family};
@@ -13,8 +13,7 @@ use stickler_types::{ElementaryType, Family};
 /// The shortest default length of a text among the known systems; a longer text may be truncated by one of them.
 const SHORTEST_DEFAULT_LENGTH: usize = 80;
 
-const ARGUMENTS: EvaluationError =
-    EvaluationError::IllFormed("a standard function with other arguments than it has");
+const ARGUMENTS: EvaluationError = ill_formed("a standard function with other arguments than it has");
 
 impl<'p> ModelEvaluator<'p> {
     /// Computes a standard function; all arguments are evaluated, in their order.

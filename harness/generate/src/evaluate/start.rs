@@ -2,7 +2,7 @@
 
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
-use super::{EvaluationError, OpenQuestion};
+use super::{EvaluationError, OpenQuestion, ill_formed};
 use crate::model::{DeclaredKind, InitialValue, Type, Variable, VariableSection};
 use stickler_types::ElementaryType;
 
@@ -35,15 +35,11 @@ impl<'p> ModelEvaluator<'p> {
             Some(InitialValue::Expression(value)) => self.assign(unit, at, &variable.ty, value),
             Some(InitialValue::Array(values)) => {
                 let Type::Array(array) = self.resolved(&variable.ty) else {
-                    return Err(EvaluationError::IllFormed(
-                        "elements of a variable that is not an array",
-                    ));
+                    return Err(ill_formed("elements of a variable that is not an array"));
                 };
                 let size = self.layout.size(&array.element)?;
                 if values.len() > super::layout::elements(array)? {
-                    return Err(EvaluationError::IllFormed(
-                        "more initial values than the array has elements",
-                    ));
+                    return Err(ill_formed("more initial values than the array has elements"));
                 }
                 for (element, value) in values.iter().enumerate() {
                     self.assign(unit, at + element * size, &array.element, value)?;
@@ -51,7 +47,7 @@ impl<'p> ModelEvaluator<'p> {
                 Ok(())
             }
             Some(InitialValue::Structure(fields)) => {
-                let none = EvaluationError::IllFormed("fields of a variable that is not a structure");
+                let none = ill_formed("fields of a variable that is not a structure");
                 let Type::Declared(structure) = self.resolved(&variable.ty) else {
                     return Err(none);
                 };
@@ -99,7 +95,7 @@ impl<'p> ModelEvaluator<'p> {
                 _ => self.store(at, MemoryCell::Plain(0)),
             },
             Type::Block(index) => {
-                let missing = EvaluationError::IllFormed("an instance of an undeclared function block");
+                let missing = ill_formed("an instance of an undeclared function block");
                 let block = self.program.blocks.get(*index).ok_or(missing)?;
                 let instance = Activation {
                     name: &block.name,

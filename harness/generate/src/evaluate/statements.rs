@@ -2,7 +2,7 @@
 
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
-use super::{EvaluationError, OpenQuestion};
+use super::{EvaluationError, OpenQuestion, ill_formed};
 use crate::model::{
     AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, Place, Statement, StatementKind,
     Type, VariableId,
@@ -151,9 +151,7 @@ impl<'p> ModelEvaluator<'p> {
                 self.set_bit(unit, place, *bit, set)?;
             }
             AssignmentTarget::Result => {
-                let (address, ty) = unit
-                    .result
-                    .ok_or(EvaluationError::IllFormed("a result outside a function"))?;
+                let (address, ty) = unit.result.ok_or(ill_formed("a result outside a function"))?;
                 self.assign(unit, address, ty, value)?;
             }
         }
@@ -174,7 +172,7 @@ impl<'p> ModelEvaluator<'p> {
         }
         let cells = self.cells(unit, value)?;
         let into = self.memory.get_mut(address..address + cells.len());
-        into.ok_or(EvaluationError::IllFormed("a place outside the memory"))?
+        into.ok_or(ill_formed("a place outside the memory"))?
             .clone_from_slice(&cells);
         Ok(())
     }
@@ -192,10 +190,10 @@ impl<'p> ModelEvaluator<'p> {
         let ty = self.elementary(&place.ty)?;
         let address = self.locate(unit, place)?;
         let MemoryCell::Plain(raw) = self.load(unit, address)? else {
-            return Err(EvaluationError::IllFormed("a bit of a text"));
+            return Err(ill_formed("a bit of a text"));
         };
         if bit >= ty.bits() {
-            return Err(EvaluationError::IllFormed("a bit that the type does not have"));
+            return Err(ill_formed("a bit that the type does not have"));
         }
         let number = if set { raw | 1 << bit } else { raw & !(1 << bit) };
         self.store(address, MemoryCell::Plain(ty.wrap(i128::from(number))))
@@ -244,7 +242,7 @@ impl<'p> ModelEvaluator<'p> {
             None => 1,
         };
         if by == 0 {
-            return Err(EvaluationError::IllFormed("a FOR loop by 0"));
+            return Err(ill_formed("a FOR loop by 0"));
         }
         while if by > 0 { value <= to } else { value >= to } {
             if !holds(ty, value) {
@@ -308,7 +306,7 @@ impl<'p> ModelEvaluator<'p> {
     ) -> Result<u64, EvaluationError> {
         match self.expression(unit, expression)? {
             MemoryCell::Plain(raw) => Ok(raw),
-            _ => Err(EvaluationError::IllFormed("a text where a number stands")),
+            _ => Err(ill_formed("a text where a number stands")),
         }
     }
 }

@@ -14,22 +14,22 @@ use stickler_types::{ElementaryType, Family, Value};
 pub(super) const PLANTED: &str = "planted";
 
 /// The program in which one error is planted, with the choices of its place.
-pub(super) struct FaultSite<'p, 'b, 'd> {
+pub(super) struct FaultSite<'p, 'd> {
     /// The sound program.
     pub original: &'p Program,
     /// The copy that gets the error.
     pub program: Program,
     /// The source of choices.
-    pub input: &'b mut Unstructured<'d>,
+    pub input: &'p mut Unstructured<'d>,
     /// The text that identifies the line of the error, if a declaration is planted.
     pub mark: Option<String>,
     /// Whether the diagnostic must come with a suggestion.
     pub suggested: bool,
 }
 
-impl<'p, 'b, 'd> FaultSite<'p, 'b, 'd> {
+impl<'p, 'd> FaultSite<'p, 'd> {
     /// Creates a state in which nothing is planted yet.
-    pub fn new(original: &'p Program, input: &'b mut Unstructured<'d>) -> FaultSite<'p, 'b, 'd> {
+    pub fn new(original: &'p Program, input: &'p mut Unstructured<'d>) -> FaultSite<'p, 'd> {
         FaultSite {
             original,
             program: original.clone(),

@@ -19,7 +19,7 @@ pub(super) fn bits(program: &Program, ty: &Type) -> Option<u32> {
 /// Plants a read of a bit beyond the last one where a BOOL is expected; in any other place the BOOL would be a second error.
 ///
 /// Basis: bit-access/outside-and-no-bool.st.
-pub(super) fn outside_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn outside_read(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     read(
         fault,
@@ -30,7 +30,7 @@ pub(super) fn outside_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Plants a read of a bit of something without bits: a BOOL, a real, a duration, a text, an aggregate, an enumeration.
-pub(super) fn none_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn none_read(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     read(
         fault,
@@ -46,7 +46,7 @@ fn has_none(program: &Program, place: &Place) -> bool {
 
 /// Replaces an expression, in a place that takes any value, by a bit of some place.
 fn read(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     gives_way: impl Fn(&Expression) -> bool,
     eligible: impl Fn(&Place) -> bool,
     numbers: impl Fn(u32) -> Vec<u32>,
@@ -66,7 +66,7 @@ fn read(
 }
 
 /// Plants a bit beyond the last one, written.
-pub(super) fn outside_written(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn outside_written(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     written(
         fault,
@@ -76,13 +76,13 @@ pub(super) fn outside_written(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Plants a bit of what has no bits, written.
-pub(super) fn none_written(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn none_written(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     written(fault, |place| has_none(original, place), |_| vec![0, 7])
 }
 
 fn written(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     eligible: impl Fn(&Place) -> bool,
     numbers: impl Fn(u32) -> Vec<u32>,
 ) -> Option<()> {
@@ -104,7 +104,7 @@ fn written(
 /// Plants a bit by `.%X`, where the dialect does not have the form.
 ///
 /// Basis: bit-access/partial-access-disabled.toml.
-pub(super) fn percent_disabled(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn percent_disabled(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     if fault.original.dialect != DialectName::IronplcEd2 {
         return None;
     }
@@ -114,7 +114,7 @@ pub(super) fn percent_disabled(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> 
 /// Plants a byte or word of a bit string, where the dialect has no partial access.
 ///
 /// Basis: bit-access/wider-forms-disabled.toml.
-pub(super) fn wider_disabled(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn wider_disabled(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     if fault.original.dialect != DialectName::IronplcEd2 {
         return None;
     }
@@ -124,7 +124,7 @@ pub(super) fn wider_disabled(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a byte or word of a bit string, where the dialect has partial access to bits only.
 ///
 /// Basis: bit-access/wider-forms-unsupported.toml.
-pub(super) fn wider_unsupported(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn wider_unsupported(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     if !has_partial_access(fault.original.dialect) {
         return None;
     }
@@ -134,7 +134,7 @@ pub(super) fn wider_unsupported(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
 /// Plants a bit in matiec, whose grammar has none.
 ///
 /// Basis: bit-access/matiec.toml.
-pub(super) fn in_matiec(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn in_matiec(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     if fault.original.dialect != DialectName::Matiec {
         return None;
     }
@@ -142,7 +142,7 @@ pub(super) fn in_matiec(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Replaces an expression, in a place that takes any value, by a variable of a type followed by one of the texts.
-fn by_text(fault: &mut FaultSite<'_, '_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
+fn by_text(fault: &mut FaultSite<'_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
     let (number, site, _) = fault.pick_expression(|site, expression: &Expression| {
         site.unit != Unit::Types && stands_for_any_value(site, expression)
     })?;

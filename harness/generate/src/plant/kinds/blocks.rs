@@ -47,7 +47,7 @@ fn calls_one_with_inner(program: &Program, unit: Unit, kind: &StatementKind) -> 
 /// Plants a value for a parameter that is no input of the function block.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn unknown_input(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn unknown_input(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let has_inner = |unit, kind: &StatementKind| calls_one_with_inner(original, unit, kind);
     fault.change_statement(has_inner, |fault, unit, kind| {
@@ -66,7 +66,7 @@ pub(super) fn unknown_input(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants an input that is given twice.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn input_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn input_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let has_inputs =
         |_, kind: &StatementKind| matches!(kind, StatementKind::Invoke { inputs, .. } if !inputs.is_empty());
     fault.change_statement(has_inputs, |fault, _, kind| {
@@ -82,7 +82,7 @@ pub(super) fn input_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a place that takes a variable that is no output.
 ///
 /// Basis: ironplc-problem-codes: P4004.
-pub(super) fn unknown_output(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn unknown_output(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let has_inner = |unit, kind: &StatementKind| calls_one_with_inner(original, unit, kind);
     fault.change_statement(has_inner, |fault, unit, kind| {
@@ -104,7 +104,7 @@ pub(super) fn unknown_output(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a place that takes an output of a type that does not convert to its own.
 ///
 /// Basis: stickler-design: §7 (`=>` capture: P4035).
-pub(super) fn output_taken(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn output_taken(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let dialect = original.dialect;
     let takes = |_, kind: &StatementKind| matches!(kind, StatementKind::Invoke { outputs, .. } if !outputs.is_empty());
@@ -129,7 +129,7 @@ pub(super) fn output_taken(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants arguments by position, one more than the function block has inputs.
 ///
 /// Basis: ironplc-problem-codes: P4003.
-pub(super) fn too_many_by_position(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn too_many_by_position(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     fault.insert_text(|fault, unit| {
         let original = fault.original;
         let instances = unit
@@ -162,7 +162,7 @@ fn literals(block: &FunctionBlock) -> Option<Vec<String>> {
 /// Plants an expression other than a variable as argument of a VAR_IN_OUT.
 ///
 /// Basis: language/diagnostics-calls.st.
-pub(super) fn no_variable(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn no_variable(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let (number, _, expression) = fault.pick_expression(|site, expression| {
         site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
@@ -184,7 +184,7 @@ pub(super) fn no_variable(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a variable of another type, also one that widens elsewhere, as argument of a VAR_IN_OUT.
 ///
 /// Basis: language/diagnostics-calls.st; widening/in-out.toml.
-pub(super) fn other_type(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn other_type(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let (number, site, expression) = fault.pick_expression(|site, expression| {
         site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
@@ -214,7 +214,7 @@ pub(super) fn other_type(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a constant as argument of a VAR_IN_OUT.
 ///
 /// Basis: language/diagnostics-calls.st.
-pub(super) fn constant(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn constant(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let (number, site, expression) = fault.pick_expression(|site, expression| {
         site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()

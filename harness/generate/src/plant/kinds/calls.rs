@@ -14,7 +14,7 @@ use stickler_types::ElementaryType;
 /// Plants one argument more than the function has inputs; the style must write positional arguments.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn argument_too_many(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn argument_too_many(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     // A call that omits inputs has named arguments.
     let functions = &fault.original.functions;
     let gives_all = |function: usize, arguments: &[Argument]| {
@@ -38,7 +38,7 @@ pub(super) fn argument_too_many(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
 /// Plants one argument less than the function has inputs, by position.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn argument_too_few(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn argument_too_few(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     call(
         fault,
         |_| true,
@@ -56,7 +56,7 @@ pub(super) fn argument_too_few(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> 
 /// Plants a call of a standard function with one argument more or less than it has parameters.
 ///
 /// Basis: ironplc-problem-codes: P4018; iec-61131-3: Tables 28 to 34.
-pub(super) fn standard_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn standard_argument(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let (number, ..) =
         fault.pick_expression(|_, expression| matches!(expression.kind, ExpressionKind::Standard(..)))?;
     let fewer = fault.input.ratio(1, 2).unwrap_or(true);
@@ -86,7 +86,7 @@ const fn takes_any_number(function: StandardFunction) -> bool {
 /// Plants a conversion function with two arguments, or with none; its result is of the type that the place expects.
 ///
 /// Basis: conversion/bad-count.toml.
-pub(super) fn conversion_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn conversion_argument(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let dialect = original.dialect;
     let sources = |expression: &Expression| {
@@ -150,7 +150,7 @@ fn named(function: &Function) -> Vec<String> {
 
 /// Replaces a value of the result type of a function by a call of it, as text.
 fn call(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     eligible: fn(&Function) -> bool,
     arguments: impl FnOnce(&Function) -> String,
 ) -> Option<()> {
@@ -175,7 +175,7 @@ fn call(
 /// Plants an argument by a name that the function does not have.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn unknown_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn unknown_name(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     call(
         fault,
         |_| true,
@@ -190,7 +190,7 @@ pub(super) fn unknown_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants an argument that is given twice.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn name_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn name_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     call(
         fault,
         |_| true,
@@ -205,7 +205,7 @@ pub(super) fn name_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a call in which some arguments have names and some have not.
 ///
 /// Basis: ironplc-problem-codes: P4001.
-pub(super) fn mixed(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn mixed(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     call(
         fault,
         |function| inputs(function).len() > 1,
@@ -222,7 +222,7 @@ pub(super) fn mixed(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a function that calls itself.
 ///
 /// Basis: language/diagnostics-recursion.st (the call is the line).
-pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let numbers = (0..original.functions.len()).filter(|&number| {
         let function = &original.functions[number];
@@ -255,7 +255,7 @@ pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()
 /// Plants a function block that holds an instance of itself.
 ///
 /// Basis: ironplc-problem-codes: P4005.
-pub(super) fn recursive_block(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn recursive_block(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let number = fault.choose((0..fault.original.blocks.len()).collect())?;
     let name = &fault.original.blocks.get(number)?.name;
     fault.declare_text(

@@ -12,7 +12,7 @@ use stickler_types::ElementaryType;
 
 /// Declares a constant with the planted name, after all variables of a unit.
 pub(super) fn declare(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     unit: Unit,
     ty: Type,
     initial: InitialValue,
@@ -30,7 +30,7 @@ pub(super) fn declare(
 /// Plants an assignment to a constant.
 ///
 /// Basis: language/diagnostics-calls.st.
-pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn assigned(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     fault.insert_text(|fault, unit| {
         let ty = fault.choose(types(fault.original.dialect).filter(|ty| !ty.is_text()).collect())?;
         let value = InitialValue::Expression(literal(ty));
@@ -43,7 +43,7 @@ pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// whole.
 ///
 /// Basis: language/diagnostics-beside-a-subscript.st; bit-access/constant-parts-are-not-written.st.
-pub(super) fn part_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn part_assigned(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     fault.insert(
         |_, _| true,

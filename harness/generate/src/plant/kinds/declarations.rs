@@ -5,7 +5,7 @@ use crate::dialect::has_third_edition;
 use crate::model::{Unit, VariableSection};
 
 /// Declares one of several types for a variable with a name of its own.
-fn declared(fault: &mut FaultSite<'_, '_, '_>, section: VariableSection, texts: &[&str]) -> Option<()> {
+fn declared(fault: &mut FaultSite<'_, '_>, section: VariableSection, texts: &[&str]) -> Option<()> {
     let unit = fault.unit()?;
     let text = fault.choose(texts.to_vec())?;
     fault.declare_text(unit, &format!("{PLANTED}_one {text}"), section)
@@ -14,7 +14,7 @@ fn declared(fault: &mut FaultSite<'_, '_, '_>, section: VariableSection, texts: 
 /// Plants a type of the third edition, where the dialect has the second.
 ///
 /// Basis: language/third-edition-types.st.
-pub(super) fn third_edition(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn third_edition(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     if has_third_edition(fault.original.dialect) {
         return None;
     }
@@ -33,7 +33,7 @@ pub(super) fn third_edition(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a declaration without its colon.
 ///
 /// Basis: language/syntax-recovery.st.
-pub(super) fn no_colon(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn no_colon(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     declared(
         fault,
         VariableSection::Local,
@@ -44,7 +44,7 @@ pub(super) fn no_colon(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants an array whose limits descend.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn limits_descend(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn limits_descend(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     declared(
         fault,
         VariableSection::Local,
@@ -55,7 +55,7 @@ pub(super) fn limits_descend(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants an array that is larger than any memory.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn too_large(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn too_large(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     declared(
         fault,
         VariableSection::Local,
@@ -66,14 +66,14 @@ pub(super) fn too_large(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a subrange that descends.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn subrange_descends(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn subrange_descends(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     declared(fault, VariableSection::Local, &[": INT(9..1)", ": DINT(0..-1)"])
 }
 
 /// Plants a subrange beyond its base type.
 ///
 /// Basis: ironplc-problem-codes: P2016.
-pub(super) fn subrange_outside(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn subrange_outside(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     declared(
         fault,
         VariableSection::Local,
@@ -84,14 +84,14 @@ pub(super) fn subrange_outside(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> 
 /// Plants a subrange of a type other than an integer.
 ///
 /// Basis: ironplc-problem-codes: P2015.
-pub(super) fn subrange_of_no_integer(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn subrange_of_no_integer(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     declared(fault, VariableSection::Local, &[": REAL(0..1)", ": BOOL(0..1)"])
 }
 
 /// Plants a string longer than the maximum length.
 ///
 /// Basis: ironplc-problem-codes: P2041.
-pub(super) fn too_long(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn too_long(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     declared(
         fault,
         VariableSection::Local,
@@ -102,7 +102,7 @@ pub(super) fn too_long(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a constant without a value.
 ///
 /// Basis: ironplc-problem-codes: P4008.
-pub(super) fn no_value(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn no_value(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     declared(
         fault,
         VariableSection::Constant,
@@ -113,7 +113,7 @@ pub(super) fn no_value(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants an instance of a function block that is constant.
 ///
 /// Basis: ironplc-problem-codes: P4009.
-pub(super) fn constant_instance(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn constant_instance(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let block = fault.choose(fault.original.blocks.iter().collect())?;
     let text = format!("{PLANTED}_one : {}", block.name);
     fault.declare_text(Unit::Main, &text, VariableSection::Constant)
@@ -122,7 +122,7 @@ pub(super) fn constant_instance(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
 /// Plants an instance of a function block in a function.
 ///
 /// Basis: ironplc-problem-codes: P4054.
-pub(super) fn instance_in_function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn instance_in_function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let number = fault.choose((0..fault.original.functions.len()).collect())?;
     let block = fault.choose(fault.original.blocks.iter().collect())?;
     let text = format!("{PLANTED}_one : {}", block.name);

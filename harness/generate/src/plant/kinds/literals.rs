@@ -10,7 +10,7 @@ use stickler_types::{DialectName, ElementaryType};
 /// Plants an untyped integer literal beyond the type of its target, or below it.
 ///
 /// Basis: stickler-design: §7 (*a literal that does not fit its type: P2026*; the sign belongs to it).
-pub(super) fn integer_for_target(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn integer_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     too_large(fault, |site, expression| {
         let with_target = matches!(
@@ -26,7 +26,7 @@ pub(super) fn integer_for_target(fault: &mut FaultSite<'_, '_, '_>) -> Option<()
 }
 
 /// Plants an untyped integer literal outside the type of the other operand.
-pub(super) fn integer_for_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn integer_for_operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     too_large(fault, |site, expression| match site.context {
         // Beside a narrower operand that widens, the literal would make the whole narrower, and other literals with it wrong.
         ExpressionContext::Operand(_, other) => {
@@ -37,7 +37,7 @@ pub(super) fn integer_for_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<(
 }
 
 /// Plants an untyped integer literal outside the type of the selector as a label of CASE.
-pub(super) fn integer_for_label(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn integer_for_label(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     too_large(fault, |site, expression| {
         let label = site.context == ExpressionContext::Label;
@@ -47,7 +47,7 @@ pub(super) fn integer_for_label(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
 
 /// Puts an untyped integer literal in a place whose type, given by a function, does not hold it.
 fn too_large(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     expected: impl Fn(ExpressionSite, &Expression) -> Option<ElementaryType>,
 ) -> Option<()> {
     let range = |site, expression: &Expression| expected(site, expression).and_then(range_of_integer);
@@ -68,7 +68,7 @@ fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
 /// Plants a based literal with more bits than its bit string has, where the dialect takes one.
 ///
 /// Basis: stickler-design: §8; widening/literal-too-long-for-a-bit-string.toml.
-pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let everywhere = matches!(original.dialect, DialectName::IronplcRusty | DialectName::Matiec);
     if original.dialect == DialectName::Plcnext {
@@ -94,7 +94,7 @@ pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a typed literal that its type does not hold.
 ///
 /// Basis: language/literals-outside.toml; widening/typed-literal-that-does-not-fit.toml.
-pub(super) fn typed_integer(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn typed_integer(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let (number, ty) = integer_site(fault)?;
     let (low, high) = ty.integer_range()?;
     let mut beyond = vec![high + 1];
@@ -107,7 +107,7 @@ pub(super) fn typed_integer(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Picks a place for a value of an integer type without an implicit conversion.
-fn integer_site(fault: &mut FaultSite<'_, '_, '_>) -> Option<(usize, ElementaryType)> {
+fn integer_site(fault: &mut FaultSite<'_, '_>) -> Option<(usize, ElementaryType)> {
     let original = fault.original;
     let integer = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_integer());
     let (number, _, expression) = fault.pick_expression(|site, expression| {
@@ -119,7 +119,7 @@ fn integer_site(fault: &mut FaultSite<'_, '_, '_>) -> Option<(usize, ElementaryT
 /// Plants a real literal beyond its type.
 ///
 /// Basis: language/literals-outside.toml.
-pub(super) fn real(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn real(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let real = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_real());
     let (number, _, expression) = fault.pick_expression(|site, expression| {
@@ -148,7 +148,7 @@ pub(super) fn real(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a day that the calendar does not have.
 ///
 /// Basis: language/literals-outside.toml.
-pub(super) fn date(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn date(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     moment(fault, ElementaryType::Date, &["D#2023-02-29", "D#2024-13-01"]).or_else(|| {
         moment(
             fault,
@@ -161,12 +161,12 @@ pub(super) fn date(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a duration longer than the maximum.
 ///
 /// Basis: language/literals-outside.toml.
-pub(super) fn duration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn duration(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     moment(fault, ElementaryType::Time, &["T#9999999999999d"])
 }
 
 /// Puts one of the texts in a place for a value of a type.
-fn moment(fault: &mut FaultSite<'_, '_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
+fn moment(fault: &mut FaultSite<'_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
     let original = fault.original;
     let (number, ..) = fault.pick_expression(|site, expression| {
         !matches!(site.context, ExpressionContext::InOut) && elementary(original, &expression.ty) == Some(ty)
@@ -179,7 +179,7 @@ fn moment(fault: &mut FaultSite<'_, '_, '_>, ty: ElementaryType, texts: &[&str])
 /// Plants a constant division by zero.
 ///
 /// Basis: language/diagnostics-constants.st.
-pub(super) fn division_by_zero(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn division_by_zero(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let (number, ty) = integer_site(fault)?;
     let texts = vec![
         format!("({ty}#5 / {ty}#0)"),
@@ -194,7 +194,7 @@ pub(super) fn division_by_zero(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> 
 /// Plants a constant sum beyond its type.
 ///
 /// Basis: language/diagnostics-constants.st.
-pub(super) fn overflow(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn overflow(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let (number, ty) = integer_site(fault)?;
     let (low, high) = ty.integer_range()?;
     let texts = vec![
@@ -210,7 +210,7 @@ pub(super) fn overflow(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a constant sum of untyped literals beyond the type of its target.
 ///
 /// Basis: language/diagnostics-constants.st.
-pub(super) fn untyped_overflow(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn untyped_overflow(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let range = |expression: &Expression| elementary(original, &expression.ty).and_then(range_of_integer);
     let (number, _, expression) = fault.pick_expression(|site, expression| {
@@ -231,7 +231,7 @@ pub(super) fn untyped_overflow(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> 
 /// Plants a constant subscript outside the array.
 ///
 /// Basis: language/diagnostics-constants.st.
-pub(super) fn subscript(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn subscript(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let (number, site, _) =
         fault.pick_expression(|site, _| matches!(site.context, ExpressionContext::Subscript(..)))?;
     let ExpressionContext::Subscript(low, high) = site.context else {
@@ -245,18 +245,18 @@ pub(super) fn subscript(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a character that a STRING does not have.
 ///
 /// Basis: ironplc-problem-codes: P4052.
-pub(super) fn character(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn character(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     text(fault, "'a€'")
 }
 
 /// Plants an escape that does not exist.
 ///
 /// Basis: ironplc-problem-codes: P0012.
-pub(super) fn escape(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn escape(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     text(fault, "'a$q'")
 }
 
-fn text(fault: &mut FaultSite<'_, '_, '_>, text: &str) -> Option<()> {
+fn text(fault: &mut FaultSite<'_, '_>, text: &str) -> Option<()> {
     let original = fault.original;
     let (number, ..) = fault.pick_expression(|site, expression| {
         site.context != ExpressionContext::InOut

@@ -11,7 +11,7 @@ use stickler_exact::{implicit, signatures};
 use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
 /// Plants a value of a type that does not convert to the type of its target.
-pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn assigned(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::Assigned,
@@ -20,7 +20,7 @@ pub(super) fn assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Plants a value of another type than that of the result of a function, in its body.
-pub(super) fn result(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn result(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::Result,
@@ -29,7 +29,7 @@ pub(super) fn result(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Plants a bare call of another type as an assigned value.
-pub(super) fn call_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn call_assigned(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::Assigned,
@@ -38,7 +38,7 @@ pub(super) fn call_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Plants an initial value of another type, also of an element or a field.
-pub(super) fn initial(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn initial(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::Initial,
@@ -47,7 +47,7 @@ pub(super) fn initial(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Plants an argument of another type in a call of a function.
-pub(super) fn argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn argument(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::Argument,
@@ -56,7 +56,7 @@ pub(super) fn argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Plants an input of another type in a call of a function block.
-pub(super) fn input(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn input(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::Input,
@@ -65,7 +65,7 @@ pub(super) fn input(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Plants an argument of another type in a call of a conversion function whose name states its operand type.
-pub(super) fn converted(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn converted(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::Converted,
@@ -74,7 +74,7 @@ pub(super) fn converted(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Plants a condition of IF of another type than BOOL.
-pub(super) fn condition_of_if(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn condition_of_if(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::If,
@@ -83,7 +83,7 @@ pub(super) fn condition_of_if(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 }
 
 /// Plants a condition of ELSIF of another type than BOOL.
-pub(super) fn condition_of_elsif(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn condition_of_elsif(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::ElsIf,
@@ -92,7 +92,7 @@ pub(super) fn condition_of_elsif(fault: &mut FaultSite<'_, '_, '_>) -> Option<()
 }
 
 /// Plants a condition of WHILE of another type than BOOL.
-pub(super) fn condition_of_while(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn condition_of_while(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::While,
@@ -101,7 +101,7 @@ pub(super) fn condition_of_while(fault: &mut FaultSite<'_, '_, '_>) -> Option<()
 }
 
 /// Plants a condition of REPEAT of another type than BOOL.
-pub(super) fn condition_of_repeat(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn condition_of_repeat(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     misfit(
         fault,
         |context| context == ExpressionContext::Until,
@@ -140,7 +140,7 @@ pub(super) const ALL_MISFIT_FORMS: &[MisfitForm] = &[
 
 /// Replaces an expression in one of some contexts by a value of a type that does not convert to the type of the expression.
 fn misfit(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     context: fn(ExpressionContext) -> bool,
     shapes: &[MisfitForm],
 ) -> Option<()> {
@@ -188,7 +188,7 @@ pub(super) fn converts(from: ElementaryType, into: ElementaryType, dialect: Dial
 /// Creates a value of a type in a unit, in a form other than [`MisfitForm::Foreign`]; a literal where nothing can be
 /// declared.
 pub(super) fn value(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     unit: Unit,
     ty: ElementaryType,
     shape: MisfitForm,
@@ -206,7 +206,7 @@ pub(super) fn value(
 ///
 /// Basis: widening/literal-of-another-kind.toml.
 pub(super) fn foreign(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     never: impl Fn(ElementaryType) -> bool,
 ) -> Option<ExpressionKind> {
     use ElementaryType as E;
@@ -227,13 +227,13 @@ pub(super) fn foreign(
 }
 
 /// Plants a subscript that is no integer.
-pub(super) fn subscript(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn subscript(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let in_place = |context| matches!(context, ExpressionContext::Subscript(..));
     no_integer(fault, in_place, converts_to_no_integer)
 }
 
 /// Plants a first or last value of FOR that is no integer.
-pub(super) fn bound(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn bound(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     no_integer(
         fault,
         |context| context == ExpressionContext::Bound,
@@ -244,7 +244,7 @@ pub(super) fn bound(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a selector of CASE that is neither an integer nor an enumeration, whatever converts to an integer elsewhere.
 ///
 /// Basis: ironplc-problem-codes: P4053; widening/any-integer.toml (nothing widens in the place of a selector).
-pub(super) fn selector(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn selector(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let in_place = |context| context == ExpressionContext::Selector;
     // A type that converts to an integer elsewhere is the error that is easiest to overlook.
     let tempting = fault.input.ratio(1, 2).unwrap_or(true);
@@ -255,7 +255,7 @@ pub(super) fn selector(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 
 /// Replaces an expression in one of some contexts by a value of a type that is no integer.
 fn no_integer(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     context: fn(ExpressionContext) -> bool,
     wrong: impl Fn(ElementaryType, DialectName) -> bool,
 ) -> Option<()> {
@@ -278,7 +278,7 @@ fn converts_to_no_integer(ty: ElementaryType, dialect: DialectName) -> bool {
 /// Plants an argument of a standard function that its parameter does not take.
 ///
 /// Basis: iec-61131-3: Tables 28 to 34 (the generic types of the parameters).
-pub(super) fn standard(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn standard(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let dialect = fault.original.dialect;
     let (number, site, _) =
         fault.pick_expression(|site, _| takes(site.context, ElementaryType::Date) == Some(false))?;
@@ -291,7 +291,7 @@ pub(super) fn standard(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 
 /// Plants an argument that its parameter does not take in a call of a standard function that is the whole value assigned or
 /// passed: the place determines the type of the call, and so the conversion to suggest.
-pub(super) fn of_call_alone(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn of_call_alone(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let dialect = original.dialect;
     let alone = |site: ExpressionSite, call: &Expression| {

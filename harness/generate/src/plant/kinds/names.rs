@@ -12,7 +12,7 @@ use stickler_types::ElementaryType;
 /// Plants an undeclared variable in the place of a value.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn variable_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn variable_read(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     // In the place of an enumerated value the name could be that of a value, too.
     let (number, ..) = fault.pick_expression(|site, expression| {
@@ -27,7 +27,7 @@ pub(super) fn variable_read(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants an assignment to an undeclared variable.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn variable_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn variable_assigned(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     fault.insert_text(|fault, _| {
         let values = ["1", "TRUE", "1.5", "INT#7 + INT#8", "NOT FALSE"];
         let value = fault.choose(values.to_vec())?;
@@ -38,7 +38,7 @@ pub(super) fn variable_assigned(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
 /// Plants a field that the structure does not have, or a variable that is no output of the function block.
 ///
 /// Basis: ironplc-problem-codes: P4007.
-pub(super) fn field(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn field(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let (number, site, _) = fault.pick_expression(|site, expression| {
         stands_for_any_value(site, expression)
@@ -66,7 +66,7 @@ fn has_fields(program: &Program, ty: &Type) -> bool {
 /// Plants an undeclared function in the place of a value.
 ///
 /// Basis: language/diagnostics-names.st; conversion/bad-name.toml.
-pub(super) fn function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let (number, ..) = fault.pick_expression(stands_for_any_value)?;
     let names = ["PLANTED", "INT_TO_DNIT", "TO_DIMT", "BDC_TO_INT", "ITN_TO_REAL"];
     let name = fault.choose(names.to_vec())?;
@@ -78,7 +78,7 @@ pub(super) fn function(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a call of a variable that is no instance of a function block.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn no_instance(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn no_instance(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     fault.insert_text(|fault, unit| {
         let types = [ElementaryType::Int, ElementaryType::Bool, ElementaryType::Real];
         let ty = fault.choose(types.to_vec())?;
@@ -91,7 +91,7 @@ pub(super) fn no_instance(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a value that the enumeration does not have, with the enumeration's name in front of it.
 ///
 /// Basis: ironplc-problem-codes: P2006.
-pub(super) fn enumerated_value(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn enumerated_value(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let (number, _, expression) =
         fault.pick_expression(|_, expression| is_enumerated(original, expression))?;
@@ -111,7 +111,7 @@ fn is_enumerated(program: &Program, expression: &Expression) -> bool {
 /// Plants a value of another enumeration.
 ///
 /// Basis: widening/user-defined.toml.
-pub(super) fn other_enumeration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn other_enumeration(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let others = |expression: &Expression| {
         let declared = original.types.iter().enumerate();
@@ -143,7 +143,7 @@ pub(super) fn other_enumeration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()>
 /// Plants a literal whose prefix is no enumeration.
 ///
 /// Basis: ironplc-problem-codes: P2004.
-pub(super) fn enumeration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn enumeration(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let (number, ..) = fault.pick_expression(stands_for_any_value)?;
     fault.replace(number, ExpressionKind::Raw(format!("{PLANTED}#Red")));
     Some(())
@@ -152,7 +152,7 @@ pub(super) fn enumeration(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a type that is not declared.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn type_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn type_name(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let unit = fault.unit()?;
     let types = ["NO_SUCH_TYPE", "ARRAY[1..2] OF NO_SUCH_TYPE"];
     let ty = fault.choose(types.to_vec())?;
@@ -162,7 +162,7 @@ pub(super) fn type_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a variable that is declared twice.
 ///
 /// Basis: language/diagnostics-names.st (the second declaration, whatever its case and type).
-pub(super) fn variable_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn variable_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let unit = fault.unit()?;
     let variables = unit.variables(fault.original).iter().collect();
     let variable = fault.choose(variables)?;
@@ -180,7 +180,7 @@ fn other_case(name: &str) -> Option<String> {
 /// Plants a function that is declared twice.
 ///
 /// Basis: language/diagnostics-names.st.
-pub(super) fn function_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn function_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let mut function = fault.choose(fault.original.functions.iter().collect())?.clone();
     function.name = other_case(&function.name)?;
     fault.mark = Some(format!(" {} : ", function.name));
@@ -191,7 +191,7 @@ pub(super) fn function_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a function block that is declared twice.
 ///
 /// Basis: ironplc-problem-codes: P4013.
-pub(super) fn block_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn block_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let mut block = fault.choose(fault.original.blocks.iter().collect())?.clone();
     block.name = other_case(&block.name)?;
     fault.mark = Some(format!(" {}", block.name));
@@ -202,7 +202,7 @@ pub(super) fn block_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a function with the name of a type, or a function block with that of a function.
 ///
 /// Basis: ironplc-problem-codes: P4011.
-pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     if let Some(block) = original.blocks.last()
         && let Some(function) = fault.choose(original.functions.iter().collect())
@@ -224,7 +224,7 @@ pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_, '_>) -> Option
 /// Plants a type that is declared twice.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn type_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn type_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let declaration = fault.choose(fault.original.types.iter().collect())?;
     let name = other_case(&declaration.name)?;
     fault.mark = Some(format!("{name} : "));
@@ -238,7 +238,7 @@ pub(super) fn type_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a field that is declared twice.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn field_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn field_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     declared_twice(fault, |kind, mark| {
         let DeclaredKind::Structure(fields) = kind else {
             return None;
@@ -253,7 +253,7 @@ pub(super) fn field_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants an enumerated value that is declared twice.
 ///
 /// Basis: language/diagnostics-types.st.
-pub(super) fn enumerated_value_twice(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn enumerated_value_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     declared_twice(fault, |kind, mark| {
         let DeclaredKind::Enumeration(values) = kind else {
             return None;
@@ -267,7 +267,7 @@ pub(super) fn enumerated_value_twice(fault: &mut FaultSite<'_, '_, '_>) -> Optio
 
 /// Changes one of the declared types for which the change is possible.
 fn declared_twice(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     change: impl Fn(&mut DeclaredKind, &mut Option<String>) -> Option<()>,
 ) -> Option<()> {
     let numbers = 0..fault.original.types.len();
@@ -282,7 +282,7 @@ fn declared_twice(
 /// Plants an initial value that names what is not declared.
 ///
 /// Basis: ironplc-problem-codes: P4007.
-pub(super) fn initial(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn initial(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let (number, ..) = fault.pick_expression(|site, expression| {
         site.context == ExpressionContext::Initial

@@ -11,7 +11,7 @@ use super::operands::calculates;
 use crate::model::{Expression, ExpressionKind};
 
 /// Omits a conversion from an assigned value.
-pub(super) fn conversion_left_out_of_assignment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn conversion_left_out_of_assignment(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let assigned = |context| matches!(context, ExpressionContext::Assigned | ExpressionContext::Result);
     omit_conversion(fault, assigned, |argument| !is_call(argument))?;
     fault.suggested = true;
@@ -19,7 +19,7 @@ pub(super) fn conversion_left_out_of_assignment(fault: &mut FaultSite<'_, '_, '_
 }
 
 /// Omits a conversion from an argument.
-pub(super) fn conversion_left_out_of_argument(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn conversion_left_out_of_argument(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let argument = |context| matches!(context, ExpressionContext::Argument | ExpressionContext::Input);
     omit_conversion(fault, argument, |_| true)?;
     fault.suggested = true;
@@ -27,7 +27,7 @@ pub(super) fn conversion_left_out_of_argument(fault: &mut FaultSite<'_, '_, '_>)
 }
 
 /// Omits a conversion from a condition.
-pub(super) fn conversion_left_out_of_condition(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn conversion_left_out_of_condition(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let condition = |context| {
         matches!(
             context,
@@ -41,14 +41,14 @@ pub(super) fn conversion_left_out_of_condition(fault: &mut FaultSite<'_, '_, '_>
 }
 
 /// Omits a conversion from an operand.
-pub(super) fn conversion_left_out_of_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn conversion_left_out_of_operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let operand = |context| matches!(context, ExpressionContext::Operand(_, Some(_)));
     omit_conversion(fault, operand, |_| true)
 }
 
 /// Replaces a call of a conversion function by its argument.
 fn omit_conversion(
-    fault: &mut FaultSite<'_, '_, '_>,
+    fault: &mut FaultSite<'_, '_>,
     context: fn(ExpressionContext) -> bool,
     argument_fits: fn(&Expression) -> bool,
 ) -> Option<()> {

@@ -10,7 +10,7 @@ use crate::model::{BinaryOperator, Expression, ExpressionKind, Type, UnaryOperat
 use stickler_types::{ElementaryType, Family};
 
 /// Plants an operand of a type that has no common type with the other operand.
-pub(super) fn operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let dialect = fault.original.dialect;
     let (number, site, _) =
         fault.pick_expression(|site, _| matches!(site.context, ExpressionContext::Operand(_, Some(_))))?;
@@ -49,7 +49,7 @@ pub(super) fn calculates(operator: BinaryOperator, one: ElementaryType, other: E
 }
 
 /// Plants an operand of a unary operator that is not defined for its type.
-pub(super) fn only_operand(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn only_operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let dialect = fault.original.dialect;
     let (number, site, _) =
         fault.pick_expression(|site, _| matches!(site.context, ExpressionContext::UnaryOperand(_)))?;
@@ -73,7 +73,7 @@ fn undefined(operator: UnaryOperator, ty: ElementaryType) -> bool {
 }
 
 /// Plants an operation that the type of its operands does not have, in the place of a value.
-pub(super) fn undefined_operation(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn undefined_operation(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     use BinaryOperator as B;
     let dialect = fault.original.dialect;
     let (number, site, _) = fault.pick_expression(stands_for_any_value)?;
@@ -120,7 +120,7 @@ pub(super) fn stands_for_any_value(site: ExpressionSite, _: &Expression) -> bool
 }
 
 /// Plants aggregates as operands: structures and arrays do not even compare.
-pub(super) fn compared_aggregates(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn compared_aggregates(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let (number, site, _) = fault.pick_expression(stands_for_any_value)?;
     let place = fault.place(site.unit, |place, _| {

@@ -7,18 +7,18 @@ use stickler_types::{DialectName, ElementaryType, Value};
 /// Plants EXIT outside a loop.
 ///
 /// Basis: language/diagnostics-statements.st.
-pub(super) fn exit(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn exit(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     outside_loops(fault, "EXIT;")
 }
 
 /// Plants CONTINUE outside a loop.
 ///
 /// Basis: language/diagnostics-statements.st.
-pub(super) fn continue_(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn continue_(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     outside_loops(fault, "CONTINUE;")
 }
 
-fn outside_loops(fault: &mut FaultSite<'_, '_, '_>, text: &str) -> Option<()> {
+fn outside_loops(fault: &mut FaultSite<'_, '_>, text: &str) -> Option<()> {
     fault.insert(
         |_, in_loop| !in_loop,
         |_, _| Some(StatementKind::Raw(text.to_owned())),
@@ -28,7 +28,7 @@ fn outside_loops(fault: &mut FaultSite<'_, '_, '_>, text: &str) -> Option<()> {
 /// Plants a descending range of labels.
 ///
 /// Basis: language/diagnostics-statements.st.
-pub(super) fn descending_labels(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn descending_labels(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let has_integers = |_, kind: &StatementKind| match kind {
         StatementKind::Case(_, branches, _) => branches
             .iter()
@@ -92,7 +92,7 @@ fn value(expression: &Expression) -> Option<i128> {
 /// Plants an unclosed comment; no statement after it can be said to be wrong.
 ///
 /// Basis: ironplc-problem-codes: P0001; the line: stickler-design: §3.1.
-pub(super) fn open_comment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn open_comment(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     fault.insert_text(|fault, _| {
         let texts = [
             "(* never closed",
@@ -106,7 +106,7 @@ pub(super) fn open_comment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a malformed statement that begins like a statement, and ends before the next one begins.
 ///
 /// Basis: language/syntax-recovery.st.
-pub(super) fn no_statement(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn no_statement(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     fault.insert_text(|fault, unit| {
         let name = fault.variable_text(unit, ElementaryType::Int)?;
         let texts = [
@@ -128,7 +128,7 @@ pub(super) fn no_statement(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants characters that are no part of the language.
 ///
 /// Basis: ironplc-problem-codes: P0003.
-pub(super) fn no_token(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn no_token(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     fault.insert_text(|fault, unit| {
         let name = fault.variable_text(unit, ElementaryType::Int)?;
         let texts = [
@@ -144,7 +144,7 @@ pub(super) fn no_token(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
 /// Plants a comment to the end of the line, where the dialect does not have it.
 ///
 /// Basis: language/comments.st.
-pub(super) fn line_comment(fault: &mut FaultSite<'_, '_, '_>) -> Option<()> {
+pub(super) fn line_comment(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let without = [
         DialectName::IronplcEd2,
         DialectName::IronplcEd3,

@@ -15,7 +15,7 @@ pub(in super::super) struct FaultKind {
     pub code: Code,
     /// The function that plants the error; `None` if the program has no place for it, and then the [`FaultSite`] is of no
     /// further use.
-    pub plant: fn(&mut FaultSite<'_, '_, '_>) -> Option<()>,
+    pub plant: fn(&mut FaultSite<'_, '_>) -> Option<()>,
 }
 
 /// Builds the table from one line a kind.
