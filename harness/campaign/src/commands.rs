@@ -1,8 +1,8 @@
 //! Commands that see a finding again, to be pasted into a shell.
 
 use crate::finding::Finding;
-use std::borrow::Cow;
 use std::path::PathBuf;
+use stickler_engines::shell_quote;
 use stickler_types::DialectName;
 
 /// How the commands of a campaign are written.
@@ -27,7 +27,7 @@ impl Commands {
     #[must_use]
     pub fn of(&self, finding: &Finding) -> Vec<String> {
         let mut again = format!("{} fuzz --replay ", self.program);
-        again.push_str(&quote(&self.folder.join(&finding.id).to_string_lossy()));
+        again.push_str(&shell_quote(&self.folder.join(&finding.id).to_string_lossy()));
         let mut find = format!(
             "{} fuzz --seed {} --first {} --count 1",
             self.program, finding.origin.seed, finding.origin.place
@@ -35,7 +35,7 @@ impl Commands {
         for engine in &self.engines {
             for line in [&mut again, &mut find] {
                 line.push_str(" --engine ");
-                line.push_str(&quote(engine));
+                line.push_str(&shell_quote(engine));
             }
         }
         for dialect in &self.dialects {
@@ -48,16 +48,11 @@ impl Commands {
         }
         for word in &self.without {
             find.push_str(" --without ");
-            find.push_str(&quote(word));
+            find.push_str(&shell_quote(word));
         }
         if finding.origin.open {
             find.push_str(" --open");
         }
         vec![again, find]
     }
-}
-
-/// One word for a POSIX shell. No shell takes a zero byte; where there is one, it is left out.
-fn quote(word: &str) -> Cow<'_, str> {
-    shlex::try_quote(word).unwrap_or_else(|_| word.replace('\0', "").into())
 }

@@ -1,16 +1,7 @@
 //! Commands that can be pasted into a shell.
 
-use std::borrow::Cow;
 use std::env;
-
-/// The argument as a POSIX shell takes it for one word.
-pub fn quote(argument: &str) -> Cow<'_, str> {
-    let safe = |byte: u8| byte.is_ascii_alphanumeric() || b"-_./:@=,+%".contains(&byte);
-    if !argument.is_empty() && argument.bytes().all(safe) {
-        return argument.into();
-    }
-    format!("'{}'", argument.replace('\'', r"'\''")).into()
-}
+pub use stickler_engines::shell_quote as quote;
 
 /// Returns how the reader calls `stickler`: one who came by `cargo run` has no `stickler` to call.
 pub fn program() -> &'static str {
@@ -35,21 +26,4 @@ pub fn command_line() -> String {
         line.push_str(&quote(argument));
     }
     line
-}
-
-#[cfg(test)]
-mod tests {
-    use super::quote;
-
-    #[test]
-    fn a_shell_takes_a_quoted_argument_for_one_word() {
-        assert_eq!(
-            quote("widening/integer@ironplc-ed2"),
-            "widening/integer@ironplc-ed2"
-        );
-        assert_eq!(quote("a(INT,-1)"), "'a(INT,-1)'");
-        assert_eq!(quote("it's"), r"'it'\''s'");
-        assert_eq!(quote(""), "''");
-        assert_eq!(quote("*"), "'*'");
-    }
 }

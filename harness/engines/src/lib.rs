@@ -1,7 +1,15 @@
-//! Engines: whatever can take an ST program and say what it does, and the wire protocol they speak.
+//! Engines: whatever can take an ST program and say what it does, and the wire protocol that they speak.
 //!
-//! An engine is handed a program and what to observe, never an expectation; what it answers is an
-//! [`Outcome`]. This crate knows neither cases nor verdicts nor reports.
+//! An [`Engine`] says [who it is](Identity) and opens a [`Session`]; an [`EngineSession`] keeps one for a worker and opens it again
+//! after a crash. A session is handed a [`RunRequest`], the program and what to observe of it, never an expectation, and answers
+//! with an [`Outcome`]. There are these engines:
+//!
+//! - [`Reference`]: the reference implementation, in this process;
+//! - [`Compiler`]: the real compilers for which there is an adapter;
+//! - [`DescribedEngine`]: a compiler whose command line a table in `stickler.toml` describes;
+//! - [`ProcessEngine`]: any program that speaks the wire [`protocol`]; [`validate()`] checks one.
+//!
+//! Architecture Invariant: this crate knows neither cases nor verdicts nor reports.
 #![forbid(unsafe_code)]
 
 mod adapters;
@@ -12,6 +20,7 @@ mod process;
 pub mod protocol;
 mod reference;
 mod session;
+mod shell;
 mod validate;
 
 pub use adapters::{
@@ -25,5 +34,6 @@ pub use grade::Grade;
 pub use process::{ProcessEngine, ProcessLimits, kill_all_processes, stop_all_processes};
 pub use reference::Reference;
 pub use session::EngineSession;
+pub use shell::shell_quote;
 pub use stickler_types::{ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Setting};
 pub use validate::{Check, CheckVerdict, Validation, validate};

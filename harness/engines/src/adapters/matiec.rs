@@ -15,6 +15,7 @@ use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
 use super::locate::{self, call, failed};
 use super::probe_variable::{ProbeVariables, translate_with};
+use super::rename::library_words;
 use super::source::{main_program, words};
 use crate::process::{Ended, Folder};
 use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session};
@@ -88,24 +89,10 @@ impl Matiec {
         })
     }
 
-    /// Every word of its library, in capitals: the keywords, and the names that it declares.
+    /// Returns every word of its library, in capitals. Structured Text is in the `.txt` files; beside them lie programs of other kinds.
     fn taken(&self) -> &HashSet<String> {
-        self.taken.get_or_init(|| library_words(&self.library))
+        self.taken.get_or_init(|| library_words(&self.library, "txt"))
     }
-}
-
-fn library_words(library: &Path) -> HashSet<String> {
-    // What cannot be read is seen by the compiler, which then says so.
-    let files = std::fs::read_dir(library).into_iter().flatten().flatten();
-    let paths = files.map(|file| file.path());
-    // Structured Text is in these; beside them lie programs of other kinds.
-    let texts = paths.filter(|path| path.extension().is_some_and(|extension| extension == "txt"));
-    let texts = texts.filter_map(|path| std::fs::read_to_string(path).ok());
-    let mut taken = HashSet::new();
-    for text in texts {
-        taken.extend(words(&text).map(|word| word.text.to_ascii_uppercase()));
-    }
-    taken
 }
 
 /// Where the library may be: in the source tree, or where it is installed.

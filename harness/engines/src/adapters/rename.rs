@@ -1,4 +1,4 @@
-//! Keeping the names of programs apart that are to stand in one text.
+//! Renames what programs declare, so that several of them can stand in one text.
 //!
 //! Every name that a program declares for all of its text, of its POUs, its types and the values of its enumerations, gets
 //! a suffix wherever it stands. No line moves, and a column can be led back.
@@ -6,6 +6,7 @@
 use super::source::{Token, tokens, words};
 use crate::Diagnostic;
 use std::collections::HashSet;
+use std::path::Path;
 
 /// Sections whose names a whole configuration shares, and what makes such a configuration.
 const SHARED: &[&str] = &[
@@ -125,25 +126,67 @@ impl Reader {
     }
 }
 
-/// Something written behind a name: the line, the column at which it begins and its length, all as they are after it.
+/// The text behind the names of a program in a pack, before the number of its place.
+const PACK_SUFFIX: &str = "_in_pack_";
+
+/// Returns what stands behind the names of the program at this place of a pack.
+pub(super) fn pack_suffix(place: usize) -> String {
+    format!("{PACK_SUFFIX}{place}")
+}
+
+/// Tells whether a program has names that look as if they were renamed for a pack already.
+pub(super) fn has_pack_suffix(source: &str) -> bool {
+    source.to_ascii_lowercase().contains(PACK_SUFFIX)
+}
+
+/// Returns the places of the programs whose renamed names a text has, in whatever case it writes them.
+pub(super) fn places_named(text: &str) -> Vec<usize> {
+    let text = text.to_ascii_lowercase();
+    let behind = text.split(PACK_SUFFIX).skip(1);
+    let number = |behind: &str| {
+        let end = behind.find(|next: char| !next.is_ascii_digit());
+        behind[..end.unwrap_or(behind.len())].parse().ok()
+    };
+    behind.filter_map(number).collect()
+}
+
+/// Returns every word of the library files with this extension in a folder, in capitals: the keywords, and the names that the
+/// library declares. A file that cannot be read is left out: the compiler will report it.
+pub(super) fn library_words(folder: &Path, extension: &str) -> HashSet<String> {
+    let files = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let paths = files.map(|file| file.path());
+    let texts = paths.filter(|path| path.extension().is_some_and(|found| found == extension));
+    let mut taken = HashSet::new();
+    for text in texts.filter_map(|path| std::fs::read_to_string(path).ok()) {
+        taken.extend(words(&text).map(|word| word.text.to_ascii_uppercase()));
+    }
+    taken
+}
+
+/// A suffix that was written behind a name: the line, the column at which it begins and its length, all as they are after it.
 struct Insertion {
     line: u32,
     column: u32,
     length: u32,
 }
 
-/// A program whose names have a suffix.
+/// A program whose declared names have a suffix.
 pub(super) struct Renamed {
-    /// Its text.
+    /// The renamed text.
     pub(super) text: String,
     suffix: String,
     insertions: Vec<Insertion>,
 }
 
 impl Renamed {
-    /// Writes the suffix behind every one of these names, which are in capitals.
-    pub(super) fn of(source: &str, names: &HashSet<String>, suffix: &str) -> Renamed {
-        let mut apart = Renamed {
+    /// Writes the suffix of a place in a pack behind every one of these names, which are in capitals.
+    pub(super) fn in_pack(source: &str, names: &HashSet<String>, place: usize) -> Renamed {
+        Renamed::of(source, names, &pack_suffix(place))
+    }
+
+    /// Writes a suffix behind every one of these names, which are in capitals.
+    fn of(source: &str, names: &HashSet<String>, suffix: &str) -> Renamed {
+        let mut renamed = Renamed {
             text: String::with_capacity(source.len() * 2),
             suffix: suffix.to_owned(),
             insertions: Vec::new(),
@@ -151,21 +194,21 @@ impl Renamed {
         let length = column_of(suffix.len());
         let mut written = 0;
         for word in words(source).filter(|word| names.contains(&word.text.to_ascii_uppercase())) {
-            apart.text.push_str(&source[written..word.end()]);
+            renamed.text.push_str(&source[written..word.end()]);
             written = word.end();
-            let line_start = apart.text.rfind('\n').map_or(0, |at| at + 1);
-            apart.insertions.push(Insertion {
+            let line_start = renamed.text.rfind('\n').map_or(0, |at| at + 1);
+            renamed.insertions.push(Insertion {
                 line: column_of(1 + source[..written].matches('\n').count()),
-                column: column_of(apart.text.len() - line_start + 1),
+                column: column_of(renamed.text.len() - line_start + 1),
                 length,
             });
-            apart.text.push_str(suffix);
+            renamed.text.push_str(suffix);
         }
-        apart.text.push_str(&source[written..]);
-        apart
+        renamed.text.push_str(&source[written..]);
+        renamed
     }
 
-    /// What a diagnostic of the text is of the program itself.
+    /// Translates a diagnostic of the renamed text back to the program itself.
     pub(super) fn original(&self, told: Diagnostic) -> Diagnostic {
         let column = |line: Option<u32>, column: Option<u32>| Some(self.column(line?, column?));
         Diagnostic {
@@ -244,24 +287,24 @@ mod tests {
         let source =
             "FUNCTION f : INT (* f *)\n  f := 'f';\nEND_FUNCTION\nPROGRAM p x := F(f(y)); END_PROGRAM";
         let names = HashSet::from(["F".to_owned(), "P".to_owned()]);
-        let apart = Renamed::of(source, &names, "_in_pack_7");
+        let renamed = Renamed::of(source, &names, "_in_pack_7");
         assert_eq!(
-            apart.text,
+            renamed.text,
             "FUNCTION f_in_pack_7 : INT (* f *)\n  f_in_pack_7 := 'f';\nEND_FUNCTION\n\
              PROGRAM p_in_pack_7 x := F_in_pack_7(f_in_pack_7(y)); END_PROGRAM"
         );
         // Every column of the original, looked up in the text and led back.
-        for (number, (before, after)) in source.lines().zip(apart.text.lines()).enumerate() {
+        for (number, (before, after)) in source.lines().zip(renamed.text.lines()).enumerate() {
             let line = column_of(number + 1);
             let kept = after.replace("_in_pack_7", "~~~~~~~~~~");
             let columns = kept.char_indices().filter(|(_, character)| *character != '~');
             let led_back: Vec<u32> = columns
-                .map(|(at, _)| apart.column(line, column_of(at + 1)))
+                .map(|(at, _)| renamed.column(line, column_of(at + 1)))
                 .collect();
             let expected: Vec<u32> = (1..=column_of(before.len())).collect();
             assert_eq!(led_back, expected, "{before}");
         }
-        let told = apart.original(Diagnostic {
+        let told = renamed.original(Diagnostic {
             line: Some(4),
             column: Some(26),
             end_line: Some(4),

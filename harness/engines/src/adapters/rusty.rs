@@ -15,11 +15,12 @@ use super::builder::{self, Builder, Language};
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
 use super::locate::{self, failed};
+use super::rename::library_words;
 use crate::process::{Folder, ToolLimits, run_tool_with};
 use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session};
 use diagnostics::{About, Found, Reader};
 use driver::{HEADER, driver, functions};
-use program::{Program, library_words};
+use program::Program;
 use std::collections::HashSet;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -100,7 +101,7 @@ impl Rusty {
 
     /// Every word of the declarations of its library, in capitals.
     fn taken(&self) -> &HashSet<String> {
-        self.taken.get_or_init(|| library_words(&self.declarations))
+        self.taken.get_or_init(|| library_words(&self.declarations, "st"))
     }
 
     /// What a driver is linked with: the object file, the standard library, static where there is one, and what that is made of.

@@ -8,14 +8,11 @@ use super::driver::{Subject, driver};
 use super::{MatiecSession, configuration, diagnostics};
 use crate::adapters::locate::suspects;
 use crate::adapters::probe_variable::{ProbeVariables, with_probes};
-use crate::adapters::rename::{Renamed, declared};
+use crate::adapters::rename::{Renamed, declared, has_pack_suffix, pack_suffix, places_named};
 use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
 use crate::adapters::source::{MainProgram, main_program};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::collections::{BTreeSet, HashSet};
-
-/// What stands behind the names of a program, and then its number.
-const SUFFIX: &str = "_in_pack_";
 
 /// A program that may stand among others.
 struct Member<'r> {
@@ -39,7 +36,7 @@ impl<'r> Member<'r> {
         let seen = request.observe.iter().map(|asked| &asked.name);
         let set = request.set.iter().map(|setting| &setting.name);
         let renamed = seen.chain(set).any(|path| names.contains(&base(path)));
-        let fits = !(copied_for_nothing || renamed || request.source.to_ascii_lowercase().contains(SUFFIX));
+        let fits = !(copied_for_nothing || renamed || has_pack_suffix(request.source));
         fits.then_some(Member {
             place,
             request: *request,
@@ -49,19 +46,18 @@ impl<'r> Member<'r> {
         })
     }
 
-    fn suffix(&self) -> String {
-        format!("{SUFFIX}{}", self.place)
+    fn program(&self) -> String {
+        format!("{}{}", self.main.name, pack_suffix(self.place))
     }
 
     /// Its text, with its names kept apart.
-    fn apart(&self) -> Renamed {
+    fn renamed(&self) -> Renamed {
         let probes = self.probes.list();
-        let suffix = self.suffix();
         if probes.is_empty() {
-            return Renamed::of(self.request.source, &self.names, &suffix);
+            return Renamed::in_pack(self.request.source, &self.names, self.place);
         }
         let text = with_probes(self.request.source, &self.main, probes);
-        Renamed::of(&text, &self.names, &suffix)
+        Renamed::in_pack(&text, &self.names, self.place)
     }
 }
 
@@ -85,16 +81,15 @@ impl Joined {
         };
         let mut lines = 0;
         for member in members {
-            let apart = member.apart();
-            joined.text.push_str(&apart.text);
+            let renamed = member.renamed();
+            joined.text.push_str(&renamed.text);
             joined.text.push('\n');
             let before = lines;
-            lines += u32::try_from(apart.text.matches('\n').count() + 1).unwrap_or(u32::MAX);
-            joined.members.push((before, apart));
+            lines += u32::try_from(renamed.text.matches('\n').count() + 1).unwrap_or(u32::MAX);
+            joined.members.push((before, renamed));
         }
         if let Some(first) = members.first() {
-            let program = format!("{}{}", first.main.name, first.suffix());
-            joined.text.push_str(&configuration(&program));
+            joined.text.push_str(&configuration(&first.program()));
         }
         joined
     }
@@ -103,22 +98,22 @@ impl Joined {
     fn member(&self, line: u32) -> Option<usize> {
         let behind = self.members.partition_point(|(before, _)| *before < line);
         let number = behind.checked_sub(1)?;
-        let (before, apart) = &self.members[number];
-        let lines = u32::try_from(apart.text.matches('\n').count() + 1).unwrap_or(u32::MAX);
+        let (before, renamed) = &self.members[number];
+        let lines = u32::try_from(renamed.text.matches('\n').count() + 1).unwrap_or(u32::MAX);
         (line - before <= lines).then_some(number)
     }
 
     /// A diagnostic as it is of a program alone, and the number of that; `None` where it is of none.
     fn original(&self, told: Diagnostic) -> Option<(usize, Diagnostic)> {
         let number = self.member(told.line?)?;
-        let (before, apart) = &self.members[number];
+        let (before, renamed) = &self.members[number];
         let own = |line: Option<u32>| line.map(|line| line.saturating_sub(*before));
         let told = Diagnostic {
             line: own(told.line),
             end_line: own(told.end_line),
             ..told
         };
-        Some((number, apart.original(told)))
+        Some((number, renamed.original(told)))
     }
 }
 
@@ -192,7 +187,7 @@ fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
         .map(|member| Subject {
             request: member.request,
             probes: &member.probes,
-            program: format!("{}{}", member.main.name, member.suffix()),
+            program: member.program(),
         })
         .collect();
     let Ok(driver) = driver(&subjects) else {
@@ -226,7 +221,7 @@ fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
 
 /// The programs that a C compiler names in its errors, or in whose part of these files they stand.
 fn named(stderr: &str, files: [(&str, String); 2]) -> BTreeSet<usize> {
-    let mut named: BTreeSet<usize> = numbers(stderr).collect();
+    let mut named: BTreeSet<usize> = places_named(stderr).into_iter().collect();
     for line in stderr.lines().filter(|line| line.contains("error")) {
         for (name, text) in &files {
             let number = line.split_once(name).and_then(|(_, rest)| {
@@ -234,24 +229,14 @@ fn named(stderr: &str, files: [(&str, String); 2]) -> BTreeSet<usize> {
                 digits.parse::<usize>().ok()
             });
             let before: Vec<&str> = text.lines().take(number.unwrap_or(0)).collect();
-            let nearest = before.iter().rev().find_map(|line| numbers(line).next());
+            let nearest = before
+                .iter()
+                .rev()
+                .find_map(|line| places_named(line).first().copied());
             named.extend(nearest);
         }
     }
     named
-}
-
-/// The numbers behind the suffixes in a text.
-fn numbers(text: &str) -> impl Iterator<Item = usize> + '_ {
-    let suffix = SUFFIX.to_ascii_uppercase();
-    let mut rest = text;
-    std::iter::from_fn(move || {
-        let (_, behind) = rest.split_once(&suffix)?;
-        rest = behind;
-        let digits: String = behind.chars().take_while(char::is_ascii_digit).collect();
-        Some(digits.parse().ok())
-    })
-    .flatten()
 }
 
 #[cfg(test)]

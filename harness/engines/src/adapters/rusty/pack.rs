@@ -7,8 +7,9 @@
 use super::RustySession;
 use super::diagnostics::{About, Found, rejected, steady};
 use super::driver::{Subject, driver, functions};
-use super::program::{self, Program};
+use super::program::Program;
 use crate::adapters::locate::suspects;
+use crate::adapters::rename::places_named;
 use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::collections::{BTreeMap, BTreeSet};
@@ -59,7 +60,7 @@ fn look(session: &RustySession<'_>, programs: &[Program<'_>]) -> Round {
 fn broken_off(outcome: &Outcome, programs: &[Program<'_>]) -> Round {
     let suspects = match outcome {
         Outcome::Crashed { reason } => {
-            let named: BTreeSet<usize> = program::named(reason).collect();
+            let named: BTreeSet<usize> = places_named(reason).into_iter().collect();
             let suspected = |number: &usize| named.contains(&programs[*number].place);
             (0..programs.len()).filter(suspected).collect()
         }

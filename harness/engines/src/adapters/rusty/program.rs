@@ -1,14 +1,11 @@
 //! A program as it is compiled: under names that meet neither those of C nor those of another program.
 
 use super::driver::Subject;
-use crate::adapters::rename::{Renamed, declared};
-use crate::adapters::source::{MainProgram, main_program, words};
+use crate::adapters::rename::{Renamed, declared, has_pack_suffix};
+use crate::adapters::source::{MainProgram, main_program};
 use crate::{Diagnostic, RunRequest};
 use std::collections::HashSet;
 use std::path::Path;
-
-/// What stands behind the names of a program, and then its number.
-const SUFFIX: &str = "_in_pack_";
 
 /// The functions and operators that the language itself declares, in capitals; they stand in no file of the library.
 ///
@@ -42,7 +39,7 @@ pub(super) struct Program<'r> {
     main: MainProgram,
     /// The names that get a suffix, in capitals.
     names: HashSet<String>,
-    apart: Renamed,
+    renamed: Renamed,
 }
 
 impl<'r> Program<'r> {
@@ -66,7 +63,7 @@ impl<'r> Program<'r> {
             return None;
         }
         let main = main_program(request.source)?;
-        let fits = !request.source.to_ascii_lowercase().contains(SUFFIX);
+        let fits = !has_pack_suffix(request.source);
         fits.then(|| Program::with(request, place, main, names))
     }
 
@@ -76,13 +73,13 @@ impl<'r> Program<'r> {
         main: MainProgram,
         names: HashSet<String>,
     ) -> Program<'r> {
-        let apart = Renamed::of(request.source, &names, &format!("{SUFFIX}{place}"));
+        let renamed = Renamed::in_pack(request.source, &names, place);
         Program {
             place,
             request: *request,
             main,
             names,
-            apart,
+            renamed,
         }
     }
 
@@ -99,50 +96,26 @@ impl<'r> Program<'r> {
 
     /// Its text.
     pub(super) fn text(&self) -> &str {
-        &self.apart.text
+        &self.renamed.text
     }
 
     /// What a driver is to run of it.
     pub(super) fn subject(&self) -> Subject<'r> {
-        let renamed = |name: &str| Renamed::of(name, &self.names, &format!("{SUFFIX}{}", self.place)).text;
+        let rename = |name: &str| Renamed::in_pack(name, &self.names, self.place).text;
         Subject {
             request: self.request,
-            program: renamed(&self.main.name),
+            program: rename(&self.main.name),
             observed: self
                 .request
                 .observe
                 .iter()
-                .map(|asked| renamed(&asked.name))
+                .map(|asked| rename(&asked.name))
                 .collect(),
         }
     }
 
     /// What a diagnostic of its text is of the program itself.
     pub(super) fn original(&self, told: Diagnostic) -> Diagnostic {
-        self.apart.original(told)
+        self.renamed.original(told)
     }
-}
-
-/// The places of the programs whose names a text has.
-pub(super) fn named(text: &str) -> impl Iterator<Item = usize> + '_ {
-    let behind = text.split(SUFFIX).skip(1);
-    behind.filter_map(|behind| {
-        let end = behind
-            .find(|next: char| !next.is_ascii_digit())
-            .unwrap_or(behind.len());
-        behind[..end].parse().ok()
-    })
-}
-
-/// Every word of the texts in a folder, in capitals: the keywords of a library, and the names that it declares.
-pub(super) fn library_words(folder: &Path) -> HashSet<String> {
-    // What cannot be read is seen by the compiler, which then says so.
-    let files = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    let paths = files.map(|file| file.path());
-    let texts = paths.filter(|path| path.extension().is_some_and(|extension| extension == "st"));
-    let mut taken = HashSet::new();
-    for text in texts.filter_map(|path| std::fs::read_to_string(path).ok()) {
-        taken.extend(words(&text).map(|word| word.text.to_ascii_uppercase()));
-    }
-    taken
 }

@@ -275,7 +275,7 @@ fn what_stops_the_compiler_is_told_the_same_each_time() {
         panicked.ends_with("thread 'main' panicked at src/ast.rs:1295:18: | not implemented"),
         "{panicked}"
     );
-    assert_eq!(program::named(&reason).collect::<Vec<_>>(), [7]);
+    assert_eq!(crate::adapters::rename::places_named(&reason), [7]);
     // It gives no more of a reason where it cannot write the initial values of a program.
     let found = reader
         .errors(&ended(1 << 8, "Some initial values were not generated\n"))
