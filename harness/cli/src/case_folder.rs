@@ -9,8 +9,8 @@ use anyhow::{Context, bail};
 use std::collections::BTreeSet;
 use std::env;
 use std::path::{Path, PathBuf};
-use stickler_run::{DefinedHeader, Filter, Plan};
-use stickler_suite::{Case, Suite};
+use stickler_run::{DefinedHeader, Filter, Plan, select};
+use stickler_suite::{Case, FileKind, Suite};
 use stickler_types::DialectName;
 use stickler_workers::Shard;
 
@@ -76,21 +76,43 @@ impl CaseFolder {
         }
     }
 
-    /// Reads the cases, and says on stderr what is wrong with their files. Of the dialects that stickler.toml defines, those have
+    /// Reads all cases, and says on stderr what is wrong with their files. Of the dialects that stickler.toml defines, those have
     /// cases that are among these: a run of which nobody says anything is the same everywhere.
     pub fn load_with(&self, dialects: impl IntoIterator<Item = DialectName>) -> Suite {
         let suite = Suite::load_with(&self.path, &defined(dialects));
-        for error in &suite.errors {
-            output::error(&anyhow::anyhow!("{error}"));
-        }
-        if !suite.errors.is_empty() {
-            let number = suite.errors.len();
-            let mistakes = if number == 1 { "mistake" } else { "mistakes" };
-            output::note(format!(
-                "{number} {mistakes} in case files; the rest of the cases is used"
-            ));
-        }
+        report_mistakes(&suite);
         suite
+    }
+
+    /// Reads the files in which a case may stand that the filters select, and says on stderr what is wrong with these files. Where
+    /// nothing is selected of them, all files are read.
+    pub fn load_selected(&self, plan: &Plan, dialects: impl IntoIterator<Item = DialectName>) -> Suite {
+        let defined = defined(dialects);
+        let named: Vec<(&Filter, Option<&str>)> = plan
+            .filters
+            .iter()
+            .map(|filter| (filter, self.program_named_by(filter)))
+            .collect();
+        let is_wanted = |id: &str, kind: FileKind| {
+            named.iter().any(|(filter, program)| match program {
+                Some(program) => kind == FileKind::Program && id == *program,
+                None => filter.may_fit_file(id, kind),
+            })
+        };
+        // A baseline is held against all cases: an entry that fits none is out of date.
+        let some = (!named.is_empty() && plan.baselines.is_empty())
+            .then(|| Suite::load_files(&self.path, &defined, is_wanted))
+            .filter(|suite| !select(plan, &suite.cases).is_empty());
+        let suite = some.unwrap_or_else(|| Suite::load_with(&self.path, &defined));
+        report_mistakes(&suite);
+        suite
+    }
+
+    /// Returns the id of the program that a filter names, as a whole id or key.
+    fn program_named_by<'f>(&self, filter: &'f Filter) -> Option<&'f str> {
+        let id = filter.as_str().split('@').next()?;
+        let is_program = !id.is_empty() && self.path.join(format!("{id}.st")).is_file();
+        is_program.then_some(id)
     }
 
     /// Reads the cases for a plan: with those of the dialects of stickler.toml that it names, or that a filter of it has at its end,
@@ -101,7 +123,7 @@ impl CaseFolder {
     pub fn load_for(&self, plan: &Plan) -> anyhow::Result<Loaded> {
         let in_filters = plan.filters.iter().filter_map(Filter::dialect);
         let named: Vec<DialectName> = plan.dialects.iter().copied().chain(in_filters).collect();
-        let mut suite = self.load_with(named.iter().copied());
+        let mut suite = self.load_selected(plan, named.iter().copied());
         let left_out = stickler_run::drop_changed_cases(plan, &mut suite.cases)?;
         note_left_out(&left_out);
         Ok(Loaded {
@@ -109,6 +131,20 @@ impl CaseFolder {
             suite,
             left_out,
         })
+    }
+}
+
+/// Writes to stderr what is wrong with the files that were read.
+fn report_mistakes(suite: &Suite) {
+    for error in &suite.errors {
+        output::error(&anyhow::anyhow!("{error}"));
+    }
+    if !suite.errors.is_empty() {
+        let number = suite.errors.len();
+        let mistakes = if number == 1 { "mistake" } else { "mistakes" };
+        output::note(format!(
+            "{number} {mistakes} in case files; the rest of the cases is used"
+        ));
     }
 }
 

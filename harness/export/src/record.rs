@@ -128,7 +128,6 @@ impl CaseRecord {
             source: self.source.as_str().into(),
             scans: 1,
             tags: Arc::new([]),
-            edition: None,
             clock: Arc::new([]),
             set: Arc::new([]),
             expectation: Arc::new(Expectation {

@@ -2,6 +2,7 @@
 
 use std::convert::Infallible;
 use std::str::FromStr;
+use stickler_suite::FileKind;
 use stickler_types::DialectName;
 
 /// A filter over case ids. Three readings, the first that applies:
@@ -45,6 +46,30 @@ impl Filter {
     #[must_use]
     pub fn names(&self, id: &str, dialect: &str) -> bool {
         self.text == id || is_key(&self.text, id, dialect)
+    }
+
+    /// Returns whether the filter may fit a case of a file, which is known by its id and kind alone: false only where it fits none,
+    /// whatever stands in the file.
+    ///
+    /// A pattern is told by its beginning, and a text by what stands before its parenthesis, since an id has at most one: an id in
+    /// full, or a pattern that begins with a path, needs few files. Any other text may be a part of any id of a table.
+    #[must_use]
+    pub fn may_fit_file(&self, id: &str, kind: FileKind) -> bool {
+        let beginning = match kind {
+            FileKind::Program => format!("{id}@"),
+            FileKind::Table => format!("{id}::"),
+        };
+        if let Some((first, _)) = self.text.split_once('*') {
+            return beginning.starts_with(first) || first.starts_with(&beginning);
+        }
+        match (self.text.split_once('('), kind) {
+            (Some(_), FileKind::Program) => false,
+            (Some((before, _)), FileKind::Table) => match before.rsplit_once("::") {
+                Some((path, _)) => id.ends_with(path),
+                None => true,
+            },
+            (None, _) => true,
+        }
     }
 
     /// Whether the filter, as a pattern or as a part, fits this case.
@@ -155,6 +180,40 @@ mod tests {
         for text in ["matiec", "*@mat*", "a@matiec2", "@", ""] {
             assert_eq!(named(text), None, "{text}");
         }
+    }
+
+    #[test]
+    fn a_file_is_passed_over_only_where_no_id_of_it_can_fit() {
+        let may = |text: &str, id: &str, kind| Filter::new(text).may_fit_file(id, kind);
+        for text in [
+            ID,
+            "widening/integer::assignment(SINT,INT,-128)@matiec",
+            "integer::assignment(",
+            "assignment(SINT",
+            "(SINT",
+            "integer",
+            "widening/",
+            "@matiec",
+            "",
+            "*",
+            "widening/*",
+            "widening/integer::*@matiec",
+            "*(SINT*",
+        ] {
+            assert!(may(text, "widening/integer", FileKind::Table), "{text}");
+        }
+        for text in [
+            "widening/real::assignment(SINT",
+            "real::p(",
+            "real*",
+            "widening/integer",
+            "widening/integers*",
+        ] {
+            let is_part = !text.contains(['*', '(']);
+            assert_eq!(may(text, "widening/integer", FileKind::Table), is_part, "{text}");
+        }
+        assert!(may("a/b*", "a/b", FileKind::Program) && may("a/b@m*", "a/b", FileKind::Program));
+        assert!(!may("a/b::*", "a/b", FileKind::Program) && !may("a/b::p(", "a/b", FileKind::Program));
     }
 
     #[test]

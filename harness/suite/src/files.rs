@@ -30,13 +30,15 @@ pub(crate) struct CaseFile {
     pub(crate) below_root: String,
     /// The path as reports show it: with the root's name.
     pub(crate) shown: String,
-    pub(crate) kind: Kind,
+    pub(crate) kind: FileKind,
 }
 
-/// What a case file is.
+/// What a case file is, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum FileKind {
+    /// An annotated program, `*.st`; the id of its case is the id of the file.
     Program,
+    /// A table, `*.toml`; the ids of its cases begin with the id of the file and `::`.
     Table,
 }
 
@@ -112,11 +114,11 @@ fn slashes(path: &Path) -> String {
 }
 
 /// What the file is, by its name; nothing for the suite's own files and for all others.
-pub(crate) fn kind(below_root: &str) -> Option<Kind> {
+pub(crate) fn kind(below_root: &str) -> Option<FileKind> {
     match below_root {
         "suite.toml" | "dialects.toml" => None,
-        _ if below_root.ends_with(".st") => Some(Kind::Program),
-        _ if below_root.ends_with(".toml") => Some(Kind::Table),
+        _ if below_root.ends_with(".st") => Some(FileKind::Program),
+        _ if below_root.ends_with(".toml") => Some(FileKind::Table),
         _ => None,
     }
 }

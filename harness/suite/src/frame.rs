@@ -8,7 +8,7 @@ use toml::Spanned;
 use crate::assembly::{Assembly, TypeNames};
 use crate::dialects::Dialects;
 use crate::error::Mistake;
-use crate::model::{Case, MatrixCell, WithdrawnCase};
+use crate::model::{Case, MatrixCell};
 use crate::place::Lines;
 use crate::table::Budget;
 
@@ -33,16 +33,7 @@ pub(crate) struct FileContext<'a> {
 pub(crate) struct Frame {
     pub(crate) summary: Option<Arc<str>>,
     pub(crate) tags: Arc<[Arc<str>]>,
-    pub(crate) edition: Option<u8>,
     pub(crate) scans: u32,
-    pub(crate) withdrawn: Option<Withdrawal>,
-}
-
-/// Why and when cases were withdrawn.
-#[derive(Clone, Debug)]
-pub(crate) struct Withdrawal {
-    pub(crate) reason: Arc<str>,
-    pub(crate) date: Arc<str>,
 }
 
 /// What is special to a group of cases that differ in nothing but their dialect.
@@ -61,18 +52,12 @@ pub(crate) struct Group<'a> {
 #[derive(Debug, Default)]
 pub(crate) struct Harvest {
     pub(crate) cases: Vec<Case>,
-    pub(crate) withdrawn: Vec<WithdrawnCase>,
     pub(crate) mistakes: Vec<Mistake>,
     /// What lint says of the file beside its mistakes.
     pub(crate) remarks: Vec<Mistake>,
 }
 
 impl Harvest {
-    /// How many cases there are, withdrawn ones among them.
-    pub(crate) fn len(&self) -> usize {
-        self.cases.len() + self.withdrawn.len()
-    }
-
     /// Notes what lint has to say; what it just said is not said again.
     pub(crate) fn doubt(&mut self, remark: Mistake) {
         const MOST: usize = 200;
@@ -102,20 +87,13 @@ impl Harvest {
                 source: Arc::clone(&group.source),
                 scans: frame.scans,
                 tags: Arc::clone(&frame.tags),
-                edition: frame.edition,
                 clock: Arc::clone(&group.assembly.clock),
                 set: Arc::clone(&group.assembly.set),
                 expectation: Arc::clone(&group.assembly.expectation),
                 observe: Arc::clone(&group.assembly.observe),
                 cell: group.cell.map(Arc::clone),
             };
-            match &frame.withdrawn {
-                None => self.cases.push(case),
-                Some(Withdrawal { reason, date }) => {
-                    let (reason, date) = (Arc::clone(reason), Arc::clone(date));
-                    self.withdrawn.push(WithdrawnCase { case, reason, date });
-                }
-            }
+            self.cases.push(case);
         }
     }
 }
@@ -140,27 +118,6 @@ impl FileContext<'_> {
         dialects.sort_unstable();
         dialects.dedup();
         dialects
-    }
-}
-
-/// Checks the key `edition`.
-pub(crate) fn edition(
-    edition: Option<&Spanned<u8>>,
-    lines: &Lines,
-    mistakes: &mut Vec<Mistake>,
-) -> Option<u8> {
-    let edition = edition?;
-    match edition.get_ref() {
-        number @ (2 | 3) => Some(*number),
-        number => {
-            let message = format!("the standard has no edition {number} that Stickler knows");
-            mistakes.push(
-                Mistake::new(lines.line(edition.span().start), message)
-                    .key("edition")
-                    .hint("write 2 or 3"),
-            );
-            None
-        }
     }
 }
 

@@ -5,8 +5,6 @@ use std::sync::Arc;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::frame::Withdrawal;
-
 /// The header of a `.st` file.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -14,17 +12,14 @@ pub(crate) struct Header {
     pub(crate) title: String,
     pub(crate) basis: Spanned<String>,
     pub(crate) dialects: Vec<Spanned<String>>,
-    pub(crate) id: Option<Spanned<String>>,
     pub(crate) scans: Option<Spanned<u32>>,
     #[serde(default)]
     pub(crate) tags: Vec<String>,
     pub(crate) summary: Option<String>,
-    pub(crate) edition: Option<Spanned<u8>>,
     #[serde(default)]
     pub(crate) set: Vec<SetKey>,
     #[serde(default)]
     pub(crate) clock: Vec<ClockKey>,
-    pub(crate) withdrawn: Option<WithdrawnKey>,
 }
 
 /// `[[set]]`: a variable that is written before a scan.
@@ -42,23 +37,6 @@ pub(crate) struct SetKey {
 pub(crate) struct ClockKey {
     pub(crate) before: Spanned<u32>,
     pub(crate) value: Spanned<String>,
-}
-
-/// `[withdrawn]`: the cases keep their ids and are not run.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct WithdrawnKey {
-    pub(crate) reason: String,
-    pub(crate) date: String,
-}
-
-impl From<&WithdrawnKey> for Withdrawal {
-    fn from(key: &WithdrawnKey) -> Self {
-        Withdrawal {
-            reason: key.reason.as_str().into(),
-            date: key.date.as_str().into(),
-        }
-    }
 }
 
 /// Tags as cases share them.

@@ -12,11 +12,16 @@ const LONGEST_CELL: usize = 48;
 /// # Errors
 /// A message, where the path has characters that ids cannot have.
 pub(crate) fn of_file(path: &str) -> Result<String, String> {
-    let stem = path.rsplit_once('.').map_or(path, |(stem, _)| stem);
+    let stem = stem(path);
     match check(stem) {
         Ok(()) => Ok(stem.to_owned()),
         Err(what) => Err(format!("the path gives the case its id, and {what}")),
     }
+}
+
+/// Returns the path of a file without its extension.
+pub(crate) fn stem(path: &str) -> &str {
+    path.rsplit_once('.').map_or(path, |(stem, _)| stem)
 }
 
 /// Whether `id` can be the whole id of a program, or the name of a probe.

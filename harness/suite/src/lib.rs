@@ -34,10 +34,10 @@ mod toml_text;
 
 pub use dialects::{DialectEntry, Dialects};
 pub use error::CaseFileError;
+pub use files::FileKind;
 pub use lint::{Finding, Severity, lint};
 pub use model::{
-    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue,
-    MatrixCell, WithdrawnCase,
+    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
 };
 pub use suite::{Suite, load_file, read_case_file};
 pub use table::Generate;

@@ -36,8 +36,6 @@ pub struct Case {
     pub scans: u32,
     /// Words to select cases by.
     pub tags: Arc<[Arc<str>]>,
-    /// The edition of the standard that the construct comes from, where the file says so.
-    pub edition: Option<u8>,
     /// The simulated time before certain scans, ordered by scan.
     pub clock: Arc<[ClockSetting]>,
     /// Variables that are written before certain scans, ordered by scan.
@@ -168,15 +166,4 @@ pub struct MatrixCell {
     pub column: Arc<str>,
     /// What the cell says.
     pub word: MatrixWord,
-}
-
-/// A case that was withdrawn: it keeps its id, is listed, and is not run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WithdrawnCase {
-    /// The case as it stands in the file.
-    pub case: Case,
-    /// Why it was withdrawn.
-    pub reason: Arc<str>,
-    /// The day on which it was withdrawn, `2026-09-01`.
-    pub date: Arc<str>,
 }

@@ -11,9 +11,8 @@ use crate::assemble::Assembler;
 use crate::assembly::Assembly;
 use crate::condition::Testable;
 use crate::error::Mistake;
-use crate::frame::{self, FileContext, Frame, Group, Harvest, Withdrawal};
+use crate::frame::{self, FileContext, Frame, Group, Harvest};
 use crate::header::{self, Header};
-use crate::ident;
 use crate::mark::Word;
 use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
@@ -70,11 +69,9 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
     let frame = Frame {
         summary: header.summary.as_deref().map(Arc::from),
         tags: header::tags(header.tags.iter()),
-        edition: frame::edition(header.edition.as_ref(), lines, mistakes),
         scans: frame::scans(header.scans.as_ref(), lines, mistakes),
-        withdrawn: header.withdrawn.as_ref().map(Withdrawal::from),
     };
-    let id = case_id(context, header, mistakes);
+    let id: Arc<str> = context.id.as_str().into();
     let (set, clock) = settings(context, header, mistakes);
     let testable = Testable {
         names: &[],
@@ -150,16 +147,6 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
         let line = lines.line(header.basis.span().start);
         harvest.remarks.push(Mistake::new(line, message).key("basis"));
     }
-}
-
-fn case_id(context: &FileContext<'_>, header: &Header, mistakes: &mut Vec<Mistake>) -> Arc<str> {
-    let Some(id) = &header.id else {
-        return context.id.as_str().into();
-    };
-    if let Err(message) = ident::check(id.get_ref()) {
-        mistakes.push(Mistake::new(context.lines.line(id.span().start), message).key("id"));
-    }
-    id.get_ref().as_str().into()
 }
 
 /// The settings of the header.

@@ -10,9 +10,10 @@ use stickler_workers::{SpawnError, WorkerPool};
 use crate::assembly::TypeNames;
 use crate::defined::restate;
 use crate::error::Mistake;
+use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
-use crate::{Case, CaseFileError, Dialects, WithdrawnCase};
+use crate::{Case, CaseFileError, Dialects};
 use crate::{files, ident, single, table, toml_text};
 
 /// All cases of a folder, and what is wrong with its files.
@@ -22,8 +23,6 @@ pub struct Suite {
     pub version: String,
     /// The cases, ordered by path and then by their place in the file.
     pub cases: Vec<Case>,
-    /// Cases that keep their ids but are not run.
-    pub withdrawn: Vec<WithdrawnCase>,
     /// Mistakes in case files, ordered by file and line. What of the suite is sound is loaded all the same.
     pub errors: Vec<CaseFileError>,
     /// The dialects and groups that case files may name, from `dialects.toml`.
@@ -46,18 +45,31 @@ impl Suite {
         Suite::load_with(dir, &[])
     }
 
-    /// The same, with the cases of these dialects that were [defined](DialectName::define): those of the dialect that each
-    /// extends, taken over as they are, but for what its definition states. A cell that it overrides expects what it says, and
-    /// a call of a conversion function what exact arithmetic gives by its choices. Whether anything else depends on what it
+    /// Reads every case file, with cases of these dialects that were [defined](DialectName::define): those of the dialect that
+    /// each extends, taken over as they are, but for what its definition states. A cell that it overrides expects what it says,
+    /// and a call of a conversion function what exact arithmetic gives by its choices. Whether anything else depends on what it
     /// overrides, this crate cannot know.
     pub fn load_with(dir: &Path, defined: &[DialectName]) -> Suite {
+        Suite::load_files(dir, defined, |_, _| true)
+    }
+
+    /// Reads the case files that `is_wanted`, which is given the id of each file (its path below `dir` without the extension)
+    /// and its kind. What is wrong with the others is not said.
+    pub fn load_files(
+        dir: &Path,
+        defined: &[DialectName],
+        is_wanted: impl Fn(&str, FileKind) -> bool,
+    ) -> Suite {
         let root = files::Root::new(dir);
         let mut suite = Suite::default();
         suite.read_version(&root);
         suite.read_dialects(&root);
         suite.dialects = std::mem::take(&mut suite.dialects).with_defined(defined);
         let type_names = TypeNames::default();
-        let listing = files::list(&root);
+        let mut listing = files::list(&root);
+        listing
+            .files
+            .retain(|file| is_wanted(ident::stem(&file.below_root), file.kind));
         suite.errors.extend(listing.errors);
         suite.remarks.extend(listing.remarks);
         let dialects = &suite.dialects;
@@ -79,7 +91,6 @@ impl Suite {
         for (file, harvest) in listing.files.iter().zip(harvests) {
             suite.take(&file.shown, harvest);
         }
-        suite.drop_duplicates();
         suite.errors.sort();
         suite
     }
@@ -102,17 +113,10 @@ impl Suite {
 
     fn take(&mut self, shown: &str, harvest: Harvest) {
         self.cases.extend(harvest.cases);
-        self.withdrawn.extend(harvest.withdrawn);
         self.errors
             .extend(harvest.mistakes.into_iter().map(|mistake| mistake.in_file(shown)));
         self.remarks
             .extend(harvest.remarks.into_iter().map(|remark| remark.in_file(shown)));
-    }
-
-    /// Of cases with one key only the first stays; the others are mistakes.
-    fn drop_duplicates(&mut self) {
-        let errors = drop_duplicates(&mut self.cases, &self.withdrawn);
-        self.errors.extend(errors);
     }
 }
 
@@ -149,10 +153,8 @@ pub fn read_case_file(name: &str, text: &str, dialects: &Dialects) -> (Vec<Case>
 /// The cases and mistakes of a file that is read by itself.
 fn alone(harvest: Harvest, shown: &str) -> (Vec<Case>, Vec<CaseFileError>) {
     let mistakes = harvest.mistakes.into_iter();
-    let mut errors: Vec<_> = mistakes.map(|mistake| mistake.in_file(shown)).collect();
-    let mut cases = harvest.cases;
-    errors.extend(drop_duplicates(&mut cases, &harvest.withdrawn));
-    (cases, errors)
+    let errors = mistakes.map(|mistake| mistake.in_file(shown)).collect();
+    (harvest.cases, errors)
 }
 
 fn dialects(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
@@ -188,7 +190,7 @@ fn wrong(mistake: Mistake) -> Harvest {
 fn read_text(
     below_root: &str,
     shown: &str,
-    kind: files::Kind,
+    kind: FileKind,
     text: &str,
     dialects: &Dialects,
     type_names: &TypeNames,
@@ -208,52 +210,40 @@ fn read_text(
         type_names,
         budget: table::Budget::default(),
     };
-    match kind {
-        files::Kind::Program => single::read(&context),
-        files::Kind::Table => table::read(&context),
-    }
+    let mut harvest = match kind {
+        FileKind::Program => single::read(&context),
+        FileKind::Table => table::read(&context),
+    };
+    drop_duplicates(&mut harvest);
+    harvest
 }
 
-/// Takes out the cases whose key stood before, and says so of each place once.
-fn drop_duplicates(cases: &mut Vec<Case>, withdrawn: &[WithdrawnCase]) -> Vec<CaseFileError> {
-    let duplicates = duplicates(cases, withdrawn);
-    let mut errors: Vec<CaseFileError> = duplicates.iter().map(|(_, error)| error.clone()).collect();
-    errors.dedup();
-    let mut gone = duplicates.iter().map(|&(at, _)| at).peekable();
-    if gone.peek().is_some() {
-        let mut at = 0;
-        cases.retain(|_| {
-            let is_gone = gone.next_if_eq(&at).is_some();
-            at += 1;
-            !is_gone
-        });
-    }
-    errors
-}
-
-/// The cases whose key stood before, by index, in order.
-fn duplicates(cases: &[Case], withdrawn: &[WithdrawnCase]) -> Vec<(usize, CaseFileError)> {
-    let mut seen: FxHashMap<&str, (DialectSet, &Case)> = FxHashMap::default();
-    seen.reserve(cases.len() / 2);
-    let mut found = Vec::new();
-    let all = withdrawn.iter().map(|withdrawn| (&withdrawn.case, None));
-    let all = all.chain(cases.iter().enumerate().map(|(at, case)| (case, Some(at))));
-    for (case, at) in all {
-        let (dialects, first) = seen.entry(&case.id).or_insert((DialectSet::default(), case));
-        if dialects.insert(case.dialect) {
+/// Drops the cases whose key stood before in the file, and notes each place once. Keys of different files differ.
+fn drop_duplicates(harvest: &mut Harvest) {
+    let mut seen: FxHashMap<&str, (DialectSet, u32)> = FxHashMap::default();
+    seen.reserve(harvest.cases.len() / 2);
+    let mut mistakes = Vec::new();
+    let mut is_first = Vec::with_capacity(harvest.cases.len());
+    for case in &harvest.cases {
+        let (dialects, first_line) = seen.entry(&case.id).or_insert((DialectSet::default(), case.line));
+        let is_new = dialects.insert(case.dialect);
+        is_first.push(is_new);
+        if is_new {
             continue;
         }
         let message = format!(
-            "the id `{}` stands already at {}:{}",
-            case.id, first.file, first.line
+            "the id `{}` stands already at {}:{first_line}",
+            case.id, case.file
         );
-        let error = Mistake::new(case.line, message)
-            .key("id")
-            .hint("an id names one case: change the file's name, the probe's, or give an `id`")
-            .in_file(&case.file);
-        found.extend(at.map(|at| (at, error)));
+        let hint = "an id names one case: change the probe's name, or give the rows an `id` column";
+        mistakes.push(Mistake::new(case.line, message).key("id").hint(hint));
     }
-    found
+    if !mistakes.is_empty() {
+        mistakes.dedup();
+        harvest.mistakes.extend(mistakes);
+        let mut is_first = is_first.into_iter();
+        harvest.cases.retain(|_| is_first.next().unwrap_or(true));
+    }
 }
 
 /// A set of dialects.

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use stickler_report::basis::Basis;
 use stickler_run::select;
-use stickler_suite::{Case, WithdrawnCase};
+use stickler_suite::Case;
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
@@ -27,30 +27,17 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
         true => left_out.iter().collect(),
         false => select(&plan, &suite.cases),
     };
-    let withdrawn: Vec<Case> = suite
-        .withdrawn
-        .iter()
-        .map(|withdrawn| withdrawn.case.clone())
-        .collect();
-    let withdrawn = match arguments.left_out {
-        true => Vec::new(),
-        false => select(&plan, &withdrawn),
-    };
-    if cases.is_empty() && withdrawn.is_empty() {
+    if cases.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));
     }
     if arguments.basis {
         write_claims(out, &claims(&cases), arguments.json)?;
         return Ok(case_folder::exit_of(&suite));
     }
-    let withdrawn = withdrawn
-        .into_iter()
-        .map(|case| CaseLine::withdrawn(case, &suite.withdrawn));
-    for line in cases.iter().map(|case| CaseLine::new(case)).chain(withdrawn) {
-        match (arguments.json, &line.withdrawn) {
-            (true, _) => write_json(out, &line)?,
-            (false, None) => writeln!(out, "{}@{}", line.id, line.dialect)?,
-            (false, Some(why)) => writeln!(out, "{}@{} (withdrawn {why})", line.id, line.dialect)?,
+    for case in cases {
+        match arguments.json {
+            true => write_json(out, &CaseLine::new(case))?,
+            false => writeln!(out, "{}@{}", case.id, case.dialect)?,
         }
     }
     Ok(case_folder::exit_of(&suite))
@@ -65,9 +52,6 @@ struct CaseLine<'a> {
     file: &'a str,
     line: u32,
     tags: Vec<&'a str>,
-    /// The day and the reason, of a case that is no longer run.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    withdrawn: Option<String>,
 }
 
 impl<'a> CaseLine<'a> {
@@ -80,19 +64,6 @@ impl<'a> CaseLine<'a> {
             file: &case.file,
             line: case.line,
             tags: case.tags.iter().map(AsRef::as_ref).collect(),
-            withdrawn: None,
-        }
-    }
-
-    fn withdrawn(case: &'a Case, all: &[WithdrawnCase]) -> CaseLine<'a> {
-        let same = |other: &&WithdrawnCase| (&other.case.id, other.case.dialect) == (&case.id, case.dialect);
-        let why = all
-            .iter()
-            .find(same)
-            .map(|found| format!("{}: {}", found.date, found.reason));
-        CaseLine {
-            withdrawn: why,
-            ..CaseLine::new(case)
         }
     }
 }

@@ -25,29 +25,28 @@ const MAX_NAME_LEN: usize = 200;
 /// # Errors
 /// No folder of cases; no such case, with those that look like it.
 pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let selection = SelectionArguments {
+        cases: arguments.cases.clone(),
+        filter: Some(arguments.case.clone()),
+        ..SelectionArguments::default()
+    };
+    let plan = case_folder::plan(&selection, None);
     let dialect = Filter::new(arguments.case.as_str()).dialect();
-    let suite = CaseFolder::locate(arguments.cases.as_deref())?.load_with(dialect);
-    let withdrawn = suite.withdrawn.iter().map(|withdrawn| &withdrawn.case);
+    let suite = CaseFolder::locate(arguments.cases.as_deref())?.load_selected(&plan, dialect);
     let named: Vec<&Case> = suite
         .cases
         .iter()
-        .chain(withdrawn)
         .filter(|case| is_named(case, &arguments.case))
         .collect();
     if named.is_empty() {
         bail!("{}", no_such_case(&suite, &arguments.case));
     }
-    let selection = SelectionArguments {
-        cases: arguments.cases.clone(),
-        ..SelectionArguments::default()
-    };
-    let plan = case_folder::plan(&selection, None);
     for (number, group) in groups(&named).iter().enumerate() {
         if number > 0 {
             writeln!(out, "\n{DIM}{}{DIM:#}\n", "-".repeat(80))?;
         }
         write_group(group, out)?;
-        write_end(group, &suite, &plan, out)?;
+        write_end(group, &plan, out)?;
     }
     Ok(case_folder::exit_of(&suite))
 }
@@ -107,19 +106,8 @@ fn write_group(group: &[&Case], out: &mut dyn Write) -> io::Result<()> {
     write_expectation(case, out)
 }
 
-/// How to run the cases, or why they are no longer run.
-fn write_end(group: &[&Case], suite: &Suite, plan: &Plan, out: &mut dyn Write) -> io::Result<()> {
-    let withdrawn = suite
-        .withdrawn
-        .iter()
-        .find(|withdrawn| group.contains(&&withdrawn.case));
-    if let Some(found) = withdrawn {
-        return writeln!(
-            out,
-            "\n{BOLD}Withdrawn{BOLD:#} on {}: {}",
-            found.date, found.reason
-        );
-    }
+/// Writes how to run the cases.
+fn write_end(group: &[&Case], plan: &Plan, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\n{BOLD}Run it{BOLD:#}\n")?;
     group
         .iter()

@@ -19,7 +19,7 @@ const MAX_CASES: usize = 200_000;
 
 /// Checks the promises of the reader of case files: a text that begins with `(*!` is a program, any other a table.
 ///
-/// 1. The reader gives cases or errors, and never neither, but for a withdrawn file.
+/// 1. The reader gives cases or errors, and never neither.
 /// 2. Each error has a line of the file and a message.
 /// 3. Each case has an id of its own in its dialect, a line of the file, a program, and a basis.
 /// 4. Reading the file again gives the same.
@@ -46,7 +46,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let lines = text.lines().count().max(1) + 1;
     errors.iter().try_for_each(|error| check_error(error, lines))?;
     check_cases(&cases, lines)?;
-    if cases.is_empty() && errors.is_empty() && !text.contains("withdrawn") {
+    if cases.is_empty() && errors.is_empty() {
         return Err(OracleFailure::new(
             "nothing",
             "the file has neither a case nor an error",

@@ -51,7 +51,6 @@ pub fn case(id: &str) -> Case {
         source: id.into(),
         scans: 1,
         tags: Arc::new([]),
-        edition: None,
         clock: Arc::new([]),
         set: Arc::new([]),
         expectation: Arc::new(Expectation::default()),

@@ -61,12 +61,12 @@ pub(crate) fn expand(
             continue;
         };
         for (probe, count) in probes.iter_mut().zip(&mut counts) {
-            let before = expander.harvest.len();
+            let before = expander.harvest.cases.len();
             if let Err(mistake) = expander.section(section, probe, &types) {
                 expander.harvest.mistakes.push(mistake);
                 return;
             }
-            *count += expander.harvest.len() - before;
+            *count += expander.harvest.cases.len() - before;
         }
     }
     if harvest.mistakes.is_empty() {

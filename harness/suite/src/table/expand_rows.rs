@@ -129,7 +129,7 @@ impl Expander<'_, '_> {
 
     fn probes(&mut self, probes: &mut [Probe<'_>], dialects: &[DialectName]) -> Result<(), Mistake> {
         for probe in probes {
-            let before = self.harvest.len();
+            let before = self.harvest.cases.len();
             let own = probe.narrowed(dialects);
             for row in self.table.file.rows.iter().flatten() {
                 let line = self.table.context.lines.line(row.span().start);
@@ -142,7 +142,7 @@ impl Expander<'_, '_> {
                 }
             }
             if self.harvest.mistakes.is_empty() {
-                let cases = self.harvest.len() - before;
+                let cases = self.harvest.cases.len() - before;
                 probe.remarks(cases, &mut self.harvest.remarks);
             }
         }

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
-use crate::header::WithdrawnKey;
 use crate::toml_text::{Scalar, Strings, TextOr};
 
 /// A whole table file.
@@ -19,8 +18,6 @@ pub(crate) struct TableFile {
     #[serde(default)]
     pub(crate) tags: Vec<String>,
     pub(crate) scans: Option<Spanned<u32>>,
-    pub(crate) edition: Option<Spanned<u8>>,
-    pub(crate) withdrawn: Option<WithdrawnKey>,
     pub(crate) matrix: Option<MatrixKey>,
     #[serde(default)]
     pub(crate) types: BTreeMap<String, TypeKey>,
@@ -102,7 +99,6 @@ pub(crate) struct ProbeKey {
     pub(crate) scans: Option<Spanned<u32>>,
     #[serde(default)]
     pub(crate) tags: Vec<String>,
-    pub(crate) withdrawn: Option<WithdrawnKey>,
 }
 
 impl<'de> Deserialize<'de> for MatrixKey {

@@ -8,7 +8,7 @@ use toml::Spanned;
 
 use crate::condition::{Condition, Testable};
 use crate::error::Mistake;
-use crate::frame::{self, FileContext, Frame, Withdrawal};
+use crate::frame::{self, FileContext, Frame};
 use crate::header;
 use crate::ident;
 use crate::mark::{Claim, Known};
@@ -107,13 +107,7 @@ impl Reader<'_, '_> {
         let frame = Frame {
             summary: key.summary.as_deref().or(file.summary.as_deref()).map(Arc::from),
             tags: header::tags(file.tags.iter().chain(&key.tags)),
-            edition: frame::edition(file.edition.as_ref(), lines, &mut self.mistakes),
             scans: frame::scans(scans, lines, &mut self.mistakes),
-            withdrawn: key
-                .withdrawn
-                .as_ref()
-                .or(file.withdrawn.as_ref())
-                .map(Withdrawal::from),
         };
         let dialects = key.dialects.as_ref();
         let program = self.program(&key.source, remarks)?;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::common::{folder, load, write};
-use stickler_suite::{Severity, Suite, lint, load_file};
+use stickler_suite::{FileKind, Severity, Suite, lint, load_file};
 
 const PROGRAM: &str =
     "(*!\ntitle = \"t\"\nbasis = \"iec-61131-3: 6\"\ndialects = [\"matiec\"]\n*)\nx; (*! ok *)\n";
@@ -23,6 +23,26 @@ fn cases_come_in_the_order_of_their_paths() {
 }
 
 #[test]
+fn only_the_files_that_are_wanted_are_read() {
+    let table = "title = 't'\nbasis = 'iec-61131-3: 6'\ndialects = ['matiec']\ncolumns = ['a']\nrows = [['1']]\n\
+                 [[probe]]\nname = 'p'\nsource = 'x := {a}; (*! ok *)'\n";
+    let folder = folder(&[("a/bad.st", "x"), ("a/good.st", PROGRAM), ("a/good.toml", table)]);
+    let wanted = |wanted: FileKind| {
+        let suite = Suite::load_files(&folder.path().join("cases"), &[], |id, kind| {
+            id == "a/good" && kind == wanted
+        });
+        assert!(suite.errors.is_empty(), "{:?}", suite.errors);
+        suite
+            .cases
+            .into_iter()
+            .map(|case| case.id.to_string())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(wanted(FileKind::Program), ["a/good"]);
+    assert_eq!(wanted(FileKind::Table), ["a/good::p(1)"]);
+}
+
+#[test]
 fn a_mistake_in_one_file_leaves_the_rest() {
     let suite = load(&[("a/bad.st", "x"), ("a/good.st", PROGRAM), ("a/bad.toml", "= 3")]);
     assert_eq!(suite.cases.len(), 1);
@@ -32,32 +52,6 @@ fn a_mistake_in_one_file_leaves_the_rest() {
         .map(|error| (error.file.as_str(), error.line))
         .collect();
     assert_eq!(files, [("cases/a/bad.st", 1), ("cases/a/bad.toml", 1)]);
-}
-
-#[test]
-fn one_id_names_one_case() {
-    let other = PROGRAM.replace("title", "id = \"a/one\"\ntitle");
-    let suite = load(&[("a/one.st", PROGRAM), ("a/two.st", &other)]);
-    assert_eq!(suite.cases.len(), 1);
-    let said = suite.errors[0].to_string();
-    assert!(
-        said.starts_with("cases/a/two.st:1: `id`: the id `a/one` stands already at cases/a/one.st:1"),
-        "{said}"
-    );
-}
-
-#[test]
-fn a_withdrawn_id_is_taken() {
-    let withdrawn = PROGRAM.replacen(
-        "*)",
-        "id = \"a/two\"\n[withdrawn]\nreason = \"r\"\ndate = \"d\"\n*)",
-        1,
-    );
-    let suite = load(&[("a/one.st", &withdrawn), ("a/two.st", PROGRAM)]);
-    assert_eq!(
-        (suite.cases.len(), suite.withdrawn.len(), suite.errors.len()),
-        (0, 1, 1)
-    );
 }
 
 #[test]

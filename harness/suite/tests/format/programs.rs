@@ -1,6 +1,6 @@
 //! `*.st` files: what becomes of their headers and marks.
 
-use crate::common::{cases, load, one_mistake};
+use crate::common::{cases, one_mistake};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::{Code, DialectName, Fault, Value};
 
@@ -28,15 +28,12 @@ fn value(literal: &str) -> Value {
 #[test]
 fn a_header_describes_the_case() {
     let text = "(*!\ntitle = \"One\"\nbasis = \"stickler-design: §8\"\ndialects = [\"matiec\"]\nscans = 3\n\
-                tags = [\"a\", \"b\"]\nsummary = \"S\"\nedition = 3\n*)\nPROGRAM main END_PROGRAM (*! ok *)\n";
+                tags = [\"a\", \"b\"]\nsummary = \"S\"\n*)\nPROGRAM main END_PROGRAM (*! ok *)\n";
     let case = &cases("area/deep/file.st", text)[0];
     assert_eq!(&*case.id, "area/deep/file");
     assert_eq!(case.key(), "area/deep/file@matiec");
     assert_eq!((&*case.title, &*case.basis), ("One", "stickler-design: §8"));
-    assert_eq!(
-        (case.scans, case.edition, case.summary.as_deref()),
-        (3, Some(3), Some("S"))
-    );
+    assert_eq!((case.scans, case.summary.as_deref()), (3, Some("S")));
     assert_eq!(case.tags.iter().map(|tag| &**tag).collect::<Vec<_>>(), ["a", "b"]);
     assert_eq!(
         (&*case.file, &*case.area, case.line),
@@ -44,7 +41,7 @@ fn a_header_describes_the_case() {
     );
     assert_eq!(&*case.source, text);
     assert_eq!(case.expectation.accepted, Acceptance::Required);
-    assert_eq!(case.expectation.clean_lines, [10]);
+    assert_eq!(case.expectation.clean_lines, [9]);
 }
 
 #[test]
@@ -204,30 +201,6 @@ fn a_program_may_have_carriage_returns_a_byte_order_mark_and_no_last_line_break(
 }
 
 #[test]
-fn an_id_can_be_given() {
-    let text = program("'matiec'", "(*! ok *)").replacen("title", "id = \"old/name\"\ntitle", 1);
-    assert_eq!(&*cases("area/file.st", &text)[0].id, "old/name");
-    let text = text.replace("old/name", "old name");
-    one_mistake("area/file.st", &text, 2, "`id`: ' ' cannot stand in an id");
-}
-
-#[test]
-fn a_withdrawn_case_keeps_its_id_and_is_not_run() {
-    let text = program("'matiec'", "(*! ok *)").replacen(
-        "*)",
-        "[withdrawn]\nreason = \"wrong\"\ndate = \"2026-09-01\"\n*)",
-        1,
-    );
-    let suite = load(&[("area/file.st", &text)]);
-    assert!(suite.errors.is_empty() && suite.cases.is_empty());
-    let withdrawn = &suite.withdrawn[0];
-    assert_eq!(
-        (&*withdrawn.case.id, &*withdrawn.reason, &*withdrawn.date),
-        ("area/file", "wrong", "2026-09-01")
-    );
-}
-
-#[test]
 fn a_header_that_is_missing_or_wrong_is_said() {
     for (text, line, said) in [
         ("PROGRAM main END_PROGRAM", 1, "the file has no header"),
@@ -260,11 +233,6 @@ fn a_header_that_is_missing_or_wrong_is_said() {
             "(*!\ntitle = \"t\"\nbasis = \"b: c\"\nscans = 0\ndialects = [\"matiec\"]\n*)",
             4,
             "`scans`: 0 scans",
-        ),
-        (
-            "(*!\ntitle = \"t\"\nbasis = \"b: c\"\nedition = 4\ndialects = [\"matiec\"]\n*)",
-            4,
-            "no edition 4",
         ),
     ] {
         one_mistake("area/file.st", text, line, said);
