@@ -5,7 +5,7 @@
 //! of one argument, [`ConversionFunction::accepts`] says of each type whether it takes it,
 //! [`ConversionFunction::results`] which types the result may have, and [`ConversionFunction::conversion`] makes
 //! the conversion from one to the other, which [`Conversion::apply_to_slice`] applies to many values. The functions
-//! of two arguments are those of [`concatenation`].
+//! of two arguments are those of [`concatenation()`].
 //!
 //! ```
 //! use stickler_reference::{Dialect, conversion};

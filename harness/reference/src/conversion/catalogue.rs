@@ -154,7 +154,7 @@ impl ConversionFunction {
 }
 
 /// The conversion function of one argument of this name, in any ASCII case; `None` where the dialect has none.
-/// Those of two arguments are found by [`super::concatenation`].
+/// Those of two arguments are found by [`super::concatenation()`].
 ///
 /// | name | takes | gives |
 /// |---|---|---|

@@ -1,5 +1,5 @@
 //! The names of all conversion functions, for lists and for guesses at what was meant. Which of them a dialect
-//! has, and what they mean, is for [`super::function`] and [`super::concatenation`] to say.
+//! has, and what they mean, is for [`super::function`] and [`super::concatenation()`] to say.
 
 use super::concatenation::{CONCATENATIONS, concatenation};
 use super::{ConversionRule, function};

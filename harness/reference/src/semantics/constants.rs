@@ -182,7 +182,7 @@ impl<'m> Lowering<'m> {
         Ok(parts)
     }
 
-    /// Refuses what is no conversion function: one that nobody declared, or one that computes only as the program runs.
+    /// Refuses a callee that is no conversion function: an undeclared one, or one that computes only as the program runs.
     fn constant_callee(&mut self, callee: ExpressionId, call: Span) -> Result<(), Option<SpannedDiagnostic>> {
         match self.callee(callee) {
             Callee::Conversion(_) | Callee::Concatenation(_) => Ok(()),

@@ -3,10 +3,10 @@
 /// The most members of a cycle that are named; a long chain may hold as many long cycles as it has nodes.
 const MAX_MEMBERS: usize = 50;
 
-/// Walks a graph depth first, from each node in turn, and tells of two things as it meets them.
+/// Walks a graph depth first, from each node in turn.
 ///
-/// `edges` gives the nodes that a node needs, each with a note of where; `visit` is told of a node once all
-/// that it needs is done, and `cycle` of an edge that closes a cycle, with the node that it leaves.
+/// `edges` gives the nodes that a node needs, each with a note of where; `visit` gets each node once all that it needs
+/// is done, and each edge that closes a cycle.
 pub(super) fn walk<N: Copy>(
     nodes: usize,
     mut edges: impl FnMut(usize) -> Vec<(usize, N)>,

@@ -80,12 +80,12 @@ impl<'m> Lowering<'m> {
         describe(&self.model.types, inferred)
     }
 
-    /// Returns the end of a message about a function that nobody declared.
+    /// Returns the end of a message about an undeclared function.
     pub(super) fn similar_function(&mut self, name: &str) -> String {
         similar_function(self.model, name, &mut self.guesses)
     }
 
-    /// Returns the end of a message about a variable that nobody declared.
+    /// Returns the end of a message about an undeclared variable.
     pub(super) fn similar_variable(&mut self, name: &str) -> String {
         let local = self.entry().map(|entry| entry.scope.keys()).into_iter().flatten();
         let known = local
@@ -95,7 +95,7 @@ impl<'m> Lowering<'m> {
     }
 }
 
-/// The end of a message about a function that nobody declared: standard functions, type conversion functions and
+/// Returns the end of a message about an undeclared function: standard functions, type conversion functions and
 /// functions of the text whose names are near. `guesses` is how many more messages may look for some.
 fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32) -> String {
     let dialect = model.source.dialect;

@@ -22,7 +22,7 @@ pub enum StatementKind {
         /// The value.
         value: ExpressionId,
     },
-    /// A call as a statement: its expression is an [`ExpressionKind::Call`].
+    /// A call as a statement: its expression is an [`ExpressionKind::Call`](super::ExpressionKind::Call).
     Call(ExpressionId),
     /// IF … ELSIF … ELSE … END_IF.
     If {
