@@ -6,13 +6,13 @@ use stickler_types::{BuiltIn, DialectName, ElementaryType, Value};
 
 use crate::expressions::each_expression;
 
-/// What stands behind the arithmetic rules of every dialect.
+/// The document and section of the arithmetic rules of every dialect.
 const DESIGN: &str = "stickler-design: §8";
 
 /// The document and section, as a case writes them: of the conversion functions in the program, else of its implicit
 /// conversions, else of its bit access, else of what all dialects share. The first of a kind decides.
 ///
-/// It is a proposal: a person who promotes a finding may know a better one.
+/// The basis is a proposal: a person who promotes a finding may know a better one.
 #[must_use]
 pub fn basis(program: &Program) -> String {
     let mut proposals = Proposals::default();

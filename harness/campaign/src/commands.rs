@@ -5,25 +5,25 @@ use std::path::PathBuf;
 use stickler_engines::shell_quote;
 use stickler_types::DialectName;
 
-/// How the commands of a campaign are written.
+/// The parts from which the commands of a campaign are written.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Commands {
-    /// What stands for `stickler` where the reader is.
+    /// The words that start Stickler where the reader is, such as `stickler`.
     pub program: String,
     /// The folder in which findings are kept.
     pub folder: PathBuf,
-    /// What stands behind each `--engine`.
+    /// The value of each `--engine`.
     pub engines: Vec<String>,
     /// The dialects that were asked for; none: those that the engines speak.
     pub dialects: Vec<DialectName>,
     /// The targets that were asked for; the place of an input says which of them judges it.
     pub targets: Vec<String>,
-    /// What stands behind each `--without`.
+    /// The value of each `--without`.
     pub without: Vec<String>,
 }
 
 impl Commands {
-    /// Judges the saved finding again; finds the original again.
+    /// Returns two commands: the first judges the saved finding again, the second finds the original again.
     #[must_use]
     pub fn of(&self, finding: &Finding) -> Vec<String> {
         let mut again = format!("{} fuzz --replay ", self.program);

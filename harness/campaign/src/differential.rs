@@ -1,4 +1,4 @@
-//! Engines side by side: each program of a seed is given to all of them, and what they do is held against the evaluator.
+//! Engines side by side: each program of a seed is given to all of them, and their results are compared with the evaluator's.
 //!
 //! The evaluator computes what the documents say a program gives, without any engine. So one engine is enough, and two that
 //! are wrong alike are both found.
@@ -29,26 +29,26 @@ use stickler_engines::EngineError;
 use stickler_generate::model::Program;
 use stickler_types::DialectName;
 
-/// The oracle of a campaign with engines.
+/// The oracle of a campaign with engines: each program is given to all of them.
 pub struct DifferentialOracle<'e> {
     /// The engines.
     pub engines: Vec<EngineUnderTest<'e>>,
-    /// Where programs come from.
+    /// The source of the programs.
     pub inputs: Inputs,
     /// The dialects that programs are made for; an engine is asked only for those that it speaks.
     pub dialects: Vec<DialectName>,
     /// Whether programs may use what documents leave open. Values of such programs are not compared.
     pub open: bool,
-    /// What programs shall not have.
+    /// The parts of the language that programs shall not have.
     pub without: Exclusions,
     /// When an engine is given several programs at a time.
     pub packs: PackPolicy,
-    /// How commands are written.
+    /// The parts from which the commands of a finding are written.
     pub commands: Commands,
 }
 
 impl DifferentialOracle<'_> {
-    /// The program at a place; `None` where nothing comes without what is to be left out.
+    /// Returns the program at a place; `None` where every program that was tried has something excluded.
     fn program(&self, place: u64) -> Option<Program> {
         self.inputs
             .program_without(place, &self.dialects, self.open, &self.without)

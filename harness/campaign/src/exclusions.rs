@@ -1,4 +1,5 @@
-//! What the programs of a campaign shall not have, so that a compiler that lacks it does not hide what else is wrong.
+//! Parts of the language that the programs of a campaign shall not have, so that a compiler that lacks one of them does not
+//! hide what else is wrong.
 //!
 //! The words are those that a finding shows for its program ([`crate::Finding::rule`]): what a compiler was found to reject
 //! can be left out by the word that the finding has for it.
@@ -8,11 +9,11 @@ use stickler_generate::features::{FeatureDetail, NAMES, features};
 use stickler_generate::model::Program;
 use stickler_types::{DialectName, ElementaryType};
 
-/// CaseHead for what programs shall not have.
+/// The parts of the language that programs shall not have, by their words.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Exclusions(Vec<String>);
 
-/// A word that stands for nothing that programs can have.
+/// A word that names no part of the language that can be left out.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
     "`{0}` is nothing that can be left out; there are: the elementary types (`INT`), literals with their type (`INT#`), \
@@ -34,12 +35,12 @@ impl Exclusions {
         words.iter().map(known).collect::<Result<_, _>>().map(Exclusions)
     }
 
-    /// Whether there is nothing to leave out.
+    /// Returns whether nothing is excluded.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// Whether the program has nothing of it.
+    /// Returns whether the program has nothing that is excluded.
     pub(crate) fn admits(&self, program: &Program) -> bool {
         if self.is_empty() {
             return true;

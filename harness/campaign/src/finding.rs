@@ -1,4 +1,4 @@
-//! A finding: a disagreement made small, with all that is needed to see it again.
+//! A finding: a disagreement, reduced, with all that is needed to see it again.
 
 use serde::{Deserialize, Serialize};
 use stickler_generate::oracles::FuzzTarget;
@@ -7,7 +7,7 @@ use stickler_types::{DialectName, Fnv1a};
 /// The version of the form in which findings are saved.
 pub const FORMAT: u32 = 1;
 
-/// So much of a symptom stands in a name; some compilers say much.
+/// The number of characters of a symptom that stand in a name at most; some compilers say much.
 const MAX_KIND_LEN: usize = 40;
 
 /// A disagreement or crash, reduced and run again.
@@ -15,7 +15,7 @@ const MAX_KIND_LEN: usize = 40;
 pub struct Finding {
     /// [`FORMAT`]. Keys may be added under the same number.
     pub format: u32,
-    /// Who, how, and a fingerprint of [`Finding::rule`]; the name of its folder.
+    /// The name of the finding and of its folder: the subject, the symptom, and a fingerprint of [`Finding::rule`].
     pub id: String,
     /// The version of Stickler that found it.
     pub stickler: String,
@@ -23,25 +23,25 @@ pub struct Finding {
     pub target: String,
     /// The engine that disagrees; `None` where it is the reference, asked by a target of its own.
     pub engine: Option<EngineInfo>,
-    /// How it disagrees, in a word such as `value:INT`, `rejected:P4035`, `crash`.
+    /// The symptom in a word, such as `value:INT`, `rejected:P4035`, `crash`.
     pub symptom: String,
-    /// What is left of the language in the reduced program: functions, operators, kinds of statements. Sorted.
+    /// The parts of the language that the reduced program uses: functions, operators, kinds of statements. Sorted.
     pub rule: Vec<String>,
     /// The dialect of the program, where the input is one.
     pub dialect: Option<String>,
-    /// Whether it was seen again.
+    /// Whether the disagreement was seen again.
     pub standing: Standing,
-    /// How it was found and what it became.
+    /// The place where the input was found, and the course of its reduction.
     pub origin: Origin,
-    /// What happened, for a person.
+    /// A description of what happened, for a person.
     pub message: String,
-    /// What must happen.
+    /// The result that must come.
     pub expected: Expected,
-    /// What each engine did with the reduced program.
+    /// The outcome of each engine on the reduced program.
     pub outcomes: Vec<EngineReport>,
     /// Commands for a shell: the first judges the saved program again, the second finds the original again.
     pub reproduce: Vec<String>,
-    /// Of the saved program, so that one that was edited is not taken for what was found.
+    /// The hash of the saved program, so that one that was edited is not taken for what was found.
     pub fingerprint: String,
     /// The reduced program; in a file of its own.
     #[serde(skip)]
@@ -61,7 +61,7 @@ pub struct EngineInfo {
     pub name: String,
     /// Its version, in its own words.
     pub version: String,
-    /// What stands behind `--engine` to get it.
+    /// The value of `--engine` that stands for the engine.
     pub asked_for: String,
 }
 
@@ -84,9 +84,10 @@ pub struct Origin {
     pub place: u64,
     /// Whether the campaign let programs use what documents leave open.
     pub open: bool,
-    /// Whether nothing smaller was left to try; otherwise the end of the campaign, or of patience, cut it short.
+    /// Whether nothing smaller was left to try; otherwise the end of the campaign, or the limit of tries, cut the reduction
+    /// short.
     pub smallest: bool,
-    /// How many smaller ones were tried.
+    /// The number of smaller inputs that were tried.
     pub tries: u64,
     /// Lines, or bytes where the input is no program, as it was found.
     pub size_found: u64,
@@ -94,7 +95,7 @@ pub struct Origin {
     pub size: u64,
 }
 
-/// What must happen.
+/// The result that must come.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(tag = "what", rename_all = "lowercase")]
 pub enum Expected {
@@ -104,7 +105,7 @@ pub enum Expected {
         values: Vec<ObservedValue>,
         /// The document and section that say so; `None` where something that happened is open.
         basis: Option<String>,
-        /// What happened that no document settles.
+        /// The events that no document settles.
         opened: Vec<String>,
     },
     /// The program is rejected, by this diagnostic and no other.
@@ -116,9 +117,9 @@ pub enum Expected {
         /// The document and section that say so.
         basis: Option<String>,
     },
-    /// A property of the target, in words.
+    /// The target's property holds, which is stated in words.
     Property {
-        /// What holds for every input.
+        /// The property that holds for every input.
         claim: String,
     },
 }
@@ -132,7 +133,7 @@ pub struct ObservedValue {
     pub value: String,
 }
 
-/// What one engine did.
+/// The outcome of one engine.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct EngineReport {
     /// The engine.
@@ -144,7 +145,7 @@ pub struct EngineReport {
 }
 
 impl Finding {
-    /// Gives the finding the name that it has by what it is: the same for whoever finds it.
+    /// Names the finding by what it is, so that it has the same name whoever finds it.
     #[must_use]
     pub fn named(mut self) -> Finding {
         let who = self.subject().to_owned();
@@ -158,7 +159,7 @@ impl Finding {
         self
     }
 
-    /// The kind of symptom, without the type of a value: what a compiler does wrong it mostly does with several types.
+    /// Returns the kind of symptom, without the type of a value: what a compiler does wrong it mostly does with several types.
     #[must_use]
     pub fn kind(&self) -> &str {
         match self.symptom.split_once(':') {
@@ -167,7 +168,7 @@ impl Finding {
         }
     }
 
-    /// Whether this finding is probably the same as another: the same is wrong with more of the language around it.
+    /// Returns whether this finding is probably the same as another: the same is wrong with more of the language around it.
     #[must_use]
     pub fn is_like(&self, simpler: &Finding) -> bool {
         self.id != simpler.id
@@ -179,7 +180,7 @@ impl Finding {
             && simpler.rule.iter().all(|part| self.rule.contains(part))
     }
 
-    /// Who disagrees: the engine, or the target where that asks the reference alone.
+    /// Returns the name of the engine that disagrees, or of the target where that asks the reference alone.
     #[must_use]
     pub fn subject(&self) -> &str {
         match &self.engine {
@@ -188,7 +189,7 @@ impl Finding {
         }
     }
 
-    /// What its sizes count: lines of a program, or bytes where the input is none.
+    /// Returns the unit of the sizes: lines of a program, or bytes where the input is none.
     #[must_use]
     pub fn unit(&self) -> &'static str {
         match self.program {
@@ -197,32 +198,32 @@ impl Finding {
         }
     }
 
-    /// The target, if this version of Stickler has it.
+    /// Returns the target, if this version of Stickler has it.
     #[must_use]
     pub fn target(&self) -> Option<FuzzTarget> {
         FuzzTarget::from_name(&self.target)
     }
 
-    /// The dialect, if the input is a program and this version of Stickler knows it.
+    /// Returns the dialect, if the input is a program and this version of Stickler knows it.
     #[must_use]
     pub fn dialect(&self) -> Option<DialectName> {
         self.dialect.as_deref()?.parse().ok()
     }
 
-    /// Whether the program and the input are those that were found.
+    /// Returns whether the program and the input are those that were found.
     #[must_use]
     pub fn is_as_found(&self) -> bool {
         self.fingerprint == fingerprint(self.program.as_deref(), &self.input)
     }
 
-    /// Of two findings of one name the one that is worth keeping: seen again before flaky, small before large; the earlier
+    /// Returns the one of two findings of one name that is worth keeping: seen again before flaky, small before large; the earlier
     /// place where they are alike, so that the choice does not depend on who came first.
     #[must_use]
     pub fn better(self, other: Finding) -> Finding {
         if self.rank() <= other.rank() { self } else { other }
     }
 
-    /// Whether this one would be kept where the other has been.
+    /// Returns whether this finding would be kept where the other has been.
     #[must_use]
     pub fn improves_on(&self, other: &Finding) -> bool {
         self.rank() < other.rank()

@@ -6,7 +6,7 @@ use stickler_generate::generator::{self, GeneratorSettings};
 use stickler_generate::model::Program;
 use stickler_types::{DialectName, SplitMix64};
 
-/// So many programs are made for a place until one comes without what is to be left out.
+/// The number of programs that are tried at a place before it is given up, because all have something excluded.
 const ATTEMPTS: u64 = 2000;
 
 /// The inputs of a seed.
@@ -22,7 +22,7 @@ const LEAST_LENGTH: u32 = 5;
 const LENGTHS: u64 = 7;
 
 impl Inputs {
-    /// The row of this seed.
+    /// Returns the inputs of this seed.
     #[must_use]
     pub const fn new(seed: u64) -> Inputs {
         Inputs {
@@ -31,19 +31,19 @@ impl Inputs {
         }
     }
 
-    /// The seed.
+    /// Returns the seed.
     #[must_use]
     pub const fn seed(self) -> u64 {
         self.seed
     }
 
-    /// Numbers for the place, which nothing else draws.
+    /// Returns random numbers for the place, which nothing else draws.
     #[must_use]
     pub const fn draws(self, place: u64) -> SplitMix64 {
         self.row.split(place)
     }
 
-    /// The bytes at this place: 32 to 2048, short ones as often as long ones, so that small programs come as often as large
+    /// Returns the bytes at this place: 32 to 2048, short ones as often as long ones, so that small programs come as often as large
     /// ones.
     #[must_use]
     pub fn bytes(self, place: u64) -> Vec<u8> {
@@ -58,17 +58,17 @@ impl Inputs {
             .collect()
     }
 
-    /// The program at this place, in one of these dialects (in any where none is named).
+    /// Returns the program at this place, in one of these dialects (in any where none is named).
     #[must_use]
     pub fn program(self, place: u64, dialects: &[DialectName], open: bool) -> Program {
         let settings = self.settings(place, dialects, open);
         generator::program(&mut Unstructured::new(&self.bytes(place)), &settings)
     }
 
-    /// The same, without what is to be left out; `None` where none of many comes without it.
+    /// Returns the program at this place that has nothing of the exclusions; `None` where every attempt has some of it.
     ///
-    /// It is looked for in the program that was made, and where it is found, another is made in its place. So nothing of it
-    /// remains, and a program that never had it is the same as without this.
+    /// A program that has something excluded is replaced by another one, so nothing of it remains, and a program that never
+    /// had it is the same as without exclusions.
     #[must_use]
     pub fn program_without(
         self,

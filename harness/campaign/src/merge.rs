@@ -6,14 +6,14 @@ use crate::store::Store;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// What several folders hold together.
+/// The findings that several folders hold together.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Merged {
     /// The best finding of each name.
     pub findings: BTreeMap<String, Finding>,
     /// The campaigns of which there are parts, each once, put together.
     pub campaigns: Vec<Record>,
-    /// What is missing, cut short or cannot be read, a sentence each. Nobody may take the rest for the whole.
+    /// Parts that are missing, cut short or unreadable, a sentence each. Where there is one, the rest is not the whole.
     pub missing: Vec<String>,
 }
 
@@ -127,7 +127,7 @@ impl Merged {
     }
 }
 
-/// How many missing parts are named one by one.
+/// The number of missing parts that are named one by one.
 const MOST_SENTENCES: u32 = 20;
 
 #[cfg(test)]

@@ -1,60 +1,60 @@
-//! What a campaign asks: something that judges inputs by their places, and makes small what it finds.
+//! The trait [`Oracle`], which a campaign asks to judge inputs and to reduce what it finds.
 
 use crate::finding::Finding;
 use stickler_engines::EngineError;
 
-/// What inputs are held against; shared by all workers.
+/// A judge of inputs, which are named by their places in the row of a seed. It is shared by all workers.
 pub trait Oracle: Sync {
-    /// Someone who judges, with conversations of their own. Called once a worker.
+    /// Returns a worker with engine sessions of its own. Called once on each thread.
     ///
     /// # Errors
     /// [`EngineError`] where an engine cannot be started.
     fn worker(&self) -> Result<Box<dyn Worker + '_>, EngineError>;
 }
 
-/// Someone who judges inputs, one after the other.
+/// A worker of an [`Oracle`], which judges inputs one after the other.
 pub trait Worker {
     /// Judges the inputs at these places, in order. When `going` becomes false, the rest is left: then the answer is shorter.
     ///
-    /// What is said of a place depends on nothing but the place and what the engines do: not on the places before it, nor on
+    /// The verdict on a place depends on nothing but the place and what the engines do: not on the places before it, nor on
     /// how many are asked for at a time.
     fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict>;
 
-    /// Makes a mismatch small and runs it once more. When `going` becomes false, the smallest so far is given.
+    /// Reduces a mismatch and runs it once more. When `going` becomes false, the smallest so far is given.
     fn reduce(&mut self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding;
 
-    /// An engine that can no longer be used, and why; asked after each judgement.
+    /// Returns which engine can no longer be used, and why; asked after each task.
     fn lost(&self) -> Option<String> {
         None
     }
 }
 
-/// What was said of one input.
+/// The verdict on one input.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Verdict {
     /// Its place in the row of the seed.
     pub place: u64,
-    /// Why it was not judged, where it was not.
+    /// The reason for which the input was not judged, where it was not.
     pub passed_over: Option<&'static str>,
-    /// Who disagreed, each once.
+    /// The disagreements over the input, one for each subject.
     pub mismatches: Vec<Mismatch>,
-    /// How often an engine died or hung over it and was started anew.
+    /// The number of times that an engine died or hung over the input and was started anew.
     pub deaths: u64,
 }
 
-/// A disagreement, before it is made small.
+/// A disagreement over an input, before it is reduced.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Mismatch {
     /// The place of the input.
     pub place: u64,
-    /// Who: an engine, or the target that asked the reference.
+    /// The name of the engine that disagrees, or of the target that asked the reference.
     pub subject: String,
-    /// How, in a word.
+    /// The symptom in a word, such as `value:INT` or `crash`.
     pub symptom: String,
 }
 
 impl Verdict {
-    /// Nothing is wrong with this input.
+    /// Returns the verdict on an input over which nobody disagrees.
     #[must_use]
     pub const fn agreed(place: u64) -> Verdict {
         Verdict {

@@ -1,34 +1,34 @@
-//! How long a campaign goes on, on how many threads, and which places are its own.
+//! The plan of a campaign: how long it goes on, on how many threads, and which places are its own.
 
 use std::time::Duration;
 use stickler_workers::Shard;
 
-/// A campaign.
+/// The plan of a campaign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Plan {
     /// The first place.
     pub first: u64,
-    /// How long it goes on.
+    /// The end of the campaign.
     pub until: Until,
-    /// Which of the places are judged here.
+    /// The part of the places that are judged here.
     pub shard: Shard,
-    /// How many judge at a time; 0: one a processor.
+    /// The number of workers; 0 stands for one a processor.
     pub jobs: usize,
-    /// How many places are given out at a time.
+    /// The number of places that a worker is given at a time.
     pub batch: usize,
 }
 
-/// How long a campaign goes on.
+/// The end of a campaign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Until {
-    /// For so many places of the row, of which a part judges its share. All that is found depends on the seed alone.
+    /// After so many places of the row, of which a part judges its share. All that is found depends on the seed alone.
     Count(u64),
-    /// For so long. What is found depends on how quick the machine is.
+    /// After so long a time. What is found depends on how quick the machine is.
     Time(Duration),
 }
 
 impl Plan {
-    /// The places of this part in order, in batches of [`Plan::batch`].
+    /// Returns the places of this part in order, in batches of [`Plan::batch`].
     pub(crate) fn batches(self) -> impl Iterator<Item = Vec<u64>> {
         let end = match self.until {
             Until::Count(count) => self.first.saturating_add(count),
@@ -48,7 +48,7 @@ impl Plan {
         })
     }
 
-    /// How many places are this part's, where that is known.
+    /// Returns the number of places of this part, where that is known.
     #[must_use]
     pub fn share(self) -> Option<u64> {
         let Until::Count(count) = self.until else {
@@ -60,7 +60,7 @@ impl Plan {
     }
 }
 
-/// Whether the `number`-th disagreement (from 1) of one subject and symptom is made small.
+/// Returns whether the `number`-th disagreement (from 1) of one subject and symptom is reduced.
 ///
 /// The first sixteen are, and eight of each further doubling: a defect that every tenth program meets must not keep a
 /// campaign from going on, and yet a rarer one with the same symptom gets its turn.

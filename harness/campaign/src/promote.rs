@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// The folder of cases that campaigns found, below the folder of cases.
 pub const FOUND: &str = "found";
 
-/// Why a finding does not become a case.
+/// The reason for which a finding does not become a case.
 #[derive(Debug, thiserror::Error)]
 pub enum PromoteError {
     /// The finding is none that a case can be made of.
@@ -17,7 +17,7 @@ pub enum PromoteError {
     Refused {
         /// The finding.
         id: String,
-        /// Why, and what else can be done.
+        /// The reason, and what else can be done.
         reason: String,
     },
     /// The name is none.
@@ -36,7 +36,7 @@ pub enum PromoteError {
         /// Why.
         error: io::Error,
     },
-    /// What was written is no sound case file. Nothing is left of it.
+    /// The case file that was written is not sound; it was removed.
     #[error("the case would not be sound, so it was not kept: {0}")]
     Unsound(String),
 }
@@ -48,16 +48,16 @@ pub struct Promoted {
     pub path: PathBuf,
     /// The basis in its header.
     pub basis: String,
-    /// Whether the basis is only proposed: nobody has looked for the section that says it best.
+    /// Whether Stickler proposed the basis; a person may know a section that says it better.
     pub proposed: bool,
 }
 
-/// What a person says of a finding; what is left out is proposed.
+/// The head of the case that a person writes for a finding; what is left out is proposed by Stickler.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct CaseHead<'w> {
     /// The name of the case.
     pub name: Option<&'w str>,
-    /// What holds, in a line.
+    /// The rule that holds, in a line.
     pub title: Option<&'w str>,
     /// The document and section that say so.
     pub basis: Option<&'w str>,
@@ -99,7 +99,7 @@ pub fn promote(finding: &Finding, cases: &Path, words: &CaseHead<'_>) -> Result<
     })
 }
 
-/// What the suite finds wrong with a file, lint's warnings included.
+/// Returns the first mistake that the suite finds in a file, lint's warnings included.
 fn mistake(cases: &Path, path: &Path) -> Option<String> {
     let (_, errors) = stickler_suite::load_file(cases, path);
     if let Some(error) = errors.first() {

@@ -1,4 +1,4 @@
-//! What a campaign was, and whether it came to its end: a file beside its findings.
+//! The record of a campaign, and whether it came to its end: a file beside its findings.
 
 use crate::store::StoreError;
 use serde::{Deserialize, Serialize};
@@ -18,23 +18,23 @@ pub struct Record {
     pub format: u32,
     /// The version of Stickler that ran it.
     pub stickler: String,
-    /// What was asked of it.
+    /// The options of the campaign.
     pub asked: Request,
     /// Which part, from 1.
     pub part: u32,
-    /// Of how many.
+    /// The number of parts.
     pub parts: u32,
-    /// Whether it came to its end. A file that says `false` was left by a campaign that was cut short, or goes on.
+    /// Whether the campaign came to its end. A file that says `false` was left by a campaign that was cut short, or still runs.
     pub complete: bool,
     /// Inputs that were judged or passed over.
     pub programs: u64,
-    /// How often somebody disagreed.
+    /// The number of disagreements.
     pub disagreements: u64,
     /// The names of the findings.
     pub findings: Vec<String>,
 }
 
-/// What was asked of a campaign; the same for all its parts.
+/// The options of a campaign, which are the same for all its parts.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 pub struct Request {
     /// The seed.
@@ -53,7 +53,7 @@ pub struct Request {
     pub dialects: Vec<String>,
     /// Whether programs could use what documents leave open.
     pub open: bool,
-    /// What programs should not have.
+    /// The parts of the language that programs shall not have.
     #[serde(default)]
     pub without: Vec<String>,
 }

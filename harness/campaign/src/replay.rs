@@ -6,17 +6,17 @@ use stickler_engines::{EngineError, EngineSession, Outcome};
 use stickler_generate::oracles::{FuzzTarget, InputOutcome, OracleFailure};
 use stickler_types::{DialectName, Value};
 
-/// What came of a finding that was judged again.
+/// The result of judging a finding again.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Replayed {
-    /// What each engine did with the saved program, and how it differs from what must happen, where it does.
+    /// The outcome of each engine on the saved program, and how it differs from what must happen, where it does.
     pub answers: Vec<(EngineReport, Option<String>)>,
-    /// What the target said of the saved input; `None` where the finding has none.
+    /// The target's verdict on the saved input; `None` where the finding has no input.
     pub judged: Option<Result<InputOutcome, OracleFailure>>,
 }
 
 impl Replayed {
-    /// Whether anything is still wrong.
+    /// Returns whether anything is still wrong.
     #[must_use]
     pub fn shows(&self) -> bool {
         self.answers.iter().any(|(_, wrong)| wrong.is_some()) || matches!(self.judged, Some(Err(_)))
@@ -43,7 +43,7 @@ pub fn replay(finding: &Finding, engines: &[EngineUnderTest<'_>]) -> Result<Repl
     Ok(replayed)
 }
 
-/// Asks one engine; `None` where what must happen is nothing that a program can be asked.
+/// Asks one engine about the saved program; `None` where the finding expects nothing of a program.
 fn again(
     expected: &Expected,
     program: &str,

@@ -1,4 +1,4 @@
-//! The campaign itself: places are given out, verdicts taken in order, mismatches made small, findings told once.
+//! Running a campaign: places are given out, verdicts taken in order, mismatches reduced, findings reported once.
 //!
 //! Architecture Invariant: what is found depends on the row of verdicts alone, which is taken in the order of places, never
 //! on who was quicker. So the number of workers changes nothing, and with a count a seed finds the same every time.
@@ -19,16 +19,16 @@ use stickler_engines::EngineError;
 use stickler_workers::{Cancellation, Reorder, SpawnError, Supervisor, WorkerPool};
 use tasks::{Done, Task};
 
-/// What a campaign tells while it goes on.
+/// An event of a campaign that goes on.
 #[derive(Debug)]
 pub enum Event<'a> {
-    /// How far it is.
+    /// The progress of the campaign.
     Progress(Progress),
-    /// A finding that is new, or better than the one of that name before.
+    /// A finding that is new, or better than the earlier one of that name.
     Found(&'a Finding),
 }
 
-/// How far a campaign is.
+/// The progress of a campaign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Progress {
     /// Inputs that were judged or passed over.
@@ -39,42 +39,42 @@ pub struct Progress {
     pub findings: u64,
 }
 
-/// What a campaign did.
+/// The result of a campaign.
 #[derive(Debug)]
 pub struct Summary {
     /// Inputs that were judged or passed over.
     pub programs: u64,
-    /// How many inputs were passed over, by the reason.
+    /// The number of inputs that were passed over, by the reason.
     pub passed_over: BTreeMap<&'static str, u64>,
-    /// How often each subject disagreed, by its symptom.
+    /// The number of disagreements, by subject and symptom.
     pub disagreements: BTreeMap<(String, String), u64>,
-    /// How often engines died or hung and were started anew.
+    /// The number of times that engines died or hung and were started anew.
     pub deaths: u64,
     /// The findings, by name.
     pub findings: BTreeMap<String, Finding>,
-    /// How often a disagreement became the finding of this name.
+    /// The number of disagreements that became the finding of this name.
     pub times: BTreeMap<String, u64>,
-    /// Disagreements that were not made small, since many like them were.
+    /// The number of disagreements that were not reduced, since many like them were.
     pub left: u64,
-    /// How it ended.
+    /// The way in which the campaign ended.
     pub ended: Ended,
-    /// How long it took.
+    /// The time that the campaign took.
     pub elapsed: Duration,
 }
 
-/// How a campaign ended.
+/// The way in which a campaign ended.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Ended {
     /// All places were judged, or the time was up.
     Done,
-    /// It was told to stop.
+    /// The campaign was told to stop.
     Interrupted,
-    /// An engine can no longer be used: why.
+    /// An engine can no longer be used; holds the reason.
     Lost(String),
 }
 
-/// Runs a campaign. `tell` is called on this thread. When `cancel` is requested, what is under way is given up: a
-/// mismatch that is being made small becomes a finding as it is.
+/// Runs a campaign. `tell` is called on the caller's thread. When `cancel` is requested, what is under way is given up: a
+/// mismatch that is being reduced becomes a finding as it is.
 ///
 /// # Errors
 /// [`CampaignError`] where an engine or a thread cannot be started; no input was judged then.
@@ -105,7 +105,7 @@ pub fn run(
     Ok(campaign.ledger.summary(clock.begun.elapsed(), interrupted))
 }
 
-/// What keeps a campaign from being one.
+/// An error that ends a campaign before an input is judged.
 #[derive(Debug, thiserror::Error)]
 pub enum CampaignError {
     /// An engine could not be started.
@@ -116,19 +116,19 @@ pub enum CampaignError {
     Workers(#[from] SpawnError),
 }
 
-/// When work ends.
+/// The times at which the work of a campaign ends.
 pub(crate) struct Clock<'c> {
     begun: Instant,
-    /// No place is judged any more.
+    /// The time from which on no place is judged any more.
     end: Option<Instant>,
-    /// Nothing is made smaller any more.
+    /// The time from which on nothing is reduced any more.
     late: Option<Instant>,
     cancel: &'c Cancellation,
-    /// An engine is lost.
+    /// Whether an engine is lost.
     over: AtomicBool,
 }
 
-/// How long findings may still be made small once the time of a campaign is up.
+/// The time for which mismatches may still be reduced once the time of a campaign is up.
 const REDUCTION_TIMEOUT: Duration = Duration::from_secs(10);
 
 impl<'c> Clock<'c> {
@@ -147,12 +147,12 @@ impl<'c> Clock<'c> {
         }
     }
 
-    /// Whether more inputs are to be judged.
+    /// Returns whether more inputs are to be judged.
     pub(crate) fn judges(&self) -> bool {
         !self.over.load(Ordering::Relaxed) && self.before(self.end)
     }
 
-    /// Whether more is to be tried to make something small.
+    /// Returns whether a reduction is to go on.
     pub(crate) fn reduces(&self) -> bool {
         self.before(self.late)
     }
@@ -171,7 +171,7 @@ struct Campaign<'c, 't, B> {
     clock: &'c Clock<'c>,
     batches: B,
     batches_ahead: usize,
-    /// How many batches were given out.
+    /// The number of batches that were given out.
     begun: usize,
     verdicts: Reorder<Vec<Verdict>>,
     /// Done before further batches: a campaign that is cut short has then reduced most of what it found.

@@ -2,7 +2,7 @@
 
 use crate::finding::{EngineInfo, Expected, FORMAT, Finding, ObservedValue, Origin, Standing};
 
-/// A finding of an engine of this name.
+/// Returns a finding of an engine of this name.
 pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) -> Finding {
     Finding {
         format: FORMAT,

@@ -14,7 +14,7 @@ const ORIGINAL: &str = "original.st";
 /// The bytes that the target judges.
 const INPUT: &str = "input";
 
-/// Why a finding cannot be kept or read.
+/// The reason for which a finding cannot be kept or read.
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
     /// A file or folder cannot be written.
@@ -22,7 +22,7 @@ pub enum StoreError {
     Write {
         /// The file or folder.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         error: io::Error,
     },
     /// A file or folder cannot be read.
@@ -30,7 +30,7 @@ pub enum StoreError {
     Read {
         /// The file or folder.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         error: io::Error,
     },
     /// A file says nothing of a campaign.
@@ -38,7 +38,7 @@ pub enum StoreError {
     NotACampaign {
         /// The file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         reason: String,
     },
     /// A folder holds no finding.
@@ -46,7 +46,7 @@ pub enum StoreError {
     NoFinding {
         /// The folder or file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         reason: String,
     },
 }
@@ -69,12 +69,12 @@ pub struct Store {
     folder: PathBuf,
 }
 
-/// What became of a finding that was to be saved.
+/// The result of saving a finding.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Saved {
-    /// It is there now, alone or in the place of one that was worth less.
+    /// The finding was written, alone or in the place of one that was worth less.
     Written,
-    /// An earlier campaign has found it, and as small.
+    /// An earlier campaign has saved the finding already, and as small.
     Known,
 }
 
@@ -100,7 +100,7 @@ impl Store {
         &self.folder
     }
 
-    /// Where a finding of this name is kept.
+    /// Returns the folder in which a finding of this name is kept.
     #[must_use]
     pub fn place(&self, id: &str) -> PathBuf {
         self.folder.join(id)

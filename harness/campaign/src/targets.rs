@@ -1,4 +1,4 @@
-//! The reference alone: the oracles of the fuzz targets, in rotation.
+//! The oracle of a campaign without engines: the fuzz targets, which judge the reference, in rotation.
 
 mod planted;
 mod reduced;
@@ -12,13 +12,13 @@ use crate::texts;
 use stickler_engines::EngineError;
 use stickler_generate::oracles::FuzzTarget;
 
-/// The oracle of a campaign without engines.
+/// The oracle of a campaign without engines: each input is judged by a fuzz target.
 pub struct TargetOracle {
     /// The targets; the place of an input says which of them judges it. At least one.
     pub targets: Vec<FuzzTarget>,
-    /// Where inputs come from.
+    /// The source of the inputs.
     pub inputs: Inputs,
-    /// How commands are written.
+    /// The parts from which the commands of a finding are written.
     pub commands: Commands,
 }
 
@@ -32,7 +32,7 @@ impl TargetOracle {
         FuzzTarget::Parse,
     ];
 
-    /// The target that judges the input at this place.
+    /// Returns the target that judges the input at this place.
     fn target(&self, place: u64) -> FuzzTarget {
         let count = self.targets.len().max(1) as u64;
         let index = usize::try_from(place % count).unwrap_or(0);

@@ -21,14 +21,14 @@ pub(crate) fn input(inputs: Inputs, place: u64, target: FuzzTarget) -> Vec<u8> {
     }
 }
 
-/// Numbers for one place, one after the other.
+/// The random numbers of one place, one after the other.
 struct Draws {
     row: SplitMix64,
     next: u64,
 }
 
 impl Draws {
-    /// From the far half of the row: the near one makes the bytes of the program.
+    /// Begins at the far half of the row; the near half makes the bytes of the program.
     fn new(row: SplitMix64) -> Draws {
         Draws { row, next: 1 << 63 }
     }
@@ -38,7 +38,7 @@ impl Draws {
         self.row.at(self.next)
     }
 
-    /// A number below `count`; 0 where that is 0.
+    /// Returns a number below `count`; 0 where `count` is 0.
     fn below(&mut self, count: usize) -> usize {
         match count as u64 {
             0 => 0,
@@ -73,7 +73,7 @@ fn conversation(inputs: Inputs, place: u64) -> String {
     format!("{HELLO}\n{run}\n{{\"type\":\"bye\"}}\n")
 }
 
-/// A literal of any type, in the canonical spelling or without its prefix.
+/// Returns a literal of any type, in the canonical spelling or without its prefix.
 fn literal(draws: &mut Draws) -> String {
     let types: Vec<&ElementaryType> = ElementaryType::ALL.iter().collect();
     let ty = draws.pick(&types).copied().unwrap_or(ElementaryType::Int);
@@ -98,7 +98,7 @@ fn literal(draws: &mut Draws) -> String {
     }
 }
 
-/// What stands in programs, literals, case files and requests, to be put in where it does not belong.
+/// Tokens of programs, literals, case files and requests, which are inserted where they do not belong.
 const TOKENS: &[&str] = &[
     "(*",
     "*)",
@@ -183,7 +183,7 @@ const TOKENS: &[&str] = &[
     "error P4035",
 ];
 
-/// The text with a few changes; in one of eight cases with none.
+/// Returns the text with a few changes; in one of eight cases with none.
 fn mutated(text: String, draws: &mut Draws) -> Vec<u8> {
     let mut bytes = text.into_bytes();
     let changes = draws.below(8);

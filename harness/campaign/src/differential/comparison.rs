@@ -1,39 +1,40 @@
-//! What an engine did, held against what the evaluator gives.
+//! Comparing what an engine did with what the evaluator gives.
 
 use stickler_engines::{Diagnostic, Outcome};
 use stickler_generate::reduce::Symptom;
 use stickler_types::{DialectName, Value};
 
-/// What an engine is asked about a program.
+/// A program that an engine is asked to run, with the values that it must give.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Question<'a> {
     /// The dialect of the program.
     pub(crate) dialect: DialectName,
     /// Its text.
     pub(crate) text: &'a str,
-    /// What is observed of it at the end of one scan, and what must be seen.
+    /// The variables that are observed at the end of one scan, with the values that they must have.
     pub(crate) values: &'a [(String, Value)],
-    /// Whether an engine must accept it, and give these values. Where something happens that no document settles, it need not.
+    /// Whether an engine must accept the program and give these values. Where something happens that no document settles, it need
+    /// not.
     pub(crate) binds: bool,
 }
 
-/// What came of the comparison.
+/// The result of a comparison.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Agreement {
     /// The engine did what it must.
     Agrees,
     /// The engine says that it cannot do this.
     Unsupported,
-    /// It did something else.
+    /// The engine did something else than it must.
     Disagrees(Disagreement),
 }
 
-/// How an engine did something else.
+/// The way in which an engine did something else than it must.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Disagreement {
-    /// In the words of [`Symptom`], which stay the same when the program is made smaller.
+    /// The text of a [`Symptom`], which stays the same when the program is made smaller.
     pub(crate) symptom: String,
-    /// For a person.
+    /// A message for a person.
     pub(crate) message: String,
 }
 
@@ -45,7 +46,7 @@ impl Agreement {
         })
     }
 
-    /// The symptom, where there is one.
+    /// Returns the symptom of a disagreement.
     pub(crate) fn symptom(&self) -> Option<&str> {
         match self {
             Agreement::Disagrees(disagreement) => Some(&disagreement.symptom),
@@ -54,7 +55,7 @@ impl Agreement {
     }
 }
 
-/// Holds an outcome against what was asked. Where an engine is not bound, only what no program excuses counts: to die, to
+/// Compares an outcome with what was asked. Where an engine is not bound, only what no program excuses counts: to die, to
 /// hang, to answer nonsense.
 pub(crate) fn compare(question: Question<'_>, outcome: &Outcome) -> Agreement {
     let Question {
@@ -92,7 +93,7 @@ fn rejected(diagnostics: &[Diagnostic]) -> Agreement {
     Agreement::disagrees(Symptom::rejected(diagnostics), message)
 }
 
-/// One diagnostic in one line.
+/// Writes a diagnostic in one line.
 pub(crate) fn diagnostic(diagnostic: &Diagnostic) -> String {
     let mut text = diagnostic.code.clone().unwrap_or_else(|| "error".to_owned());
     if let Some(line) = diagnostic.line {
@@ -131,7 +132,7 @@ fn find<'v>(values: &'v [(String, Value)], name: &str) -> Option<&'v Value> {
         .map(|(_, value)| value)
 }
 
-/// Whether the generator computes it from everything else.
+/// Returns whether the generator computes this variable from everything else.
 fn is_checksum(name: &str) -> bool {
     name.starts_with("checksum")
 }

@@ -1,11 +1,11 @@
-//! What an engine did, in words that can be saved.
+//! Describing what an engine did in text that a finding can save.
 
 use super::comparison::diagnostic;
 use crate::finding::{EngineInfo, EngineReport};
 use stickler_engines::Outcome;
 use stickler_types::Value;
 
-/// An outcome, one fact a line.
+/// Describes an outcome, one fact a line.
 pub(crate) fn describe(engine: EngineInfo, outcome: &Outcome) -> EngineReport {
     let values = |values: &[(String, Value)]| {
         values

@@ -5,24 +5,24 @@ use crate::finding::EngineInfo;
 use stickler_engines::{Engine, EngineSession, Identity, Observation, Outcome, RunRequest};
 use stickler_types::DialectName;
 
-/// An engine, and how it was asked for.
+/// An engine that takes part in a campaign, with the name by which it was asked for.
 #[derive(Clone, Copy)]
 pub struct EngineUnderTest<'e> {
     /// The engine.
     pub engine: &'e dyn Engine,
-    /// What stands behind `--engine` to get it.
+    /// The value of `--engine` that stands for the engine.
     pub asked_for: &'e str,
-    /// Whether it is the reference, which also answers for what only the design settles.
+    /// Whether the engine is the reference, which must also follow what only the design settles.
     pub is_reference: bool,
 }
 
 impl EngineUnderTest<'_> {
-    /// Who it is.
+    /// Returns the identity of the engine.
     pub(crate) fn identity(&self) -> &Identity {
         self.engine.identity()
     }
 
-    /// Who it is, for a finding.
+    /// Returns the identity of the engine in the form of a finding.
     pub(crate) fn info(&self) -> EngineInfo {
         let Identity { name, version, .. } = self.identity();
         EngineInfo {
@@ -49,7 +49,7 @@ pub(crate) fn ask(session: &mut EngineSession<'_>, question: Question<'_>) -> Ou
 /// Asks an engine that has died over a program whether it still answers at all.
 ///
 /// # Errors
-/// What became of it over the smallest program that there is.
+/// A fragment that says how the engine died over the smallest program that there is.
 pub(super) fn lives(session: &mut EngineSession<'_>, dialect: DialectName) -> Result<(), String> {
     /// As small as a program can be that every dialect has.
     const PROGRAM: &str = "PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := 1;\nEND_PROGRAM\n";
@@ -72,7 +72,7 @@ pub(super) fn lives(session: &mut EngineSession<'_>, dialect: DialectName) -> Re
     Err(reason)
 }
 
-/// Whether the engine is no longer what it was before the question.
+/// Returns whether the engine died over the question and has to be started again.
 pub(super) const fn has_died(outcome: &Outcome) -> bool {
     matches!(outcome, Outcome::Crashed { .. } | Outcome::TimedOut { .. })
 }

@@ -14,9 +14,9 @@ pub(crate) struct EvaluatedProgram {
     pub(crate) program: Program,
     /// The values at the end of one scan.
     pub(crate) values: Vec<(String, Value)>,
-    /// What happened that no document settles. Where there is any, an engine may give other values.
+    /// The events that no document settles. Where there is one, an engine may give other values.
     pub(crate) opened: Vec<OpenPoint>,
-    /// Whether even what no document settles is settled for the reference.
+    /// Whether the reference must give these values even where no document settles them.
     pub(crate) binds_the_reference: bool,
 }
 
@@ -24,7 +24,7 @@ impl EvaluatedProgram {
     /// Evaluates and writes a program.
     ///
     /// # Errors
-    /// Why nothing can be asked about it, in a word that is the same for all of a kind.
+    /// The reason for which nothing can be asked about the program, the same words for all programs of a kind.
     pub(crate) fn new(program: Program) -> Result<EvaluatedProgram, &'static str> {
         let evaluation = evaluate(&program, 1).map_err(word)?;
         let binds_the_reference = evaluation.binds_the_reference();
@@ -39,7 +39,7 @@ impl EvaluatedProgram {
         })
     }
 
-    /// What an engine is asked about it.
+    /// Returns the question that an engine is asked about the program.
     pub(crate) fn question(&self, is_reference: bool) -> Question<'_> {
         Question {
             dialect: self.program.dialect,

@@ -1,29 +1,30 @@
-//! How long an engine takes for a program, and whether it pays to give it several at a time.
+//! Deciding whether an engine is given several programs at a time, by how long it takes for one.
 
 use std::time::Duration;
 
-/// So many programs alone tell how long one takes.
+/// The number of programs run alone that tell how long one takes.
 const SAMPLE_LEN: u32 = 3;
 
-/// From here on an engine spends its time starting, not working: a program of a campaign is done in microseconds.
+/// The time for one program from which on an engine is slow: it spends its time starting, for a program of a campaign is done
+/// in microseconds.
 const SLOW_PROGRAM: Duration = Duration::from_millis(20);
 
-/// So many programs at most stand in one pack.
+/// The number of programs in one pack at most.
 const MAX_PACK_LEN: usize = 16;
 
 /// When an engine is given several programs at a time. It changes how long a campaign takes, not what it finds.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum PackPolicy {
-    /// Where its first programs took long.
+    /// Packs programs where the first ones took long.
     #[default]
     WhereSlow,
-    /// Never.
+    /// Never packs programs.
     Never,
-    /// From the first program on.
+    /// Packs programs from the first one on.
     Always,
 }
 
-/// What is known of the pace of an engine.
+/// The pace of an engine, as far as it is known.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pace {
     packs: PackPolicy,
@@ -33,7 +34,7 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    /// Nothing is known yet.
+    /// Returns a pace of which nothing is known yet.
     pub(super) fn new(packs: PackPolicy) -> Pace {
         Pace {
             packs,
@@ -43,7 +44,7 @@ impl Pace {
         }
     }
 
-    /// A program alone took so long.
+    /// Learns the time that a program alone took.
     pub(super) fn took(&mut self, time: Duration) {
         if self.asked < SAMPLE_LEN {
             self.asked += 1;
@@ -51,7 +52,7 @@ impl Pace {
         }
     }
 
-    /// How many programs are put into the next pack; 1: none are packed.
+    /// Returns the number of programs in the next pack; 1 where none are packed.
     pub(super) fn width(self) -> usize {
         let packed = match self.packs {
             PackPolicy::WhereSlow => self.asked == SAMPLE_LEN && self.spent >= SLOW_PROGRAM * SAMPLE_LEN,

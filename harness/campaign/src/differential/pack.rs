@@ -23,7 +23,7 @@ pub(super) struct Pack {
 }
 
 impl Pack {
-    /// Puts subjects of one dialect together; `None` where there are none.
+    /// Packs programs of one dialect; `None` where there are none.
     pub(super) fn of(subjects: &[&EvaluatedProgram]) -> Option<Pack> {
         let dialect = subjects.first()?.program.dialect;
         let mut all = Program {
@@ -55,7 +55,7 @@ impl Pack {
         })
     }
 
-    /// What an engine is asked about it.
+    /// Returns the question that an engine is asked about the pack.
     pub(super) fn question(&self) -> Question<'_> {
         Question {
             dialect: self.dialect,
@@ -66,7 +66,7 @@ impl Pack {
     }
 }
 
-/// Whether a program can stand among others: nothing in it is open, and its main program runs to its end.
+/// Returns whether a program can stand among others: nothing in it is open, and its main program runs to its end.
 pub(super) fn packs(subject: &EvaluatedProgram) -> bool {
     subject.opened.is_empty() && !returns(&subject.program.main.body)
 }

@@ -1,4 +1,4 @@
-//! A mismatch made small, run once more, and written down.
+//! Reduces a mismatch of an engine, runs it once more, and makes a finding of it.
 
 use super::comparison::{Agreement, Disagreement};
 use super::describe::describe;
@@ -12,11 +12,11 @@ use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
 
-/// How many smaller programs are tried where an engine answers from within this process.
+/// The number of smaller programs that are tried at most where an engine answers from within this process.
 const MAX_TRIES_IN_PROCESS: u64 = 5000;
-/// How many where each starts a compiler.
+/// The number of smaller programs that are tried at most where each starts a compiler.
 const MAX_TRIES: u64 = 800;
-/// How many where each takes as long as an engine may take.
+/// The number of smaller programs that are tried at most where each takes as long as an engine may take.
 const MAX_TRIES_OF_HANG: u64 = 30;
 
 impl DifferentialWorker<'_> {
@@ -79,7 +79,7 @@ impl DifferentialWorker<'_> {
         }
     }
 
-    /// Whether the engine shows the symptom on this program.
+    /// Returns whether the engine shows the symptom on this program.
     ///
     /// An engine that is gone seems to die over every program. So one that has died is asked whether it lives, before the
     /// program is blamed.
@@ -172,7 +172,8 @@ impl DifferentialWorker<'_> {
         }
     }
 
-    /// What every engine that lives does with the program; and how the one in question shows the symptom, if it does.
+    /// Returns what every engine that lives does with the program, and the message of the engine in question if it shows the
+    /// symptom.
     fn outcomes(
         &mut self,
         index: usize,
@@ -202,7 +203,7 @@ impl DifferentialWorker<'_> {
         (said, message)
     }
 
-    /// What can be said of a symptom that was seen once and not again.
+    /// Returns the message of a symptom that was seen once and not again.
     fn unseen(&self, index: usize, mismatch: &Mismatch) -> String {
         let symptom = &mismatch.symptom;
         match self.gone(index) {
@@ -212,7 +213,7 @@ impl DifferentialWorker<'_> {
     }
 }
 
-/// What must happen, from the evaluator.
+/// Returns what must happen, by the evaluator.
 pub(crate) fn expected(subject: &EvaluatedProgram, basis: String) -> Expected {
     let values = subject.values.iter().map(|(name, value)| ObservedValue {
         name: name.clone(),

@@ -7,7 +7,7 @@ use stickler_generate::model::{
     Expression, ExpressionKind, Place, Program, Statement, StatementKind, Type, Unit,
 };
 
-/// How far each kind of number moves.
+/// The distances by which each kind of number moves.
 pub(super) struct Shift {
     types: usize,
     functions: usize,
@@ -18,7 +18,7 @@ pub(super) struct Shift {
 }
 
 impl Shift {
-    /// Behind all that is there.
+    /// Returns the distances that move a program behind all parts of another.
     pub(super) fn behind(program: &Program) -> Shift {
         Shift {
             types: program.types.len(),

@@ -1,4 +1,4 @@
-//! One conversation with each engine, and what is judged through them.
+//! A worker with a session of each engine: programs are judged alone or in packs.
 
 use super::DifferentialOracle;
 use super::comparison::{Agreement, compare};
@@ -17,7 +17,7 @@ pub(super) struct DifferentialWorker<'b> {
     pub(super) oracle: &'b DifferentialOracle<'b>,
     sessions: Vec<EngineSession<'b>>,
     paces: Vec<Pace>,
-    /// Why an engine does not answer any more, by its number; `None` where it does.
+    /// The reason for which an engine does not answer any more, by its number; `None` where it does.
     lost: Vec<Option<String>>,
 }
 
@@ -25,12 +25,12 @@ pub(super) struct DifferentialWorker<'b> {
 struct Input {
     verdict: Verdict,
     subject: Option<EvaluatedProgram>,
-    /// How many engines could do it.
+    /// The number of engines that support the program.
     asked: usize,
 }
 
 impl<'b> DifferentialWorker<'b> {
-    /// Opens the sessions.
+    /// Opens a session of each engine.
     ///
     /// # Errors
     /// [`EngineError`] of the first that cannot be opened.
@@ -64,7 +64,8 @@ impl<'b> DifferentialWorker<'b> {
         }
     }
 
-    /// Asks one engine about all inputs whose dialect it speaks; in packs, where its pace says so.
+    /// Asks one engine about all inputs whose dialect it speaks; in packs, where its pace says so. Returns whether the engine
+    /// lives.
     fn ask_all(&mut self, index: usize, inputs: &mut [Input], going: &dyn Fn() -> bool) -> bool {
         let speaks = |input: &Input| {
             let subject = input.subject.as_ref();
@@ -95,7 +96,7 @@ impl<'b> DifferentialWorker<'b> {
             .all(|&number| going() && self.ask_alone(index, &mut inputs[number]))
     }
 
-    /// Asks about programs of one dialect in packs. Whether the engine lives.
+    /// Asks about programs of one dialect in packs. Returns whether the engine lives.
     fn ask_packs(
         &mut self,
         index: usize,
@@ -149,7 +150,7 @@ impl<'b> DifferentialWorker<'b> {
         self.ask_pack(index, first, inputs, going) && self.ask_pack(index, second, inputs, going)
     }
 
-    /// Asks about one program. Whether the engine lives.
+    /// Asks about one program. Returns whether the engine lives.
     fn ask_alone(&mut self, index: usize, input: &mut Input) -> bool {
         let Some(subject) = &input.subject else {
             return true;
@@ -172,7 +173,7 @@ impl<'b> DifferentialWorker<'b> {
         true
     }
 
-    /// Gives the program to one engine, and holds what it does against what it must do.
+    /// Gives the program to one engine, and compares what it does with what it must do.
     pub(super) fn hold(&mut self, index: usize, subject: &EvaluatedProgram) -> (Outcome, Agreement) {
         let question = subject.question(self.oracle.engines[index].is_reference);
         let outcome = ask(&mut self.sessions[index], question);
@@ -180,7 +181,7 @@ impl<'b> DifferentialWorker<'b> {
         (outcome, agreement)
     }
 
-    /// Whether an engine that has died can be started again; if not, the campaign is at its end.
+    /// Returns whether an engine that has died can be started again; if not, the campaign is at its end.
     pub(super) fn lives(&mut self, index: usize, dialect: DialectName) -> bool {
         if self.lost[index].is_none() {
             let name = &self.oracle.engines[index].identity().name;
@@ -191,7 +192,7 @@ impl<'b> DifferentialWorker<'b> {
         self.lost[index].is_none()
     }
 
-    /// Why an engine is asked no more; `None` where it lives, as far as anybody knows.
+    /// Returns the reason for which an engine is asked no more; `None` where it lives, as far as is known.
     pub(super) fn gone(&self, index: usize) -> Option<&str> {
         self.lost[index].as_deref()
     }

@@ -1,4 +1,4 @@
-//! What a campaign counts and keeps.
+//! The counts and findings of a campaign.
 
 use super::{Ended, Progress, Summary};
 use crate::finding::Finding;
@@ -7,7 +7,7 @@ use crate::plan::is_reduced;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-/// The books of a campaign. Verdicts are entered in the order of their places.
+/// The counts and findings of a campaign. Verdicts are entered in the order of their places.
 #[derive(Default)]
 pub(super) struct Ledger {
     programs: u64,
@@ -21,7 +21,7 @@ pub(super) struct Ledger {
 }
 
 impl Ledger {
-    /// Counts a verdict, and gives those of its mismatches that are to be made small.
+    /// Counts a verdict, and returns those of its mismatches that are to be reduced.
     pub(super) fn enter(&mut self, verdict: Verdict) -> Vec<Mismatch> {
         self.programs += 1;
         self.deaths += verdict.deaths;
@@ -42,7 +42,7 @@ impl Ledger {
         reduced
     }
 
-    /// Takes a finding; gives it back where it is new, or better than the one of its name.
+    /// Takes a finding. Returns it where it is new, or better than the earlier one of its name.
     pub(super) fn found(&mut self, finding: Finding) -> Option<&Finding> {
         let id = finding.id.clone();
         *self.times.entry(id.clone()).or_default() += 1;
@@ -57,12 +57,12 @@ impl Ledger {
         self.findings.get(&id)
     }
 
-    /// An engine can no longer be used.
+    /// Notes that an engine can no longer be used.
     pub(super) fn lost(&mut self, reason: String) {
         self.lost.get_or_insert(reason);
     }
 
-    /// How far the campaign is.
+    /// Returns the progress of the campaign.
     pub(super) fn progress(&self) -> Progress {
         Progress {
             programs: self.programs,
@@ -71,7 +71,7 @@ impl Ledger {
         }
     }
 
-    /// The end.
+    /// Returns the result of the campaign.
     pub(super) fn summary(self, elapsed: Duration, interrupted: bool) -> Summary {
         let ended = match self.lost {
             Some(reason) => Ended::Lost(reason),

@@ -1,4 +1,4 @@
-//! What the workers of a campaign do: judge a batch of inputs, or reduce a mismatch.
+//! The tasks of a campaign's workers: judging a batch of inputs, and reducing a mismatch.
 
 use super::Clock;
 use crate::finding::Finding;
@@ -6,7 +6,7 @@ use crate::oracle::{Mismatch, Verdict, Worker};
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Something to do.
+/// A task of a worker.
 pub(super) enum Task {
     /// Judge the inputs at these places.
     Judge {
@@ -15,11 +15,11 @@ pub(super) enum Task {
         /// The places of the inputs.
         places: Vec<u64>,
     },
-    /// Make the input of this mismatch small.
+    /// Reduce the input of this mismatch.
     Reduce(Mismatch),
 }
 
-/// Something that was done.
+/// The result of a task.
 pub(super) enum Done {
     /// A batch was judged.
     Judged {
@@ -27,22 +27,22 @@ pub(super) enum Done {
         number: usize,
         /// The verdicts in the order of the places; fewer than places where the campaign ends.
         verdicts: Vec<Verdict>,
-        /// Why an engine can no longer be used.
+        /// The reason for which an engine can no longer be used.
         lost: Option<String>,
     },
     /// A mismatch was reduced.
     Reduced {
         /// The finding that came of it.
         finding: Box<Finding>,
-        /// Why an engine can no longer be used.
+        /// The reason for which an engine can no longer be used.
         lost: Option<String>,
     },
-    /// Stickler itself panicked over a task, which came to nothing; holds what is said of that.
+    /// Stickler itself panicked over a task, which has no result; holds the message.
     Panicked(String),
 }
 
 impl Task {
-    /// Does the task. A panic is told like the loss of an engine: the campaign ends, and keeps what it has.
+    /// Does the task. A panic is reported like the loss of an engine: the campaign ends, and keeps what it has.
     pub(super) fn attempt(self, worker: &mut dyn Worker, clock: &Clock<'_>) -> Done {
         let what = self.to_string();
         // A worker that has panicked judges nothing more, for the campaign ends.

@@ -9,22 +9,22 @@ use stickler_generate::random;
 use stickler_generate::reduce::{self, Interestingness, Reduction, ReductionBudget, StopReason};
 use stickler_generate::writer::{Style, write};
 
-/// What codes stand for which error.
+/// The document that says which code belongs to which error.
 const BASIS: &str = "stickler-design: §7";
 
-/// How many other places are tried for an error, besides the one where it was found.
+/// The number of other places that are tried for an error, besides the one where it was found.
 const OTHER_PLACES: u64 = 32;
 
-/// How many bytes choose a place.
+/// The number of bytes that choose a place.
 const BYTES_OF_A_PLACE: usize = 16;
 
 /// A sound program, small, in which an error of this kind is not reported as it must be.
 pub(super) struct SmallPlant {
-    /// How the search went, and the sound program.
+    /// The reduced sound program, with the course of the search.
     pub(super) reduced: Reduction<Program>,
     /// The kind of error.
     pub(super) kind: &'static str,
-    /// How it fails now.
+    /// The failure of the reduced program.
     pub(super) failure: OracleFailure,
     /// The diagnostic that must come; `None` where it is the sound program that is rejected.
     pub(super) expected: Option<Expected>,
@@ -60,7 +60,7 @@ pub(super) fn small(input: &[u8], symptom: &str, budget: &ReductionBudget<'_>) -
 /// Holds the reference to the text of a sound program, and to that of one with an error on this line.
 type Judge<'j> = dyn Fn(&str, &Planted, &str, u32) -> Result<(), OracleFailure> + 'j;
 
-/// What is kept while all else becomes less: the kind of error, and what the reference does wrong with it.
+/// The properties that a reduction keeps: the kind of error, and how the reference fails over it.
 #[derive(Clone, Copy)]
 struct Search<'s> {
     kind: &'s str,
@@ -140,7 +140,7 @@ impl Search<'_> {
         })
     }
 
-    /// The same without the declarations that nothing uses but the sound program.
+    /// Drops the declarations that only the sound program uses.
     fn without_unused(self, mut found: Found) -> Found {
         loop {
             let text = found.failure.program.clone().unwrap_or_default();

@@ -13,29 +13,29 @@ use stickler_generate::oracles::{FuzzTarget, OracleFailure};
 use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
 use stickler_types::DialectName;
 
-/// How many smaller inputs are tried, and as many smaller programs: an oracle takes some microseconds.
+/// The number of smaller inputs that are tried at most, and of smaller programs: an oracle takes some microseconds.
 const MAX_TRIES: u64 = 5000;
 
-/// What is left of an input.
+/// An input after its reduction.
 pub(super) struct Small {
     /// The bytes.
     pub(super) input: Vec<u8>,
-    /// How it fails; `None` where it does not any more.
+    /// The failure of the reduced input; `None` where it passes when it is judged again.
     pub(super) failure: Option<OracleFailure>,
     /// Whether nothing smaller was left to try.
     pub(super) smallest: bool,
-    /// How many were tried.
+    /// The number of smaller inputs and programs that were tried.
     pub(super) tries: u64,
-    /// What the program uses, where there is one.
+    /// The parts of the language that the program uses; empty where the input is no program.
     pub(super) rule: Vec<String>,
     /// The dialect of the program, where there is one.
     pub(super) dialect: Option<DialectName>,
-    /// What must happen, where it can be said of the program as it stands.
+    /// The result that the reduced program must have, where it can be computed.
     pub(super) expected: Option<Expected>,
 }
 
 impl Small {
-    /// Makes an input small that fails so.
+    /// Reduces an input that fails with this symptom.
     pub(super) fn of(target: FuzzTarget, input: &[u8], symptom: &str, going: &dyn Fn() -> bool) -> Small {
         let stop = || !going();
         let budget = ReductionBudget {
@@ -118,7 +118,7 @@ impl Small {
     }
 }
 
-/// How a program fails; a panic is a failure, as it is for [`FuzzTarget::judge`].
+/// Returns how a program fails; a panic is a failure, as it is for [`FuzzTarget::judge`].
 fn judged(program: &Program, rest: &[u8]) -> Option<OracleFailure> {
     let judged = catch_unwind(AssertUnwindSafe(|| judge_program(program, rest)));
     judged

@@ -1,4 +1,4 @@
-//! A mismatch of an oracle made small, judged once more, and written down.
+//! Reduces a mismatch of the reference, judges it once more, and makes a finding of it.
 
 use super::reduced::Small;
 use super::worker::TargetWorker;
@@ -7,7 +7,7 @@ use crate::oracle::Mismatch;
 use stickler_generate::oracles::{FuzzTarget, OracleFailure};
 
 impl TargetWorker<'_> {
-    /// Makes the input of a mismatch as small as it can be.
+    /// Reduces the input of a mismatch, and makes a finding of it.
     pub(super) fn finding(&self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding {
         let target = self.oracle.target(mismatch.place);
         let input = self.oracle.input(mismatch.place);
@@ -64,7 +64,7 @@ impl TargetWorker<'_> {
     }
 }
 
-/// The program that an input stands for, or the text that it is.
+/// Returns the program that an input stands for, or the text that it is.
 fn text(target: FuzzTarget, failure: Option<&OracleFailure>, input: &[u8]) -> Option<String> {
     let reads_text = matches!(
         target,
@@ -78,7 +78,7 @@ fn size(program: Option<&str>, input: &[u8]) -> u64 {
     program.map_or(input.len(), |program| program.lines().count()) as u64
 }
 
-/// What holds for every input of a target.
+/// Returns the property that holds for every input of a target.
 const fn claim(target: FuzzTarget) -> &'static str {
     match target {
         FuzzTarget::Parse => {

@@ -1,11 +1,11 @@
-//! One who judges by the oracles. It needs no conversation, for the reference is in this process.
+//! Judging inputs by the oracles of the fuzz targets. No session is needed, for the reference is in this process.
 
 use super::TargetOracle;
 use crate::finding::Finding;
 use crate::oracle::{Mismatch, Verdict, Worker};
 use stickler_generate::oracles::InputOutcome;
 
-/// A worker.
+/// A worker of a [`TargetOracle`].
 pub(super) struct TargetWorker<'b> {
     pub(super) oracle: &'b TargetOracle,
 }
