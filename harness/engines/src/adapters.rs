@@ -72,7 +72,7 @@ impl Compiler {
         Compiler::ALL.into_iter().find(|compiler| compiler.name() == name)
     }
 
-    /// Where its project is, and says how it is installed.
+    /// Returns the address of its project, which says how it is installed.
     #[must_use]
     pub const fn project(self) -> &'static str {
         match self {

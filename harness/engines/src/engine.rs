@@ -9,7 +9,7 @@ use stickler_types::{DialectName, Outcome, RunRequest};
 ///
 /// An engine is shared by all workers; what changes while it works lives in its sessions.
 pub trait Engine: Send + Sync {
-    /// Who this engine is and what it can do. The same for as long as the engine lives.
+    /// Returns who this engine is and what it can do, which does not change while the engine lives.
     fn identity(&self) -> &Identity;
 
     /// Opens a session; a runner opens one a worker and keeps it for many requests.
@@ -18,21 +18,21 @@ pub trait Engine: Send + Sync {
     /// [`EngineError`] where the engine cannot be started (exit code 3 of the command line).
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError>;
 
-    /// The command line by which a person has this engine do the same with a program, without Stickler: for a POSIX shell,
+    /// Returns the command line by which a person gives a program to this engine without Stickler: for a POSIX shell,
     /// with `file` (a name that needs no quotes) in the current folder. `None` where there is none.
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         let _ = (dialect, file);
         None
     }
 
-    /// A digest of all that decides what this engine answers: its programs, what they are made of, their options, and how they
+    /// Returns a digest of all that decides what this engine answers: its programs, what they are made of, their options, and how they
     /// are asked. As long as it stays the same, the engine answers the same, so that what it answered need not be asked
     /// again. `None` where that cannot be known. To find out takes a moment.
     fn fingerprint(&self) -> Option<String> {
         None
     }
 
-    /// How many programs [`Session::run_pack`] is best given at a time; 1 where it gains nothing.
+    /// Returns how many programs [`Session::run_pack`] is best given at a time; 1 where it gains nothing.
     fn pack_size(&self) -> usize {
         1
     }
@@ -53,7 +53,7 @@ pub trait Session {
     /// Checks a program without executing it: [`Outcome::Accepted`] or `Rejected`.
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome;
 
-    /// Gives a program back as normalised source: [`Outcome::Rendered`] or `Rejected`.
+    /// Renders a program as normalised source: [`Outcome::Rendered`] or `Rejected`.
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome;
 }
 
@@ -84,13 +84,13 @@ pub struct Identity {
 }
 
 impl Identity {
-    /// Whether the engine has this ability.
+    /// Tells whether the engine has this ability.
     #[must_use]
     pub fn can(&self, ability: Ability) -> bool {
         self.abilities.contains(&ability)
     }
 
-    /// Whether the engine speaks this dialect, or the one that it extends.
+    /// Tells whether the engine speaks this dialect, or the one that it extends.
     #[must_use]
     pub fn speaks(&self, dialect: DialectName) -> bool {
         self.asked_in(dialect).is_some()

@@ -35,7 +35,7 @@ impl Grade {
         }
     }
 
-    /// Whether this grade is as good as `needed`, or better.
+    /// Tells whether this grade is as good as `needed`, or better.
     #[must_use]
     pub fn suffices(self, needed: Grade) -> bool {
         self <= needed

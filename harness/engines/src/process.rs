@@ -90,7 +90,7 @@ impl ProcessEngine {
         ProcessEngine::of(CommandLine::split(command_line)?, limits)
     }
 
-    /// The same, started in a folder, from which a program with a path is sought.
+    /// Starts the process of a command line in a folder, from which a program with a path is sought.
     ///
     /// # Errors
     /// As [`ProcessEngine::start`].
@@ -112,7 +112,7 @@ impl ProcessEngine {
         })
     }
 
-    /// The same engine under another name, for a run in which two would otherwise be called the same.
+    /// Gives the engine another name, for a run in which two would otherwise be called the same.
     #[must_use]
     pub fn named(mut self, name: String) -> ProcessEngine {
         self.identity.name = name;

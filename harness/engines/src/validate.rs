@@ -54,7 +54,7 @@ pub struct Validation {
 }
 
 impl Validation {
-    /// How many questions had this judgement.
+    /// Returns how many questions had this judgement.
     #[must_use]
     pub fn count(&self, judgement: CheckVerdict) -> usize {
         let of = |check: &&Check| check.judgement == judgement;
@@ -133,7 +133,7 @@ impl Conversation<'_> {
         self.ask(rule, line, verb, &Expect::Accepted, &[])
     }
 
-    /// Whether a second process lives beside the first: a run has one for each worker.
+    /// Checks whether a second process lives beside the first: a run has one for each worker.
     fn second_process(&mut self) -> Check {
         let rule = "two of its processes live side by side".to_owned();
         match self.command.greet(self.limits) {
@@ -156,7 +156,7 @@ impl Conversation<'_> {
         }
     }
 
-    /// Whether it leaves when it is told to.
+    /// Checks whether the adapter ends when it is told to.
     fn farewell(&mut self) -> Check {
         let rule = "it ends at `bye`".to_owned();
         let Some(connection) = self.connection.take() else {
@@ -252,7 +252,7 @@ impl Conversation<'_> {
         }
     }
 
-    /// Whether the reply repeats the `id`. What is no request has none that must be read.
+    /// Checks whether the reply repeats the `id`. What is no request has none that must be read.
     fn answers(&self, reply: &Reply, expect: &Expect) -> bool {
         matches!(expect, Expect::Error) || reply.id() == Some(self.id)
     }

@@ -89,7 +89,7 @@ fn lowest_of_piece(bit: u32, bits: u32) -> u32 {
     if bits <= 16 { 0 } else { bit / 24 * 24 }
 }
 
-/// Where a piece is complete with this bit, its number goes into the array.
+/// Writes the number of a piece into the array, where the piece is complete with this bit.
 fn write_piece(text: &mut String, bit: u32, bits: u32) {
     if bit != lowest_of_piece(bit, bits) {
         return;

@@ -145,7 +145,7 @@ fn prepare(folder: &Path) -> Result<(), ExportError> {
     write(&folder.join(ANSWERS), TEMPLATE)
 }
 
-/// Whether an export writes a file of this name.
+/// Tells whether an export writes a file of this name.
 fn is_ours(name: &str) -> bool {
     name == MANIFEST || name == ANSWERS || is_of_a_page(name)
 }

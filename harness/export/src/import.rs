@@ -85,7 +85,7 @@ impl Export {
         self.dialect
     }
 
-    /// What of its cases is beside those that must be accepted.
+    /// Returns the kinds of its cases beside those whose programs must be accepted.
     #[must_use]
     pub fn with(&self) -> BTreeSet<ExtraCases> {
         let kinds = self
@@ -175,7 +175,7 @@ impl Export {
         (arrays, messages)
     }
 
-    /// What was given of a page: what is said of each of its cases, whether anything was, and how it ended where that is to be said.
+    /// Returns what was given of a page: what is said of each of its cases, whether anything was, and how it ended where that is to be said.
     fn given(&self, at: usize, arrays: &ResultArrays, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
         let mut given = match page.is_compiled() {
@@ -189,7 +189,7 @@ impl Export {
         given
     }
 
-    /// What the array of a page says; and what its messages say, where it did not run for the sake of some of its cases.
+    /// Returns what the array of a page says; and what its messages say, where it did not run for the sake of some of its cases.
     fn run(&self, at: usize, arrays: &ResultArrays, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
         let numbered = self.cases[at].iter().enumerate();
@@ -222,7 +222,7 @@ impl Export {
         }
     }
 
-    /// What the messages about a page say that is only compiled.
+    /// Returns what the messages about a page say that is only compiled.
     fn compiled(&self, at: usize, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
         let missing = |without, state| PageResults {
@@ -337,7 +337,7 @@ impl Export {
     }
 }
 
-/// Whether a dialect of stickler.toml has the rules that it had then.
+/// Tells whether a dialect of stickler.toml has the rules that it had then.
 fn is_still(then: &DefinedHeader, dialect: DialectName) -> bool {
     let now = dialect_headers(&[dialect], &[]);
     now.iter()

@@ -96,7 +96,7 @@ impl Manifest {
         }
     }
 
-    /// Whether a file is the manifest of an export, of whatever format.
+    /// Tells whether a file is the manifest of an export, of whatever format.
     pub(crate) fn is_at(path: &Path) -> bool {
         #[derive(Deserialize)]
         struct Origin {
@@ -177,7 +177,7 @@ impl Manifest {
 }
 
 impl PageRecord {
-    /// Whether it is only compiled, and has no array.
+    /// Tells whether it is only compiled, and has no array.
     pub(crate) fn is_compiled(&self) -> bool {
         self.identity == 0
     }
@@ -220,7 +220,7 @@ mod tests {
     use super::*;
     use serde_json::{Value as Json, json};
 
-    /// What is said of a manifest with one page, of which these keys are other ones.
+    /// Returns what is said of a manifest with one page, of which these keys are other ones.
     fn read(changes: &[(&str, Json)]) -> Result<Manifest, String> {
         let mut page = json!({
             "file": "page-001.st", "number": 1, "identity": 1000, "elements": 11, "cases": [],

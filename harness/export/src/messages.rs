@@ -59,7 +59,7 @@ impl Messages {
         taken
     }
 
-    /// What the messages of a page that is only compiled say of its cases.
+    /// Returns what the messages of a page that is only compiled say of its cases.
     pub(crate) fn list(&self, at: usize, lines: &LinesRecord) -> MessageList {
         let Some(mut told) = self.by_case(at, lines) else {
             return MessageList::Missing;
@@ -101,7 +101,7 @@ fn page_of<'l>(line: &'l str, manifest: &Manifest) -> Option<(usize, &'l str)> {
     None
 }
 
-/// Whether what stands behind the name of a page makes it the path of an element of its array, as in a row of a watch list: such
+/// Tells whether what stands behind the name of a page makes it the path of an element of its array, as in a row of a watch list: such
 /// rows have numbers too, and none of them is a line.
 fn is_element(behind: &str) -> bool {
     let path = behind.split(char::is_whitespace).next().unwrap_or_default();

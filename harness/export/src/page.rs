@@ -72,7 +72,7 @@ pub(crate) struct Page<'c, 'r> {
     pub(crate) lines: Vec<Vec<(usize, usize)>>,
 }
 
-/// How many elements the observations of a case take.
+/// Returns how many elements the observations of a case take.
 pub(crate) fn elements_of(ready: &PageCase<'_>) -> usize {
     let encodings = ready.encodings.iter().map(|(_, encoding)| 2 + encoding.pieces());
     encodings.sum::<usize>().max(2)
@@ -266,7 +266,7 @@ impl<'c, 'r> Page<'c, 'r> {
         self.statements = text;
     }
 
-    /// What is done behind every observation.
+    /// Writes the statements that follow every observation.
     fn write_common(&self, text: &mut String, kinds: &[ElementaryType]) {
         let (steps, last) = (self.steps.len(), self.elements - 1);
         let _ = write!(
@@ -374,7 +374,7 @@ pub(crate) fn literal(value: &Value) -> Option<String> {
     }
 }
 
-/// Whether variables of a case's program declare an enumeration in place.
+/// Tells whether variables of a case's program declare an enumeration in place.
 fn declares_in_place(ready: &PageCase<'_>) -> bool {
     let words: BTreeSet<String> = tokens(&ready.parts.units)
         .filter_map(|token| match token {

@@ -51,7 +51,7 @@ impl Renaming<'_> {
     }
 }
 
-/// Whether a parameter or field that ends here is given a value or gives one.
+/// Tells whether a parameter or field that ends here is given a value or gives one.
 fn takes(behind: &str) -> bool {
     let behind = behind.trim_start();
     behind.starts_with(":=") || behind.starts_with("=>")

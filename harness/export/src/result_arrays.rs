@@ -58,12 +58,12 @@ impl ResultArrays {
         }))
     }
 
-    /// Whether nothing of a page was given.
+    /// Tells whether nothing of a page was given.
     pub(crate) fn is_without(&self, at: usize) -> bool {
         !self.pages.contains_key(&at)
     }
 
-    /// What the array of a page says of one of its cases.
+    /// Returns what the array of a page says of one of its cases.
     pub(crate) fn result(&self, at: usize, page: &PageRecord, number: usize, case: &Case) -> CaseResult {
         let Some(elements) = self.pages.get(&at) else {
             return CaseResult::Missing;
@@ -94,7 +94,7 @@ impl ResultArrays {
         }
     }
 
-    /// What is to be said of how far a page came; `None` where it came to its end and all of it was copied.
+    /// Returns what is to be said of how far a page came; `None` where it came to its end and all of it was copied.
     pub(crate) fn state(&self, at: usize, page: &PageRecord) -> Option<String> {
         let elements = self.pages.get(&at)?;
         let missing: Vec<usize> = (0..page.elements)

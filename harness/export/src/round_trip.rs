@@ -161,7 +161,7 @@ impl Exported {
         self.arrays.iter().map(|array| list(array)).collect()
     }
 
-    /// What is said of the cases, and that none of them passes or fails.
+    /// Returns what is said of the cases, and that none of them passes or fails.
     fn notes_without_verdicts(&self, text: &str) -> String {
         let (imported, events, whole) = self.import(text);
         assert!(

@@ -176,7 +176,7 @@ impl Builder {
         self.build_with(driver, &[], folder)
     }
 
-    /// The same, with further files and libraries to link.
+    /// Builds a program with further files and libraries to link.
     ///
     /// # Errors
     /// As [`Builder::build`].

@@ -217,7 +217,7 @@ fn existing(
     }
 }
 
-/// Whether the system would start it.
+/// Tells whether the system would start it.
 #[cfg(unix)]
 pub(super) fn may_be_executed(path: &Path) -> bool {
     use std::os::unix::fs::PermissionsExt;

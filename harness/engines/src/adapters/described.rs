@@ -79,7 +79,7 @@ impl DescribedEngine {
             .collect()
     }
 
-    /// What its command `version` says: the first number with a point in it, or otherwise the first line.
+    /// Returns what its command `version` says: the first number with a point in it, or otherwise the first line.
     fn version(&self) -> Result<Option<String>, String> {
         let Some(template) = &self.description.version else {
             return Ok(None);
@@ -105,7 +105,7 @@ impl DescribedEngine {
     }
 }
 
-/// Where the program of a command is; `None` for what a call of it makes itself.
+/// Returns where the program of a command is; `None` for what a call of it makes itself.
 fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option<FoundDependency>, String> {
     let Some(program) = template.program(here) else {
         return Ok(None);
@@ -146,7 +146,7 @@ fn abilities(description: &Description) -> Vec<Ability> {
     abilities
 }
 
-/// What the pattern of its diagnostics can tell.
+/// Returns what the pattern of its diagnostics can tell.
 fn best_grade(description: &Description) -> Grade {
     match &description.diagnostic {
         Some(pattern) if pattern.0.tells("line") && pattern.0.tells("code") => Grade::Code,
@@ -303,7 +303,7 @@ impl DescribedSession<'_> {
         self.outcome(request, &probes, &executions)
     }
 
-    /// What came of the executions, one for each scan after which somebody wants to look.
+    /// Returns what came of the executions, one for each scan after which somebody wants to look.
     fn outcome(
         &self,
         request: &RunRequest<'_>,

@@ -145,7 +145,7 @@ impl<'r> Driver<'r> {
     }
 }
 
-/// What was printed of each of so many programs that were run one after the other; `None` for one that did not run to its end.
+/// Returns what was printed of each of so many programs that were run one after the other; `None` for one that did not run to its end.
 fn parts(printed: &str, count: usize) -> Vec<Option<String>> {
     let mut parts: Vec<Option<String>> = vec![None; count];
     let mut part = String::new();

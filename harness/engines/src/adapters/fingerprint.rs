@@ -76,7 +76,7 @@ impl Fingerprint {
     }
 }
 
-/// Whether another program executes this one, or nobody can tell.
+/// Tells whether another program executes this one, or nobody can tell.
 fn is_script(program: &Path) -> bool {
     let mut first = [0; 2];
     let read = File::open(program).and_then(|mut file| file.read_exact(&mut first));

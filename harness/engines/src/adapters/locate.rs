@@ -7,7 +7,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::time::Duration;
 
-/// What a program says when it is asked for its version: its first line that is not blank.
+/// Returns what a program says when it is asked for its version: its first line that is not blank.
 ///
 /// # Errors
 /// A fragment that says why it did not.

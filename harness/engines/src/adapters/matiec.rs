@@ -95,7 +95,7 @@ impl Matiec {
     }
 }
 
-/// Where the library may be: in the source tree, or where it is installed.
+/// Returns where the library may be: in the source tree, or where it is installed.
 fn libraries(compiler: &Path) -> [PathBuf; 3] {
     let beside = |path: &str| compiler.parent().unwrap_or(Path::new("")).join(path);
     [

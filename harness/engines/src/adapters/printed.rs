@@ -25,7 +25,7 @@ impl Kind<'_> {
     }
 }
 
-/// What is to be printed for a request, by a compiler that has values of these types.
+/// Returns what is to be printed for a request, by a compiler that has values of these types.
 ///
 /// # Errors
 /// A fragment that says what cannot be printed.

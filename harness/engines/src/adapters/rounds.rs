@@ -67,7 +67,7 @@ pub(super) fn play<M>(
 mod tests {
     use super::*;
 
-    /// What becomes of programs at the places 1, 3, 5 and 7 of eight, when the rounds tell this.
+    /// Returns what becomes of programs at the places 1, 3, 5 and 7 of eight, when the rounds tell this.
     fn played(most: usize, rounds: Vec<Round>) -> (Vec<Packed>, Vec<Vec<usize>>) {
         let mut answers = vec![Packed::Alone; 8];
         let mut rounds = rounds.into_iter();

@@ -104,7 +104,7 @@ impl Rusty {
         self.taken.get_or_init(|| library_words(&self.declarations, "st"))
     }
 
-    /// What a driver is linked with: the object file, the standard library, static where there is one, and what that is made of.
+    /// Returns what a driver is linked with: the object file, the standard library, static where there is one, and what that is made of.
     fn linked(&self) -> Vec<OsString> {
         let folder = &self.library;
         let whole = folder.join("libiec61131std.a");
@@ -158,7 +158,7 @@ impl Engine for Rusty {
     }
 }
 
-/// What it says of its version, in short: `0.2.0 (Tue Apr 8 10:00:00 2025 +0200, 1a2b3c4)` is `0.2.0 (1a2b3c4)`. A build
+/// Returns what it says of its version, in short: `0.2.0 (Tue Apr 8 10:00:00 2025 +0200, 1a2b3c4)` is `0.2.0 (1a2b3c4)`. A build
 /// outside its repository has neither day nor revision.
 fn short(said: &str) -> String {
     let number = said
@@ -245,7 +245,7 @@ impl RustySession<'_> {
         driver.execute(&self.folder).map_err(diagnostics::steady)
     }
 
-    /// What errors say of the only program that was compiled.
+    /// Returns what errors say of the only program that was compiled.
     fn refused(&self, program: &Program<'_>, found: Vec<Found>) -> Outcome {
         let own = |(about, _): &Found| matches!(about, About::Program(_));
         let shows = |(about, _): &Found| matches!(about, About::Functions(_));

@@ -14,13 +14,13 @@ pub struct Word<'s> {
 }
 
 impl Word<'_> {
-    /// Whether it is this keyword or name, in any case.
+    /// Tells whether it is this keyword or name, in any case.
     #[must_use]
     pub fn is(&self, name: &str) -> bool {
         self.text.eq_ignore_ascii_case(name)
     }
 
-    /// Where it ends, in bytes.
+    /// Returns where it ends, in bytes.
     #[must_use]
     pub fn end(&self) -> usize {
         self.at + self.text.len()
@@ -96,7 +96,7 @@ impl<'s> Iterator for Tokens<'s> {
     }
 }
 
-/// How far something reaches that does or does not end, and what it is.
+/// Returns how far something reaches that does or does not end, and what it is.
 fn skipped<'s>(rest: &[u8], length: Option<usize>, token: Option<Token<'s>>) -> (usize, Option<Token<'s>>) {
     match length {
         Some(length) => (length, token),
@@ -112,14 +112,14 @@ fn length(rest: &[u8], belongs: impl Fn(u8) -> bool) -> usize {
     rest.iter().take_while(|&&byte| belongs(byte)).count()
 }
 
-/// How far something reaches that ends with `close`; `None` where that is missing.
+/// Returns how far something reaches that ends with `close`; `None` where that is missing.
 fn enclosed(rest: &[u8], open: usize, close: &[u8]) -> Option<usize> {
     let inside = &rest[open.min(rest.len())..];
     let found = inside.windows(close.len()).position(|window| window == close);
     found.map(|found| open + found + close.len())
 }
 
-/// How far a text in quotes reaches, in which `$` takes the next character for itself; `None` where it does not end.
+/// Returns how far a text in quotes reaches, in which `$` takes the next character for itself; `None` where it does not end.
 fn quoted(rest: &[u8], quote: u8) -> Option<usize> {
     let mut at = 1;
     while let Some(&byte) = rest.get(at) {

@@ -59,12 +59,12 @@ impl Child {
         }
     }
 
-    /// Whether the process itself has ended; what it started may still hold its output open.
+    /// Tells whether the process itself has ended; what it started may still hold its output open.
     pub(super) fn has_ended(&mut self) -> bool {
         self.group.has_ended()
     }
 
-    /// How much memory it and all that it started hold, in bytes; 0 where the system does not tell, or just told.
+    /// Returns how much memory it and all that it started hold, in bytes; 0 where the system does not tell, or just told.
     pub(super) fn memory(&mut self) -> u64 {
         self.usage.look(self.group.number()).unwrap_or_default().memory
     }

@@ -43,7 +43,7 @@ impl CommandLine {
         })
     }
 
-    /// The same command, started in a folder. A program that is named with a path is sought from there, and one that is
+    /// Sets the folder in which the command is started. A program that is named with a path is sought from there, and one that is
     /// named alone on PATH.
     pub(crate) fn inside(mut self, folder: &Path) -> CommandLine {
         if self.program.contains(std::path::is_separator) {

@@ -8,14 +8,14 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender, SyncSender};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How many lines are read ahead of whoever waits for them. An engine that floods its output then waits, too.
+/// The number of lines that are read ahead of the requests. An engine that floods its output waits at this limit.
 const MAX_LINES_AHEAD: usize = 1;
 
 /// How much memory a process and all that it starts may hold where nobody says otherwise, in bytes: some compilers live in
 /// run-time systems that take much.
 pub(super) const DEFAULT_MAX_MEMORY: u64 = 4 << 30;
 
-/// How often somebody who waits for a line looks whether the process still lives, and how much it holds.
+/// The interval at which a wait for a line checks whether the process still lives, and how much memory it holds.
 const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 /// A process and the two streams to and from it. Dropping it kills the process.
@@ -70,7 +70,7 @@ impl Connection {
         })
     }
 
-    /// The same with another limit of memory.
+    /// Sets how much memory the process may hold, in bytes.
     pub(super) fn within(mut self, memory: u64) -> Connection {
         self.memory = memory;
         self
@@ -109,7 +109,7 @@ impl Connection {
         }
     }
 
-    /// How the process ended, once its output has; a fragment.
+    /// Returns how the process ended, once its output has; a fragment.
     pub(crate) fn end(self) -> String {
         self.child.end()
     }

@@ -38,7 +38,7 @@ impl Folder {
         Ok(Folder { folder })
     }
 
-    /// Where it is.
+    /// Returns where it is.
     pub(crate) fn path(&self) -> &Path {
         self.folder.path()
     }
@@ -78,7 +78,7 @@ fn write_over(path: &Path, text: &str) -> io::Result<()> {
     }
 }
 
-/// Whether this is of a file, and under no other name as well.
+/// Tells whether this is of a file, and under no other name as well.
 #[cfg(unix)]
 fn is_plain(there: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;

@@ -49,7 +49,7 @@ fn unanswered(failure: Failure, connection: Connection, limits: &ProcessLimits) 
     }
 }
 
-/// What is told of a process that held more memory than this, in bytes.
+/// Returns what is told of a process that held more memory than this, in bytes.
 pub(super) fn too_much(limit: u64) -> String {
     format!("it held more than {} MiB of memory", limit >> 20)
 }
@@ -61,7 +61,7 @@ pub(super) fn with_words(reason: String, words: &str) -> String {
     }
 }
 
-/// What was answered. Abilities that this version does not know are passed over: an engine may be newer.
+/// Returns what was answered. Abilities that this version does not know are passed over: an engine may be newer.
 fn understood(line: &[u8]) -> Result<HelloReply, String> {
     let nonsense = || {
         format!(

@@ -65,7 +65,7 @@ fn goes_on() -> RwLockReadGuard<'static, Ending> {
     ending
 }
 
-/// What a mutex holds, also where somebody panicked who held it: nothing here is left half done.
+/// Returns what a mutex holds, also where somebody panicked who held it: nothing here is left half done.
 pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -129,7 +129,7 @@ impl Group {
         lock(&self.wrapped).id()
     }
 
-    /// Whether the process itself has ended; what it started may still hold its output open.
+    /// Tells whether the process itself has ended; what it started may still hold its output open.
     pub(super) fn has_ended(&mut self) -> bool {
         matches!(lock(&self.wrapped).try_wait(), Ok(Some(_)))
     }

@@ -68,7 +68,7 @@ pub(super) fn program(id: u64, dialect: DialectName, source: &str) -> ProgramReq
     }
 }
 
-/// What a line says that the engine did.
+/// Returns what a line says that the engine did.
 ///
 /// # Errors
 /// A fragment that says why the line is no answer to this request. Then the conversation is out of step.

@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 /// How long a stream may take to end when its process has and all that it started was killed.
 const EXIT_TIMEOUT: Duration = Duration::from_secs(1);
 
-/// How often somebody who waits looks after the process and its memory.
+/// The interval at which a wait checks the process and its memory.
 const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 /// What one run of a program may take.
@@ -64,7 +64,7 @@ impl Ended {
         self.status.code().ok_or_else(|| self.crashed())
     }
 
-    /// Whether the processor ended it at an integer division: by zero, or of the smallest integer by -1.
+    /// Tells whether the processor ended it at an integer division: by zero, or of the smallest integer by -1.
     #[cfg(unix)]
     pub(crate) fn stopped_by_arithmetic(&self) -> bool {
         use std::os::unix::process::ExitStatusExt;
@@ -107,7 +107,7 @@ pub(crate) fn run<A: AsRef<OsStr>>(
     run_with(program, arguments, folder, limits, |_| {})
 }
 
-/// The same, with what `prepare` does to the command before it is started.
+/// Runs a program as [`run`] does, after `prepare` has changed its command.
 ///
 /// # Errors
 /// As [`run`].

@@ -32,7 +32,7 @@ impl Watch {
         Watch { next: Instant::now() }
     }
 
-    /// What a group takes; `None` where the last look was too short a time ago for what it took, or the system does not tell.
+    /// Returns what a group takes; `None` where the last look was too short a time ago for what it took, or the system does not tell.
     pub(super) fn look(&mut self, group: u32) -> Option<Usage> {
         let begun = Instant::now();
         if begun < self.next {
@@ -44,7 +44,7 @@ impl Watch {
     }
 }
 
-/// What a group of processes takes; `None` where the system does not tell.
+/// Returns what a group of processes takes; `None` where the system does not tell.
 ///
 /// Basis: linux: proc_pid_stat(5), fields 5 (process group), 14 to 17 (time, in clock ticks) and 24 (resident set size in
 /// pages).

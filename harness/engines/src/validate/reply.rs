@@ -49,7 +49,7 @@ pub(super) fn further_keys(line: &[u8], reply: &Reply) -> Vec<String> {
     further
 }
 
-/// What is written back has every key that was understood.
+/// Compares a line with what is written back of its reply, which has every key that was understood.
 fn compare(line: &Json, known: &Json, further: &mut Vec<String>) {
     match (line, known) {
         (Json::Object(line), Json::Object(known)) => {
@@ -137,7 +137,7 @@ pub(super) fn judge(
     }
 }
 
-/// What a rejection tells, as far as the adapter claims to tell it.
+/// Returns what a rejection tells, as far as the adapter claims to tell it.
 fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (CheckVerdict, Option<String>) {
     let broken = |words: String| (CheckVerdict::Broken, Some(words));
     if diagnostics.is_empty() {

@@ -49,7 +49,7 @@ pub(super) enum Expect {
 }
 
 impl Question {
-    /// What an engine must be able to do to be asked.
+    /// Returns what an engine must be able to do to be asked.
     pub(super) fn needs(&self) -> &'static [Ability] {
         match self.ask {
             Ask::Run { scans: 1, .. } => &[Ability::Execute],

@@ -40,7 +40,7 @@ fn is_of_a_page(number: i32) -> bool {
     usize::try_from(number).is_ok_and(|number| number > 0 && number % PAGE_NUMBER_STEP == 0)
 }
 
-/// Whether every row is a number of an element and its value.
+/// Tells whether every row is a number of an element and its value.
 fn are_numbered(rows: &[Vec<Listed>]) -> bool {
     let mut next = 0;
     let counts = rows.iter().all(|row| match row[..] {

@@ -58,7 +58,7 @@ pub(super) fn number(text: &str) -> Option<Number> {
     )
 }
 
-/// Whether this only keeps things apart; editors write several kinds of it.
+/// Tells whether this only keeps things apart; editors write several kinds of it.
 pub(super) fn is_blank(character: char) -> bool {
     character.is_whitespace() || matches!(character, '\u{feff}' | '\u{200b}')
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// What the reference says of a page that is only compiled, as a list of messages.
+/// Returns what the reference says of a page that is only compiled, as a list of messages.
 fn messages(page: &str, file: &str, dialect: DialectName) -> String {
     let reference = Reference::new();
     let outcome = reference.session().expect("a session").check(dialect, page);

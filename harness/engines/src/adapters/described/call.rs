@@ -109,7 +109,7 @@ impl Call<'_> {
         }
     }
 
-    /// Whether a command of the compiler says that it accepts the program.
+    /// Tells whether a command of the compiler says that it accepts the program.
     pub(super) fn accepted(&self, ended: &Ended) -> Result<(), Outcome> {
         let code = ended.code()?;
         let meaning = match &self.description().exit {
@@ -119,7 +119,7 @@ impl Call<'_> {
         self.meant(meaning, ended)
     }
 
-    /// What a command that ended so did with the program.
+    /// Returns what a command that ended so did with the program.
     fn meant(&self, meaning: Meaning, ended: &Ended) -> Result<(), Outcome> {
         match meaning {
             Meaning::Accepted => Ok(()),
@@ -201,7 +201,7 @@ impl Call<'_> {
         Outcome::Rejected { diagnostics }
     }
 
-    /// What a command may take; `time` is how long where the description does not say.
+    /// Returns what a command may take; `time` is how long where the description does not say.
     fn limits(&self, time: Option<Duration>) -> ToolLimits {
         let said = self.description().limits;
         let usual = ToolLimits::default();
@@ -223,7 +223,7 @@ fn told(meaning: Option<&Parsed<Meaning>>) -> Meaning {
     meaning.map_or(Meaning::Crashed, |meaning| meaning.0)
 }
 
-/// What an exit code means where nobody says it.
+/// Returns what an exit code means where nobody says it.
 fn usual(code: i32) -> Meaning {
     match code {
         0 => Meaning::Accepted,

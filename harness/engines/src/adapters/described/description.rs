@@ -74,7 +74,7 @@ pub struct Limits {
 }
 
 impl Description {
-    /// Where its project is, if it says so.
+    /// Returns the address of its project, if it names one.
     #[must_use]
     pub fn project(&self) -> Option<&str> {
         self.project.as_deref()

@@ -62,7 +62,7 @@ fn compiled(text: &str, known: &[&str]) -> Result<Regex, String> {
 }
 
 impl DiagnosticPattern {
-    /// Whether it has this group.
+    /// Tells whether it has this group.
     pub(super) fn tells(&self, group: &str) -> bool {
         self.0.capture_names().flatten().any(|name| name == group)
     }

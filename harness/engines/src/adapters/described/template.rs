@@ -116,7 +116,7 @@ fn pieces(word: &str) -> Result<Vec<Piece>, String> {
 }
 
 impl Template {
-    /// Whether something in it stands for this.
+    /// Tells whether something in it stands for this.
     pub(super) fn has(&self, placeholder: Placeholder) -> bool {
         let place = Piece::Dependency(placeholder);
         self.words.iter().any(|pieces| pieces.contains(&place))

@@ -30,7 +30,7 @@ impl<'d> Dump<'d> {
         }
     }
 
-    /// What it says about a variable, in any case of its name.
+    /// Returns what it says about a variable, in any case of its name.
     pub(super) fn find(&self, name: &str) -> Shown<'d> {
         let mut found = self
             .lines

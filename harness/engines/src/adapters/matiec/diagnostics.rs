@@ -8,7 +8,7 @@ use crate::process::Ended;
 use crate::{Diagnostic, Outcome};
 use stickler_types::Code;
 
-/// Whether the program is accepted.
+/// Tells whether the program is accepted.
 ///
 /// # Errors
 /// [`Outcome::Rejected`]; [`Outcome::Crashed`] where the compiler says so of itself, or does not say what is wrong.
@@ -39,7 +39,7 @@ pub(super) fn rejected(mut diagnostics: Vec<Diagnostic>) -> Outcome {
     Outcome::Rejected { diagnostics }
 }
 
-/// Whether these are all mistakes of programs that were read to their end. Then every mistake of every program is among
+/// Tells whether these are all mistakes of programs that were read to their end. Then every mistake of every program is among
 /// them: it looks for all kinds, and a mistake keeps it from no other.
 pub(super) fn are_complete(diagnostics: &[Diagnostic], stderr: &str) -> bool {
     let counted = format!("{} error(s) found. Bailing out!", diagnostics.len());

@@ -61,7 +61,7 @@ fn write_memory(text: &mut String, subjects: &[Subject<'_, '_>]) {
     text.push_str("    } program;\n    char behind[65536];\n} memory;\n");
 }
 
-/// Where a variable of a program is.
+/// Returns where a variable of a program is.
 fn place(number: usize, variable: &str) -> String {
     format!("memory.program.p{number}.{}.value", variable.to_ascii_uppercase())
 }
@@ -84,7 +84,7 @@ fn write_run(text: &mut String, number: usize, subject: &Subject<'_, '_>) -> Res
     Ok(())
 }
 
-/// Whether the compiler has values of a type.
+/// Tells whether the compiler has values of a type.
 fn has(ty: ElementaryType) -> bool {
     !ty.is_third_edition() && ty != ElementaryType::Wstring
 }
@@ -122,7 +122,7 @@ fn write_look(text: &mut String, number: usize, subject: &Subject<'_, '_>, kinds
     text.push_str("}\n");
 }
 
-/// What happens before scans: the clock goes on, and variables are written.
+/// Writes what happens before scans: the clock goes on, and variables are written.
 fn write_before(text: &mut String, number: usize, request: &RunRequest<'_>) -> Result<(), String> {
     for step in request.clock {
         let (seconds, rest) = split(step.nanoseconds);

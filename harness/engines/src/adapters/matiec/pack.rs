@@ -144,7 +144,7 @@ fn look(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
     }
 }
 
-/// What it is that `iec2c` does not accept.
+/// Takes out the programs that `iec2c` does not accept.
 fn refused(members: &[Member<'_>], joined: &Joined, stderr: &str) -> Round {
     let diagnostics = diagnostics::diagnostics(stderr);
     let complete = diagnostics::are_complete(&diagnostics, stderr);

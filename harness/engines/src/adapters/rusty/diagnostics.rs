@@ -110,14 +110,14 @@ pub(super) fn steady(outcome: Outcome) -> Outcome {
     }
 }
 
-/// Whether a line says nothing of what stopped it.
+/// Tells whether a line says nothing of what stopped it.
 fn is_noise(line: &str) -> bool {
     ["warning[", "info[", "note: run with"]
         .iter()
         .any(|of| line.contains(of))
 }
 
-/// What a last line tells, in which the lines and columns of a file count from 0.
+/// Returns what a last line tells, in which the lines and columns of a file count from 0.
 fn from_one(file: Option<&str>, told: Diagnostic) -> Diagnostic {
     let next = |number: Option<u32>| file.map(|_| number.unwrap_or(0).saturating_add(1));
     Diagnostic {

@@ -56,7 +56,7 @@ fn look(session: &RustySession<'_>, programs: &[Program<'_>]) -> Round {
     }
 }
 
-/// What is known after something did not come to an end of its own.
+/// Returns what is known after something did not come to an end of its own.
 fn broken_off(outcome: &Outcome, programs: &[Program<'_>]) -> Round {
     let suspects = match outcome {
         Outcome::Crashed { reason } => {
@@ -69,7 +69,7 @@ fn broken_off(outcome: &Outcome, programs: &[Program<'_>]) -> Round {
     Round::alone(suspects)
 }
 
-/// What it is that the compiler does not accept.
+/// Takes out the programs that the compiler does not accept.
 fn refused(programs: &[Program<'_>], found: Vec<Found>) -> Round {
     let mut told: Vec<Vec<Diagnostic>> = programs.iter().map(|_| Vec::new()).collect();
     let mut alone = BTreeSet::new();

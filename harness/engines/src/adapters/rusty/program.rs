@@ -99,7 +99,7 @@ impl<'r> Program<'r> {
         &self.renamed.text
     }
 
-    /// What a driver is to run of it.
+    /// Returns what a driver is to run of the program.
     pub(super) fn subject(&self) -> Subject<'r> {
         let rename = |name: &str| Renamed::in_pack(name, &self.names, self.place).text;
         Subject {
@@ -114,7 +114,7 @@ impl<'r> Program<'r> {
         }
     }
 
-    /// What a diagnostic of its text is of the program itself.
+    /// Translates a diagnostic of the renamed text back to the program itself.
     pub(super) fn original(&self, told: Diagnostic) -> Diagnostic {
         self.renamed.original(told)
     }

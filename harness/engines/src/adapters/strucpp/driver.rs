@@ -103,7 +103,7 @@ pub(super) fn driver<'r>(subjects: &[&Subject<'r>]) -> Result<Driver<'r>, String
     })
 }
 
-/// What can be printed of what is observed.
+/// Returns what can be printed of what is observed.
 ///
 /// # Errors
 /// As [`driver`].

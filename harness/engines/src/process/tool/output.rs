@@ -37,7 +37,7 @@ impl Output {
         }
     }
 
-    /// Whether one of them has not ended.
+    /// Tells whether one of them has not ended.
     pub(super) fn is_open(&self) -> bool {
         self.streams.are_open()
     }
@@ -47,7 +47,7 @@ impl Output {
         self.streams.wait(limit)
     }
 
-    /// What came from stdout and from stderr so far, with what is no UTF-8 replaced.
+    /// Returns what came from stdout and from stderr so far, with what is no UTF-8 replaced.
     pub(super) fn texts(&self) -> (String, String) {
         let [stdout, stderr] = self.streams.bytes().map(text);
         (stdout, stderr)

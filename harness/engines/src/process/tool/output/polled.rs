@@ -53,7 +53,7 @@ impl Streams {
         }
     }
 
-    /// Whether one of them has not ended.
+    /// Tells whether one of them has not ended.
     pub(super) fn are_open(&self) -> bool {
         self.streams.iter().any(|stream| stream.pipe.is_some())
     }
@@ -85,7 +85,7 @@ impl Streams {
         }
     }
 
-    /// What came so far.
+    /// Returns what came so far.
     pub(super) fn bytes(&self) -> [Vec<u8>; 2] {
         let [stdout, stderr] = &self.streams;
         [stdout.kept.clone(), stderr.kept.clone()]

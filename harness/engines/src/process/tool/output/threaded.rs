@@ -33,7 +33,7 @@ impl Streams {
         }
     }
 
-    /// Whether one of them has not ended.
+    /// Tells whether one of them has not ended.
     pub(super) fn are_open(&self) -> bool {
         self.open > 0
     }
@@ -54,7 +54,7 @@ impl Streams {
         }
     }
 
-    /// What came so far.
+    /// Returns what came so far.
     pub(super) fn bytes(&self) -> [Vec<u8>; 2] {
         let [stdout, stderr] = &self.kept;
         [lock(stdout).clone(), lock(stderr).clone()]
