@@ -1,4 +1,4 @@
-//! What the fuzz targets share: how a failure ends libFuzzer's process, and how inputs are replayed without libFuzzer.
+//! The parts that the fuzz targets share: how a failure ends libFuzzer's process, and how inputs are replayed without libFuzzer.
 //!
 //! Architecture Invariant: nothing is judged here; every oracle is an ordinary function of `stickler-generate`.
 #![forbid(unsafe_code)]
@@ -41,7 +41,7 @@ mod tests {
     use std::fs;
     use std::path::Path;
 
-    /// The names of what lies in a folder, which a path from this crate leads to, hidden files aside.
+    /// Returns the names of what lies in a folder, which a path from this crate leads to, hidden files aside.
     fn names_in(folder: &str) -> BTreeSet<String> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
         let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));

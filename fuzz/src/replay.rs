@@ -8,9 +8,9 @@ use std::process::ExitCode;
 use stickler_generate::oracles::{FuzzTarget, InputOutcome};
 
 /// The longest input that is read, in bytes; far more than libFuzzer makes, and than any text the reference reads.
-const LONGEST: u64 = 128 << 20;
+const MAX_INPUT_LEN: u64 = 128 << 20;
 
-/// What came of a replay.
+/// The result of a replay.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Summary {
     /// Inputs that broke nothing.
@@ -82,7 +82,7 @@ pub fn replay_all(
     Ok(summary)
 }
 
-/// The file itself, or the files of a folder in the order of their names; folders in it are gone through as well.
+/// Returns the file itself, or the files of a folder and its subfolders in the order of their names.
 fn inputs(path: &Path) -> io::Result<Vec<PathBuf>> {
     if !path.is_dir() {
         return Ok(vec![path.to_owned()]);
@@ -136,11 +136,13 @@ fn replay_file(
 
 fn read(file: &Path) -> io::Result<Vec<u8>> {
     let mut data = Vec::new();
-    fs::File::open(file)?.take(LONGEST + 1).read_to_end(&mut data)?;
-    if data.len() as u64 > LONGEST {
+    fs::File::open(file)?
+        .take(MAX_INPUT_LEN + 1)
+        .read_to_end(&mut data)?;
+    if data.len() as u64 > MAX_INPUT_LEN {
         return Err(io::Error::other(format!(
             "the input is longer than {} MiB",
-            LONGEST >> 20
+            MAX_INPUT_LEN >> 20
         )));
     }
     Ok(data)

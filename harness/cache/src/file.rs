@@ -1,4 +1,4 @@
-//! The files of a cache: how they are called, read, mended, and thrown away.
+//! The files of a cache: naming, reading, mending and removing them.
 
 use crate::line::Line;
 use std::collections::HashMap;
@@ -7,25 +7,25 @@ use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
 use std::time::SystemTime;
 
-/// How every file begins. Another version of the format has another number.
+/// The first line of every file. Another version of the format has another number.
 const FORMAT: &str = "stickler-cache 1";
 
-/// How the files end.
+/// The extension of the files.
 const EXTENSION: &str = "cache";
 
-/// How large a file may become before the older half of it is thrown away, in bytes: some ten times what the suite needs.
-pub(crate) const LARGEST: usize = 64 << 20;
+/// The size of a file in bytes beyond which its older half is thrown away: some ten times what the suite needs.
+pub(crate) const MAX_FILE_SIZE: usize = 64 << 20;
 
-/// How many files there may be.
-const MOST: usize = 8;
+/// The number of files in a folder at most.
+const MAX_FILES: usize = 8;
 
-/// What was kept, and where more goes.
+/// The answers that a file holds, and the file to which more are added.
 pub(crate) struct Kept {
     pub(crate) answers: HashMap<String, String>,
     pub(crate) file: Option<File>,
 }
 
-/// What the file of this compiler is called.
+/// Returns the name of the file of this compiler.
 pub(crate) fn name(engine: &str, fingerprint: &str) -> String {
     let harmless = |character: char| match character {
         '-' | '_' | '.' => character,
@@ -84,7 +84,7 @@ pub(crate) fn open(path: &Path, fingerprint: &str, largest: usize, notes: &mut V
     }
 }
 
-/// The text of a file, with what is no UTF-8 replaced: such a line is broken anyway.
+/// Returns the text of a file, with what is no UTF-8 replaced: such a line is broken anyway.
 fn read(path: &Path) -> io::Result<String> {
     let mut bytes = Vec::new();
     File::open(path)?.read_to_end(&mut bytes)?;
@@ -92,15 +92,15 @@ fn read(path: &Path) -> io::Result<String> {
         .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned()))
 }
 
-/// What is in a file; by default there is none.
+/// The contents of a file; by default there is no file.
 #[derive(Default)]
 struct Contents<'t> {
-    /// It begins as it should.
+    /// Whether the file begins with [`FORMAT`].
     ours: bool,
     /// The lines that are as they were written.
     lines: Vec<Line<'t>>,
     broken: usize,
-    /// The last line has its line feed.
+    /// Whether the last line has its line feed.
     ended: bool,
 }
 
@@ -158,7 +158,7 @@ fn replace(path: &Path, head: &str, lines: &[Line<'_>]) -> io::Result<File> {
     OpenOptions::new().append(true).open(path)
 }
 
-/// Removes the files of the folder that were not used for longest, all but so many. `own` stays.
+/// Removes the files of the folder that were not used for longest, until so many are left. `own` stays.
 pub(crate) fn remove_old(folder: &Path, own: &Path) {
     // What cannot be looked at now can be removed another time.
     let files = fs::read_dir(folder).into_iter().flatten().flatten();
@@ -170,7 +170,7 @@ pub(crate) fn remove_old(folder: &Path, own: &Path) {
         .filter_map(|file| Some((file.metadata().ok()?.modified().ok()?, file.path())))
         .collect();
     dated.sort();
-    let surplus = (dated.len() + 1).saturating_sub(MOST);
+    let surplus = (dated.len() + 1).saturating_sub(MAX_FILES);
     for (_, path) in dated.drain(..surplus) {
         let _ = fs::remove_file(path);
     }

@@ -1,4 +1,4 @@
-//! What compilers answered, kept in a folder from one run to the next: a file for each compiler as it is, which its fingerprint
+//! The answers of compilers, kept in a folder from one run to the next: a file for each compiler as it is, which its fingerprint
 //! names.
 //!
 //! A cache is never worth a run. What cannot be read is said and not used; what cannot be written is said, and the run goes on.
@@ -18,18 +18,18 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use stickler_run::AnswerStore;
 
-/// What one compiler answered.
+/// The answers of one compiler, which [`Cache::open`] reads from its file.
 pub struct Cache {
     path: PathBuf,
     answers: HashMap<String, String>,
     keeping: Mutex<Keeping>,
 }
 
-/// Where answers go from now on.
+/// The file to which new answers are added.
 struct Keeping {
     /// `None` once it could not be written.
     file: Option<File>,
-    /// What is to be told, in whole sentences.
+    /// Messages for a person, in whole sentences.
     notes: Vec<String>,
 }
 
@@ -43,7 +43,7 @@ impl Cache {
     pub fn open(folder: &Path, engine: &str, fingerprint: &str) -> Cache {
         let path = folder.join(file::name(engine, fingerprint));
         let mut notes = Vec::new();
-        let Kept { answers, file } = file::open(&path, fingerprint, file::LARGEST, &mut notes);
+        let Kept { answers, file } = file::open(&path, fingerprint, file::MAX_FILE_SIZE, &mut notes);
         file::remove_old(folder, &path);
         Cache {
             path,
@@ -52,7 +52,7 @@ impl Cache {
         }
     }
 
-    /// What a person should know of it, in whole sentences; each is told once.
+    /// Returns messages for a person, in whole sentences; each is returned once.
     pub fn notes(&self) -> Vec<String> {
         std::mem::take(&mut self.lock().notes)
     }

@@ -2,7 +2,8 @@
 
 use stickler_engines::Digest;
 
-/// The line that keeps these answers, with its line feed. Neither holds a line feed, nor the question a blank.
+/// Returns the line that keeps these answers, with its line feed. Question and answers hold no line feed, and the question no
+/// blank.
 pub(crate) fn written(question: &str, answers: &str) -> String {
     format!("{question} {} {answers}\n", digest(question, answers))
 }
@@ -10,7 +11,7 @@ pub(crate) fn written(question: &str, answers: &str) -> String {
 /// A line that is as it was written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Line<'t> {
-    /// All of it, without its line feed.
+    /// The whole line, without its line feed.
     pub(crate) whole: &'t str,
     pub(crate) question: &'t str,
     pub(crate) answers: &'t str,

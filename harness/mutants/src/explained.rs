@@ -25,21 +25,21 @@ struct Entry {
     /// change that survives at two places of a function stands here twice.
     mutants: Vec<String>,
     kind: Kind,
-    /// Why no case can kill them.
+    /// The reason for which no case can kill the mutants.
     reason: String,
 }
 
-/// Why a mutant survives.
+/// The kind of reason for which a mutant survives.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
-    /// No input tells it from the original.
+    /// No input tells the mutant from the original.
     Equivalent,
-    /// It differs only where no document says what must come.
+    /// The mutant differs only where no document says what must come.
     Open,
-    /// It differs only in what a case cannot see: a message, a suggestion, a position within a line.
+    /// The mutant differs only in what a case cannot see: a message, a suggestion, a position within a line.
     Unseen,
-    /// No program gets there: it is for a choice that no dialect makes, or for other callers than the suite.
+    /// No program reaches the code: it is for a choice that no dialect makes, or for other callers than the suite.
     Unused,
 }
 
@@ -47,7 +47,7 @@ impl Explained {
     /// Reads the list that is built into this program.
     ///
     /// # Errors
-    /// Where it is not in its form.
+    /// An error where the list cannot be read.
     pub fn read() -> anyhow::Result<Explained> {
         Explained::from_text(TEXT).context("harness/mutants/survivors.toml")
     }
@@ -64,8 +64,8 @@ impl Explained {
         Ok(Explained(file.survivor))
     }
 
-    /// For each outcome, why it survives; `None` where it does not, or for no reason that is listed. A change that is listed
-    /// once explains one survivor.
+    /// Returns why each mutant survives; `None` where it was killed, or survives for no reason that is listed. A change
+    /// that is listed once explains one survivor.
     #[must_use]
     pub fn kinds(&self, outcomes: &[Outcome]) -> Vec<Option<Kind>> {
         let mut left: Vec<(&Entry, &str)> = self.changes().collect();
@@ -81,7 +81,7 @@ impl Explained {
             .collect()
     }
 
-    /// The changes of the list that were tried and killed.
+    /// Returns the changes of the list that were tried and killed.
     pub fn stale<'a>(&'a self, outcomes: impl Iterator<Item = &'a Outcome> + Clone) -> Vec<String> {
         let tried = |entry, change| outcomes.clone().any(|outcome| explains(entry, change, outcome));
         let survives = |entry, change| {

@@ -1,4 +1,4 @@
-//! How strong is the suite? Runs cargo-mutants with the suite as the only judge, and prints how many mutants it kills.
+//! Measures how strong the suite is: runs cargo-mutants with the suite as the only judge, and prints how many mutants it kills.
 
 mod explained;
 mod outcomes;
@@ -51,13 +51,13 @@ fn main() -> ExitCode {
     }
 }
 
-/// What ends the program before its table.
+/// A failure that ends the program before its table.
 struct Failure {
     code: u8,
     error: anyhow::Error,
 }
 
-/// For [`Result::map_err`]: this failure ends with that exit code.
+/// Gives a failure an exit code, for [`Result::map_err`].
 fn ends_with(code: u8) -> impl Fn(anyhow::Error) -> Failure {
     move |error| Failure { code, error }
 }
@@ -89,7 +89,7 @@ fn run(arguments: &Arguments) -> Result<u8, Failure> {
     Ok(u8::from(focused > 0))
 }
 
-/// Writes all cases down for the judge, and gives the file.
+/// Writes all cases down for the judge, and returns the file.
 fn prepared(arguments: &Arguments) -> anyhow::Result<PathBuf> {
     let suite = stickler_suite::Suite::load(&arguments.cases);
     if let Some(error) = suite.errors.first() {

@@ -1,11 +1,11 @@
-//! What cargo-mutants found: its `outcomes.json`.
+//! The results of cargo-mutants, from its `outcomes.json`.
 
 use anyhow::Context as _;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// What came of one mutant.
+/// The result of one mutant.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Outcome {
     /// `FILE:LINE:COLUMN: replace X with Y in F`.
@@ -17,7 +17,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The name without file, line and column: `replace X with Y in F`.
+    /// Returns the name without file, line and column: `replace X with Y in F`.
     #[must_use]
     pub fn change(&self) -> &str {
         self.name.splitn(4, ':').last().unwrap_or_default().trim_start()
@@ -31,7 +31,7 @@ pub enum Fate {
     Killed,
     /// Every case passed.
     Survived,
-    /// It does not compile, so there was nothing to notice.
+    /// The mutant does not compile, so there was nothing to notice.
     Unviable,
 }
 

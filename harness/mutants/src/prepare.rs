@@ -8,7 +8,7 @@ use stickler_mutants_judge::prepared::{self, Acceptance, Expectation};
 use stickler_suite::{Case, ExpectedValue};
 use stickler_types::Observation;
 
-/// The file of all cases.
+/// Returns the file of all cases.
 #[must_use]
 pub fn prepare(cases: &[Case]) -> Vec<u8> {
     let texts: Vec<Texts> = cases.iter().map(Texts::of).collect();
@@ -17,7 +17,7 @@ pub fn prepare(cases: &[Case]) -> Vec<u8> {
     prepared::write(ordered.iter().map(case))
 }
 
-/// What a case has only as numbers and values, written down.
+/// The texts of what a case has only as numbers and values.
 struct Texts {
     key: String,
     set: Vec<String>,
@@ -80,7 +80,7 @@ impl Texts {
     }
 }
 
-/// The indices of the cases in waves: each wave has one case of every probe and dialect, as far from those before it in the
+/// Returns the indices of the cases in waves: each wave has one case of every probe and dialect, as far from those before it in the
 /// probe's table as can be.
 fn order(cases: &[Case]) -> Vec<usize> {
     let mut probes: HashMap<(&str, &str), Vec<usize>> = HashMap::new();

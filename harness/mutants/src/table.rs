@@ -35,25 +35,25 @@ const TOPICS: [(&str, &[(&str, &str)]); 3] = [
     ),
 ];
 
-/// A mutant with what is to be said of it.
+/// A mutant with its result, its explanation and its topic.
 pub struct Judged {
-    /// What came of it.
+    /// The result of the mutant.
     pub outcome: Outcome,
-    /// Why it survives, where that is listed.
+    /// The reason for which the mutant survives, where it is listed.
     pub kind: Option<Kind>,
-    /// Which of the suite's topics its file is part of.
+    /// The topic of the suite that the mutant's place is part of.
     pub topic: Option<&'static str>,
 }
 
 impl Judged {
-    /// Whether it survives and nobody has said why.
+    /// Returns whether the mutant survives and nobody has said why.
     #[must_use]
     pub fn is_unexplained(&self) -> bool {
         self.outcome.fate == Fate::Survived && self.kind.is_none()
     }
 }
 
-/// Holds what survived against the list.
+/// Looks every survivor up in the list.
 #[must_use]
 pub fn judge(outcomes: Vec<Outcome>, explained: &Explained) -> Vec<Judged> {
     let kinds = explained.kinds(&outcomes);
@@ -65,7 +65,7 @@ pub fn judge(outcomes: Vec<Outcome>, explained: &Explained) -> Vec<Judged> {
     outcomes.into_iter().zip(kinds).map(judged).collect()
 }
 
-/// The topic of a mutant's file and function.
+/// Returns the topic of a mutant's file and function.
 fn topic(outcome: &Outcome) -> Option<&'static str> {
     let file = outcome.file.strip_prefix("harness/").unwrap_or(&outcome.file);
     let function = outcome.change().rsplit(" in ").next().unwrap_or_default();
@@ -74,7 +74,7 @@ fn topic(outcome: &Outcome) -> Option<&'static str> {
     Some(topic)
 }
 
-/// The module of a file: its crate and the folders below `src`, or with `by_file` the file.
+/// Returns the module of a file: its crate and the folders below `src`, or with `by_file` the file.
 fn module(file: &str, by_file: bool) -> String {
     let file = file
         .strip_prefix("harness/")
@@ -134,7 +134,7 @@ fn percentage(part: usize, all: usize) -> String {
     }
 }
 
-/// The table: modules, then topics, then all.
+/// Returns the table: modules, then topics, then all.
 #[must_use]
 pub fn table(mutants: &[Judged], by_file: bool) -> String {
     let mut modules: BTreeMap<String, Counts> = BTreeMap::new();
@@ -165,7 +165,7 @@ pub fn table(mutants: &[Judged], by_file: bool) -> String {
     text
 }
 
-/// The last column leaves out what is explained.
+/// Returns the heading of the table; its last column leaves out what is explained.
 fn heading(first: &str) -> String {
     format!(
         "{first:32}{:>8}{:>8}{:>9}{:>11}{:>11}{:>11}{:>11}{:>13}{:>9}\n",

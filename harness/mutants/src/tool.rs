@@ -1,13 +1,13 @@
-//! cargo-mutants: is it here, and running it.
+//! Finding and running cargo-mutants.
 
 use anyhow::{Context as _, bail};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// What to type where it is missing.
+/// The command that installs cargo-mutants.
 const INSTALL: &str = "cargo install cargo-mutants --locked";
 
-/// What is mutated: the implementation that the suite is run on.
+/// The crates that are mutated: the implementation that the suite is run on.
 const MUTATED: [&str; 2] = ["stickler-reference", "stickler-types"];
 
 /// The name by which `tests/suite.rs` of the judge finds its cases.
@@ -16,7 +16,7 @@ const PREPARED: &str = "STICKLER_PREPARED";
 /// Looks for cargo-mutants.
 ///
 /// # Errors
-/// Where it is not installed; the message says how to install it.
+/// An error where cargo-mutants is not installed; the message says how to install it.
 pub fn find() -> anyhow::Result<()> {
     let version = cargo()
         .args(["mutants", "--version"])
@@ -32,7 +32,7 @@ pub fn find() -> anyhow::Result<()> {
 /// Runs cargo-mutants as `.cargo/mutants.toml` says, the judge reading `prepared`; results go to `output`.
 ///
 /// # Errors
-/// Where it does not come to an end. That mutants survive is no error.
+/// An error where cargo-mutants does not come to its end. That mutants survive is no error.
 pub fn run(prepared: &Path, output: &Path, options: &[String]) -> anyhow::Result<()> {
     let mut command = cargo();
     command.args(["mutants", "--output"]).arg(output);
@@ -52,7 +52,7 @@ pub fn run(prepared: &Path, output: &Path, options: &[String]) -> anyhow::Result
     }
 }
 
-/// The cargo that runs this program.
+/// Returns the cargo that runs this program.
 fn cargo() -> Command {
     Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }

@@ -1,4 +1,4 @@
-//! What the reference does with a case, against what must happen; by code and line, as `stickler-run` judges it.
+//! Comparing what the reference does with a case with what must happen; by code and line, as `stickler-run` judges it.
 //!
 //! Basis: stickler-design: §3.1, §4 and §6.
 
@@ -10,7 +10,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use stickler_reference::{Limits, render, run};
 use stickler_types::{Diagnostic, DialectName, Observation, Outcome, RunRequest, Setting, Value};
 
-/// What is to be said of the reference's answer to a case; `None` where it is right. A panic is a wrong answer.
+/// Returns what is wrong with the reference's answer to a case; `None` where it is right. A panic is a wrong answer.
 #[must_use]
 pub fn complaint(case: &Case<'_>) -> Option<String> {
     catch_unwind(AssertUnwindSafe(|| wrong(case))).unwrap_or_else(|_| Some("it panics".to_owned()))
@@ -37,7 +37,7 @@ fn wrong(case: &Case<'_>) -> Option<String> {
     })
 }
 
-/// The reference's answer to `source`, with all that the case asks and sets.
+/// Returns the reference's answer to `source`, with all that the case asks and sets.
 fn answer(case: &Case<'_>, source: &str) -> Result<Outcome, String> {
     let dialect = case.dialect.parse().map_err(|_| "it does not know the dialect")?;
     let observe: Vec<_> = case
@@ -135,7 +135,7 @@ fn rendering(case: &Case<'_>, wanted: &[&str], answer: &Outcome) -> Option<Strin
     (!same).then(|| "the rendered program does something else".to_owned())
 }
 
-/// Whether two runs ended alike. Lines may differ, since comments are dropped.
+/// Returns whether two runs ended alike. Lines may differ, since comments are dropped.
 fn means_the_same(first: &Outcome, again: &Outcome) -> bool {
     match (first, again) {
         (

@@ -4,13 +4,14 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-/// What a case may take. The reference takes less than a tenth of a second for the longest, and the machine may be busy.
-const MOST_TIME: Duration = Duration::from_secs(10);
+/// The time that a case may take. The reference takes less than a tenth of a second for the longest, and the machine may be
+/// busy.
+const CASE_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// What the process may hold, in pages of (almost everywhere) four KiB: two GiB.
-const MOST_PAGES: usize = 1 << 19;
+/// The memory that the process may hold, in pages of (almost everywhere) four KiB: two GiB.
+const MAX_PAGES: usize = 1 << 19;
 
-/// Where the run is: the index of the case that is being judged.
+/// The progress of a run: the index of the case that is being judged.
 #[derive(Clone, Default)]
 pub struct Lookout(Arc<AtomicUsize>);
 
@@ -24,7 +25,7 @@ impl Lookout {
         lookout
     }
 
-    /// The run has come to this case.
+    /// Notes that the run has come to this case.
     pub fn at(&self, index: usize) {
         self.0.store(index, Ordering::Relaxed);
     }
@@ -36,17 +37,17 @@ impl Lookout {
             let index = self.0.load(Ordering::Relaxed);
             if index != last.0 {
                 last = (index, Instant::now());
-            } else if last.1.elapsed() > MOST_TIME {
+            } else if last.1.elapsed() > CASE_TIMEOUT {
                 give_up(index, "it does not end");
             }
-            if pages_in_memory().is_some_and(|pages| pages > MOST_PAGES) {
+            if pages_in_memory().is_some_and(|pages| pages > MAX_PAGES) {
                 give_up(index, "it takes too much memory");
             }
         }
     }
 }
 
-/// How much memory the process holds; `None` where the system does not tell in Linux's way.
+/// Returns how much memory the process holds, in pages; `None` where the system does not tell in Linux's way.
 fn pages_in_memory() -> Option<usize> {
     let text = std::fs::read_to_string("/proc/self/statm").ok()?;
     text.split_ascii_whitespace().nth(1)?.parse().ok()

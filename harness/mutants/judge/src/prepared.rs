@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-/// What the file begins with; another form gets another line.
+/// The first line of the file; another form gets another line.
 const FORM: &str = "stickler prepared cases 1\n";
 
 /// One program in one dialect, and what must happen.
@@ -17,17 +17,17 @@ pub struct Case<'a> {
     pub dialect: &'a str,
     /// The program.
     pub source: &'a str,
-    /// How many scans it runs.
+    /// The number of scans.
     pub scans: u32,
     /// The values to observe: the name, and the scan after which to look; 0 is after the last.
     pub observe: Vec<(&'a str, u32)>,
     /// The variables that are set: before which scan, the name, the value as a typed literal.
     pub set: Vec<(u32, &'a str, &'a str)>,
-    /// What must happen.
+    /// The result that must come.
     pub expectation: Expectation<'a>,
 }
 
-/// What must happen; see `stickler_suite::Expectation`, which it is in texts.
+/// The result that must come: a `stickler_suite::Expectation` in texts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Expectation<'a> {
     /// Whether the program must be accepted.
@@ -47,12 +47,12 @@ pub struct Expectation<'a> {
 /// Whether a program must be accepted; see `stickler_suite::Acceptance`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Acceptance {
-    /// It must.
+    /// The program must be accepted.
     #[default]
     Required,
-    /// It must be rejected.
+    /// The program must be rejected.
     Rejected,
-    /// No document says.
+    /// No document says whether the program must be accepted.
     Observed,
 }
 
