@@ -3,6 +3,7 @@
 mod names;
 mod page;
 mod programs;
+mod programs_page;
 
 use crate::arguments::SweepArguments;
 use crate::exit::Exit;

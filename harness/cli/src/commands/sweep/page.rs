@@ -1,7 +1,5 @@
 //! The page of a sweep: its inputs before it begins, its findings after it ended.
 
-mod programs;
-
 use crate::exit::Exit;
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
@@ -12,7 +10,7 @@ use stickler_engines::Identity;
 use stickler_types::{DialectName, Value};
 
 const BOLD: Style = Style::new().bold();
-const BAD: Style = AnsiColor::Red.on_default().bold();
+pub(super) const BAD: Style = AnsiColor::Red.on_default().bold();
 const DIM: Style = Style::new().dimmed();
 
 /// How many characters of a value are shown; texts can be long.
@@ -20,11 +18,11 @@ const MAX_VALUE_LEN: usize = 60;
 
 /// The page that is being written, and the sums over its sweeps.
 pub struct Page<'p> {
-    out: &'p mut dyn Write,
+    pub(super) out: &'p mut dyn Write,
     engine: String,
-    sweeps: usize,
-    inputs: u64,
-    mismatches: u64,
+    pub(super) sweeps: usize,
+    pub(super) inputs: u64,
+    pub(super) mismatches: u64,
 }
 
 impl<'p> Page<'p> {
@@ -100,7 +98,7 @@ impl<'p> Page<'p> {
     }
 
     /// Writes the first differences, and how many more there are.
-    fn differences(&mut self, first: &[Difference], all: u64) -> io::Result<()> {
+    pub(super) fn differences(&mut self, first: &[Difference], all: u64) -> io::Result<()> {
         first
             .iter()
             .try_for_each(|difference| self.difference(difference))?;
@@ -179,7 +177,7 @@ impl<'p> Page<'p> {
 }
 
 /// Shows a value, a long one in part.
-fn shown(value: &Value) -> String {
+pub(super) fn shown(value: &Value) -> String {
     let written = value.to_string();
     match written.char_indices().nth(MAX_VALUE_LEN) {
         None => written,
@@ -187,12 +185,12 @@ fn shown(value: &Value) -> String {
     }
 }
 
-fn counted(count: u64, one: &str, several: &str) -> String {
+pub(super) fn counted(count: u64, one: &str, several: &str) -> String {
     format!("{} {}", grouped(count), if count == 1 { one } else { several })
 }
 
 /// Writes a number with blanks between its thousands: `4 294 967 296`.
-fn grouped(number: u64) -> String {
+pub(super) fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() * 4 / 3);
     for (index, digit) in digits.chars().enumerate() {

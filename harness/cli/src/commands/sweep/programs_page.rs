@@ -1,6 +1,6 @@
 //! The findings of a sweep through programs: mismatches, observations and inputs without an answer, each apart.
 
-use super::{BAD, Page, counted, grouped, shown};
+use super::page::{BAD, Page, counted, grouped, shown};
 use std::io;
 use std::time::Duration;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, Unanswered};
