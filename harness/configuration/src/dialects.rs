@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 const KEYS: [&str; 6] = ["extends", "about", "source", "implicit", "flags", "conversions"];
 
 /// A name may be so long.
-const LONGEST_NAME: usize = 64;
+const MAX_NAME_LEN: usize = 64;
 
 /// One dialect, while it is read.
 pub(crate) struct Draft<'d> {
@@ -103,11 +103,11 @@ fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
     let plain = |character: char| character.is_ascii_alphanumeric() || "-_.".contains(character);
     let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic())
         && name.chars().all(plain)
-        && name.len() <= LONGEST_NAME;
+        && name.len() <= MAX_NAME_LEN;
     if !is_name {
         let message = format!(
             "`{}` cannot be the name of a dialect; it has letters, digits, `-`, `_` and `.`, a letter at its start, and no \
-             more than {LONGEST_NAME} of them",
+             more than {MAX_NAME_LEN} of them",
             name.escape_debug()
         );
         return Err(Mistake::at(span.clone(), message));

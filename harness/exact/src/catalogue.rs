@@ -35,8 +35,8 @@ use stickler_types::{BuiltIn, DialectName, ElementaryType};
 #[must_use]
 pub fn signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
     // No name is longer, and a hostile one is not worth copying.
-    const LONGEST: usize = "LDATE_AND_TIME_TO_LTIME_OF_DAY".len();
-    if function.len() > LONGEST {
+    const MAX_NAME_LEN: usize = "LDATE_AND_TIME_TO_LTIME_OF_DAY".len();
+    if function.len() > MAX_NAME_LEN {
         return Vec::new();
     }
     let name = function.to_ascii_uppercase();

@@ -12,14 +12,14 @@ use stickler_types::ElementaryType;
 /// The general form of [`real::nearest`], for numbers of any size. The denominator must not be zero.
 pub(crate) fn nearest(negative: bool, numerator: &BigUint, denominator: &BigUint, to: ElementaryType) -> u64 {
     // Enough bits for either format and the two below that decide the rounding.
-    const ENOUGH: i32 = 66;
+    const MIN_BITS: i32 = 66;
     let bits = |n: &BigUint| i64::try_from(n.bits()).unwrap_or(i64::MAX);
     // The bits before the point, or one more. Far outside the formats their exact number does not matter.
     let length = bits(numerator)
         .saturating_sub(bits(denominator))
         .clamp(-100_000, 100_000) as i32
         + 1;
-    let shift = ENOUGH - length;
+    let shift = MIN_BITS - length;
     let (quotient, rest) = shifted(numerator, shift).div_rem(&shifted(denominator, -shift));
     let magnitude = quotient.to_u128().unwrap_or(u128::MAX);
     real::nearest(negative, magnitude, !rest.is_zero(), -shift, to)

@@ -2,11 +2,9 @@
 //!
 //! Values come from exact arithmetic with the choices that the definition makes.
 
-mod call;
-
 use crate::assembly::TypeNames;
+use crate::conversion_call::Call;
 use crate::model::{Acceptance, Case, Expectation, ExpectedValue};
-use call::Call;
 use std::sync::Arc;
 use stickler_exact::{ImplicitResult, expected, is_overridden, signatures};
 use stickler_types::{DialectName, ElementaryType, Observation, Value};

@@ -8,8 +8,8 @@ use walkdir::WalkDir;
 use crate::CaseFileError;
 use crate::error::Mistake;
 
-/// The longest case file that is read.
-const LONGEST: u64 = 16 << 20;
+/// The length of the longest case file that is read, in bytes.
+const MAX_FILE_LEN: u64 = 16 << 20;
 
 /// The root of a suite.
 #[derive(Debug)]
@@ -197,13 +197,13 @@ pub(crate) fn read(path: &Path) -> Result<String, Mistake> {
     let unreadable = |error: std::io::Error| Mistake::new(1, format!("cannot be read: {error}"));
     let file = std::fs::File::open(path).map_err(unreadable)?;
     let mut bytes = Vec::new();
-    file.take(LONGEST + 1)
+    file.take(MAX_FILE_LEN + 1)
         .read_to_end(&mut bytes)
         .map_err(unreadable)?;
-    if bytes.len() as u64 > LONGEST {
+    if bytes.len() as u64 > MAX_FILE_LEN {
         return Err(Mistake::new(
             1,
-            format!("the file is longer than {} MiB", LONGEST >> 20),
+            format!("the file is longer than {} MiB", MAX_FILE_LEN >> 20),
         ));
     }
     String::from_utf8(bytes).map_err(|error| {

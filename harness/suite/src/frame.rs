@@ -60,8 +60,8 @@ pub(crate) struct Harvest {
 impl Harvest {
     /// Notes what lint has to say; what it just said is not said again.
     pub(crate) fn doubt(&mut self, remark: Mistake) {
-        const MOST: usize = 200;
-        if self.remarks.last() != Some(&remark) && self.remarks.len() < MOST {
+        const MAX_REMARKS: usize = 200;
+        if self.remarks.last() != Some(&remark) && self.remarks.len() < MAX_REMARKS {
             self.remarks.push(remark);
         }
     }
@@ -123,12 +123,12 @@ impl FileContext<'_> {
 
 /// Checks the key `scans`; 1 where there is none.
 pub(crate) fn scans(scans: Option<&Spanned<u32>>, lines: &Lines, mistakes: &mut Vec<Mistake>) -> u32 {
-    const MOST: u32 = 1_000_000;
+    const MAX_SCANS: u32 = 1_000_000;
     let Some(scans) = scans else { return 1 };
     match *scans.get_ref() {
-        number @ 1..=MOST => number,
+        number @ 1..=MAX_SCANS => number,
         number => {
-            let message = format!("{number} scans; a program runs from 1 to {MOST}");
+            let message = format!("{number} scans; a program runs from 1 to {MAX_SCANS}");
             mistakes.push(Mistake::new(lines.line(scans.span().start), message).key("scans"));
             1
         }

@@ -5,7 +5,7 @@
 use stickler_types::Fnv1a;
 
 /// The number of characters that a cell of a row may take in an id.
-const LONGEST_CELL: usize = 48;
+const MAX_CELL_LEN: usize = 48;
 
 /// The id of the file at `path` (relative to the suite's root, with forward slashes): the path without its extension.
 ///
@@ -53,7 +53,7 @@ pub(crate) fn push_cell(id: &mut String, cell: &str) {
             _ => push_escape(id, byte),
         }
     }
-    if id.len() - start > LONGEST_CELL {
+    if id.len() - start > MAX_CELL_LEN {
         shorten(id, start, cell);
     }
 }
@@ -67,7 +67,7 @@ fn push_escape(id: &mut String, byte: u8) {
 
 /// Replaces the end of a long cell by a hash of all of it.
 fn shorten(id: &mut String, start: usize, cell: &str) {
-    let mut keep = start + LONGEST_CELL - "~~01234567".len();
+    let mut keep = start + MAX_CELL_LEN - "~~01234567".len();
     // An escape is not cut in two.
     while id[keep.saturating_sub(2).max(start)..keep].contains('~') {
         keep -= 1;

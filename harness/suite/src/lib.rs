@@ -1,7 +1,16 @@
 //! The conformance case format: case files are read, checked, and expanded into cases.
 //!
 //! A case file is an annotated program (`.st`) or a table (`.toml`); `conformance-cases/README.md` explains both.
-//! [`Suite::load`] reads a folder of them. Whatever stands in a file, the rest of the suite still loads: mistakes are
+//!
+//! | question | answered by |
+//! |---|---|
+//! | which cases does a folder hold? | [`Suite::load`]; [`Suite::load_files`] reads some of its files only |
+//! | what is a case? | [`Case`]: a program, a dialect and an [`Expectation`] |
+//! | which dialects and groups may case files name? | [`Dialects`] |
+//! | what is doubtful in the files? | [`lint`](fn@lint) |
+//! | which documents may a case cite? | [`basis`] |
+//!
+//! Whatever stands in a file, the rest of the suite still loads: mistakes are
 //! [`CaseFileError`]s, with file, line, key and a hint. [`lint`](fn@lint) also says what only a reader of the files would notice.
 //!
 //! This crate must not know the reference: what a case expects comes from its file, from exact arithmetic, or from what the
@@ -11,6 +20,7 @@ mod assemble;
 mod assembly;
 pub mod basis;
 mod condition;
+mod conversion_call;
 mod defined;
 mod dialects;
 mod error;

@@ -70,23 +70,23 @@ pub(crate) enum Known<T> {
 }
 
 /// Something that a mark can name.
-pub(crate) trait Word: Sized + Clone {
+pub(crate) trait MarkWord: Sized + Clone {
     fn read(text: &str) -> Result<Self, String>;
 }
 
-impl Word for Code {
+impl MarkWord for Code {
     fn read(text: &str) -> Result<Self, String> {
         from_str(text)
     }
 }
 
-impl Word for Fault {
+impl MarkWord for Fault {
     fn read(text: &str) -> Result<Self, String> {
         from_str(text)
     }
 }
 
-impl Word for Value {
+impl MarkWord for Value {
     fn read(text: &str) -> Result<Self, String> {
         Value::parse(text).map_err(|error| format!("`{text}` is no typed literal: {error}"))
     }
@@ -96,7 +96,7 @@ fn from_str<T: FromStr<Err: Display>>(text: &str) -> Result<T, String> {
     text.parse().map_err(|error: T::Err| error.to_string())
 }
 
-impl<T: Word> Known<T> {
+impl<T: MarkWord> Known<T> {
     /// The thing, with the placeholders replaced; `scratch` is a buffer to be used again.
     pub(crate) fn get(&self, scratch: &mut String, values: &[&str]) -> Result<T, String> {
         match self {

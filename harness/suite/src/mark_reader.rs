@@ -6,7 +6,7 @@ use stickler_types::{Code, DialectName};
 
 use crate::condition::{Condition, Testable};
 use crate::dialects::Dialects;
-use crate::mark::{Claim, Known, Mark, ValueLine, Word};
+use crate::mark::{Claim, Known, Mark, MarkWord, ValueLine};
 use crate::scan::RawMark;
 use crate::template::Template;
 
@@ -202,7 +202,7 @@ impl MarkReader<'_> {
         })
     }
 
-    fn known<T: Word>(&self, text: &str) -> Result<Known<T>, String> {
+    fn known<T: MarkWord>(&self, text: &str) -> Result<Known<T>, String> {
         let template = self.template(text)?;
         match template.fixed() {
             Some(fixed) => T::read(fixed).map(Known::Now),

@@ -14,7 +14,7 @@ use crate::scan::{RawMark, scan};
 use crate::template::Template;
 
 /// Above so many mistakes in the marks of one program, the rest is left out: they come from one cause.
-const MOST_MISTAKES: usize = 50;
+const MAX_MISTAKES: usize = 50;
 
 /// A program or a template of programs, with its marks.
 #[derive(Debug)]
@@ -47,7 +47,7 @@ impl Program {
         if let Some(line) = found.unclosed {
             mistakes.push(Mistake::new(place.line(line), "the mark is not closed"));
         }
-        for &line in found.hidden.iter().take(MOST_MISTAKES) {
+        for &line in found.hidden.iter().take(MAX_MISTAKES) {
             let message = "`(*!` stands in a string or in another comment, where it is no mark";
             remarks.0.push(Mistake::new(place.line(line), message));
         }
@@ -57,7 +57,7 @@ impl Program {
         let mut marks = Vec::new();
         let mut spans = Vec::new();
         for raw in found.marks.iter().filter(|raw| raw.start >= marks_from) {
-            if mistakes.len() > MOST_MISTAKES {
+            if mistakes.len() > MAX_MISTAKES {
                 mistakes.push(Mistake::new(
                     place.line(raw.line),
                     "further mistakes in marks are left out",

@@ -13,7 +13,7 @@ use crate::condition::Testable;
 use crate::error::Mistake;
 use crate::frame::{self, FileContext, Frame, Group, Harvest};
 use crate::header::{self, Header};
-use crate::mark::Word;
+use crate::mark::MarkWord;
 use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::program::{Program, Remarks};

@@ -186,12 +186,12 @@ pub struct UnknownDialect(pub String);
 
 /// The names of the dialects, those that were defined among them, in words; of hundreds the first few.
 fn known() -> String {
-    const MOST: usize = 12;
+    const MAX_NAMES: usize = 12;
     let all = DialectName::ALL.into_iter().chain(DialectName::defined());
     let mut names: Vec<String> = all.map(|dialect| format!("`{dialect}`")).collect();
-    let last = match names.len().checked_sub(MOST) {
+    let last = match names.len().checked_sub(MAX_NAMES) {
         Some(more) if more > 0 => {
-            names.truncate(MOST);
+            names.truncate(MAX_NAMES);
             format!("{more} more")
         }
         _ => names.pop().unwrap_or_default(),

@@ -1,10 +1,19 @@
 //! Elementary data types, typed values, IEC literals, dialect names, diagnostic codes, and what is asked of an engine and
 //! answered.
 //!
-//! Everything else in Stickler leans on this crate: the reference computes with the types that stand here, the suite writes
-//! its expectations as [`Value`]s, and the wire protocol carries them in the one canonical spelling that [`Value`]'s `Display`
-//! gives. A [`RunRequest`] with its [`Observation`]s travels from a case to every engine, and an [`Outcome`] with its
-//! [`Diagnostic`]s back to the judge. It knows neither the syntax of Structured Text beyond single literals, nor cases.
+//! Every other crate uses this one. It knows neither the syntax of Structured Text beyond a literal, nor cases.
+//!
+//! | what | where |
+//! |---|---|
+//! | an elementary data type: range, width, family | [`ElementaryType`], [`Family`] |
+//! | a typed value and its one canonical spelling, which the wire protocol carries | [`Value`] |
+//! | a value with the literal that a program writes for it | [`WrittenValue`] |
+//! | the values at which conversions go wrong | [`boundaries`] |
+//! | a dialect's name, and a dialect that `stickler.toml` defines | [`DialectName`], [`Definition`] |
+//! | what dialects choose differently | [`ConversionChoices`], [`MatrixWord`] |
+//! | a diagnostic code, explained in `harness/types/codes` | [`Code`] |
+//! | what is asked of an engine, and what it answers | [`RunRequest`], [`Observation`]; [`Outcome`], [`Diagnostic`], [`Fault`] |
+//! | hashes and random numbers that are the same in every version | [`Fnv1a`], [`SplitMix64`] |
 
 pub mod boundaries;
 pub mod choices;

@@ -30,9 +30,9 @@ pub(super) fn basis(units: &[u16], to: ElementaryType) -> Option<&'static str> {
 /// A whole number as a person writes it, perhaps behind a minus, in the range of the type. `-0` is none.
 fn is_plain_integer(text: &[u8], to: ElementaryType) -> bool {
     // No integer type has more digits.
-    const MOST_DIGITS: usize = 20;
+    const MAX_DIGITS: usize = 20;
     let (negative, digits) = sign(text);
-    if !is_plain_whole(digits) || digits.len() > MOST_DIGITS || (negative && digits == b"0") {
+    if !is_plain_whole(digits) || digits.len() > MAX_DIGITS || (negative && digits == b"0") {
         return false;
     }
     let magnitude = digits
@@ -46,7 +46,7 @@ fn is_plain_integer(text: &[u8], to: ElementaryType) -> bool {
 /// has a sign no page says.
 fn is_plain_real(text: &[u8], to: ElementaryType) -> bool {
     // Ten to the power of this, and of less, is a normal number of either type.
-    const MOST_PLACES: usize = 30;
+    const MAX_PLACES: usize = 30;
     let significant = if to == ElementaryType::Real { 6 } else { 15 };
     let (negative, digits) = sign(text);
     let Some(point) = digits.iter().position(|&byte| byte == b'.') else {
@@ -54,7 +54,7 @@ fn is_plain_real(text: &[u8], to: ElementaryType) -> bool {
     };
     let (whole, fraction) = (&digits[..point], &digits[point + 1..]);
     let is_plain = is_plain_whole(whole) && !fraction.is_empty() && fraction.iter().all(u8::is_ascii_digit);
-    if !is_plain || whole.len() > MOST_PLACES || fraction.len() > MOST_PLACES {
+    if !is_plain || whole.len() > MAX_PLACES || fraction.len() > MAX_PLACES {
         return false;
     }
     let digits = [whole, fraction].concat();

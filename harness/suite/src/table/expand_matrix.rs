@@ -24,7 +24,7 @@ use crate::table::inputs;
 use crate::table::keys::MatrixKey;
 use crate::table::matrix::{Matrix, MatrixRow};
 use crate::table::probe::{self, Placeholders, Probe};
-use crate::table::read::{MOST_MISTAKES, Table};
+use crate::table::read::{MAX_MISTAKES, Table};
 use crate::table::section::{self, Section};
 use crate::table::types::{self, Input, TypeInfo};
 
@@ -220,7 +220,7 @@ impl Expander<'_, '_> {
                         )?;
                     }
                 }
-                if self.harvest.mistakes.len() > MOST_MISTAKES {
+                if self.harvest.mistakes.len() > MAX_MISTAKES {
                     return Err(Mistake::new(
                         row.line,
                         "further mistakes in this table are left out",

@@ -10,12 +10,12 @@ use crate::assembly::Assembly;
 use crate::error::Mistake;
 use crate::frame::{Group, Harvest};
 use crate::ident;
-use crate::mark::Word;
+use crate::mark::MarkWord;
 use crate::program::Remarks;
 use crate::table::budget::Budget;
 use crate::table::keys::Row;
 use crate::table::probe::{self, Placeholders, Probe};
-use crate::table::read::{MOST_MISTAKES, Table};
+use crate::table::read::{MAX_MISTAKES, Table};
 
 /// The columns that have a meaning of their own.
 #[derive(Default)]
@@ -137,7 +137,7 @@ impl Expander<'_, '_> {
                     .look()
                     .map_err(|message| Mistake::new(line, message))?;
                 self.row(probe, row, line, &own)?;
-                if self.harvest.mistakes.len() > MOST_MISTAKES {
+                if self.harvest.mistakes.len() > MAX_MISTAKES {
                     return Err(Mistake::new(line, "further mistakes in this table are left out"));
                 }
             }

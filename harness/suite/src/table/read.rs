@@ -13,10 +13,10 @@ use crate::template::{Template, TemplateMistake};
 use crate::toml_text;
 
 /// Above so many mistakes in one file, the rest is left out: they come from one cause.
-pub(crate) const MOST_MISTAKES: usize = 50;
+pub(crate) const MAX_MISTAKES: usize = 50;
 
 /// Placeholders are looked up among the columns one after the other.
-const MOST_COLUMNS: usize = 100;
+const MAX_COLUMNS: usize = 100;
 
 /// What the expansions of both kinds of table work with.
 pub(crate) struct Table<'a> {
@@ -55,8 +55,8 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
             return;
         }
     };
-    if names.len() > MOST_COLUMNS {
-        let message = format!("{} columns; a table has at most {MOST_COLUMNS}", names.len());
+    if names.len() > MAX_COLUMNS {
+        let message = format!("{} columns; a table has at most {MAX_COLUMNS}", names.len());
         harvest.mistakes.push(Mistake::new(1, message).key("columns"));
         return;
     }

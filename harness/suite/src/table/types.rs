@@ -7,7 +7,7 @@ use stickler_types::{ElementaryType, Value, WrittenValue, boundaries};
 
 use crate::error::Mistake;
 use crate::frame::FileContext;
-use crate::mark::Word;
+use crate::mark::MarkWord;
 use crate::table::keys::TypeKey;
 
 /// The type that a row or a column is named after.

@@ -6,15 +6,15 @@
 use stickler_types::{ElementaryType, Value};
 
 /// A program that declares variables, one of them with an initial value at most, and assigns the result of one call to one of them.
-pub(super) struct Call<'s> {
+pub(crate) struct Call<'s> {
     /// The function.
-    pub(super) function: &'s str,
+    pub(crate) function: &'s str,
     /// What it is given.
-    pub(super) operand: Value,
+    pub(crate) operand: Value,
     /// The variable that takes the result.
-    pub(super) into: &'s str,
+    pub(crate) into: &'s str,
     /// Its type.
-    pub(super) result: ElementaryType,
+    pub(crate) result: ElementaryType,
 }
 
 /// A variable of the program.
@@ -26,7 +26,7 @@ struct Variable<'s> {
 
 impl<'s> Call<'s> {
     /// The call that a program is; `None` where it is anything else.
-    pub(super) fn read(source: &'s str) -> Option<Call<'s>> {
+    pub(crate) fn read(source: &'s str) -> Option<Call<'s>> {
         let mut lines = source.lines().map(str::trim).filter(|line| !line.is_empty());
         if lines.next()? != "PROGRAM main" {
             return None;
