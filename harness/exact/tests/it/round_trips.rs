@@ -136,7 +136,7 @@ fn by_literals(text: &str, ty: ElementaryType) -> Value {
 fn texts_are_read_as_the_literals_of_the_types_crate_are() {
     let choices = choices_of(DIALECT);
     let mut readable = 0;
-    for text in concoctions().take(200_000) {
+    for text in concoctions().take(220_000) {
         for ty in [
             ElementaryType::Bool,
             ElementaryType::Int,
