@@ -6,9 +6,9 @@ use crate::ReportError;
 use crate::claims::Standing;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
-use crate::text::counted;
 use serde::Serialize;
 use std::path::PathBuf;
+use stickler_types::counted;
 
 /// The file, while the run goes on.
 pub(crate) struct Badge {
@@ -150,7 +150,7 @@ mod tests {
     fn a_known_failure_is_a_failure_and_no_share_is_rounded_up_to_the_whole() {
         assert_eq!(
             said(&sample::run_of(cases(2999, 1))),
-            ("99.9 % of 3000 cases".to_owned(), "green")
+            ("99.9 % of 3,000 cases".to_owned(), "green")
         );
         assert_eq!(
             said(&sample::run_of(cases(1, 2))),

@@ -6,12 +6,13 @@ mod observed;
 use crate::discrepancies::NAME;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
-use crate::text::{clip, counted, duration, judged, noted, outdated, outdated_entries, visible};
+use crate::text::{clip, duration, judged, noted, outdated, outdated_entries, visible};
 use crate::{ReportError, compared, diff, engine};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
 use stickler_run::{CaseEvent, DefinedHeader, EngineHeader, Totals};
+use stickler_types::{counted, grouped};
 
 /// The most that a step summary takes is 1 MiB; this leaves room for what other steps write.
 const MAX_BYTES: usize = 900_000;
@@ -90,7 +91,7 @@ fn heading(overview: &Overview) -> String {
             0 => format!("{cases}, all as expected"),
             number => format!("{cases}, all as expected, but {}", outdated_entries(number)),
         },
-        failed => format!("{failed} of {cases} not as expected"),
+        failed => format!("{} of {cases} not as expected", grouped(failed)),
     };
     let mut text = format!("# Stickler: {verdict}\n\n");
     // Writing to a String cannot fail.

@@ -10,10 +10,11 @@ pub(crate) mod failure;
 use crate::discrepancies::NAME;
 use crate::overview::Overview;
 use crate::table::{Cell, Table};
-use crate::text::{counted, duration, judged, outdated, outdated_entries, visible};
+use crate::text::{duration, judged, outdated, outdated_entries, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use stickler_run::{EngineHeader, Totals, Verdict};
+use stickler_types::{counted, grouped};
 
 pub(crate) const BOLD: Style = Style::new().bold();
 pub(crate) const DIM: Style = Style::new().dimmed();
@@ -56,7 +57,8 @@ fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings
         };
         writeln!(
             out,
-            "{BAD}... and {rest} more that are not as expected{BAD:#}; {place}.\n"
+            "{BAD}... and {} more that are not as expected{BAD:#}; {place}.\n",
+            grouped(rest)
         )?;
     }
     Ok(())
@@ -164,7 +166,8 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             let kinds = kinds(&sum, false);
             writeln!(
                 out,
-                "{BAD}{failed} of {cases} not as expected{kinds}{BAD:#}, in {time}."
+                "{BAD}{} of {cases} not as expected{kinds}{BAD:#}, in {time}.",
+                grouped(failed)
             )
         }
     }
@@ -400,7 +403,10 @@ Claims                      reference  matiec
         assert_eq!(text.matches("CRASH").count(), MAX_SHOWN_FAILURES);
         let rest = 3000 - MAX_SHOWN_FAILURES;
         assert!(
-            text.contains(&format!("and {rest} more that are not as expected; all are in")),
+            text.contains(&format!(
+                "and {} more that are not as expected; all are in",
+                stickler_types::grouped(rest as u64)
+            )),
             "{text}"
         );
     }

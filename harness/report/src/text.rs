@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 use stickler_run::{BaselineNote, Fact, Grade, OutdatedEntry, Verdict};
+use stickler_types::counted;
 
 /// The text with control characters spelled out (`\u{1b}`), but for line ends and tabs: what an engine says must not
 /// move the cursor of whoever reads it.
@@ -119,11 +120,6 @@ pub(crate) fn outdated_entries(number: usize) -> String {
         "entries of baselines are",
     );
     format!("{entries} out of date")
-}
-
-/// `1 case`, `2 cases`.
-pub(crate) fn counted(number: u64, one: &str, many: &str) -> String {
-    format!("{number} {}", if number == 1 { one } else { many })
 }
 
 /// Milliseconds as a person reads them: `34 ms`, `1.2 s`, `2 min 5 s`.

@@ -13,7 +13,7 @@ use stickler_engines::Reference;
 use stickler_report::events::{self, Completeness};
 use stickler_run::{Baseline, Blessing, Change, ChangeKind, EngineRun, Event, Verdict, bless};
 use stickler_suite::Suite;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, counted};
 
 /// How many changes of a baseline are shown one by one.
 const SHOWN_CHANGES: usize = 40;
@@ -130,11 +130,11 @@ fn rewrite(
     if blessing.strangers > 0 {
         output::note(format!(
             "{} of the run that the suite no longer has: nothing is said about them",
-            counted(blessing.strangers, "case", "cases")
+            counted(blessing.strangers as u64, "case", "cases")
         ));
     }
     show(&blessing, out)?;
-    let entries = counted(blessing.entries, "entry", "entries");
+    let entries = counted(blessing.entries as u64, "entry", "entries");
     if blessing.changes.is_empty() {
         writeln!(out, "{shown}: nothing is different, {entries}")?;
     } else if dry_run {
@@ -203,8 +203,4 @@ fn write(path: &Path, text: &str) -> std::io::Result<()> {
     let beside = PathBuf::from(beside);
     fs::write(&beside, text)?;
     fs::rename(&beside, path)
-}
-
-fn counted(number: usize, one: &str, many: &str) -> String {
-    format!("{number} {}", if number == 1 { one } else { many })
 }

@@ -9,6 +9,7 @@ use std::io::Write;
 use stickler_export::{ANSWERS, ExportPlan, Exported, export};
 use stickler_run::select;
 use stickler_suite::Case;
+use stickler_types::counted;
 
 /// Writes the pages, and says what is on them and what is not.
 ///
@@ -71,15 +72,15 @@ fn without(arguments: &ExportArguments, selected: &[&Case]) -> BTreeSet<String> 
 
 fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -> std::io::Result<()> {
     let folder = arguments.folder.display();
-    let pages = counted(exported.pages, "page", "pages");
-    let cases = counted(exported.cases, "case", "cases");
+    let pages = counted(exported.pages as u64, "page", "pages");
+    let cases = counted(exported.cases as u64, "case", "cases");
     writeln!(out, "{folder}: {pages} with {cases} in {}", arguments.dialect)?;
     if exported.compiled_only > 0 {
         writeln!(out, "  {} of them only to be compiled", exported.compiled_only)?;
     }
     if exported.answered > 0 {
         let answered = counted(
-            exported.answered,
+            exported.answered as u64,
             "case has its answer",
             "cases have their answers",
         );
@@ -87,7 +88,7 @@ fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -
     }
     let left_out: usize = exported.left_out.values().sum();
     if left_out > 0 {
-        writeln!(out, "{} left out:", counted(left_out, "case", "cases"))?;
+        writeln!(out, "{} left out:", counted(left_out as u64, "case", "cases"))?;
     }
     for (reason, cases) in &exported.left_out {
         writeln!(out, "  {cases:>6} {reason}")?;
@@ -106,8 +107,4 @@ fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -
         )?;
     }
     Ok(())
-}
-
-fn counted(number: usize, one: &str, many: &str) -> String {
-    format!("{number} {}", if number == 1 { one } else { many })
 }

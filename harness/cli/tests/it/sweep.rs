@@ -15,12 +15,12 @@ fn ctrl_c_tells_how_far_a_sweep_came() {
     for _ in 0..2 {
         out.read_line(&mut lines).expect("a line");
     }
-    assert!(lines.contains("4 294 967 296 inputs: every DINT"), "{lines}");
+    assert!(lines.contains("4,294,967,296 inputs: every DINT"), "{lines}");
     interrupt(&sweep);
     out.read_to_string(&mut lines).expect("the rest");
     assert_eq!(sweep.wait().expect("an end").code(), Some(130), "{lines}");
     assert!(lines.contains("  stopped by Ctrl-C after "), "{lines}");
-    assert!(lines.contains(" of 4 294 967 296 inputs ("), "{lines}");
+    assert!(lines.contains(" of 4,294,967,296 inputs ("), "{lines}");
     assert!(lines.contains("  no mismatch so far, "), "{lines}");
 }
 
@@ -45,9 +45,9 @@ fn swept(function: &str, dialect: &str, engine: &str) -> (Option<i32>, String) {
 fn an_engine_that_is_right_is_swept_by_a_few_programs() {
     let (code, shown) = swept("INT_TO_SINT", "matiec", "COMMAND engine");
     assert_eq!(code, Some(0), "{shown}");
-    assert!(shown.contains("  65 536 inputs: every INT\n"), "{shown}");
+    assert!(shown.contains("  65,536 inputs: every INT\n"), "{shown}");
     assert!(
-        shown.contains("  no mismatch among 65 536 answered inputs, "),
+        shown.contains("  no mismatch among 65,536 answered inputs, "),
         "{shown}"
     );
 }
@@ -59,7 +59,7 @@ fn the_one_input_that_an_engine_gets_wrong_is_named() {
     let (code, shown) = swept("INT_TO_SINT", "matiec", &format!("sh -c '{wrong}'"));
     assert_eq!(code, Some(1), "{shown}");
     assert!(
-        shown.contains("  1 mismatch among 65 536 answered inputs, "),
+        shown.contains("  1 mismatch among 65,536 answered inputs, "),
         "{shown}"
     );
     assert!(

@@ -4,10 +4,11 @@ use super::{Change, Comparison, Detail, Kind, UnmatchedCase};
 use crate::observations::probe;
 use crate::terminal::failure::write_difference;
 use crate::terminal::{BAD, BOLD, DIM, GOOD};
-use crate::text::{counted, visible};
+use crate::text::visible;
 use anstyle::Style;
 use std::io::{self, Write};
 use stickler_run::{Header, Totals, Verdict};
+use stickler_types::counted;
 
 /// How many groups of one kind are shown.
 const MAX_SHOWN: usize = 20;

@@ -3,9 +3,10 @@
 use super::{Cluster, Key};
 use crate::engine;
 use crate::summary::{code, fence, inline};
-use crate::text::{counted, noted, visible};
+use crate::text::{noted, visible};
 use std::fmt::Write;
 use stickler_run::{EngineHeader, Fact, Grade, PROGRAM};
+use stickler_types::{counted, grouped};
 
 /// How the list of an engine's pages begins.
 pub(super) fn index(name: &str, about: Option<&EngineHeader>, pages: usize, left_out: u64) -> String {
@@ -99,7 +100,7 @@ fn others(text: &mut String, cluster: &Cluster) {
         text.push_str("One case shows this.\n\n");
         return;
     }
-    let _ = write!(text, "{number} cases show this:\n\n");
+    let _ = write!(text, "{} cases show this:\n\n", grouped(number));
     for ((probe, dialect), cases) in &cluster.cases {
         let _ = writeln!(text, "- {cases} of {} in {}", code(probe), inline(dialect));
     }

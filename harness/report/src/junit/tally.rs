@@ -3,8 +3,8 @@
 use super::case::kind;
 use super::suite::{Problem, Test};
 use crate::groups::Group;
-use crate::text::counted;
 use stickler_run::{CaseEvent, Fact, Verdict};
+use stickler_types::counted;
 
 /// Cases with one verdict, counted.
 #[derive(Default)]

@@ -3,7 +3,7 @@
 use super::{Page, code, inline};
 use crate::observations::{Disagreement, probe};
 use crate::overview::Overview;
-use crate::text::counted;
+use stickler_types::counted;
 
 /// How many disagreements are shown.
 const MAX_SHOWN: usize = 100;

@@ -7,7 +7,7 @@ use std::time::Duration;
 use stickler_conversions::dialect_list;
 use stickler_conversions::sweep::{Difference, Findings, MAX_DIFFERENCES, Sampling, Sweep};
 use stickler_engines::Identity;
-use stickler_types::{DialectName, Value};
+use stickler_types::{DialectName, Value, counted, grouped};
 
 const BOLD: Style = Style::new().bold();
 pub(super) const BAD: Style = AnsiColor::Red.on_default().bold();
@@ -185,35 +185,10 @@ pub(super) fn shown(value: &Value) -> String {
     }
 }
 
-pub(super) fn counted(count: u64, one: &str, several: &str) -> String {
-    format!("{} {}", grouped(count), if count == 1 { one } else { several })
-}
-
-/// Writes a number with blanks between its thousands: `4 294 967 296`.
-pub(super) fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::with_capacity(digits.len() * 4 / 3);
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(' ');
-        }
-        text.push(digit);
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{grouped, shown};
+    use super::shown;
     use stickler_types::{ElementaryType, Value};
-
-    #[test]
-    fn thousands_are_kept_apart() {
-        assert_eq!(
-            [0, 999, 1_000, 65_536, 4_294_967_296].map(grouped),
-            ["0", "999", "1 000", "65 536", "4 294 967 296"]
-        );
-    }
 
     #[test]
     fn a_long_text_is_cut_between_its_characters() {

@@ -1,10 +1,11 @@
 //! The findings of a sweep through programs: mismatches, observations and inputs without an answer, each apart.
 
-use super::page::{BAD, Page, counted, grouped, shown};
+use super::page::{BAD, Page, shown};
 use std::io;
 use std::time::Duration;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, Unanswered};
 use stickler_types::{Value, wrap};
+use stickler_types::{counted, grouped};
 
 impl Page<'_> {
     /// Writes the findings of a sweep through programs.
