@@ -1,7 +1,8 @@
-//! What engines answered in earlier runs, so that they need not be asked again.
+//! Stores the answers of engines from earlier runs, so that the engines need not be asked again.
 //!
-//! An answer is kept under a digest of the question, which holds all that the engine is handed. Only what an engine did of its own
-//! accord is kept: a crash, a time limit or nonsense may be of the machine as well, and is asked again.
+//! An answer is kept under a digest of the question, which covers everything that the engine is handed. Only results of the
+//! engine itself are kept: a crash, a time limit or an invalid answer may be caused by the machine, and the engine is asked
+//! again.
 
 use crate::answers::{Answers, Rendering};
 use serde::{Deserialize, Serialize};
@@ -9,20 +10,21 @@ use stickler_engines::{Diagnostic, Digest, NamedValue, Outcome};
 use stickler_suite::Case;
 use stickler_types::{Fault, Value};
 
-/// What one engine answered in earlier runs. Whoever has it keeps the answers apart of engines that differ in anything.
+/// A store of one engine's answers from earlier runs. The implementation keeps the answers of engines apart that differ in
+/// anything.
 pub trait AnswerStore: Sync {
-    /// What was kept under this question before the run began.
+    /// Returns the answers that were kept under this question before the run began.
     fn get(&self, question: &str) -> Option<&str>;
 
-    /// Keeps answers under a question, for later runs. Neither has a line feed, nor the question a blank.
+    /// Keeps answers under a question, for later runs. Neither contains a line feed, and the question contains no blank.
     fn put(&self, question: &str, answers: &str);
 }
 
-/// The question that an engine is asked about a case: 32 hexadecimal digits.
+/// Returns the digest of everything that an engine is asked about a case: 32 hexadecimal digits.
 pub(crate) fn question(case: &Case) -> String {
     let mut digest = Digest::new("question");
     digest.text(case.dialect.as_str()).text(&case.source);
-    // An engine that has never heard of a dialect is asked by what it extends, which its name does not say.
+    // An engine that does not know a custom dialect is asked about its base, which the name does not contain.
     digest.text(&format!("{:?}", case.dialect.base()));
     digest.number(case.scans.into());
     digest.number(case.observe.len() as u64);
@@ -45,19 +47,19 @@ pub(crate) fn question(case: &Case) -> String {
     digest.finish()
 }
 
-/// The text of answers; `None` where they are not to be kept, or cannot be without loss.
+/// Serializes answers; returns `None` where they are not to be kept, or cannot be kept without loss.
 pub(crate) fn written(answers: &Answers) -> Option<String> {
     let kept = StoredAnswers::of(answers)?;
     let text = serde_json::to_string(&kept).ok()?;
     (read(&text).as_ref() == Some(answers)).then_some(text)
 }
 
-/// The answers of a text; `None` where it is none of [`written`].
+/// Parses answers; returns `None` where the text was not written by [`written`].
 pub(crate) fn read(text: &str) -> Option<Answers> {
     serde_json::from_str::<StoredAnswers>(text).ok()?.answers()
 }
 
-/// All that an engine answered about a case.
+/// The serialized form of everything that an engine answered about a case.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StoredAnswers {
@@ -74,7 +76,7 @@ struct StoredRendering {
     rerun: Option<StoredOutcome>,
 }
 
-/// An outcome that may be kept; values are typed literals.
+/// The serialized form of an outcome that may be kept; values are typed literals.
 #[derive(Serialize, Deserialize)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
 enum StoredOutcome {
@@ -137,7 +139,7 @@ impl StoredRendering {
 }
 
 impl StoredOutcome {
-    /// `None` for what is not to be kept.
+    /// Converts an outcome; returns `None` for one that is not to be kept.
     fn of(outcome: &Outcome) -> Option<StoredOutcome> {
         Some(match outcome {
             Outcome::Accepted => StoredOutcome::Accepted,
@@ -152,7 +154,7 @@ impl StoredOutcome {
         })
     }
 
-    /// `None` where a literal or a fault cannot be read.
+    /// Converts back to an outcome; returns `None` where a literal or a fault cannot be parsed.
     fn outcome(self) -> Option<Outcome> {
         Some(match self {
             StoredOutcome::Accepted => Outcome::Accepted,

@@ -1,37 +1,38 @@
-//! Asking an engine all that a case needs.
+//! Asks an engine for everything that a case needs, and holds its answers.
 
 use stickler_engines::{EngineError, EngineSession, Outcome, Packed, RunRequest};
 use stickler_suite::Case;
 
-/// All that an engine answered about one case.
+/// Everything that an engine answered about one case.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Answers {
-    /// To `run`.
+    /// The outcome of `run`.
     pub run: Outcome,
-    /// To `render` and what follows from it; `None` where the case expects no rendered text.
+    /// The outcomes of `render` and of the requests that follow it; `None` where the case expects no rendered text.
     pub rendering: Option<Rendering>,
 }
 
-/// What came of rendering a program, and of the rendered program. Basis: design, sections 3.1 and 4
+/// The outcomes of rendering a program, and of rendering and running the rendered program. Basis: design, sections 3.1 and 4
 /// (rendering again changes nothing, and the rendered program means the same).
 #[derive(Clone, PartialEq, Debug)]
 pub struct Rendering {
-    /// The program, rendered.
+    /// The outcome of rendering the program.
     pub first: Outcome,
-    /// The rendered program, rendered; `None` where there was no rendered program.
+    /// The outcome of rendering the rendered program; `None` where rendering gave no text.
     pub again: Option<Outcome>,
-    /// The rendered program, run.
+    /// The outcome of running the rendered program; `None` where rendering gave no text, or rendering it again crashed the
+    /// engine.
     pub rerun: Option<Outcome>,
 }
 
 impl Answers {
-    /// The answers where `run` was all that was asked.
+    /// Returns the answers about a case for which the engine was only asked to run the program.
     #[must_use]
     pub fn of_run(run: Outcome) -> Answers {
         Answers { run, rendering: None }
     }
 
-    /// All outcomes, in the order in which they were asked for.
+    /// Returns all outcomes, in the order of the requests.
     pub fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
         let rendering = self.rendering.iter();
         let later = rendering
@@ -41,7 +42,7 @@ impl Answers {
     }
 }
 
-/// Asks an engine all that a case needs. The engine sees the program and what to observe, never the expectation.
+/// Asks an engine for everything that a case needs. The engine sees the program and what to observe, never the expectation.
 ///
 /// # Errors
 /// [`EngineError`] where no session can be opened.
@@ -56,7 +57,7 @@ pub fn ask(session: &mut EngineSession<'_>, case: &Case) -> Result<Answers, Engi
     Ok(Answers { run, rendering })
 }
 
-/// Asks an engine to run several programs at a time. Of the cases, none may need more than a run.
+/// Asks an engine to run several programs in one request. None of the cases may need more than a run.
 ///
 /// # Errors
 /// [`EngineError`] where no session can be opened.

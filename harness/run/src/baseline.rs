@@ -1,8 +1,8 @@
-//! Baselines: what an engine is known to do otherwise than documents say, each with its reason, so that a run fails by
-//! what is new. Basis: issue "real compilers", *Verdicts*; design, section 1.
+//! Baselines: the known deviations of an engine from its documents, each with its reason, so that a run fails only by new
+//! ones. Basis: issue "real compilers", *Verdicts*; design, section 1.
 //!
-//! A baseline changes no expectation and no claim: what it expects is still counted as failed for its document. It may not
-//! grow old in silence either: an unexpected pass, an entry that fits no case and one past its date each fail the run.
+//! A baseline changes no expectation and no claim: an expected failure still counts as failed for its document. Outdated
+//! entries are reported: an unexpected pass, an entry that fits no case and one past its last day each fail the run.
 
 mod bless;
 mod fold;
@@ -21,39 +21,41 @@ use semver::VersionReq;
 use stickler_suite::Suite;
 use stickler_types::DialectName;
 
-/// The baseline of one engine.
+/// The baseline of one engine, as its file states it.
 #[derive(Clone, Debug, Default)]
 pub struct Baseline {
-    /// The engine's name.
+    /// The name of the engine.
     pub engine: String,
-    /// The file, as people are told of it.
+    /// The path of the file, as messages show it.
     pub file: String,
-    /// What is expected, in the order of the file.
+    /// The entries, in the order of the file.
     pub entries: Vec<Entry>,
 }
 
-/// Something that an engine is known to do otherwise.
+/// An entry of a baseline: cases with known verdicts, and the reason.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// The cases: an id, or a pattern in which `*` stands for any text; either may end in `@dialect`.
+    /// The cases that the entry is about: an id, or a pattern in which `*` stands for any text; either may end in
+    /// `@dialect`.
     pub case: Filter,
-    /// What comes of them: one that is no pass; or any of several, of a compiler that does not do the same each time.
+    /// The expected verdicts: one that is no pass; or several alternatives, for a compiler whose answer varies from run to
+    /// run.
     pub verdicts: Vec<Verdict>,
-    /// Why, for a person.
+    /// The reason, for people.
     pub reason: String,
-    /// Where more is written, such as the report in the compiler's tracker.
+    /// The address of further information, such as the report in the compiler's tracker.
     pub link: Option<String>,
-    /// The versions of the engine for which this holds; all where nothing is said.
+    /// The versions of the engine to which the entry applies; `None` stands for all.
     pub versions: Option<VersionReq>,
-    /// The last day on which this holds; for good where nothing is said.
+    /// The last day on which the entry applies; `None` where it has no end.
     pub until: Option<Date>,
     /// The line of the file on which the entry begins.
     pub line: u32,
 }
 
 impl Baseline {
-    /// Reads a baseline. `file` is how people are told of it; `stem`, the file's name without its extension, names the engine
-    /// where the text itself does not.
+    /// Reads a baseline. `file` is the path that messages show; `stem`, the file's name without its extension, names the
+    /// engine where the text itself does not.
     ///
     /// # Errors
     /// [`BaselineError`]: the first mistake, with its line.
@@ -61,8 +63,8 @@ impl Baseline {
         read::baseline(text, file, stem)
     }
 
-    /// The name of the file in which the baseline of an engine is sought. Engines of processes call themselves what they
-    /// like, so all that could lead elsewhere becomes `-`.
+    /// Returns the name of the file in which the baseline of an engine is looked up. An engine behind a process chooses its
+    /// own name, so every character that could lead to another folder becomes `-`.
     #[must_use]
     pub fn file_name(engine: &str) -> String {
         let harmless = |character: char| match character {
@@ -73,7 +75,7 @@ impl Baseline {
         format!("{stem}.toml")
     }
 
-    /// Where an entry stands, such as `reports/baselines/ironplc.toml:12`.
+    /// Returns the file and line of an entry, such as `reports/baselines/ironplc.toml:12`.
     #[must_use]
     pub fn place(&self, entry: &Entry) -> String {
         format!("{}:{}", self.file, entry.line)
@@ -81,8 +83,8 @@ impl Baseline {
 }
 
 impl Entry {
-    /// Whether the entry is about a dialect that was defined and of which this suite has no cases: those of such a dialect are there only
-    /// where somebody asks for them, so nothing is known of the entry.
+    /// Returns whether the entry is about a custom dialect of which this suite has no cases. The cases of a custom dialect
+    /// are there only in a run that asks for it, so the entry cannot be checked.
     fn is_beside(&self, suite: &Suite) -> bool {
         let is_beside = |dialect: DialectName| {
             dialect.definition().is_some() && !suite.cases.iter().any(|case| case.dialect == dialect)
@@ -90,12 +92,12 @@ impl Entry {
         self.case.dialect().is_some_and(is_beside)
     }
 
-    /// Whether this is what the entry says.
+    /// Returns whether the entry expects this verdict.
     fn expects(&self, verdict: Verdict) -> bool {
         self.verdicts.contains(&verdict)
     }
 
-    /// Whether the entry is about this case.
+    /// Returns whether the entry is about this case.
     fn covers(&self, id: &str, dialect: &str) -> bool {
         match self.case.is_pattern() {
             true => self.case.fits(id, dialect),

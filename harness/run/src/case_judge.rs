@@ -10,9 +10,9 @@ use stickler_suite::Case;
 /// Judges the cases of one engine.
 #[derive(Clone, Copy, Debug)]
 pub struct CaseJudge<'r> {
-    /// How strictly the engine is judged.
+    /// The plan of the run, which states how strictly the engine is judged.
     pub plan: &'r Plan,
-    /// The engine.
+    /// The identity of the engine.
     pub engine: &'r Identity,
     /// The engine's baseline, where it has one.
     pub baseline: Option<&'r MatchedBaseline<'r>>,
@@ -56,7 +56,7 @@ impl CaseJudge<'_> {
     }
 }
 
-/// Returns whether what was got of a case that passed is known from its expectation and its observations.
+/// Returns whether the facts of a passed case can be derived from its expectation and its observations.
 fn tells_nothing(passed: &Judgement) -> bool {
     passed.got == passed.expected
         // The acceptance is observed.

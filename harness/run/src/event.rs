@@ -1,5 +1,5 @@
-//! The events of a run: a header, one event a case, a footer. Every report is a projection of them and has no
-//! facts of its own; a stream without its footer is a truncated run. Basis: design, section 5.
+//! The events of a run: a header, one event for each case and engine, a footer. Every report is a projection of them and
+//! adds no facts; a stream without its footer is a truncated run. Basis: design, section 5.
 
 mod baseline;
 mod totals;
@@ -17,44 +17,44 @@ use stickler_engines::Grade;
 /// The version of the event format.
 pub const FORMAT: u32 = 2;
 
-/// What the file of a program is called in [`EngineHeader::commands`].
+/// The file name that stands for the program in [`EngineHeader::commands`].
 pub const PROGRAM: &str = "program.st";
 
-/// One event of a run. How a log writes it down is not its own affair.
+/// An event of a run. Its form in a log is up to the log.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Event {
     /// The first event.
     Header(Header),
-    /// A case on an engine, in the order of the suite.
+    /// The result of a case on an engine; these events come in the order of the suite.
     Case(CaseEvent),
     /// The last event of a run that was not cut short.
     Footer(Footer),
 }
 
-/// What is known before the first case.
+/// The facts of a run that are known before its first case.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub struct Header {
-    /// The version of this format, [`FORMAT`].
+    /// The version of the event format, [`FORMAT`].
     pub format: u32,
     /// The version of Stickler.
     pub stickler: String,
     /// The version of the suite.
     pub suite: String,
-    /// When the run began, as the caller writes it.
+    /// The time at which the run began, as the caller writes it.
     pub started: String,
     /// The command that was run, as the caller writes it.
     pub command: String,
-    /// The engines that take part, in their order.
+    /// The engines that take part, in the order in which they were given.
     pub engines: Vec<EngineHeader>,
-    /// How many case events follow in a run that is not cut short.
+    /// The number of case events that follow in a complete run.
     pub cases: u64,
-    /// The filters by which cases were selected, as they were typed; none selects all.
+    /// The filters by which cases were selected, as they were typed; empty where all cases were.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub filters: Vec<String>,
-    /// The dialects of which cases were selected; none is all.
+    /// The dialects whose cases were selected; empty where all were.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub dialects: Vec<String>,
-    /// The part of a divided run, `2/4`.
+    /// The part of a divided run, such as `2/4`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shard: Option<String>,
     /// The case files that could not be read: file, line, key and what is wrong.
@@ -68,40 +68,40 @@ pub struct Header {
     pub defined: Vec<DefinedHeader>,
 }
 
-/// A dialect that is another one with some rules overridden.
+/// A custom dialect: another dialect with some of its rules overridden.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct DefinedHeader {
-    /// Its name.
+    /// The name of the dialect.
     pub name: String,
     /// The dialect of a documented system that it extends.
     pub extends: String,
-    /// What it is, for people.
+    /// The description of the dialect, for people.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub about: Option<String>,
-    /// What it overrides, in the words of the file: `implicit INT.BOOL = yes`.
+    /// The overrides, in the words of the file: `implicit INT.BOOL = yes`.
     pub overrides: Vec<String>,
-    /// How many of the selected cases of that dialect it does not take over, because what it overrides changes them and no
-    /// document says how.
+    /// The number of selected cases of the base dialect that this dialect does not inherit, because the overrides change
+    /// their result and no document states the new one.
     pub left_out: u64,
 }
 
 /// An engine that takes part in a run.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct EngineHeader {
-    /// Its name.
+    /// The name of the engine.
     pub name: String,
-    /// Its version.
+    /// The version of the engine.
     pub version: String,
-    /// The dialects it speaks.
+    /// The dialects that the engine supports.
     pub dialects: Vec<String>,
-    /// How exact its rejections and faults had to be to pass.
+    /// The worst grade of a rejection or a fault that still passes.
     #[serde(default)]
     pub strict: Grade,
-    /// The command that runs a case on this engine again; [`EngineHeader::rerun`] fills in which.
+    /// The template of the command that runs a case on this engine again; [`EngineHeader::rerun`] fills in the case.
     #[serde(default)]
     pub rerun: String,
-    /// By dialect, the command by which a person has this engine do the same with [`PROGRAM`], without Stickler; none where
-    /// the engine knows of none.
+    /// By dialect, the command that gives [`PROGRAM`] to this engine without Stickler; dialects for which the engine states
+    /// no such command are missing.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub commands: BTreeMap<String, String>,
 }
@@ -114,58 +114,58 @@ impl EngineHeader {
     }
 }
 
-/// Stands for the id of a case in the template of a command that runs it again, within single quotes of a shell.
+/// The placeholder for the id of a case in the template of a rerun command, within single quotes of a shell.
 pub(crate) const RERUN_ID: &str = "{id}";
 
-/// Stands for the dialect of a case in the template of a command that runs it again.
+/// The placeholder for the dialect of a case in the template of a rerun command.
 pub(crate) const RERUN_DIALECT: &str = "{dialect}";
 
-/// Returns the command of a template for one case.
+/// Fills in the template of a rerun command for one case.
 pub(crate) fn rerun(template: &str, id: &str, dialect: &str) -> String {
     let command = template.replace(RERUN_DIALECT, dialect);
     command.replace(RERUN_ID, &id.replace('\'', r"'\''"))
 }
 
-/// A case on an engine.
+/// The result of a case on an engine.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct CaseEvent {
-    /// The case's id; with the dialect and the engine it is unique in a run.
+    /// The id of the case; together with the dialect and the engine it is unique in a run.
     pub id: String,
-    /// The dialect.
+    /// The dialect of the case.
     pub dialect: String,
-    /// The engine's name.
+    /// The name of the engine.
     pub engine: String,
-    /// What came of it.
+    /// The verdict, after the engine's baseline was applied.
     pub verdict: Verdict,
-    /// The document leaves it open: the case asserts nothing, or only that the program is accepted, and records what the
-    /// engine does.
+    /// Whether the document leaves the result open: the case asserts nothing, or only that the program is accepted, and
+    /// records what the engine does.
     pub open: bool,
-    /// How exactly a rejection or a fault was right; `None` where neither was expected or neither came.
+    /// The grade of a rejection or a fault; `None` where neither was expected or neither came.
     pub grade: Option<Grade>,
-    /// The claim: document and section.
+    /// The claim that the case checks: document and section.
     pub basis: String,
-    /// The case file.
+    /// The path of the case file.
     pub file: String,
-    /// The line in the case file at which the case stands; `None` where it passed, for then nobody looks for it.
+    /// The line of the case in the case file; `None` where it passed, since nobody looks for it then.
     pub line: Option<u32>,
-    /// The folder of the case, the first part of its id.
+    /// The area of the case: its folder, the first part of its id.
     pub area: String,
-    /// The case's title.
+    /// The title of the case.
     pub title: String,
-    /// A fingerprint of what had to happen, by which two runs see whether they expected the same.
+    /// A fingerprint of the expectation, by which two runs see whether they expected the same.
     pub expectation: u32,
-    /// What had to happen, in a fixed order; empty where the case passed and `got` tells nothing more.
+    /// The expected facts, in a fixed order; empty where the case passed and `got` adds nothing to them.
     pub expected: Vec<Fact>,
-    /// What happened, fact by fact beside `expected`, so that a diff of their texts shows what was not as expected; empty where
+    /// The actual facts, in the order of `expected`, so that a diff of their texts shows the deviation; empty where
     /// `expected` is.
     pub got: Vec<Fact>,
-    /// How long the engine took, in microseconds.
+    /// The time that the engine took, in microseconds.
     pub duration_us: u64,
-    /// What was recorded and not judged.
+    /// The observations, which are recorded and not judged.
     pub observations: Vec<Observed>,
-    /// The whole program, where the engine did not do with it what was expected; of all others the case has it.
+    /// The whole program, where the engine did not meet the expectation; `None` otherwise, since the case file has it.
     pub program: Option<String>,
-    /// What the engine's baseline says of the case, where it says something.
+    /// The note of the engine's baseline on the case; `None` where no entry matters to it.
     pub baseline: Option<BaselineNote>,
 }
 
@@ -179,7 +179,7 @@ impl CaseEvent {
         }
     }
 
-    /// What came of the case, whatever a baseline expects.
+    /// Returns the verdict of the case as if there were no baseline.
     #[must_use]
     pub fn actual_verdict(&self) -> Verdict {
         match (self.verdict, &self.baseline) {
@@ -191,32 +191,33 @@ impl CaseEvent {
     }
 }
 
-/// Something recorded and not judged.
+/// An observation: a result that is recorded and not judged.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Observed {
-    /// The variable (`q`, `a[1]`, `q@3`), `acceptance`, or `fault`.
+    /// The observed variable (`q`, `a[1]`, `q@3`), or `acceptance`, or `fault`.
     pub name: String,
-    /// Its value as a typed literal; `accepted` or `rejected`; the fault.
+    /// The value of the variable as a typed literal; `accepted` or `rejected` for an acceptance; the kind of fault for a
+    /// fault.
     pub value: String,
 }
 
-/// What is known after the last case.
+/// The facts of a run that are known after its last case.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub struct Footer {
-    /// The verdicts of the whole run, counted.
+    /// The number of times that each verdict came in the whole run.
     pub totals: Totals,
-    /// The verdicts by engine, in the header's order.
+    /// The verdict counts of each engine, in the order of the header.
     pub engines: Vec<EngineTotals>,
-    /// How long the run took, in milliseconds.
+    /// The duration of the run, in milliseconds.
     pub duration_ms: u64,
 }
 
-/// The verdicts of one engine, counted.
+/// The verdict counts of one engine.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub struct EngineTotals {
-    /// The engine's name.
+    /// The name of the engine.
     pub name: String,
-    /// Its verdicts.
+    /// The number of times that each verdict came on the engine.
     pub totals: Totals,
 }
 

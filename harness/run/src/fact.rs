@@ -13,25 +13,25 @@ use stickler_types::{Diagnostic, Fault, Fnv1a, Outcome, Value};
 pub enum Fact {
     /// The program is accepted.
     Accepted,
-    /// The program is accepted by an engine that did not execute it, although something was to be seen of its execution.
+    /// The program is accepted by an engine that did not execute it, although the case observes its execution.
     NotExecuted,
-    /// The program is rejected, with whatever diagnostics.
+    /// The program is rejected, with any diagnostics.
     Rejected,
     /// The program is rejected, and the engine gives no diagnostic.
     RejectedSilently,
     /// The program may be accepted or rejected: no document decides.
     AcceptedOrRejected,
-    /// Something is wrong with the program. One that is expected has a line and a code and no message, and so has one that an
-    /// engine gives just as it is expected.
+    /// The engine reports a diagnostic. An expected diagnostic has a line and a code and no message; so has an actual one
+    /// that matches it.
     Diagnostic(Diagnostic),
-    /// So many more diagnostics than were written down.
+    /// The engine gave further diagnostics, which are only counted.
     MoreDiagnostics {
-        /// How many.
+        /// The number of further diagnostics.
         number: usize,
     },
     /// The execution stops with a fault.
     Fault {
-        /// Why it stops; in JSON its word.
+        /// The kind of fault; in JSON its word.
         #[serde(serialize_with = "spelled", deserialize_with = "fault")]
         fault: Fault,
         /// The line (from 1) on which it stops; `None` where the engine does not name it.
@@ -42,23 +42,23 @@ pub enum Fact {
     Value {
         /// The variable by the name under which it was asked for: `q`, `a[1]`, `q@3` after the third scan.
         name: String,
-        /// Its value; in JSON a typed literal.
+        /// The value of the variable; in JSON a typed literal.
         #[serde(serialize_with = "spelled", deserialize_with = "value")]
         value: Value,
     },
     /// The engine did not give the value of a variable.
     MissingValue {
-        /// The variable.
+        /// The name of the variable.
         name: String,
     },
-    /// A variable has another value than the expected one, and the engine cannot tell which.
+    /// A variable differs from the expected value, and the engine cannot tell what value it has.
     OtherValue {
-        /// The variable.
+        /// The name of the variable.
         name: String,
     },
-    /// The lines of the bodies of a rendered source.
+    /// The engine rendered a source; holds the lines of its bodies.
     Rendered {
-        /// At least one.
+        /// The lines of the bodies; at least one.
         lines: Vec<String>,
     },
     /// Rendering a program gave no text.
@@ -69,38 +69,38 @@ pub enum Fact {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         rejection: Option<String>,
     },
-    /// Rendering a rendered program changed it.
+    /// Rendering a rendered program changed its text.
     RenderedOtherwise {
         /// The first line (from 1) of the text that changed.
         line: usize,
-        /// What the line became.
+        /// The text of that line after rendering again.
         text: String,
     },
-    /// The rendered program does something else than the program.
+    /// The rendered program behaves differently from the program.
     RenderedMeansOther,
-    /// The engine says that it cannot do this.
+    /// The engine states that it does not support the request.
     Unsupported {
-        /// Why, as a fragment.
+        /// The engine's reason, as a fragment.
         reason: String,
     },
-    /// The engine died.
+    /// The engine crashed.
     Crashed {
-        /// What is known about it, as a fragment.
+        /// The signal, exit code or message that is known of the crash, as a fragment.
         reason: String,
     },
     /// The engine did not answer in time.
     TimedOut {
-        /// How long it was waited for, in milliseconds.
+        /// The time limit, in milliseconds.
         after_ms: u64,
     },
-    /// The engine did not understand, or answered nonsense.
+    /// The engine did not understand the request, or its answer is invalid.
     Error {
-        /// What went wrong, as a fragment.
+        /// The description of the error, as a fragment.
         message: String,
     },
     /// A report left out the text of further facts.
     LeftOut {
-        /// How many lines of text.
+        /// The number of lines of text that were left out.
         lines: usize,
     },
 }

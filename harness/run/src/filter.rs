@@ -1,11 +1,11 @@
-//! Which cases a person means.
+//! Filters over case ids, and the choice of case files that a filter may select.
 
 use std::convert::Infallible;
 use std::str::FromStr;
 use stickler_suite::FileKind;
 use stickler_types::DialectName;
 
-/// A filter over case ids. Three readings, the first that applies:
+/// A filter over case ids. It is read in one of three ways, the first that applies:
 ///
 /// 1. it *is* the id of a case, or its key `id@dialect`: that case alone, though other ids may contain it;
 /// 2. it contains a `*`: a pattern for the whole id or key, in which only `*` is special and stands for any text;
@@ -18,31 +18,31 @@ pub struct Filter {
 }
 
 impl Filter {
-    /// A filter from what a person typed.
+    /// Creates a filter from the text that a person typed.
     #[must_use]
     pub fn new(text: impl Into<String>) -> Filter {
         Filter { text: text.into() }
     }
 
-    /// What the person typed.
+    /// Returns the text of the filter, as it was typed.
     #[must_use]
     pub fn as_str(&self) -> &str {
         &self.text
     }
 
-    /// Whether it is read as a pattern, unless it is the id of a case: it contains a `*`.
+    /// Returns whether the filter contains a `*`, and so is read as a pattern unless it is the id of a case.
     #[must_use]
     pub fn is_pattern(&self) -> bool {
         self.text.contains('*')
     }
 
-    /// The dialect at the end of the key, as in `*@matiec`; none where no dialect is called so.
+    /// Returns the dialect at the end of the key, as in `*@matiec`; `None` where the filter ends in no name of a dialect.
     #[must_use]
     pub fn dialect(&self) -> Option<DialectName> {
         self.text.rsplit_once('@')?.1.parse().ok()
     }
 
-    /// Whether the filter is this case's id or key, letter by letter.
+    /// Returns whether the filter is exactly this case's id or key.
     #[must_use]
     pub fn names(&self, id: &str, dialect: &str) -> bool {
         self.text == id || is_key(&self.text, id, dialect)
@@ -72,7 +72,7 @@ impl Filter {
         }
     }
 
-    /// Whether the filter, as a pattern or as a part, fits this case.
+    /// Returns whether the filter, as a pattern or as a part of a key, fits this case.
     #[must_use]
     pub fn fits(&self, id: &str, dialect: &str) -> bool {
         if self.is_pattern() {
@@ -99,8 +99,8 @@ fn is_key(text: &str, id: &str, dialect: &str) -> bool {
         .is_some_and(|rest| rest == dialect)
 }
 
-/// Whether `text` is `pattern`'s pieces in their order, the first at the start and the last at the end.
-/// Linear but for the search of each piece.
+/// Returns whether `text` consists of `pattern`'s pieces in their order, the first at the start and the last at the end.
+/// Takes linear time but for the search of each piece.
 fn pattern_fits(pattern: &str, text: &str) -> bool {
     let Some((first, rest)) = pattern.split_once('*') else {
         return pattern == text;

@@ -1,9 +1,9 @@
 //! Drops the inherited cases of a custom dialect whose result its overrides change.
 //!
-//! Such a dialect takes over the cases of the one that it extends. What its definition states itself, cases expect already. What
-//! else depends on the rules that it overrides, the reference shows: it is asked under both. Where it no longer does what the
-//! documents of the base say, these documents do not apply to this dialect; and what it does instead is no expectation, for no
-//! document says it. Such a case is dropped, and counted.
+//! A custom dialect inherits the cases of the dialect that it extends. The cases already expect what the definition itself
+//! states. Whatever else depends on the overridden rules, the reference shows: it is asked under both dialects. Where the
+//! results differ, the documents of the base dialect do not apply to the custom one, and no document says what happens
+//! instead. Such a case is dropped and counted.
 
 use crate::{DefinedHeader, Grade, Plan, RunError, ask, is_open, judge, select};
 use stickler_engines::{EngineSession, Reference};
@@ -11,7 +11,7 @@ use stickler_suite::Case;
 use stickler_types::DialectName;
 use stickler_workers::WorkerPool;
 
-/// How many cases a worker is given at a time.
+/// The number of cases that a worker is given at a time.
 const BATCH_LEN: usize = 64;
 
 /// Removes the selected cases that a custom dialect inherits and whose result its overrides change, and returns them in the order
@@ -50,7 +50,7 @@ pub fn drop_changed_cases(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case
     Ok(gone)
 }
 
-/// Returns what the header of a run says of its custom dialects, with how many of their cases were dropped.
+/// Returns the entries for custom dialects in the header of a run, with the number of dropped cases of each.
 #[must_use]
 pub fn dialect_headers(dialects: &[DialectName], left_out: &[Case]) -> Vec<DefinedHeader> {
     let header = |dialect: &DialectName| {
@@ -66,7 +66,7 @@ pub fn dialect_headers(dialects: &[DialectName], left_out: &[Case]) -> Vec<Defin
     dialects.iter().filter_map(header).collect()
 }
 
-/// Returns whether the reference does something else with a case in its dialect than in the one that this extends.
+/// Returns whether the reference does something else with a case in its dialect than in the dialect's base.
 fn is_changed(session: &mut EngineSession<'_>, case: &Case) -> Result<bool, RunError> {
     let in_base = Case {
         dialect: case.dialect.base().name(),

@@ -1,4 +1,4 @@
-//! Holding what an engine answered against what a case expects. Basis: design, sections 3.1 and 6.
+//! Compares the answers of an engine with the expectation of a case. Basis: design, sections 3.1 and 6.
 
 mod bodies;
 mod diagnostics;
@@ -14,18 +14,18 @@ use stickler_engines::{NamedValue, Outcome};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedFault, ExpectedText};
 use stickler_types::Fault;
 
-/// What is to be said of a case on an engine.
+/// The result of comparing an engine's answers with the expectation of a case.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Judgement {
-    /// What came of it.
+    /// The verdict.
     pub verdict: Verdict,
-    /// How exactly an expected rejection or fault was right; `None` where none was expected or none came.
+    /// The grade of an expected rejection or fault; `None` where none was expected or none came.
     pub grade: Option<Grade>,
-    /// What had to happen, in a fixed order.
+    /// The expected facts, in a fixed order.
     pub expected: Vec<Fact>,
-    /// What happened, in the same order.
+    /// The actual facts, in the order of `expected`.
     pub got: Vec<Fact>,
-    /// What was recorded and not judged.
+    /// The observations, which are recorded and not judged.
     pub observations: Vec<Observed>,
 }
 
@@ -66,7 +66,7 @@ pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
     }
 }
 
-/// Whether a case only records: nothing that it says could fail but that the program is accepted.
+/// Returns whether a case only records: it asserts nothing but that the program is accepted.
 #[must_use]
 pub fn is_open(case: &Case) -> bool {
     let Expectation {
@@ -88,7 +88,7 @@ pub fn is_open(case: &Case) -> bool {
     }
 }
 
-/// The verdict where some question went unanswered: nothing else of the case counts then.
+/// Returns the verdict and the fact where a request of the case went unanswered: nothing else of the case counts then.
 fn no_answer(answers: &Answers) -> Option<(Verdict, Fact)> {
     if let Outcome::Rendered { .. } = answers.run {
         let message = "answered `run` with rendered text".to_owned();
@@ -124,7 +124,7 @@ fn unanswered(outcome: &Outcome) -> Option<(Verdict, Fact)> {
     Some((verdict, fact))
 }
 
-/// Returns what a case expects. Nothing but the acceptance of a program is said where nothing else is.
+/// Returns the expected facts of a case. The acceptance of the program is among them only where there is no other fact.
 fn expected(expectation: &Expectation) -> Vec<Fact> {
     let mut facts = diagnostics::expected(&expectation.diagnostics);
     if let Some(ExpectedFault { fault, line }) = expectation.fault {
@@ -212,7 +212,7 @@ fn executed(expectation: &Expectation, values: &[NamedValue], findings: &mut Fin
     None
 }
 
-/// The program was accepted by an engine that did not execute it.
+/// Judges a program that was accepted by an engine that did not execute it.
 fn accepted(expectation: &Expectation, findings: &mut Findings) -> Option<Grade> {
     let may_be = expectation.accepted != Acceptance::Rejected;
     findings.require(may_be);
@@ -225,7 +225,7 @@ fn accepted(expectation: &Expectation, findings: &mut Findings) -> Option<Grade>
     None
 }
 
-/// What a case wants recorded.
+/// Returns the results that a case records without judging them.
 fn observations(case: &Case, run: &Outcome) -> Vec<Observed> {
     let mut observations = Vec::new();
     if case.expectation.accepted == Acceptance::Observed {

@@ -1,8 +1,9 @@
-//! Which cases are asked about together, and what becomes of those about which a pack told nothing.
+//! Groups cases into packs that an engine is asked about together, and asks again about those that a pack left undecided.
 //!
-//! An engine that takes long to start is given several programs at a time. It gets together only what is likely to pass
-//! together: programs that must be accepted, or programs whose mistakes all lie behind reading them. About whatever a pack
-//! does not tell it is asked again, in packs of half the size, until the culprit stands alone; so packing changes no outcome.
+//! An engine that takes long to start is given several programs at a time. A pack holds only programs that are likely to
+//! pass together: programs that must be accepted, or programs whose mistakes are all found after parsing. Programs about
+//! which the answer to a pack says nothing are asked about again, in packs of half the size, until the culprit stands alone;
+//! so packing changes no outcome.
 //!
 //! Basis: design, section 6.
 
@@ -12,32 +13,32 @@ use stickler_engines::{EngineError, EngineSession, Packed};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::{Code, DialectName};
 
-/// What is expected of the cases of a pack.
+/// The kind of expectation that all cases of a pack share.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Company {
-    /// Their programs may well be accepted.
+enum PackKind {
+    /// The programs are likely to be accepted.
     Accepted,
-    /// Their programs are read without mistakes, and rejected.
+    /// The programs are expected to parse without mistakes, and to be rejected.
     Rejected,
 }
 
-/// The company in which a case may be; `None` where it stands alone.
-fn company(case: &Case) -> Option<Company> {
+/// Returns the kind of pack to which a case may belong; `None` where the engine must be asked about it alone.
+fn pack_kind(case: &Case) -> Option<PackKind> {
     let expectation = &*case.expectation;
     match expectation.accepted {
         // More is asked about it than to run it.
         _ if expectation.rendered.is_some() => None,
-        Acceptance::Required | Acceptance::Observed => Some(Company::Accepted),
+        Acceptance::Required | Acceptance::Observed => Some(PackKind::Accepted),
         Acceptance::Rejected => {
             let readable = |code: Code| !breaks_reading(code);
             let readable = expectation.diagnostics.iter().all(|told| readable(told.code));
-            readable.then_some(Company::Rejected)
+            readable.then_some(PackKind::Rejected)
         }
     }
 }
 
-/// Whether a program with this mistake cannot be read, at least by a compiler that lacks what the mistake is about: it may
-/// then take what stands behind for part of it.
+/// Returns whether a program with this mistake may fail to parse, at least in a compiler that does not know the construct
+/// that the mistake is about: the compiler may then misread the text that follows.
 #[must_use]
 pub fn breaks_reading(code: Code) -> bool {
     // The registry numbers first what is found while reading.
@@ -48,18 +49,18 @@ pub fn breaks_reading(code: Code) -> bool {
         )
 }
 
-/// The packs in which to ask about these cases, each with the places of its cases, by the pack size of the engine of each
-/// place. A case that stands alone is a pack of one.
+/// Groups these cases into packs, each with the indices of its cases. Every case comes with the index of its engine, whose
+/// pack size is in `sizes`. A case that is asked about alone is a pack of one.
 pub(crate) fn packs(cases: &[(&Case, usize)], sizes: &[usize]) -> Vec<Vec<usize>> {
     let mut packs = Vec::new();
-    let mut groups: Vec<((usize, DialectName, Company), Vec<usize>)> = Vec::new();
+    let mut groups: Vec<((usize, DialectName, PackKind), Vec<usize>)> = Vec::new();
     for (place, &(case, engine)) in cases.iter().enumerate() {
-        let company = if sizes[engine] > 1 { company(case) } else { None };
-        let Some(company) = company else {
+        let kind = if sizes[engine] > 1 { pack_kind(case) } else { None };
+        let Some(kind) = kind else {
             packs.push(vec![place]);
             continue;
         };
-        let key = (engine, case.dialect, company);
+        let key = (engine, case.dialect, kind);
         match groups.iter_mut().find(|(of, _)| *of == key) {
             Some((_, group)) => group.push(place),
             None => groups.push((key, vec![place])),
@@ -73,10 +74,10 @@ pub(crate) fn packs(cases: &[(&Case, usize)], sizes: &[usize]) -> Vec<Vec<usize>
     packs
 }
 
-/// What an engine answered about a case, and how much of its time that took.
+/// The answers about a case and the time that the engine took; `None` where the case was not reached.
 pub(crate) type Settled = Option<(Answers, Duration)>;
 
-/// Asks about all cases of a pack; `None` for those that were not reached before `stopping`.
+/// Asks about all cases of a pack; returns `None` for those that were not reached before `stopping` held.
 ///
 /// # Errors
 /// [`EngineError`] where no session can be opened.
@@ -124,7 +125,8 @@ pub(crate) fn settle(
     Ok(settled)
 }
 
-/// Makes packs of what a pack of this size left over: two, unless it is much smaller already.
+/// Splits the cases that a pack of this size left undecided in two, unless they are far fewer already, and queues the
+/// halves.
 fn halve(unknown: Vec<usize>, size: usize, open: &mut Vec<Vec<usize>>) {
     let pieces = if unknown.len() * 2 > size { 2 } else { 1 };
     let most = unknown.len().div_ceil(pieces).max(1);

@@ -1,4 +1,4 @@
-//! What to run and how, and what can keep a run from being one.
+//! The plan of a run, its summary, and its errors.
 
 use crate::event::{RERUN_DIALECT, RERUN_ID, rerun};
 use crate::{Baseline, DefinedHeader, Filter, Grade, MatchedBaseline, Totals};
@@ -9,35 +9,37 @@ use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
 use stickler_workers::{Shard, SpawnError};
 
-/// What to run and how. The default runs every case of the suite, each engine judged by the best grade that it claims.
+/// The plan of a run: which cases it runs and how. The default runs every case of the suite, each engine judged by the best
+/// grade that it claims.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// How many workers; 0 is one a processor.
+    /// The number of workers; 0 stands for one per processor.
     pub jobs: usize,
-    /// Every program is given to an engine alone, also where the engine would take several at a time.
+    /// Whether every program is given to an engine alone, even where the engine would take several at a time.
     pub unpacked: bool,
-    /// Cases that fit any of these; all where there is none.
+    /// The filters of the run; a case that fits any of them is selected, and every case where there is none.
     pub filters: Vec<Filter>,
-    /// Cases of any of these dialects; all where there is none.
+    /// The dialects of the run; all where there is none.
     pub dialects: Vec<DialectName>,
-    /// One part of a divided run.
+    /// The part of a divided run; `None` runs the whole.
     pub shard: Option<Shard>,
-    /// How exact a rejection or a fault must be to pass; `None` is the best grade that each engine claims.
+    /// The worst grade of a rejection or a fault that still passes; `None` stands for the best grade that each engine
+    /// claims.
     pub strict: Option<Grade>,
-    /// What is known of engines; of each engine the first that names it counts.
+    /// The baselines of engines; of several for one engine the first counts.
     pub baselines: Vec<Baseline>,
-    /// The dialects of the run that were defined, for the header.
+    /// The custom dialects of the run, for the header.
     pub defined: Vec<DefinedHeader>,
-    /// The day on which entries of baselines must hold; this crate reads no calendar.
+    /// The day on which entries of baselines must hold; the caller states it, since this crate reads no calendar.
     pub today: Date,
-    /// When the run began, for the header.
+    /// The time at which the run began, for the header.
     pub started: String,
     /// The command that was typed, for the header.
     pub command: String,
-    /// What stands in front of `--filter 'ID' --dialect D` in the command that runs one case again.
+    /// The beginning of the command that runs one case again, before `--filter 'ID' --dialect D`.
     pub rerun_prefix: String,
-    /// What stands behind `--engine` for the engine of a name, as a shell takes it; where there is no entry, the name
-    /// itself.
+    /// The argument of `--engine`, quoted for a shell, by the name of the engine; an engine without an entry is requested by
+    /// its name.
     pub asked_for: BTreeMap<String, String>,
 }
 
@@ -61,22 +63,22 @@ impl Default for Plan {
     }
 }
 
-/// How a run ended.
+/// The summary of a run that ended.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Summary {
-    /// The verdicts of all case events that were given, counted.
+    /// The verdict counts of all case events that reached the sink.
     pub totals: Totals,
-    /// How many case events were given.
+    /// The number of case events that reached the sink.
     pub cases: u64,
-    /// How many of them stand on what was answered in an earlier run.
+    /// The number of case events that rest on answers of an earlier run.
     pub from_cache: u64,
-    /// How many entries of baselines are out of date.
+    /// The number of baseline entries that are out of date.
     pub outdated: u64,
-    /// The run was cut short: there was no footer.
+    /// Whether the run was cut short, so that there was no footer.
     pub cancelled: bool,
 }
 
-/// What keeps a run from being one.
+/// An error that prevents or ends a run.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
     /// Filter, dialects, shard and engines leave nothing to run. Exit code 4.
@@ -91,8 +93,8 @@ pub enum RunError {
 }
 
 impl Plan {
-    /// How exact a rejection or a fault by this engine must be to pass. The reference must always meet code and line.
-    /// Basis: design, section 6.
+    /// Returns the worst grade of a rejection or a fault by this engine that still passes. The reference must always meet
+    /// code and line.
     #[must_use]
     pub fn strict(&self, engine: &Identity) -> Grade {
         match engine.name.as_str() {
@@ -111,13 +113,14 @@ impl Plan {
         Some(MatchedBaseline::new(baseline, suite, engine, self.today))
     }
 
-    /// The command that runs this case again on this engine, to be pasted into a shell.
+    /// Returns the command that runs this case again on this engine, for pasting into a shell.
     #[must_use]
     pub fn rerun(&self, case: &Case, engine: &str) -> String {
         rerun(&self.rerun_template(engine), &case.id, case.dialect.as_str())
     }
 
-    /// Returns the command that runs a case again on this engine, with words that [`EngineHeader::rerun`] fills in.
+    /// Returns the template of the command that runs a case again on this engine, with placeholders that
+    /// [`EngineHeader::rerun`] fills in.
     ///
     /// [`EngineHeader::rerun`]: crate::EngineHeader::rerun
     #[must_use]

@@ -1,4 +1,4 @@
-//! Running cases on workers, and giving their events on in order from the caller's own thread.
+//! Runs cases on workers, and passes their events on in order from the caller's own thread.
 
 mod batches;
 mod context;
@@ -19,10 +19,9 @@ use stickler_workers::{Cancellation, Reorder, SpawnError, Supervisor, WorkerPool
 
 /// Runs the cases that the plan selects on every engine that speaks their dialect.
 ///
-/// Events reach `sink` on this thread: a header, the cases in the order of the suite (engines in the order
-/// given), a footer. When `cancel` is requested, workers stop at their next case, what is complete from the
-/// front is given on, and there is no footer. Memory is bounded whatever the number of cases; one engine
-/// session is open a worker.
+/// Events reach `sink` on this thread: a header, the cases in the order of the suite (engines in the order given), a footer.
+/// When `cancel` is requested, workers stop at their next case, the events up to the first missing one are passed on, and
+/// there is no footer. Memory is bounded whatever the number of cases; each worker has one engine session open.
 ///
 /// # Errors
 /// [`RunError::NoCaseSelected`] before any event; [`RunError::Engine`] where an engine cannot be opened,
@@ -37,8 +36,9 @@ pub fn run(
     run_with(plan, suite, engines, &[], sink, cancel)
 }
 
-/// As [`run`], and asks no engine again what is in its memory; `stores` are by engine. What engines answer besides is kept
-/// there. But for the times, the events are the same as without.
+/// Runs the cases like [`run`], and takes answers that are in the store of an engine from there instead of asking; `stores`
+/// has one entry per engine. Other answers are added to the store. But for the times, the events are the same as without
+/// stores.
 ///
 /// # Errors
 /// As [`run`].
@@ -130,7 +130,7 @@ pub fn run_with(
     })
 }
 
-/// One case on one engine.
+/// A case to run on an engine.
 #[derive(Clone, Copy)]
 struct Job<'s> {
     case: &'s Case,
@@ -149,31 +149,31 @@ fn jobs<'s>(cases: &[&'s Case], engines: &[&dyn Engine]) -> Vec<Job<'s>> {
     cases.iter().flat_map(|case| speakers(case)).collect()
 }
 
-/// What came of a batch of jobs.
+/// The result of a batch of jobs.
 struct Batch {
     number: usize,
-    /// The first of the jobs.
+    /// The index of the first job.
     start: usize,
-    /// How many jobs there are.
+    /// The number of jobs in the batch.
     len: usize,
     /// The events of the jobs in their order; fewer than jobs where the run stops.
     events: Vec<CaseEvent>,
     time: Duration,
-    /// Why an engine cannot be used any more.
+    /// The error because of which an engine cannot be used any more.
     error: Option<EngineError>,
 }
 
-/// Gives jobs out in batches, and their events on in order.
+/// Hands jobs out in batches, and passes their events on in order.
 struct Schedule<'r, 'g> {
     context: &'r RunContext<'r>,
     batches: Batches,
-    /// How many batches were given out.
+    /// The number of batches that were handed out.
     begun: usize,
     reorder: Reorder<Batch>,
-    /// How many events were given on.
+    /// The number of events that were passed on.
     given: usize,
     error: Option<EngineError>,
-    /// Takes each event with the index of its job.
+    /// The receiver of each event, with the index of its job.
     give: &'g mut dyn FnMut(usize, CaseEvent),
 }
 
@@ -204,7 +204,7 @@ impl Supervisor<(usize, Range<usize>), Batch> for Schedule<'_, '_> {
     }
 }
 
-/// The verdicts counted as their events go out.
+/// The verdict counts of the events that were passed on.
 struct Tally {
     totals: Totals,
     engines: Vec<EngineTotals>,

@@ -1,10 +1,10 @@
-//! Which cases a plan selects.
+//! The selection of cases by a plan.
 
 use crate::{Filter, Plan};
 use stickler_suite::Case;
 
-/// The cases that the plan's dialects, filters and shard leave, in the order of the suite. A filter that is
-/// the id or the key of a case among the dialects selects that case alone.
+/// Selects the cases that fit the plan's dialects, filters and shard, in the order of the suite. A filter that is the id or
+/// the key of a case among the dialects selects that case alone.
 #[must_use]
 pub fn select<'s>(plan: &Plan, cases: &'s [Case]) -> Vec<&'s Case> {
     let spoken = |case: &&Case| plan.dialects.is_empty() || plan.dialects.contains(&case.dialect);

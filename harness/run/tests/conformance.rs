@@ -12,13 +12,13 @@ use stickler_run::{Fact, Grade, Judgement, Plan, RunError, Verdict, ask, judge};
 use stickler_suite::{Case, load_file};
 use stickler_workers::WorkerPool;
 
-/// How many cases a worker is given at a time.
+/// The number of cases that a worker is given at a time.
 const BATCH_LEN: usize = 64;
 
-/// The suite, seen from this crate's folder, in which cargo runs tests.
+/// The path of the suite from this crate's folder, in which cargo runs tests.
 const ROOT: &str = "../../conformance-cases";
 
-/// The reference must pass every case of the file, by code and line.
+/// Requires the reference to pass every case of the file, by code and line.
 fn conforms(path: &Path) -> datatest_stable::Result<()> {
     let (cases, errors) = load_file(Path::new(ROOT), path);
     let reference = Reference::new();
@@ -49,7 +49,7 @@ fn conforms(path: &Path) -> datatest_stable::Result<()> {
     Err(Box::new(Complaints(text)))
 }
 
-/// What failed, in lines: datatest-stable shows an error by its `Debug`, which for a text is one long line.
+/// A failure that prints as lines: datatest-stable shows an error by its `Debug`, which for a text is one long line.
 struct Complaints(String);
 
 impl fmt::Debug for Complaints {
@@ -66,7 +66,7 @@ impl fmt::Display for Complaints {
 
 impl std::error::Error for Complaints {}
 
-/// What is to be said of a case that does not pass.
+/// Describes a case that does not pass.
 fn complaint(session: &mut EngineSession<'_>, case: &Case) -> Result<Option<String>, RunError> {
     let judgement = judge(case, &ask(session, case)?, Grade::Code);
     Ok((judgement.verdict != Verdict::Pass).then(|| describe(case, &judgement)))

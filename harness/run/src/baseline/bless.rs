@@ -1,4 +1,4 @@
-//! Rewriting a baseline from what a run found. Expectations are never touched: a baseline only says what is known.
+//! Rewrites a baseline from the results of a run. Expectations are never touched: a baseline only states known deviations.
 
 use super::fold::{Folded, Key, Universe};
 use super::matched::EntryState;
@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use stickler_suite::Suite;
 use stickler_types::DialectName;
 
-/// What a run found on one engine, before its baseline was held against it.
+/// The verdicts of a run on one engine, as if it had no baseline.
 #[derive(Clone, Debug)]
 pub struct EngineRun {
     engine: EngineHeader,
@@ -19,7 +19,7 @@ pub struct EngineRun {
 }
 
 impl EngineRun {
-    /// A run of this engine, without cases.
+    /// Creates the run of this engine, without cases.
     #[must_use]
     pub fn new(engine: EngineHeader) -> EngineRun {
         EngineRun {
@@ -28,13 +28,13 @@ impl EngineRun {
         }
     }
 
-    /// The engine.
+    /// Returns the header of the engine.
     #[must_use]
     pub fn engine(&self) -> &EngineHeader {
         &self.engine
     }
 
-    /// Adds a case, if it is one of this engine.
+    /// Adds the verdict of a case, if the case ran on this engine.
     pub fn take(&mut self, case: &CaseEvent) {
         if case.engine != self.engine.name {
             return;
@@ -49,46 +49,46 @@ impl EngineRun {
     }
 }
 
-/// A baseline, rewritten.
+/// A rewritten baseline, and the changes to it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Blessing {
     /// The whole text of its file.
     pub text: String,
-    /// What is different from before, in the order of the file.
+    /// The changes, in the order of the file.
     pub changes: Vec<Change>,
-    /// How many entries there are now.
+    /// The number of entries after the rewrite.
     pub entries: usize,
-    /// How many cases of the run are no longer in the suite; nothing is said about them.
+    /// The number of cases of the run that are no longer in the suite; the baseline gets no entries for them.
     pub strangers: usize,
 }
 
-/// Something that is different in a baseline.
+/// A change to an entry of a baseline.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Change {
-    /// What happened to the entry.
+    /// The kind of change.
     pub kind: ChangeKind,
-    /// What it expects, or expected; any of them where there are several.
+    /// The expected verdicts of the entry; several are alternatives.
     pub verdicts: Vec<Verdict>,
-    /// Its case or pattern; of one that was narrowed, what it was.
+    /// The id or pattern of the entry; of a narrowed entry, the one before the change.
     pub case: String,
-    /// How many cases it is about, or what came of them, as a fragment.
+    /// The number of cases that a new entry is about, or the reason for the change of an old one, as a fragment.
     pub why: String,
 }
 
-/// What happened to an entry.
+/// The kind of change to an entry.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ChangeKind {
-    /// It is new.
+    /// The entry is new.
     Added,
-    /// It is gone.
+    /// The entry is gone.
     Removed,
-    /// Only some of its cases are still as it said; they have entries with the same reason.
+    /// The entry is replaced: only some of its cases still have the expected verdict; they get entries with the same reason.
     Narrowed,
-    /// Its day was past and it still holds; the day is gone.
+    /// The entry lost its last day, which is past although the entry still holds.
     Undated,
 }
 
-/// What becomes of an entry.
+/// The decision about an old entry.
 pub(super) enum Fate {
     Kept,
     Undated,
@@ -96,7 +96,7 @@ pub(super) enum Fate {
     Removed(String),
 }
 
-/// A new entry.
+/// An entry that is added to a baseline.
 pub(super) struct Added {
     pub(super) folded: Folded,
     pub(super) verdict: Verdict,
@@ -106,8 +106,9 @@ pub(super) struct Added {
 /// Rewrites the baseline of an engine, whose text is `text` (empty where there was none), from a run on the cases of this
 /// suite. `day` is the day of the run.
 ///
-/// An entry stays as it is, comments and all, while its cases do as it says; it is narrowed where only some do, and goes where
-/// none does. Cases that were not run stay as they are. Entries about other versions of the engine are left alone.
+/// An entry stays as it is, with its comments, while its cases have the expected verdicts; it is narrowed where only some
+/// do, and removed where none does. Cases that were not run stay as they are. Entries about other versions of the engine are
+/// left alone.
 #[must_use]
 pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, day: Date) -> Blessing {
     // As for [`Identity::asked_in`](stickler_engines::Identity::asked_in), of which only the names are known.
@@ -181,7 +182,7 @@ fn fate(
     }
 }
 
-/// What came of the cases of an entry that are not as it says.
+/// Describes the verdicts of those cases of an entry that no longer have the expected one.
 fn told(gone: &BTreeMap<Verdict, usize>) -> String {
     let told = gone.iter().map(|(verdict, number)| match verdict {
         Verdict::Pass => format!("{number} now pass"),
@@ -190,7 +191,7 @@ fn told(gone: &BTreeMap<Verdict, usize>) -> String {
     told.collect::<Vec<_>>().join(", ")
 }
 
-/// Entries for what did not pass and is not expected.
+/// Returns new entries for the cases that did not pass and are not expected to fail.
 fn added(
     baseline: &Baseline,
     run: &EngineRun,

@@ -1,24 +1,24 @@
-//! Many cases in few entries of a baseline: a pattern where all that it fits is meant, an id where not.
+//! Folds many cases into few entries of a baseline: a pattern where all cases that it fits are meant, otherwise ids.
 //!
 //! The ids of a table's cases are `file::probe(A,B,C)`. A whole probe becomes `file::probe(*`, a part of one
-//! `file::probe(A,*`; nothing wider, so that no entry spreads over what a table does not hold together.
+//! `file::probe(A,*`; no pattern is wider, so that an entry never covers cases of unrelated probes.
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use stickler_types::DialectName;
 
-/// A case: its id and its dialect.
+/// The key of a case: its id and its dialect.
 pub(super) type Key<'a> = (&'a str, DialectName);
 
-/// An entry for several cases.
+/// The id or pattern of an entry, and the number of its cases.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Folded {
-    /// The id or the pattern.
+    /// The id or the pattern of the entry.
     pub(super) case: String,
-    /// How many cases it is about.
+    /// The number of cases that the entry is about.
     pub(super) cases: usize,
 }
 
-/// All cases that an engine can be asked: the dialects of each id.
+/// All cases that an engine can be asked about: the dialects of each id.
 pub(super) struct Universe<'a> {
     ids: BTreeMap<&'a str, Vec<DialectName>>,
 }
@@ -32,8 +32,7 @@ impl<'a> Universe<'a> {
         Universe { ids }
     }
 
-    /// The fewest entries that this finds for exactly these cases, sorted by id. Cases that are not of the universe are left
-    /// out.
+    /// Folds exactly these cases into few entries, sorted by id. Cases that are not in the universe are left out.
     pub(super) fn fold(&self, wanted: &HashSet<Key<'_>>) -> Vec<Folded> {
         let ids: Vec<&str> = self.ids.keys().copied().collect();
         let probes = ids.chunk_by(|a, b| a[..probe(a)] == b[..probe(b)]);
@@ -47,12 +46,13 @@ impl<'a> Universe<'a> {
     }
 }
 
-/// The length of the part of an id that all cases of its probe share: all of it where it is of no table.
+/// Returns the length of the part of an id that all cases of its probe share: the whole id where the case comes from no
+/// table.
 fn probe(id: &str) -> usize {
     id.find('(').map_or(id.len(), |at| at + 1)
 }
 
-/// The length of the part of an id that is longer by one cell.
+/// Returns the length of a prefix of an id that is longer than this one by one argument of the probe.
 fn longer(id: &str, prefix: usize) -> usize {
     id[prefix..].find(',').map_or(id.len(), |at| prefix + at + 1)
 }
@@ -63,8 +63,8 @@ struct Folding<'f> {
 }
 
 impl Folding<'_> {
-    /// Entries for ids that share their beginning: in all dialects at once, in each by itself, or of longer beginnings,
-    /// whichever are the fewest.
+    /// Folds the ids of one prefix: in all dialects at once, in each dialect by itself, or by longer prefixes, whichever
+    /// gives the fewest entries.
     fn all_dialects(&self, ids: &[&str], prefix: usize) -> Vec<Folded> {
         let (mut wanted, mut all) = (0, 0);
         for id in ids {
@@ -77,7 +77,7 @@ impl Folding<'_> {
             return Vec::new();
         }
         let dialects: BTreeSet<DialectName> = ids.iter().flat_map(|id| self.dialects(id)).copied().collect();
-        // Where all of them were defined, the entry would fit no case of a run in which they take no part.
+        // An entry whose dialects are all custom ones would fit no case of a run without them.
         let is_ever_there = dialects.iter().any(|dialect| dialect.definition().is_none());
         if wanted == all && is_ever_there {
             return vec![Folded {
@@ -122,7 +122,7 @@ impl Folding<'_> {
     }
 }
 
-/// The id where there is one, otherwise the pattern for all that begin so.
+/// Returns the id where there is only one, otherwise the pattern for all ids with this prefix.
 fn name(ids: &[&str], prefix: usize) -> String {
     match ids {
         [id] => (*id).to_owned(),
@@ -130,7 +130,7 @@ fn name(ids: &[&str], prefix: usize) -> String {
     }
 }
 
-/// The ids by their next cell; what shares a beginning stands together, since they are sorted.
+/// Groups the ids by their next argument; the ids are sorted, so those with the same argument are neighbours.
 fn parts<'s, 'i>(ids: &'s [&'i str], prefix: usize) -> impl Iterator<Item = (&'s [&'i str], usize)> {
     let parts = ids.chunk_by(move |a, b| a[..longer(a, prefix)] == b[..longer(b, prefix)]);
     parts.map(move |part| (part, longer(part[0], prefix)))

@@ -1,4 +1,4 @@
-//! A baseline matched with the cases of a suite, and what it makes of their judgements.
+//! A baseline matched with the cases of a suite, and its application to their judgements.
 
 use super::fold::Key;
 use super::owned::Owned;
@@ -16,7 +16,7 @@ use stickler_types::DialectName;
 #[derive(Debug)]
 pub struct MatchedBaseline<'a> {
     header: BaselineHeader,
-    /// What each entry says.
+    /// The note of each entry.
     notes: Vec<BaselineNote>,
     /// The index of the entry that each case belongs to.
     owners: HashMap<Key<'a>, usize>,
@@ -64,15 +64,15 @@ impl<'a> MatchedBaseline<'a> {
         }
     }
 
-    /// Returns what the header of a run says of the baseline.
+    /// Returns the entry for the baseline in the header of a run.
     #[must_use]
     pub fn header(&self) -> &BaselineHeader {
         &self.header
     }
 
-    /// Applies the baseline to the judgement of a case, and returns what it says of the case: an expected verdict becomes `xfail`, and a
-    /// pass that is not expected becomes `xpass`. A pass that may come stays a pass, a case that is expected to be unsupported
-    /// stays `unsupported`, and so does every other verdict that is not the expected one.
+    /// Applies the baseline to the judgement of a case, and returns the note on the case: an expected verdict becomes
+    /// `xfail`, and a pass that is not expected becomes `xpass`. A pass that is among the expected verdicts stays a pass, a
+    /// case that is expected to be unsupported stays `unsupported`, and every verdict that is not expected stays as it is.
     #[must_use]
     pub fn apply(
         &self,
@@ -94,7 +94,7 @@ impl<'a> MatchedBaseline<'a> {
 }
 
 fn note(baseline: &Baseline, entry: &Entry) -> BaselineNote {
-    // Reading a baseline refuses an entry without any.
+    // A baseline with an entry without verdicts cannot be read.
     let (verdict, others) = entry.verdicts.split_first().unwrap_or((&Verdict::Fail, &[]));
     BaselineNote {
         at: baseline.place(entry),
@@ -105,16 +105,16 @@ fn note(baseline: &Baseline, entry: &Entry) -> BaselineNote {
     }
 }
 
-/// Whether an entry holds for a version of the engine on a day.
+/// The state of an entry for a version of the engine on a day.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum EntryState {
-    /// It holds.
+    /// The entry holds.
     Holds,
-    /// It is about other versions.
+    /// The entry is about other versions.
     OtherVersions,
-    /// It names versions, and the engine's own words hold none.
+    /// The entry is limited to versions, and the engine's version text contains no version number.
     UnknownVersion(String),
-    /// Its day is past.
+    /// The last day of the entry, which it holds, is past.
     Expired(Date),
 }
 
@@ -133,7 +133,7 @@ impl EntryState {
         }
     }
 
-    /// Why the entry is out of date, if it is.
+    /// Returns the reason why the entry is out of date, if it is.
     fn outdated(&self, entry: &Entry, fits: bool) -> Option<String> {
         match self {
             _ if !fits => Some(match entry.case.is_pattern() {
@@ -149,8 +149,8 @@ impl EntryState {
     }
 }
 
-/// The numbers of a version in the words of an engine: up to three, the first of which begins a word. What stands behind them
-/// (`-beta`, `+build`) is no matter of a range.
+/// Parses the version number in an engine's version text: up to three numbers, the first of which begins a word. A suffix
+/// (`-beta`, `+build`) is ignored, since version ranges do not depend on it.
 fn numbers(version: &str) -> Option<Version> {
     let word = version
         .split(|character: char| character.is_whitespace() || character == ',')

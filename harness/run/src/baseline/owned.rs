@@ -1,23 +1,23 @@
-//! Which entry of a baseline each case belongs to.
+//! Assigns each case to an entry of a baseline.
 
 use super::Entry;
 use super::fold::Key;
 use std::collections::HashMap;
 
-/// Which entry each case belongs to.
+/// The assignment of cases to the entries of a baseline.
 pub(super) struct Owned<'a> {
-    /// The index of the entry, by id and dialect.
+    /// The index of the entry of each case, by id and dialect.
     pub(super) owners: HashMap<Key<'a>, usize>,
-    /// Whether each entry is about any case at all, also where a more exact one takes all of them.
+    /// Whether each entry is about any case at all, even where more exact entries own all of these cases.
     pub(super) fits: Vec<bool>,
 }
 
 impl<'a> Owned<'a> {
-    /// Gives each case to the entry that it belongs to, among those that `holds` lets take part: an id goes before a pattern,
-    /// and of several of a kind the first counts.
+    /// Assigns each case to one of the entries for which `holds` is true: an id goes before a pattern, and of several of a
+    /// kind the first counts.
     ///
-    /// There may be thousands of entries and a hundred thousand cases. So the cases are sorted, and an entry meets only those
-    /// that begin as it does.
+    /// There may be thousands of entries and a hundred thousand cases. Therefore the cases are sorted, and an entry is
+    /// compared only with those that share its beginning.
     pub(super) fn of(entries: &[Entry], cases: &[Key<'a>], holds: impl Fn(usize) -> bool) -> Owned<'a> {
         let mut sorted = cases.to_vec();
         sorted.sort_unstable();
@@ -52,7 +52,7 @@ impl<'a> Owned<'a> {
     }
 }
 
-/// How the id of each case begins that an entry is about. An id holds neither `*` nor `@`.
+/// Returns the beginning that the ids of all cases of an entry share. An id contains neither `*` nor `@`.
 fn beginning(entry: &Entry) -> &str {
     let text = entry.case.as_str();
     text.split(['*', '@']).next().unwrap_or(text)

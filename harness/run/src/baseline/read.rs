@@ -1,4 +1,4 @@
-//! Reading the file of a baseline. Each mistake has its line.
+//! Reads the file of a baseline. Each error names its line.
 
 use super::{Baseline, Entry};
 use crate::{Filter, Verdict};
@@ -7,7 +7,7 @@ use semver::VersionReq;
 use serde::Deserialize;
 use toml::{Spanned, Value};
 
-/// The verdicts that may be expected of an engine: a pass, which comes first, only beside others.
+/// The verdicts that an entry may expect; a pass, which comes first, only beside others.
 const EXPECTED: [Verdict; 6] = [
     Verdict::Pass,
     Verdict::Fail,
@@ -17,19 +17,19 @@ const EXPECTED: [Verdict; 6] = [
     Verdict::Unsupported,
 ];
 
-/// A baseline that cannot be read.
+/// An error in the file of a baseline.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("{file}:{line}: {message}")]
 pub struct BaselineError {
-    /// The file, as people are told of it.
+    /// The path of the file, as messages show it.
     pub file: String,
-    /// The line, from 1.
+    /// The line of the error, from 1.
     pub line: u32,
-    /// What is wrong there.
+    /// The description of the error.
     pub message: String,
 }
 
-/// What is wrong, and the byte at which.
+/// The byte offset of an error in the file, and its description, in that order.
 type Mistake = (usize, String);
 
 #[derive(Deserialize)]
@@ -93,7 +93,7 @@ fn entry(table: Table, line: u32) -> Result<Entry, Mistake> {
     })
 }
 
-/// The text of a key that must say something.
+/// Returns the text of a key that must not be blank.
 fn said(text: Spanned<String>, key: &str) -> Result<String, Mistake> {
     match text.get_ref().trim() {
         "" => Err((text.span().start, format!("`{key}` is empty"))),
@@ -101,7 +101,7 @@ fn said(text: Spanned<String>, key: &str) -> Result<String, Mistake> {
     }
 }
 
-/// One verdict that is no pass; or a list of several, of which one may be a pass.
+/// Parses one verdict that is no pass, or a list of alternative verdicts, of which one may be a pass.
 fn verdicts(value: &Spanned<Value>) -> Result<Vec<Verdict>, Mistake> {
     let verdicts = match value.get_ref() {
         Value::Array(list) => {
@@ -147,13 +147,13 @@ fn versions(text: &Spanned<String>) -> Result<VersionReq, Mistake> {
     })
 }
 
-/// A date, with or without quotes around it.
+/// Parses a date, with or without quotes around it.
 fn until(value: &Spanned<Value>) -> Result<Date, Mistake> {
     let written = match value.get_ref() {
         Value::String(text) => text.clone(),
         other => other.to_string(),
     };
-    // What jiff would take beside a date, such as a date and a time, is no day.
+    // jiff accepts more than a date here, such as a date with a time, which is no day.
     let day = (written.len() == "2027-01-31".len())
         .then(|| written.parse().ok())
         .flatten();

@@ -1,4 +1,4 @@
-//! The text of a baseline that was rewritten: what stays, stays letter by letter, with its comments.
+//! Writes the text of a rewritten baseline: entries that stay keep their text and comments unchanged.
 
 use super::Baseline;
 use super::bless::{Added, Fate};
@@ -6,14 +6,14 @@ use super::fold::Folded;
 use std::path::Path;
 use toml_edit::{ArrayOfTables, DocumentMut, Item, RawString, Table, Value, value};
 
-/// What stands at the head of a new file.
+/// The comment at the head of a new file.
 const HEAD: &str = "\
 # What this engine is known to do otherwise than documents say. A run fails by what is not here, and by what is here and no
 # longer so. `stickler bless` writes down what a run found, and keeps the reasons, links and comments of what is still so.
 # The keys are explained in reports/README.md.
 ";
 
-/// The new text, from the old one (empty where there was none) and what becomes of each of its entries.
+/// Returns the new text, from the old one (empty where there was none) and the decision about each of its entries.
 pub(super) fn rewritten(
     text: &str,
     baseline: &Baseline,
@@ -49,7 +49,7 @@ pub(super) fn rewritten(
     document.to_string()
 }
 
-/// A document that says whose it is, unless its file does.
+/// Creates a document that names the engine, unless the name of the file does.
 fn head(baseline: &Baseline, engine: &str) -> DocumentMut {
     let stem = Path::new(&baseline.file).file_stem();
     let mut document: DocumentMut = HEAD.parse().unwrap_or_default();
@@ -61,8 +61,8 @@ fn head(baseline: &Baseline, engine: &str) -> DocumentMut {
     document
 }
 
-/// Takes out the comments that open the file, which is about more than the entry that happens to be the first: all before the
-/// last blank line above it.
+/// Removes and returns the comments that open the file, which are about more than the entry that happens to be the first:
+/// all text before the last blank line above that entry.
 fn opening(document: &mut DocumentMut, first: Option<&mut Table>) -> String {
     let Some(first) = first else {
         let opening = document.trailing().as_str().unwrap_or_default().to_owned();
@@ -75,13 +75,13 @@ fn opening(document: &mut DocumentMut, first: Option<&mut Table>) -> String {
     opening
 }
 
-/// What stands above a table.
+/// Returns the comments and blank lines above a table.
 fn prefix(table: &Table) -> String {
     let prefix = table.decor().prefix().and_then(RawString::as_str);
     prefix.unwrap_or_default().to_owned()
 }
 
-/// The tables, so that each prints behind those before it.
+/// Numbers the tables so that they are printed in this order.
 fn in_order(tables: Vec<Table>) -> ArrayOfTables {
     let mut ordered = ArrayOfTables::new();
     for mut table in tables {
@@ -91,7 +91,7 @@ fn in_order(tables: Vec<Table>) -> ArrayOfTables {
     ordered
 }
 
-/// What is left of an entry.
+/// Returns the tables that replace an entry.
 fn kept(mut table: Table, fate: &Fate) -> Vec<Table> {
     match fate {
         Fate::Kept => vec![table],

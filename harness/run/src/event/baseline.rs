@@ -1,4 +1,4 @@
-//! What the events of a run say of baselines.
+//! The parts of events that concern baselines.
 
 use super::Verdict;
 use serde::{Deserialize, Serialize};
@@ -6,53 +6,53 @@ use serde::{Deserialize, Serialize};
 /// A baseline that takes part in a run.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub struct BaselineHeader {
-    /// The engine whose it is.
+    /// The name of the engine that the baseline is for.
     pub engine: String,
-    /// The file.
+    /// The path of the file, as messages show it.
     pub file: String,
-    /// How many entries it has.
+    /// The number of entries.
     pub entries: u64,
-    /// Those that are out of date; a run with any of them is not as expected.
+    /// The entries that are out of date; a run with any of them is not as expected.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub outdated: Vec<OutdatedEntry>,
 }
 
-/// An entry of a baseline that no longer says anything true.
+/// An entry of a baseline that no longer applies to anything.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct OutdatedEntry {
-    /// Where it stands: file and line.
+    /// The file and line of the entry.
     pub at: String,
-    /// The case or the pattern.
+    /// The id or the pattern of the entry.
     pub case: String,
-    /// What is wrong with it, as a fragment: it fits no case, or its day is past.
+    /// The reason why the entry is out of date, as a fragment: it fits no case, or its last day is past.
     pub why: String,
 }
 
-/// What a baseline says of a case.
+/// The note of a baseline on a case.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct BaselineNote {
-    /// Where it says so: file and line.
+    /// The file and line of the entry.
     pub at: String,
-    /// The verdict that it expects. Where the case's own is [`Verdict::Xfail`], this is what came of it.
+    /// The verdict that the entry expects. For a case whose verdict is [`Verdict::Xfail`], the actual verdict.
     pub verdict: Verdict,
-    /// What else it expects, of a compiler that does not do the same each time.
+    /// The alternative verdicts that the entry expects, for a compiler whose answer varies from run to run.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub others: Vec<Verdict>,
-    /// Why.
+    /// The reason that the entry states.
     pub reason: String,
-    /// Where more is written.
+    /// The address of further information, where the entry has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub link: Option<String>,
 }
 
 impl BaselineNote {
-    /// All that it expects.
+    /// Returns all verdicts that the entry expects.
     #[must_use]
     pub fn verdicts(&self) -> Vec<Verdict> {
         [&[self.verdict], &self.others[..]].concat()
     }
 
-    /// The note of a case of which this came, which is among what it expects.
+    /// Returns the note for a case with this actual verdict, which is one of the expected ones.
     #[must_use]
     pub(crate) fn of_xfail(&self, came: Verdict) -> BaselineNote {
         let mut others = self.verdicts();

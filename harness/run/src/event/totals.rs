@@ -1,37 +1,37 @@
-//! Verdicts, counted.
+//! Verdict counts.
 
 use super::Verdict;
 use serde::{Deserialize, Serialize};
 use std::ops::AddAssign;
 
-/// How often each verdict came.
+/// The number of times that each verdict came.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub struct Totals {
-    /// [`Verdict::Pass`].
+    /// The number of [`Verdict::Pass`].
     pub pass: u64,
-    /// [`Verdict::Fail`].
+    /// The number of [`Verdict::Fail`].
     pub fail: u64,
-    /// [`Verdict::Xfail`].
+    /// The number of [`Verdict::Xfail`].
     pub xfail: u64,
-    /// [`Verdict::Xpass`].
+    /// The number of [`Verdict::Xpass`].
     pub xpass: u64,
-    /// [`Verdict::Unsupported`].
+    /// The number of [`Verdict::Unsupported`].
     pub unsupported: u64,
-    /// [`Verdict::Crash`].
+    /// The number of [`Verdict::Crash`].
     pub crash: u64,
-    /// [`Verdict::Timeout`].
+    /// The number of [`Verdict::Timeout`].
     pub timeout: u64,
-    /// [`Verdict::Error`].
+    /// The number of [`Verdict::Error`].
     pub error: u64,
 }
 
 impl Totals {
-    /// Counts one more.
+    /// Adds one verdict to the counts.
     pub fn count(&mut self, verdict: Verdict) {
         *self.counter(verdict) += 1;
     }
 
-    /// How often this verdict came.
+    /// Returns the number of times that this verdict came.
     #[must_use]
     pub fn of(&self, verdict: Verdict) -> u64 {
         match verdict {
@@ -46,13 +46,13 @@ impl Totals {
         }
     }
 
-    /// How many verdicts there are in all.
+    /// Returns the number of all verdicts.
     #[must_use]
     pub fn all(&self) -> u64 {
         Verdict::ALL.iter().map(|&verdict| self.of(verdict)).sum()
     }
 
-    /// How many verdicts are not as expected.
+    /// Returns the number of verdicts that are not as expected.
     #[must_use]
     pub fn unexpected(&self) -> u64 {
         let unexpected = Verdict::ALL.iter().filter(|verdict| !verdict.is_as_expected());

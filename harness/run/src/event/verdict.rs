@@ -1,28 +1,28 @@
-//! What came of a case.
+//! The verdict on a case.
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// What came of a case on an engine. Basis: design, section 1.
+/// The verdict on the result of a case on an engine. Basis: design, section 1.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// All that was expected happened, and nothing else.
+    /// The engine met the expectation.
     #[default]
     Pass,
-    /// Something else happened.
+    /// The engine did not meet the expectation.
     Fail,
-    /// It did not pass, and a baseline says so.
+    /// The case did not pass, as a baseline expects.
     Xfail,
-    /// It passed, and a baseline says that it does not.
+    /// The case passed, although a baseline expects that it does not.
     Xpass,
-    /// The engine says that it cannot do this.
+    /// The engine states that it does not support what the case needs.
     Unsupported,
-    /// The engine died or panicked.
+    /// The engine crashed or panicked.
     Crash,
     /// The engine gave no answer in time.
     Timeout,
-    /// The engine did not understand, or answered nonsense.
+    /// The engine did not understand a request, or its answer is invalid.
     Error,
 }
 
@@ -39,7 +39,7 @@ impl Verdict {
         Verdict::Error,
     ];
 
-    /// The word that reports use, such as `pass`.
+    /// Returns the word that reports use, such as `pass`.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -54,15 +54,14 @@ impl Verdict {
         }
     }
 
-    /// Several, as a person is told that any of them may come: `fail or crash`.
+    /// Joins alternative verdicts for people: `fail or crash`.
     #[must_use]
     pub fn any_of(verdicts: &[Verdict]) -> String {
         let words: Vec<&str> = verdicts.iter().map(|verdict| verdict.as_str()).collect();
         words.join(" or ")
     }
 
-    /// Whether a run with this verdict in it is still as expected. An unexpected pass is not: its baseline is
-    /// stale.
+    /// Returns whether a run with this verdict in it is still as expected. An unexpected pass is not: its baseline is stale.
     #[must_use]
     pub const fn is_as_expected(self) -> bool {
         matches!(self, Verdict::Pass | Verdict::Xfail | Verdict::Unsupported)

@@ -1,13 +1,13 @@
-//! What of a rendered text is held against a case. Basis: design, sections 3.1 and 4.
+//! Extracts the bodies of program organization units from a rendered text. Basis: design, sections 3.1 and 4.
 //!
-//! The judge of mutated references has this file too (`harness/mutants/judge`), so it needs nothing but the standard library.
+//! The judge of mutated references includes this file too (`harness/mutants/judge`), so it needs nothing but the standard
+//! library.
 
-/// The lines of the bodies of all POUs in a rendered text, trimmed, without empty ones.
+/// Returns the lines of the bodies of all program organization units (POUs) in a rendered text, trimmed, without empty ones.
 ///
-/// A body is what stands between a POU's header or its last `END_VAR` and its `END_PROGRAM`, `END_FUNCTION`
-/// or `END_FUNCTION_BLOCK`. Headers, variable blocks, TYPE declarations and configurations are left out. Each
-/// of those words is looked for at the beginning of a line, where a renderer puts it. Basis: design, sections
-/// 3.1 and 4.
+/// A body is the text between a POU's header or its last `END_VAR` and its `END_PROGRAM`, `END_FUNCTION` or
+/// `END_FUNCTION_BLOCK`. Headers, variable blocks, TYPE declarations and configurations are left out. Each of those words is
+/// recognized only at the beginning of a line, where a renderer puts it. Basis: design, sections 3.1 and 4.
 #[must_use]
 pub fn rendered_bodies(text: &str) -> Vec<&str> {
     let mut room = Room::Outside;
@@ -22,21 +22,21 @@ pub fn rendered_bodies(text: &str) -> Vec<&str> {
     bodies
 }
 
-/// Where in the text a line stands.
+/// The part of the text in which a line stands.
 #[derive(Clone, Copy, PartialEq)]
 enum Room {
     /// Outside all POUs.
     Outside,
-    /// In a configuration, whose PROGRAM lines are instances and no POUs.
+    /// In a configuration, whose PROGRAM lines declare instances instead of POUs.
     Configuration,
     /// In a variable block of a POU.
     Variables,
-    /// In a POU, and in none of its variable blocks.
+    /// In a POU, outside its variable blocks.
     Body,
 }
 
 impl Room {
-    /// The room after a line that begins with this word, and whether that line is a body's.
+    /// Returns the part of the text after a line that begins with this word, and whether that line belongs to a body.
     fn enter(self, word: &str) -> (Room, bool) {
         let is = |word_list: &[&str]| word_list.iter().any(|known| known.eq_ignore_ascii_case(word));
         match self {

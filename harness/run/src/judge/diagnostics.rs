@@ -1,4 +1,4 @@
-//! Expected diagnostics against actual ones: one merge walk over two lists sorted by line and code.
+//! Compares expected diagnostics with actual ones, in one merge walk over two lists sorted by line and code.
 
 use super::findings::Findings;
 use crate::{Fact, Grade};
@@ -6,27 +6,27 @@ use std::cmp::Ordering;
 use stickler_engines::Diagnostic;
 use stickler_suite::ExpectedDiagnostic;
 
-/// The most diagnostics that nobody expected and that are written down one by one; a flood in a report helps nobody.
+/// The maximum number of unexpected diagnostics that are listed one by one; further ones are counted.
 const MAX_UNEXPECTED: usize = 50;
 
-/// A place of the merge walk.
+/// A step of the merge walk.
 enum Step<'a> {
-    /// Expected, and there.
+    /// A diagnostic that is expected and was given.
     Met(ExpectedDiagnostic),
-    /// There, and not expected.
+    /// A diagnostic that was given and is not expected.
     Unexpected(&'a Diagnostic),
-    /// Expected, and not there.
+    /// A diagnostic that is expected and was not given.
     Missing,
 }
 
-/// The two lists side by side, by line and code.
+/// The expected and the actual diagnostics side by side, by line and code.
 pub(super) struct Matching<'a> {
     steps: Vec<Step<'a>>,
     exact: bool,
     same_lines: bool,
 }
 
-/// Returns the expected diagnostics, sorted by line and code.
+/// Returns the expected diagnostics as facts, sorted by line and code.
 pub(super) fn expected(diagnostics: &[ExpectedDiagnostic]) -> Vec<Fact> {
     sorted(diagnostics).into_iter().map(expected_fact).collect()
 }
@@ -39,7 +39,7 @@ fn expected_fact(expected: ExpectedDiagnostic) -> Fact {
     })
 }
 
-/// Walks both lists. Each expected diagnostic meets at most one actual one, and the other way round.
+/// Matches two lists of diagnostics. Each expected diagnostic matches at most one actual one, and the other way round.
 pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic]) -> Matching<'a> {
     let expected = sorted(expected);
     let mut got: Vec<&Diagnostic> = got.iter().collect();
@@ -73,7 +73,7 @@ pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic
     }
 }
 
-/// Whether a diagnostic names one of these lines, given in ascending order.
+/// Returns whether a diagnostic names one of these lines, given in ascending order.
 pub(super) fn any_on(lines: &[u32], diagnostics: &[Diagnostic]) -> bool {
     let on = |diagnostic: &Diagnostic| {
         diagnostic
@@ -84,7 +84,7 @@ pub(super) fn any_on(lines: &[u32], diagnostics: &[Diagnostic]) -> bool {
 }
 
 impl Matching<'_> {
-    /// How exactly the rejection was right.
+    /// Returns the grade of the rejection.
     pub(super) fn grade(&self) -> Grade {
         match (self.exact, self.same_lines) {
             (true, _) => Grade::Code,
@@ -93,7 +93,7 @@ impl Matching<'_> {
         }
     }
 
-    /// Adds what the engine told: a diagnostic that is expected as the expectation has it, any other with its message.
+    /// Adds the engine's diagnostics: a matched diagnostic as the expectation states it, any other with its message.
     pub(super) fn write(&self, findings: &mut Findings) {
         let mut unexpected = 0;
         for step in &self.steps {
@@ -128,7 +128,7 @@ fn place(diagnostic: &Diagnostic) -> (Option<u32>, Option<&str>) {
     (diagnostic.line, diagnostic.code.as_deref())
 }
 
-/// Whether the lines that are named are the lines that are expected, however often each.
+/// Returns whether the actual diagnostics name exactly the expected lines, however often each.
 fn same_lines(expected: &[ExpectedDiagnostic], got: &[&Diagnostic]) -> bool {
     let mut expected: Vec<Option<u32>> = expected.iter().map(|diagnostic| Some(diagnostic.line)).collect();
     let mut got: Vec<Option<u32>> = got.iter().map(|diagnostic| diagnostic.line).collect();

@@ -1,8 +1,8 @@
-//! The findings of a judgement while it is made.
+//! Gathers the findings while a case is judged.
 
 use crate::{Fact, Verdict};
 
-/// Gathers what an engine did, and whether that meets the expectation.
+/// The actual facts of a case, and whether they meet the expectation.
 pub(super) struct Findings {
     got: Vec<Fact>,
     met: bool,
@@ -20,7 +20,7 @@ impl Default for Findings {
 }
 
 impl Findings {
-    /// Adds something that the engine did.
+    /// Adds an actual fact.
     pub(super) fn add(&mut self, fact: Fact) {
         self.got.push(fact);
     }
@@ -30,12 +30,12 @@ impl Findings {
         self.met &= holds;
     }
 
-    /// Notes that the engine could not answer a part of the case.
+    /// Records that the engine does not support a part of the case.
     pub(super) fn unsupported(&mut self) {
         self.supported = false;
     }
 
-    /// Returns the verdict, and what the engine did.
+    /// Returns the verdict and the actual facts.
     pub(super) fn finish(self) -> (Verdict, Vec<Fact>) {
         let verdict = match (self.met, self.supported) {
             (false, _) => Verdict::Fail,

@@ -1,4 +1,4 @@
-//! Rendered text against what a case expects of it, and against itself.
+//! Compares a rendered text with the expected lines, and with the results of rendering and running it again.
 
 use super::bodies::rendered_bodies;
 use super::findings::Findings;
@@ -81,7 +81,7 @@ fn not_rendered(outcome: &Outcome, again: bool) -> Fact {
     Fact::NotRendered { again, rejection }
 }
 
-/// Whether two runs ended alike. Lines may differ, since comments are dropped.
+/// Returns whether two runs ended alike. Lines may differ, since comments are dropped.
 fn means_the_same(run: &Outcome, rerun: &Outcome) -> bool {
     match (run, rerun) {
         (

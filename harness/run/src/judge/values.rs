@@ -1,4 +1,4 @@
-//! Expected values against actual ones, exactly.
+//! Compares expected values with actual ones, exactly.
 
 use super::findings::Findings;
 use crate::{Fact, Observed};
@@ -6,8 +6,8 @@ use stickler_engines::NamedValue;
 use stickler_suite::{Case, ExpectedValue};
 use stickler_types::{ObservationKey, Value};
 
-/// Finds values by key. Engines answer in the order in which they were asked, so the search goes on where the
-/// last one ended and is linear in all.
+/// A search for values by key. Engines answer in the order of the requested values, so each search continues where the last
+/// one ended, and all of them together take linear time.
 struct Finder<'a> {
     values: &'a [NamedValue],
     next: usize,
@@ -35,7 +35,7 @@ pub(super) fn expected(expected: &ExpectedValue) -> Fact {
     }
 }
 
-/// Compares each expected value with the engine's, and adds the latter.
+/// Compares each expected value with the engine's, and adds the latter to the findings.
 pub(super) fn compare(expected: &[ExpectedValue], values: &[NamedValue], findings: &mut Findings) {
     let mut finder = Finder::new(values);
     for expected in expected {
@@ -50,7 +50,7 @@ pub(super) fn compare(expected: &[ExpectedValue], values: &[NamedValue], finding
     }
 }
 
-/// Adds the values that the case wants recorded and does not assert.
+/// Adds the requested values that the case does not assert to the observations.
 pub(super) fn unasserted(case: &Case, values: &[NamedValue], observations: &mut Vec<Observed>) {
     let asserted = |key| case.expectation.values.iter().any(|value| value.key() == key);
     let mut finder = Finder::new(values);

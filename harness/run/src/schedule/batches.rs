@@ -1,36 +1,37 @@
-//! How many jobs a worker is given at a time.
+//! Chooses the number of jobs that a worker is given at a time.
 
 use std::ops::Range;
 use std::time::Duration;
 
-/// A batch grows while it takes less than this; then workers seldom wake the thread that gives their events on, and slow
-/// engines still show progress.
+/// The time below which the next batch is made larger: workers then seldom wake the thread that passes their events on, and
+/// slow engines still show progress.
 const QUICK_BATCH: Duration = Duration::from_millis(50);
 
-/// How many jobs a batch has at most where no engine packs.
+/// The maximum number of jobs in a batch where no engine packs.
 const MAX_BATCH_LEN: usize = 64;
 
-/// How many jobs the fastest worker may be ahead of the slowest. It bounds how many events wait to be given on.
+/// The maximum number of jobs by which the fastest worker may be ahead of the slowest. It bounds the number of waiting
+/// events.
 const MAX_AHEAD: usize = 4096;
 
-/// How many batches of each worker may be ahead, however large they are.
+/// The number of batches of each worker that may be ahead, however large they are.
 const BATCHES_AHEAD: usize = 4;
 
-/// Cuts the jobs of a run into batches.
+/// Divides the jobs of a run into batches.
 #[derive(Debug)]
 pub(super) struct Batches {
     jobs: usize,
     threads: usize,
-    /// The first job that is in no batch yet.
+    /// The index of the first job that is in no batch yet.
     next: usize,
     len: usize,
-    /// Whether `len` follows the time that batches take.
+    /// Whether `len` adapts to the time that batches take.
     adapts: bool,
 }
 
 impl Batches {
-    /// Cuts this many jobs for so many threads, into batches of `len` jobs each, or, where that is `None`, of as many as
-    /// are done in a short time.
+    /// Divides this many jobs among so many threads, into batches of `len` jobs each, or, where that is `None`, of as many
+    /// as are done in a short time.
     pub(super) fn new(jobs: usize, threads: usize, len: Option<usize>) -> Batches {
         Batches {
             jobs,
@@ -42,7 +43,7 @@ impl Batches {
     }
 
     /// Returns the jobs of the next batch: fewer towards the end, so that no worker is left alone with many; `None` at the
-    /// end, and while the jobs are too far ahead of those whose events were `given` on.
+    /// end, and while the jobs are too far ahead of the `given` ones, whose events were passed on.
     pub(super) fn next(&mut self, given: usize) -> Option<Range<usize>> {
         let ahead = MAX_AHEAD.max(self.len * self.threads * BATCHES_AHEAD);
         if self.next >= self.jobs || self.next >= given + ahead {
@@ -54,7 +55,7 @@ impl Batches {
         Some(start..self.next)
     }
 
-    /// Learns from the time that a batch of so many jobs took.
+    /// Adapts the length of batches to the time that a batch of so many jobs took.
     pub(super) fn took(&mut self, len: usize, time: Duration) {
         if self.adapts {
             self.len = if time < QUICK_BATCH {

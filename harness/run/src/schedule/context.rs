@@ -1,4 +1,4 @@
-//! The workers' side of a run: engines are asked about a batch of jobs, and their answers become events.
+//! The workers' side of a run: asks engines about a batch of jobs, and turns their answers into events.
 
 use super::{Batch, Job};
 use crate::answer_store::{self, AnswerStore};
@@ -13,17 +13,17 @@ use stickler_engines::{Engine, EngineError, EngineSession};
 use stickler_suite::Case;
 use stickler_workers::Cancellation;
 
-/// A batch for engines that pack holds so many packs of each, for cases of several kinds alternate.
+/// The number of packs of each engine in a batch; more than one, since cases of several kinds alternate.
 const PACKS_PER_BATCH: usize = 2;
 
-/// What all workers of a run share.
+/// The data that all workers of a run share.
 pub(super) struct RunContext<'r> {
     pub(super) plan: &'r Plan,
     pub(super) jobs: &'r [Job<'r>],
     pub(super) engines: &'r [&'r dyn Engine],
-    /// By engine; engines behind the last have none.
+    /// The store of each engine; engines behind the end of the slice have none.
     pub(super) stores: &'r [Option<&'r dyn AnswerStore>],
-    /// By engine.
+    /// The matched baseline of each engine.
     pub(super) baselines: &'r [Option<MatchedBaseline<'r>>],
     pub(super) cancel: &'r Cancellation,
     /// Whether an engine cannot be used any more, so that the run ends.
@@ -37,7 +37,7 @@ impl<'r> RunContext<'r> {
         engines.map(|&engine| EngineSession::new(engine)).collect()
     }
 
-    /// Returns how many jobs make a batch where an engine packs.
+    /// Returns the number of jobs in a batch; `None` where no engine packs, so that it adapts.
     pub(super) fn batch_len_for_packs(&self) -> Option<usize> {
         let largest = self.pack_sizes().into_iter().max().filter(|&size| size > 1)?;
         Some(largest * PACKS_PER_BATCH * self.engines.len())
@@ -48,7 +48,7 @@ impl<'r> RunContext<'r> {
         self.engines.iter().map(size).collect()
     }
 
-    /// Asks about a batch of jobs. There are fewer events than jobs where the run stops.
+    /// Runs a batch of jobs. There are fewer events than jobs where the run stops.
     pub(super) fn batch(
         &self,
         number: usize,
@@ -89,7 +89,7 @@ impl<'r> RunContext<'r> {
         Ok(())
     }
 
-    /// Asks about the jobs at these places, which are one pack, and writes their events down.
+    /// Runs the jobs with these indices, which are one pack, and stores their events.
     fn ask(
         &self,
         jobs: &[Job<'_>],
@@ -112,7 +112,7 @@ impl<'r> RunContext<'r> {
         Ok(())
     }
 
-    /// Keeps answers for later runs.
+    /// Stores answers for later runs.
     fn keep(&self, job: &Job<'_>, answers: &Answers) {
         if let Some(Some(store)) = self.stores.get(job.engine)
             && let Some(text) = answer_store::written(answers)
@@ -126,7 +126,7 @@ impl<'r> RunContext<'r> {
         self.cancel.is_requested() || self.is_broken.load(Ordering::Relaxed)
     }
 
-    /// Judges what an engine answered about a job.
+    /// Judges the answers of an engine about a job.
     pub(super) fn event(&self, job: &Job<'_>, answers: &Answers, time: Duration) -> CaseEvent {
         let judge = CaseJudge {
             plan: self.plan,

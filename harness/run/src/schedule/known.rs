@@ -1,4 +1,4 @@
-//! Jobs whose answers are known from earlier runs, and their events in between those of the others.
+//! Jobs whose answers are known from earlier runs, and the insertion of their events among those of the other jobs.
 
 use super::{Job, RunContext};
 use crate::CaseEvent;
@@ -8,18 +8,18 @@ use std::iter::Peekable;
 use std::time::Duration;
 use std::vec::IntoIter;
 
-/// Which jobs are known from earlier runs, and how far their events were given on.
+/// The jobs whose answers are known from earlier runs, and the progress of passing their events on.
 pub(super) struct Known {
-    /// The jobs that are to be asked about, by their places among all.
+    /// The indices of the jobs that engines must be asked about.
     pub(super) open: Vec<usize>,
-    /// What is known of the others that were not given on, with their places, in order.
+    /// The known answers whose events were not passed on yet, with the indices of their jobs, in order.
     answers: Peekable<IntoIter<(usize, Answers)>>,
-    /// How many events of known jobs were given on.
+    /// The number of events of known jobs that were passed on.
     pub(super) given: u64,
 }
 
 impl Known {
-    /// Looks every job up in the memory of its engine.
+    /// Looks every job up in the answer store of its engine.
     pub(super) fn of(jobs: &[Job<'_>], stores: &[Option<&dyn AnswerStore>]) -> Known {
         let recalled = |job: &Job<'_>| {
             let store = stores.get(job.engine).copied().flatten()?;
@@ -40,7 +40,8 @@ impl Known {
         }
     }
 
-    /// Gives the events of the known jobs that stand before an open one, by its number among those, or behind the last.
+    /// Passes on the events of the known jobs before the open job with this number among the open ones, or all that remain
+    /// where there is no such open job.
     pub(super) fn give_before(
         &mut self,
         open: usize,

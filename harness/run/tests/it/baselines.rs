@@ -1,4 +1,4 @@
-//! Baselines held against runs.
+//! Tests of baselines that are applied to runs.
 
 use crate::fixtures::{Puppet, executed, expecting, suite, values};
 use stickler_engines::{Engine, Outcome, RunRequest};
@@ -16,8 +16,8 @@ fn cases(ids: &[&str]) -> Suite {
     suite(ids.iter().map(case).collect())
 }
 
-/// An engine that passes what ends in `good`, crashes over what ends in `bad`, cannot do what ends in `odd`, and fails at
-/// the rest.
+/// Returns an engine that passes cases whose ids end in `good`, crashes over those in `bad`, does not support those in
+/// `odd`, and fails the rest.
 fn engine() -> Puppet {
     let answer = |request: &RunRequest<'_>| match request.source {
         good if good.ends_with("good") => executed(&["q = INT#1"]),
@@ -36,7 +36,7 @@ fn baseline(text: &str) -> Baseline {
     Baseline::read(text, "b/iron.toml", "iron").unwrap()
 }
 
-/// An entry, with more keys behind its reason.
+/// Returns an entry of a baseline, with more keys after its reason.
 fn entry(case: &str, verdict: &str, more: &str) -> String {
     format!("[[expected]]\ncase = \"{case}\"\nverdict = \"{verdict}\"\nreason = \"why\"\n{more}\n")
 }
@@ -110,7 +110,7 @@ fn of_several_verdicts_each_may_come() {
     let text = text.replace("fail", "timeout").replace("pass", "crash");
     let ended = held(&text, &["a/bad", "a/good"]);
     assert_eq!(ended.verdicts(), [Verdict::Xfail, Verdict::Xpass]);
-    // What came goes first, so that whoever reads one verdict alone reads the right one.
+    // The actual verdict comes first, so that a reader of a single verdict gets the right one.
     let note = ended.cases[0].baseline.as_ref().unwrap();
     assert_eq!(note.verdicts(), [Verdict::Crash, Verdict::Timeout]);
     assert_eq!(ended.cases[0].actual_verdict(), Verdict::Crash);
@@ -185,7 +185,7 @@ fn an_entry_may_name_a_dialect() {
 
 #[test]
 fn an_entry_that_fits_no_case_of_the_suite_is_out_of_date() {
-    // Without a `*` it is an id, and no part of one.
+    // A filter without a `*` is an id, never a part of one.
     let text = entry("b/*", "fail", "") + &entry("a/", "fail", "");
     let ended = held(&text, &["a/good"]);
     assert_eq!(

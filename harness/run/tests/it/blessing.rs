@@ -1,4 +1,4 @@
-//! Baselines rewritten from runs.
+//! Tests of baselines that are rewritten from runs.
 
 use crate::fixtures::{case, suite};
 use jiff::civil::date;
@@ -16,7 +16,7 @@ const IDS: [&str; 5] = [
     "a/t::q(INT,1)",
 ];
 
-/// Every case in two dialects that the engine speaks, and in one that it does not.
+/// Returns a suite of the cases of [`IDS`], each in two dialects that the engine supports and in one that it does not.
 fn whole() -> Suite {
     let dialects = [
         DialectName::IronplcEd2,
@@ -29,7 +29,7 @@ fn whole() -> Suite {
     suite(cases.collect())
 }
 
-/// A run in which every case passes but these: `a/one@ironplc-ed2 fail`, or with a pattern of its own (`a/t::p( fail`).
+/// Returns a run in which every case passes but these: `a/one@ironplc-ed2 fail`, or with a pattern (`a/t::p( fail`).
 fn ran(but: &[(&str, Verdict)]) -> EngineRun {
     let mut run = EngineRun::new(EngineHeader {
         name: "iron".to_owned(),
@@ -69,7 +69,7 @@ fn blessed(text: &str, run: &EngineRun) -> Blessing {
     let blessing = bless(text, &baseline, run, &whole(), date(2026, 11, 21));
     let again = Baseline::read(&blessing.text, "b/iron.toml", "iron").unwrap();
     assert_eq!(again.entries.len(), blessing.entries, "{}", blessing.text);
-    // What was blessed is what came, so blessing again changes nothing.
+    // The blessed baseline expects the actual verdicts, so blessing again changes nothing.
     let twice = bless(&blessing.text, &again, run, &whole(), date(2026, 11, 21));
     assert_eq!(
         (twice.text.as_str(), twice.changes.len()),

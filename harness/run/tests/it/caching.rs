@@ -1,4 +1,4 @@
-//! Runs with a memory: engines are not asked again what they answered before, and the events are the same.
+//! Tests of runs with stored answers: engines are not asked again what they answered before, and the events are the same.
 
 use crate::fixtures::{Puppet, case, executed, suite, timeless_run};
 use std::collections::HashMap;
@@ -10,16 +10,16 @@ use stickler_suite::{Case, Suite};
 use stickler_types::{ClockSetting, DialectName, Observation, Setting, Value};
 use stickler_workers::Cancellation;
 
-/// A memory that lasts as long as the test.
+/// An answer store that lasts as long as the test.
 #[derive(Default)]
 struct Book {
-    /// What was there when the run began.
+    /// The answers that were stored before the run began.
     before: HashMap<String, String>,
     now: Mutex<HashMap<String, String>>,
 }
 
 impl Book {
-    /// The memory of the next run.
+    /// Returns the store for the next run.
     fn turned(self) -> Book {
         let mut before = self.before;
         before.extend(self.now.into_inner().unwrap());
@@ -45,7 +45,7 @@ fn numbered(numbers: std::ops::Range<usize>) -> Suite {
     suite(numbers.map(|number| case(&format!("area/{number}"))).collect())
 }
 
-/// Of ten programs one is rejected, one crashes the engine, and the others are executed.
+/// Answers so that of ten programs one is rejected, one crashes the engine, and the others are executed.
 fn moody(request: &RunRequest<'_>) -> Outcome {
     match request.source.bytes().last() {
         Some(b'0') => Outcome::Rejected {
@@ -58,7 +58,7 @@ fn moody(request: &RunRequest<'_>) -> Outcome {
     }
 }
 
-/// What a run of this engine gives, without what the clock says.
+/// Runs the suite on this engine, and returns the summary and the events without their durations.
 fn go(
     suite: &Suite,
     engine: &Puppet,

@@ -1,4 +1,4 @@
-//! Cases made by hand, and an engine that answers as it is told to.
+//! Fixtures: cases made by hand, and an engine whose answers the test states.
 
 use std::sync::Arc;
 use stickler_engines::{
@@ -11,12 +11,12 @@ use stickler_suite::{
 use stickler_types::{DialectName, Observation, Value};
 use stickler_workers::Cancellation;
 
-/// The events of a run, without what the clock says.
+/// Returns the events of a run, without their durations.
 pub fn timeless_events(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> Vec<Event> {
     timeless_run(plan, suite, engines, &[]).1
 }
 
-/// What a run with these stores gives, its events without what the clock says.
+/// Returns the summary and the events of a run with these stores, without their durations.
 pub fn timeless_run(
     plan: &Plan,
     suite: &Suite,
@@ -37,7 +37,7 @@ pub fn timeless_run(
     (summary, events)
 }
 
-/// A case that expects nothing but to be accepted.
+/// Returns a case that expects nothing but to be accepted.
 pub fn case(id: &str) -> Case {
     Case {
         id: id.into(),
@@ -59,7 +59,7 @@ pub fn case(id: &str) -> Case {
     }
 }
 
-/// A case with this expectation, which observes all the values that it asserts.
+/// Returns a case with this expectation, which observes all the values that it asserts.
 pub fn expecting(expectation: Expectation) -> Case {
     let observe = |value: &ExpectedValue| Observation {
         name: value.name.clone(),
@@ -74,7 +74,7 @@ pub fn expecting(expectation: Expectation) -> Case {
     }
 }
 
-/// The expectation of a rejection at these places, `6 P4035`.
+/// Returns the expectation of a rejection at these places, `6 P4035`.
 pub fn rejection(places: &[&str]) -> Expectation {
     let place = |place: &&str| {
         let (line, code) = place.split_once(' ').unwrap();
@@ -90,7 +90,7 @@ pub fn rejection(places: &[&str]) -> Expectation {
     }
 }
 
-/// The expectation of these values, `q = INT#1`.
+/// Returns the expectation of these values, `q = INT#1`.
 pub fn values(values: &[&str]) -> Expectation {
     let value = |(name, value): NamedValue| ExpectedValue {
         name: name.into(),
@@ -104,7 +104,7 @@ pub fn values(values: &[&str]) -> Expectation {
     }
 }
 
-/// The expectation of a fault, `9 division-by-zero`.
+/// Returns the expectation of a fault, `9 division-by-zero`.
 pub fn fault(place: &str) -> Expectation {
     let (line, fault) = place.split_once(' ').unwrap();
     let fault = ExpectedFault {
@@ -117,7 +117,7 @@ pub fn fault(place: &str) -> Expectation {
     }
 }
 
-/// Values as an engine gives them, from `q = INT#1`.
+/// Returns values as an engine gives them, from `q = INT#1`.
 pub fn named(values: &[&str]) -> Vec<NamedValue> {
     let value = |text: &&str| {
         let (name, literal) = text.split_once(" = ").unwrap();
@@ -126,14 +126,15 @@ pub fn named(values: &[&str]) -> Vec<NamedValue> {
     values.iter().map(value).collect()
 }
 
-/// An execution that ends with these values.
+/// Returns the outcome of an execution that ends with these values.
 pub fn executed(values: &[&str]) -> Outcome {
     Outcome::Executed {
         values: named(values),
     }
 }
 
-/// A rejection with diagnostics at these places: `6 P4035`, `6 -` without a code, `- P4035` without a line.
+/// Returns the outcome of a rejection with diagnostics at these places: `6 P4035`, `6 -` without a code, `- P4035` without a
+/// line.
 pub fn rejected(places: &[&str]) -> Outcome {
     let diagnostic = |place: &&str| {
         let (line, code) = place.split_once(' ').unwrap();
@@ -150,7 +151,7 @@ pub fn rejected(places: &[&str]) -> Outcome {
     }
 }
 
-/// A suite of these cases.
+/// Returns a suite of these cases.
 pub fn suite(cases: Vec<Case>) -> Suite {
     let mut suite = Suite::default();
     suite.version = "0.9".to_owned();
@@ -160,16 +161,16 @@ pub fn suite(cases: Vec<Case>) -> Suite {
 
 type Answer = Box<dyn Fn(&RunRequest<'_>) -> Outcome + Send + Sync>;
 
-/// An engine that answers `run` as it is told to.
+/// An engine whose answers to `run` the test states.
 pub struct Puppet {
     identity: Identity,
     answer: Answer,
-    /// Called whenever a session is opened.
+    /// The function that is called whenever a session is opened.
     pub open: Box<dyn Fn() -> Result<(), EngineError> + Send + Sync>,
 }
 
 impl Puppet {
-    /// An engine with this name that speaks all dialects.
+    /// Creates an engine with this name that supports all dialects.
     pub fn new(name: &str, answer: impl Fn(&RunRequest<'_>) -> Outcome + Send + Sync + 'static) -> Puppet {
         let identity = Identity {
             name: name.to_owned(),
@@ -185,7 +186,7 @@ impl Puppet {
         }
     }
 
-    /// The same engine, speaking only this dialect.
+    /// Restricts the engine to this dialect.
     pub fn only(mut self, dialect: DialectName) -> Puppet {
         self.identity.dialects = vec![dialect];
         self

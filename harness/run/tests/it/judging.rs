@@ -1,4 +1,4 @@
-//! Outcomes held against expectations.
+//! Tests of judging outcomes by expectations.
 
 use crate::fixtures::{executed, expecting, fault, named, rejected, rejection, values};
 use std::sync::Arc;
@@ -11,7 +11,7 @@ fn judged(expectation: Expectation, run: Outcome) -> Judgement {
     judge(&expecting(expectation), &Answers::of_run(run), Grade::Code)
 }
 
-/// The verdict, and what was got.
+/// Returns the verdict, and the text of the actual facts.
 fn verdict(expectation: Expectation, run: Outcome) -> (Verdict, String) {
     let judgement = judged(expectation, run);
     (judgement.verdict, Fact::text(&judgement.got))

@@ -1,4 +1,4 @@
-//! The crate from outside: cases made by hand, engines that only pretend.
+//! Tests of the crate from outside: cases made by hand, and engines that only pretend.
 
 mod baselines;
 mod blessing;

@@ -1,4 +1,4 @@
-//! Runs in which an engine is given several programs at a time: only the time that they take may change.
+//! Tests of runs in which an engine is given several programs at a time: only the duration may change.
 
 use crate::fixtures::{Puppet, case, executed, rejected, rejection, suite, timeless_events};
 use std::path::Path;
@@ -10,10 +10,10 @@ use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
 
-/// What an engine makes of a pack, by what it makes of each of its programs.
+/// A function that states for each program of a pack whether its outcome is certain, from the outcomes of all programs.
 type Sure = fn(&[Outcome]) -> Vec<bool>;
 
-/// As a compiler that stops at its first error: it is sure of a pack only where every program runs to its end.
+/// Behaves like a compiler that stops at its first error: a pack is certain only where every program runs to its end.
 fn of_all_or_none(outcomes: &[Outcome]) -> Vec<bool> {
     let all = outcomes
         .iter()
@@ -21,7 +21,7 @@ fn of_all_or_none(outcomes: &[Outcome]) -> Vec<bool> {
     vec![all; outcomes.len()]
 }
 
-/// As a compiler that tells every error: where there are any, it is sure of the programs that have one.
+/// Behaves like a compiler that reports every error: where there are any, only the programs that have one are certain.
 fn of_what_is_told(outcomes: &[Outcome]) -> Vec<bool> {
     let told = |outcome: &Outcome| matches!(outcome, Outcome::Rejected { .. });
     match outcomes.iter().any(told) {
@@ -30,7 +30,8 @@ fn of_what_is_told(outcomes: &[Outcome]) -> Vec<bool> {
     }
 }
 
-/// Another engine, which is asked about every program alone and says as little as one that compiles them together.
+/// An engine that packs around one that does not: it asks about every program alone, and reveals as little as a compiler
+/// that compiles all of them together.
 struct Packing<E> {
     engine: E,
     size: usize,
@@ -52,7 +53,8 @@ impl<E: Engine> Packing<E> {
         }
     }
 
-    /// How many packs it was given, the size of the largest, and how many programs it was given alone.
+    /// Returns the number of packs that the engine was given, the size of the largest, and the number of programs it was
+    /// given alone.
     fn asked(&self) -> (usize, usize, usize) {
         let of = |count: &AtomicUsize| count.load(Ordering::Relaxed);
         (of(&self.packs), of(&self.largest), of(&self.alone))
@@ -117,7 +119,7 @@ impl<E> Session for PackingSession<'_, E> {
     }
 }
 
-/// The events of a run by so many workers.
+/// Returns the events of a run by so many workers.
 fn events(suite: &Suite, engines: &[&dyn Engine], jobs: usize) -> Vec<Event> {
     timeless_events(
         &Plan {
@@ -129,7 +131,7 @@ fn events(suite: &Suite, engines: &[&dyn Engine], jobs: usize) -> Vec<Event> {
     )
 }
 
-/// The number at the end of a case's id, which is the program that the puppets get.
+/// Returns the number at the end of a case's id, which is the program that the puppets get.
 fn number(request: &RunRequest<'_>) -> usize {
     request.source.rsplit('/').next().unwrap().parse().unwrap()
 }

@@ -1,4 +1,4 @@
-//! Rendered text held against expectations and against itself.
+//! Tests of judging rendered text.
 
 use crate::fixtures::{executed, expecting, rejected};
 use stickler_engines::Outcome;

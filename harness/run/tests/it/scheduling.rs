@@ -1,4 +1,4 @@
-//! Whole runs over engines that only pretend.
+//! Tests of whole runs over engines that only pretend.
 
 use crate::fixtures::{Puppet, case, executed, suite};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -36,7 +36,7 @@ fn with_jobs(jobs: usize) -> Plan {
     }
 }
 
-/// What remains of a stream once durations are taken out.
+/// Sets all durations of a stream of events to zero.
 fn timeless(mut events: Vec<Event>) -> Vec<Event> {
     for event in &mut events {
         match event {

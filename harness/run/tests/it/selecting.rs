@@ -1,4 +1,4 @@
-//! Which cases a plan selects.
+//! Tests of the selection of cases by a plan.
 
 use crate::fixtures::case;
 use stickler_run::{Filter, Plan, select};

@@ -1,4 +1,4 @@
-//! The reference does what the design suggests where no document says what a conversion function gives.
+//! Tests that the reference follows the design's suggestions where no document says what a conversion function gives.
 //!
 //! The suite only records such values, so no case could find the reference to be wrong there. The reference says of itself that it
 //! gives what IEC 60559 and two's complement suggest (section 8 of the design); here the exact arithmetic holds it to that.
@@ -9,7 +9,7 @@ use stickler_tabulate::folder::{self, CallTable};
 use stickler_tabulate::suggestion::Suggestion;
 use stickler_workers::{SpawnError, WorkerPool};
 
-/// What is to be said of a suggestion that the reference does not follow.
+/// Describes a suggestion that the reference does not follow; returns `None` where it follows it.
 fn complaint(suggestion: &Suggestion, reference: &Reference) -> Option<String> {
     let observe = [Observation::last("into", suggestion.ty.name())];
     let request = RunRequest::once(suggestion.dialect, &suggestion.program, &observe);

@@ -1,4 +1,4 @@
-//! The real suite on the real reference: no state is shared between cases, workers or runs.
+//! Tests of the real suite on the real reference: no state is shared between cases, workers or runs.
 
 use crate::fixtures::timeless_events;
 use std::path::Path;
@@ -7,7 +7,7 @@ use stickler_run::{Event, Plan};
 use stickler_suite::Suite;
 use stickler_workers::Shard;
 
-/// One part of twenty is enough to meet every kind of case, and quick.
+/// Returns the events of a run of one part in twenty, which is quick and covers every kind of case.
 fn events(suite: &Suite, reference: &Reference, jobs: usize) -> Vec<Event> {
     let plan = Plan {
         jobs,
