@@ -1,11 +1,11 @@
-//! The names of conversion functions: which there are, and in which dialects.
+//! The catalogue of conversion functions: the names that exist, the dialects that have them, and suggestions for misspelt ones.
 
 use stickler_types::DialectName;
 
-/// How many names are suggested.
+/// The maximum number of names that are suggested for an unknown one.
 const MAX_SUGGESTIONS: usize = 5;
 
-/// How many letters may be wrong in a name for another to be suggested.
+/// The maximum edit distance, in letters, between an unknown name and a suggested one.
 const MAX_DISTANCE: usize = 3;
 
 /// IronPLC's dialects, which differ in no conversion of the types that they share.
@@ -15,27 +15,27 @@ const IRONPLC: [DialectName; 3] = [
     DialectName::IronplcRusty,
 ];
 
-/// The dialects that were asked for, parted by whether they have a function.
+/// The requested dialects, divided into those that have a function and those that lack it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct FunctionDialects {
-    /// Those that have it, in the order in which they were asked for; at least one.
+    /// The dialects that have the function, in the order of the request; at least one.
     pub having: Vec<DialectName>,
-    /// Those that lack it.
+    /// The dialects that lack the function.
     pub lacking: Vec<DialectName>,
 }
 
-/// A name that is no conversion function of the dialects that were asked for.
+/// The error for a name that is no conversion function of the requested dialects.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum NoSuchFunction {
-    /// No dialect has it.
+    /// No dialect has the function.
     #[error("there is no conversion function `{function}`; {}`stickler conversions` lists all", did_you_mean(.similar))]
     Anywhere {
         /// The name as it was given.
         function: String,
-        /// The names that differ least from it, if by little enough.
+        /// The most similar names of functions; none where all differ too much.
         similar: Vec<String>,
     },
-    /// Other dialects have it.
+    /// Only other dialects than the requested ones have the function.
     #[error(
         "there is no conversion function `{function}` in {}; it is one in {}",
         dialect_list(.asked),
@@ -44,7 +44,7 @@ pub enum NoSuchFunction {
     InDialects {
         /// The name as it was given.
         function: String,
-        /// The dialects that were asked for.
+        /// The requested dialects.
         asked: Vec<DialectName>,
         /// The dialects that have it.
         elsewhere: Vec<DialectName>,
@@ -58,10 +58,10 @@ fn did_you_mean(similar: &[String]) -> String {
     }
 }
 
-/// Looks a function up in the dialects that were asked for, or in all where none was.
+/// Looks a function up in the requested dialects, or in all dialects where none is requested.
 ///
 /// # Errors
-/// [`NoSuchFunction`] where none of them has it.
+/// [`NoSuchFunction`] where none of these dialects has the function.
 pub fn find_function(function: &str, asked: &[DialectName]) -> Result<FunctionDialects, NoSuchFunction> {
     let asked = if asked.is_empty() {
         &DialectName::ALL[..]
@@ -122,7 +122,7 @@ pub fn short_names(dialects: &[DialectName]) -> Vec<String> {
     names.collect()
 }
 
-/// Returns the names that differ least, if by little enough.
+/// Returns the names of functions that are nearest to an unknown name, within [`MAX_DISTANCE`] and half of its length.
 fn similar(function: &str) -> Vec<String> {
     let distances: Vec<(usize, String)> = all_functions()
         .into_iter()

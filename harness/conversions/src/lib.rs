@@ -1,8 +1,8 @@
-//! Conversion functions: asking an engine for what they give, and comparing that with exact arithmetic.
+//! Conversion functions: asks engines for their results, and compares the results with exact arithmetic.
 //!
 //! [`overview`] shows what a function gives for a few values, engines and dialects side by side. [`sweep`] takes all inputs
 //! of a function, or a large sample of them, through the reference or through programs that another engine executes.
-//! [`find_function`] and [`all_functions`] tell which functions there are.
+//! [`find_function`] and [`all_functions`] look functions up by name.
 //!
 //! Architecture Invariant: this crate knows no command line, and opens no engine.
 #![forbid(unsafe_code)]

@@ -1,4 +1,4 @@
-//! Values as literals that every dialect reads.
+//! Writes values as literals that every dialect reads.
 
 use stickler_types::{ElementaryType, Value};
 
@@ -22,13 +22,13 @@ pub fn literal(value: &Value) -> String {
     }
 }
 
-/// Returns whether a literal says the value: none says NaN or an infinity.
+/// Returns whether a value has a literal; NaN and the infinities have none.
 #[must_use]
 pub fn has_literal(value: &Value) -> bool {
     real(value).is_none_or(f64::is_finite)
 }
 
-/// Returns the number that a real stands for; exactly, since every REAL is an LREAL.
+/// Returns a REAL or LREAL value as an `f64`, exactly; `None` for values of other types.
 #[must_use]
 pub fn real(value: &Value) -> Option<f64> {
     match value {

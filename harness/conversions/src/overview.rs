@@ -1,4 +1,4 @@
-//! What a conversion function gives for a few values: engines and dialects side by side, beside the documents.
+//! The overview of a conversion function: its results for a few values, engines and dialects side by side, compared with documents.
 //!
 //! [`calls`] chooses the values, [`gather`] asks the engines, and [`Page`] and [`write_json`] show the [`SignatureResults`].
 

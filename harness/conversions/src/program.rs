@@ -1,27 +1,27 @@
-//! A program that calls a conversion function with a list of operands.
+//! Writes programs that call a conversion function with a list of operands.
 
 use crate::literals::{self, literal};
 use std::fmt::Write;
 use stickler_exact::Signature;
 use stickler_types::{ElementaryType, Value};
 
-/// The longest text that a STRING of default length holds in every system.
+/// The length, in characters, up to which a STRING of default length holds a text in every system.
 const DEFAULT_LENGTH: usize = 80;
 
-/// A source text, and the variables in which its results are.
+/// A source text of a program, and the variables that hold its results.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Program {
-    /// The text.
+    /// The source text.
     pub source: String,
-    /// The names of the variables.
+    /// The names of the variables that hold the results.
     pub observed: Vec<String>,
-    /// The type of the variables.
+    /// The type of these variables.
     pub ty: ElementaryType,
 }
 
 /// Writes a program that calls the function with each of these operands.
 ///
-/// NaN and the infinities, which no literal says, are computed before the calls: an engine that computes them otherwise
+/// NaN and the infinities, which have no literal, are computed before the calls: an engine that computes them otherwise
 /// than IEC 60559 gives the function other operands.
 #[must_use]
 pub fn listed(signature: &Signature, calls: &[Vec<Value>]) -> Program {
@@ -59,7 +59,7 @@ pub fn listed(signature: &Signature, calls: &[Vec<Value>]) -> Program {
     }
 }
 
-/// Returns the term that makes NaN or an infinity of the variable `infinite`.
+/// Returns the expression that computes a NaN or an infinity from the variable `infinite`; `None` for finite values.
 fn not_finite(value: &Value) -> Option<&'static str> {
     match literals::real(value)? {
         number if number.is_nan() => Some("infinite - infinite"),
@@ -69,7 +69,7 @@ fn not_finite(value: &Value) -> Option<&'static str> {
     }
 }
 
-/// Returns the declarations and the statement that give `infinite` its value, where a call needs it.
+/// Returns the declarations and the statement that compute `infinite`; both empty where no call needs it.
 fn infinity(calls: &[Vec<Value>]) -> (String, String) {
     let mut operands = calls.iter().flatten();
     let Some(operand) = operands.find(|value| not_finite(value).is_some()) else {
@@ -87,7 +87,7 @@ fn infinity(calls: &[Vec<Value>]) -> (String, String) {
     )
 }
 
-/// Returns how many characters the longest text has.
+/// Returns the number of characters of the longest text among the operands of a call.
 fn longest(call: &[Value]) -> usize {
     let lengths = call.iter().map(|value| match value {
         Value::Text { units, .. } => units.len(),
@@ -96,7 +96,7 @@ fn longest(call: &[Value]) -> usize {
     lengths.max().unwrap_or(0)
 }
 
-/// Returns a type as a declaration has it: with a length only where it is a text too long for every system.
+/// Returns a type for a declaration: with a length only where a text is longer than [`DEFAULT_LENGTH`].
 fn declared(ty: &str, length: usize) -> String {
     match length {
         ..=DEFAULT_LENGTH => ty.to_owned(),

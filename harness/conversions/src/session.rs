@@ -1,4 +1,4 @@
-//! A session of an engine that is given programs, and answers with values or with a reason why there are none.
+//! A session of an engine that executes programs, and gives values or the reason why there are none.
 
 use crate::program::{self, Program};
 use std::fmt;
@@ -9,18 +9,18 @@ use stickler_types::{DialectName, Fault, Value};
 /// The reason for which an engine gave no values.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Refusal {
-    /// What the engine did.
+    /// The kind of the refusal.
     pub kind: RefusalKind,
-    /// What is known about it, as a fragment: its first diagnostic, its last words.
+    /// The details as a fragment: the first diagnostic of a rejection, or the last output of a crashed engine.
     pub detail: String,
-    /// The line of the program that its first diagnostic is about.
+    /// The line of the program to which the first diagnostic points.
     pub line: Option<String>,
 }
 
-/// What an engine did instead of giving values.
+/// The kind of a [`Refusal`]: the act of an engine that gives no values.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum RefusalKind {
-    /// The engine says that it cannot do this, or that it only checks.
+    /// The engine does not support the request, or only checks programs.
     Unsupported,
     /// The engine rejects the program.
     Rejected,
@@ -32,12 +32,12 @@ pub enum RefusalKind {
     TimedOut,
     /// The engine crashed.
     Crashed,
-    /// The engine answered nonsense, or left values out.
+    /// The engine's answer was malformed, or lacked values.
     Nonsense,
 }
 
 impl fmt::Display for Refusal {
-    /// Writes `rejected the program (P4017: …)`, for the end of a sentence that names the engine.
+    /// Writes the refusal as the end of a sentence that names the engine: `rejected the program (P4017: …)`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Refusal { kind, detail, line } = self;
         write!(f, "{} ({detail}", kind.as_str())?;
@@ -49,7 +49,7 @@ impl fmt::Display for Refusal {
 }
 
 impl RefusalKind {
-    /// Returns what the engine did, as the end of a sentence that names it: `rejected the program`, `crashed` …
+    /// Returns the refusal's kind as the end of a sentence that names the engine: `rejected the program`, `crashed` …
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -63,7 +63,7 @@ impl RefusalKind {
         }
     }
 
-    /// Returns what the engine did, in a word that fits the cell of a table: `rejected`, `crashed` …
+    /// Returns the refusal's kind in a word that fits the cell of a table: `rejected`, `crashed` …
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -76,7 +76,7 @@ impl RefusalKind {
         }
     }
 
-    /// Returns whether an engine that accepts a program must not do this, whatever the program asks.
+    /// Returns whether the refusal is a failure of the engine: neither a rejection nor something that it does not support.
     #[must_use]
     pub const fn is_failure(self) -> bool {
         !matches!(self, RefusalKind::Unsupported | RefusalKind::Rejected)
@@ -113,8 +113,8 @@ impl<'e> FunctionSession<'e> {
         values(outcome, program)
     }
 
-    /// Returns what each call of a function gives. All calls are tried in one program, since compilers take their time to
-    /// start; where the engine gives no values for that, each call is tried in a program of its own.
+    /// Returns the result of each call of a function. Runs all calls in one program, since compilers take their time to
+    /// start; where the engine gives no values for that, runs each call in a program of its own.
     pub fn results(
         &mut self,
         dialect: DialectName,
@@ -135,7 +135,7 @@ impl<'e> FunctionSession<'e> {
     }
 }
 
-/// Returns the values that an outcome has for a program.
+/// Returns the values of the variables that a program observes from its outcome, or the reason why there are none.
 fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
     use RefusalKind::{Crashed, Faulted, Nonsense, Rejected, TimedOut, TooManySteps, Unsupported};
     let line = match &outcome {
@@ -159,7 +159,7 @@ fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
     Err(Refusal { kind, detail, line })
 }
 
-/// Returns values in the order of the question; engines should answer in it, but need not.
+/// Returns values in the order in which the program lists its observed variables; engines may answer in another.
 fn in_order(mut values: Vec<(String, Value)>, program: &Program) -> Result<Vec<Value>, Refusal> {
     let asked = &program.observed;
     if values.len() != asked.len() || values.iter().zip(asked).any(|((key, _), name)| key != name) {
@@ -179,7 +179,7 @@ fn in_order(mut values: Vec<(String, Value)>, program: &Program) -> Result<Vec<V
     Ok(values.into_iter().map(|(_, value)| value).collect())
 }
 
-/// Returns the first diagnostic.
+/// Returns the text of the first diagnostic.
 fn first_message(diagnostics: &[Diagnostic]) -> String {
     match diagnostics.first() {
         Some(Diagnostic {
@@ -192,7 +192,7 @@ fn first_message(diagnostics: &[Diagnostic]) -> String {
     }
 }
 
-/// Returns the line of a program that the first diagnostic is about.
+/// Returns the line of a program to which the first diagnostic points.
 fn line_of(diagnostics: &[Diagnostic], source: &str) -> Option<String> {
     let line = diagnostics.first()?.line?;
     let text = source.lines().nth(line.saturating_sub(1) as usize)?;

@@ -1,4 +1,4 @@
-//! Every input of a conversion function, compared with exact arithmetic.
+//! The sweep of a conversion function: compares its results for every input, or a large sample, with exact arithmetic.
 //!
 //! [`agenda`] turns the name of a function into [`Sweep`]s, one for each pair of types and each distinct rule of the
 //! dialects; [`run`] takes all inputs of one of them, a [`Domain`], through a [`Converter`] (on the reference that is its own

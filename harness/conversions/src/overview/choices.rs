@@ -1,4 +1,4 @@
-//! What the dialects choose where systems differ, one line a choice.
+//! The list, below a table of results, of the rules that dialects choose where systems differ; one line for each choice.
 
 use crate::functions::dialect_list;
 use anstyle::Style;
@@ -10,13 +10,13 @@ use stickler_types::{
 
 const DIM: Style = Style::new().dimmed();
 
-/// A point in which systems may differ, and how to say what one chooses.
+/// A rule in which systems may differ: its label, and the words for each choice.
 struct Topic {
     label: String,
     choice: fn(&ConversionChoices, &Signature) -> String,
 }
 
-/// Writes the choices that matter for a signature: each with its dialects, or alone where all choose the same.
+/// Writes the choices that matter for a signature: each with its dialects, or without them where all dialects choose the same.
 ///
 /// # Errors
 /// Those of `out`.
@@ -37,12 +37,12 @@ pub fn write(signature: &Signature, dialects: &[DialectName], out: &mut dyn Writ
     Ok(())
 }
 
-/// Returns whether a choice matters for a signature.
+/// Returns whether any choice of a dialect matters for a signature.
 pub fn any(signature: &Signature) -> bool {
     !topics(signature).is_empty()
 }
 
-/// Returns each choice with the dialects that make it, in the order of the dialects.
+/// Returns each choice of a topic with the dialects that make it, in the order of the dialects.
 fn choices(
     topic: &Topic,
     signature: &Signature,
@@ -96,7 +96,7 @@ fn topics(signature: &Signature) -> Vec<Topic> {
     }
 }
 
-/// Returns whether the source has values that the target does not hold.
+/// Returns whether the type of the operand has values that the type of the result does not hold.
 fn narrows(signature: &Signature) -> bool {
     let ranges = (
         signature.operands[0].integer_range(),
@@ -150,7 +150,7 @@ fn spelling(choices: &ConversionChoices, _: &Signature) -> String {
     .to_owned()
 }
 
-/// Returns whether a number that is converted to or from a type of this family counts something, such as milliseconds.
+/// Returns whether values of this family are durations, dates or times, whose numbers count a unit such as milliseconds.
 fn is_moment(family: Family) -> bool {
     matches!(
         family,

@@ -1,16 +1,16 @@
-//! The values at which a conversion shows what it does, few enough to be read at a glance.
+//! The default operands of the overview: the boundary values of a conversion, few enough to be read at a glance.
 
 use stickler_exact::{Operation, Signature};
 use stickler_types::{ElementaryType, Family, Value, boundaries};
 
-/// Returns the types of the operands, in one line.
+/// Returns the types of a signature's operands, in one line.
 pub fn types(signature: &Signature) -> String {
     let names: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
     names.join(", ")
 }
 
-/// Returns the calls that are shown where no values are given: both zeros, ties, the limits of both types and what lies beside
-/// them, and what is no number.
+/// Returns the calls that are shown where no values are given: both zeros, ties, the limits of both types with their neighbours,
+/// the infinities and NaN.
 pub fn boundaries(signature: &Signature) -> Vec<Vec<Value>> {
     match signature.operands[..] {
         [first, second] => pairs(first, second),
@@ -35,7 +35,7 @@ fn of_one(from: ElementaryType, signature: &Signature) -> Vec<Value> {
     distinct(values)
 }
 
-/// Pairs every date with the first and the last time of day.
+/// Returns pairs of operands: every date with the first and the last time of day.
 fn pairs(date: ElementaryType, time: ElementaryType) -> Vec<Vec<Value>> {
     let times = short(time);
     let ends = [times.first(), times.last()];
@@ -47,7 +47,7 @@ fn pairs(date: ElementaryType, time: ElementaryType) -> Vec<Vec<Value>> {
     short(date).into_iter().flat_map(pair).collect()
 }
 
-/// Returns the short list of a type that is neither number nor text.
+/// Returns the boundary values of a type that is neither number nor text, in the short list.
 fn short(ty: ElementaryType) -> Vec<Value> {
     boundaries::boundaries(ty)
         .into_iter()
@@ -55,7 +55,7 @@ fn short(ty: ElementaryType) -> Vec<Value> {
         .collect()
 }
 
-/// Returns whole numbers in ascending order: limits of the source; limits of the target and what lies beside them.
+/// Returns integers in ascending order: the limits of the source; the limits of the target with their neighbours.
 fn integers(from: ElementaryType, signature: &Signature) -> Vec<Value> {
     let Some((least, greatest)) = from.integer_range() else {
         return Vec::new();
@@ -77,7 +77,7 @@ fn beside_limits(ty: ElementaryType) -> Vec<i128> {
     }
 }
 
-/// Returns whole numbers that are of interest for this conversion alone.
+/// Returns integers that are of interest for the operation and the result type of a signature only.
 fn telling(signature: &Signature) -> &'static [i128] {
     match (signature.operation, signature.result.family()) {
         (Operation::FromBcd, _) => &[
@@ -177,7 +177,7 @@ fn reals(from: ElementaryType, to: ElementaryType) -> Vec<String> {
     literals
 }
 
-/// Returns the limits of a type, half beyond them, and one beyond them, as reals.
+/// Returns real literals around the limits of an integer type: the limits, half beyond them, and one beyond them.
 fn around_limits(ty: ElementaryType) -> Vec<String> {
     let Some((least, greatest)) = ty.integer_range() else {
         return Vec::new();
@@ -230,7 +230,7 @@ fn texts(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
     words.iter().map(|word| Value::text(from, units(word))).collect()
 }
 
-/// Writes durations and dates as texts: each as a typed literal, and without its type.
+/// Returns the texts of the boundary values of a duration or date type: each as a typed literal, and without its type.
 fn moments(to: ElementaryType) -> Vec<String> {
     let known: Vec<String> = short(to).iter().map(ToString::to_string).collect();
     let bare = known
@@ -242,7 +242,7 @@ fn moments(to: ElementaryType) -> Vec<String> {
     first.chain(bare).chain(others).collect()
 }
 
-/// Removes values that occur twice: two literals may stand for the same value.
+/// Removes repeated values, since two literals may stand for the same value.
 fn distinct(values: Vec<Value>) -> Vec<Value> {
     let mut found: Vec<Value> = Vec::with_capacity(values.len());
     for value in values {

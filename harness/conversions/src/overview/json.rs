@@ -1,4 +1,4 @@
-//! The results as one JSON object, for other programs.
+//! The overview as one JSON object, for other programs.
 
 use super::results::{ComparedResult, DialectResults, SignatureResults};
 use serde::Serialize;
@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use stickler_engines::Identity;
 use stickler_types::Value;
 
-/// Everything that was asked about one function.
+/// The JSON object: the results of one function for all of its signatures.
 #[derive(Serialize)]
 struct Answers<'a> {
     function: &'a str,
@@ -20,7 +20,7 @@ struct Engine<'a> {
     version: &'a str,
 }
 
-/// One way to call the function.
+/// The results of one signature of the function.
 #[derive(Serialize)]
 struct Types<'a> {
     operands: Vec<&'static str>,
@@ -28,26 +28,26 @@ struct Types<'a> {
     calls: Vec<CallResults<'a>>,
 }
 
-/// One call; values are typed literals.
+/// The results of one call; values are typed literals.
 #[derive(Serialize)]
 struct CallResults<'a> {
     operands: Vec<String>,
     results: Vec<CallResult<'a>>,
 }
 
-/// What one engine gave in one dialect.
+/// The result of one engine in one dialect for one call.
 #[derive(Serialize)]
 struct CallResult<'a> {
     engine: &'a str,
     dialect: &'static str,
     /// The value that the engine gave; `null` where it gave none.
     got: Option<String>,
-    /// Why the engine gave no value: `rejected`, `crashed` …
+    /// The reason why the engine gave no value: `rejected`, `crashed` …
     #[serde(skip_serializing_if = "Option::is_none")]
     without: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     detail: Option<&'a str>,
-    /// The document and section that say what must come; `null` where none does.
+    /// The document and section that demand a result; `null` where none does.
     basis: Option<&'static str>,
     /// The value that the document demands.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -56,7 +56,7 @@ struct CallResult<'a> {
     contradicts: bool,
 }
 
-/// Writes the object and a line feed.
+/// Writes the JSON object of a function, and a line feed.
 ///
 /// # Errors
 /// Those of `out`.

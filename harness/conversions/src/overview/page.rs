@@ -1,4 +1,4 @@
-//! The page for a person: tables of results, contradictions to documents, choices of the dialects, and a legend.
+//! The overview as a page of text: tables of results, contradictions to documents, choices of the dialects, and a legend.
 
 use super::results::{ComparedResult, DialectResults, SignatureResults};
 use super::table::{self, Align, Shown};
@@ -18,30 +18,30 @@ const BAD: Style = AnsiColor::Red.on_default().bold();
 /// The note of a cell about which no document says anything.
 const OPEN: &str = "?";
 
-/// How many contradictions below a table are told in words.
+/// The maximum number of contradictions that are described below a table.
 const MAX_TROUBLES: usize = 8;
 
-/// The heading of the rules where another engine than the reference was asked, which need not follow them.
+/// The heading of the dialects' rules where other engines than the reference were asked, which need not follow the rules.
 const RULES: &str = "Stickler's rule for each dialect, which an engine may or may not follow:";
 
-/// The number of tables up to which the page does not tell how to see one of them alone.
+/// The number of tables beyond which the page tells how to show one of them alone.
 const MANY: usize = 3;
 
-/// From this magnitude on a real has so many digits that they say less than an exponent.
+/// The magnitude from which on a real is shown with an exponent, since its digits would be too many to read.
 const LARGE: f64 = 1e16;
 
-/// How many characters of a value are shown.
+/// The maximum number of characters that are shown of a value.
 const MAX_VALUE_LEN: usize = 40;
 
 /// The page that shows what a function gives.
 pub struct Page<'p> {
-    /// What was asked, one table a signature.
+    /// The results, one table for each signature.
     pub results: &'p [SignatureResults],
-    /// The dialects that were asked for and lack the function.
+    /// The requested dialects that lack the function.
     pub lacking: &'p [DialectName],
     /// The engines that were asked.
     pub engines: &'p [&'p Identity],
-    /// Whether only the reference was asked, which follows the rules that stand below a table.
+    /// Whether only the reference was asked, which follows the rules that are listed below a table.
     pub only_reference: bool,
 }
 
@@ -112,7 +112,7 @@ impl Page<'_> {
         Ok(())
     }
 
-    /// Returns the column of dialects that agree.
+    /// Returns the table column of a group of dialects whose results are equal.
     fn column(&self, group: &[&DialectResults], result: ElementaryType, notes: &mut Notes) -> table::Column {
         let first = group.first();
         let engine = first.and_then(|column| match self.engines {
@@ -139,7 +139,7 @@ impl Page<'_> {
         }
     }
 
-    /// Writes what contradicts a document, in words, and why an engine gave no value.
+    /// Writes a sentence for each result that contradicts a document or that the engine did not give, up to [`MAX_TROUBLES`].
     fn write_troubles(&self, results: &SignatureResults, out: &mut dyn Write) -> io::Result<()> {
         let name = |column: &DialectResults| match self.engines {
             [_] => column.dialect.to_string(),
@@ -172,7 +172,7 @@ impl Page<'_> {
     }
 }
 
-/// The letters that stand for the bases, on the whole page.
+/// The footnotes of the page: the letters that stand for the bases of results.
 #[derive(Default)]
 struct Notes {
     bases: Vec<&'static str>,
@@ -226,7 +226,7 @@ fn title(identity: &Identity) -> String {
         .to_owned()
 }
 
-/// Groups the columns of one engine that agree in every result.
+/// Groups the columns of the same engine whose results are all equal.
 fn groups(columns: &[DialectResults]) -> Vec<Vec<&DialectResults>> {
     let mut groups: Vec<Vec<&DialectResults>> = Vec::new();
     for column in columns {
@@ -243,7 +243,7 @@ fn groups(columns: &[DialectResults]) -> Vec<Vec<&DialectResults>> {
     groups
 }
 
-/// Returns the columns of the operands.
+/// Returns the table columns of the operands.
 fn operands(calls: &[Call], types: &[ElementaryType]) -> Vec<table::Column> {
     let column = |(index, ty): (usize, &ElementaryType)| table::Column {
         head: vec![ty.name().to_owned()],
@@ -256,8 +256,8 @@ fn operands(calls: &[Call], types: &[ElementaryType]) -> Vec<table::Column> {
     types.iter().enumerate().map(column).collect()
 }
 
-/// Shows an operand. A whole real has all of its digits: `2147483648.0`, where the canonical spelling of a REAL has the
-/// fewest that read back to the same bits, `2147483600.0`.
+/// Returns the text of an operand. A whole real has all of its digits: `2147483648.0`, where the canonical spelling of a REAL
+/// has the fewest that read back to the same bits, `2147483600.0`.
 fn operand(value: &Value, ty: ElementaryType) -> String {
     match literals::real(value) {
         Some(number) if number.abs() < LARGE && number == number.trunc() => format!("{number:.1}"),
@@ -273,7 +273,7 @@ fn plain(value: String) -> Shown {
     }
 }
 
-/// Aligns texts at their beginning and numbers at their end.
+/// Returns the alignment of values of a type: texts at their beginning, numbers at their end.
 fn align(ty: ElementaryType) -> Align {
     match ty.family() {
         Family::Text | Family::Character => Align::Left,
@@ -281,7 +281,7 @@ fn align(ty: ElementaryType) -> Align {
     }
 }
 
-/// Shows the literal without its type, where that is the one which the heading names; a long one in part.
+/// Returns the shortened literal of a value, without its type where that is `ty`, which the heading names.
 fn untyped(value: &Value, ty: ElementaryType) -> String {
     let literal = value.to_string();
     shortened(match literal.split_once('#') {
@@ -290,12 +290,12 @@ fn untyped(value: &Value, ty: ElementaryType) -> String {
     })
 }
 
-/// Shows a value with its type, a long one in part.
+/// Returns the shortened typed literal of a value.
 fn in_words(value: &Value) -> String {
     shortened(&value.to_string())
 }
 
-/// Returns how a result contradicts a document, or why there is none.
+/// Returns a fragment that says how a result contradicts a document, or why there is no result; `None` where nothing is wrong.
 fn trouble(compared: &ComparedResult) -> Option<String> {
     let must = match compared.expected.basis {
         Some(_) if compared.contradicts() => {
@@ -310,7 +310,7 @@ fn trouble(compared: &ComparedResult) -> Option<String> {
     }
 }
 
-/// Shows the beginning of a long text.
+/// Shortens a text to [`MAX_VALUE_LEN`] characters.
 pub fn shortened(text: &str) -> String {
     if text.chars().count() <= MAX_VALUE_LEN {
         return text.to_owned();

@@ -1,4 +1,4 @@
-//! What engines give for the calls of one signature, beside what the documents say.
+//! The results that engines give for the calls of a signature, each with the expected one.
 
 use super::values::Call;
 use crate::session::{FunctionSession, Refusal, RefusalKind};
@@ -6,9 +6,9 @@ use stickler_engines::{Engine, EngineError};
 use stickler_exact::{Expected, Signature};
 use stickler_types::{DialectName, Value};
 
-/// The results of a function between fixed types.
+/// The results of one signature of a function.
 pub struct SignatureResults {
-    /// The types.
+    /// The function, and the types of its operands and of its result.
     pub signature: Signature,
     /// The operands of each call.
     pub calls: Vec<Call>,
@@ -18,7 +18,7 @@ pub struct SignatureResults {
 
 /// The results of one engine in one dialect.
 pub struct DialectResults {
-    /// The engine, by its place among those that were asked.
+    /// The index of the engine among those that were asked.
     pub engine: usize,
     /// The dialect.
     pub dialect: DialectName,
@@ -29,14 +29,14 @@ pub struct DialectResults {
 /// The result of one call, and the expected one.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ComparedResult {
-    /// What the engine gave.
+    /// The value that the engine gave, or its reason for giving none.
     pub got: Result<Value, Refusal>,
-    /// What it must give, where a document is the basis; otherwise what Stickler's design suggests.
+    /// The value that a document demands, which is then the basis; without a basis, the value that Stickler's design suggests.
     pub expected: Expected,
 }
 
 impl ComparedResult {
-    /// Returns whether the engine does not do what a document says. What it says that it cannot do contradicts nothing.
+    /// Returns whether the result contradicts a document. An engine that says it does not support the call contradicts nothing.
     #[must_use]
     pub fn contradicts(&self) -> bool {
         let wrong = match &self.got {
@@ -48,7 +48,7 @@ impl ComparedResult {
 }
 
 impl SignatureResults {
-    /// Returns whether any result contradicts a document.
+    /// Returns whether any result of any engine contradicts a document.
     #[must_use]
     pub fn contradict(&self) -> bool {
         let mut results = self.columns.iter().flat_map(|column| &column.results);
@@ -74,10 +74,10 @@ impl SignatureResults {
     }
 }
 
-/// Asks each engine for each call in each of its dialects that have the signature.
+/// Asks each engine for the result of each call, in each of its dialects that have the signature.
 ///
 /// # Errors
-/// An engine of which no session can be opened.
+/// [`EngineError`] where no session of an engine can be opened.
 pub fn gather(
     calls: Vec<(Signature, Vec<Call>)>,
     engines: &[(&dyn Engine, Vec<DialectName>)],

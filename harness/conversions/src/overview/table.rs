@@ -1,17 +1,17 @@
-//! A table of values with a note behind each, in pieces that fit a terminal.
+//! Writes a table of values with a note behind each, in pieces that fit a terminal.
 
 use anstyle::Style;
 use std::io::{self, Write};
 
 const BOLD: Style = Style::new().bold();
 
-/// How wide a table may be.
+/// The maximum width of a table, in characters.
 const WIDTH: usize = 100;
 
-/// How many blanks stand between two columns.
+/// The number of blanks between two columns.
 const GAP: usize = 2;
 
-/// The side at which the values of a column stand.
+/// The alignment of the values of a column.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Align {
     Left,
@@ -32,9 +32,9 @@ pub struct Shown {
 pub struct Column {
     /// The lines of the head.
     pub head: Vec<String>,
-    /// The cells.
+    /// The cells, one for each row.
     pub cells: Vec<Shown>,
-    /// The side at which the values stand.
+    /// The alignment of the values.
     pub align: Align,
 }
 
@@ -58,13 +58,13 @@ impl Column {
         head.max(self.value_width() + self.note_width())
     }
 
-    /// Returns a line of the head, in the width of the column.
+    /// Returns a line of the head, padded to the width of the column.
     fn head_line(&self, index: usize) -> String {
         let text = self.head.get(index).map_or("", String::as_str);
         padded(text, self.width(), self.align)
     }
 
-    /// Returns a cell, in the width of the column, and its style.
+    /// Returns a cell, padded to the width of the column, and its style.
     fn cell(&self, row: usize) -> (String, Style) {
         let Some(cell) = self.cells.get(row) else {
             return (" ".repeat(self.width()), Style::new());
@@ -82,7 +82,7 @@ impl Column {
     }
 }
 
-/// Writes the columns beside those that stand at the left of every piece.
+/// Writes a table in pieces; the `left` columns are repeated in every piece.
 ///
 /// # Errors
 /// Those of `out`.
@@ -97,7 +97,7 @@ pub fn write(left: &[Column], columns: &[Column], out: &mut dyn Write) -> io::Re
     Ok(())
 }
 
-/// Divides columns into pieces that fit the width, of at least one column each.
+/// Divides columns into pieces of at most [`WIDTH`] characters; each piece has at least one column.
 fn pieces(start: usize, columns: &[Column]) -> Vec<&[Column]> {
     let mut pieces = Vec::new();
     let (mut first, mut used) = (0, start);
@@ -127,7 +127,7 @@ fn write_piece(left: &[Column], columns: &[Column], out: &mut dyn Write) -> io::
     Ok(())
 }
 
-/// Writes a line that does not end in blanks.
+/// Writes cells as a line, without blanks at its end.
 fn write_line(mut cells: Vec<(String, Style)>, out: &mut dyn Write) -> io::Result<()> {
     while cells.last().is_some_and(|(text, _)| text.trim().is_empty()) {
         cells.pop();

@@ -1,4 +1,4 @@
-//! Operands that are given as texts, on the command line.
+//! Reads operands that are given as texts on the command line.
 
 use super::inputs;
 use super::page::shortened;
@@ -8,7 +8,7 @@ use stickler_types::{ElementaryType, Family, LiteralError, Value};
 /// The operands of one call.
 pub type Call = Vec<Value>;
 
-/// The error where given values are no operands of a function.
+/// The error for given values that are no operands of a function.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum ValueError {
     /// The last call has too few values.
@@ -16,21 +16,21 @@ pub enum ValueError {
     Count {
         /// The function.
         function: String,
-        /// How many operands it takes.
+        /// The number of operands that the function takes.
         count: usize,
-        /// The types of its operands, in a list.
+        /// The list of the types of the function's operands.
         types: String,
     },
-    /// No signature takes one of the values; holds which, and why.
+    /// No signature takes one of the values; holds the message that names the value and the reason.
     #[error("{0}")]
     Misfit(String),
 }
 
-/// Returns the calls to show of each signature: with those of the given values that it takes, or with its boundary values
-/// where none is given. Leaves out signatures that take none of the given values.
+/// Returns the calls to show for each signature: with the given values that it takes, or with its boundary values where none
+/// is given. Leaves out signatures that take none of the given values.
 ///
 /// # Errors
-/// A value that no signature takes, or too few of them for the last call.
+/// A value that no signature takes, or too few values for the last call.
 pub fn calls(
     texts: &[String],
     signatures: Vec<Signature>,
@@ -120,7 +120,7 @@ fn misfit(call: &[String], rows: &[(Signature, Vec<Call>)], bare_text: bool) -> 
     }
 }
 
-/// Reads a value of a type from a typed or untyped literal. A real may be written without its point, and a text without its
+/// Parses a value of a type from a typed or untyped literal. A real may be written without its point, and a text without its
 /// quotes where `bare_text` says so. The error is a fragment.
 fn read(text: &str, ty: ElementaryType, bare_text: bool) -> Result<Value, String> {
     let typed = text
@@ -141,7 +141,7 @@ fn read(text: &str, ty: ElementaryType, bare_text: bool) -> Result<Value, String
         .map_err(|error| number_misfit(rest, ty).unwrap_or_else(|| reason(error, &literal, ty)))
 }
 
-/// Explains why a number is no value of a type of whole numbers; `None` where the text is no number in decimal digits.
+/// Explains why a number is no value of an integer type; `None` where the text is no number in decimal digits.
 fn number_misfit(text: &str, ty: ElementaryType) -> Option<String> {
     let (least, greatest) = ty.integer_range()?;
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
@@ -155,7 +155,7 @@ fn number_misfit(text: &str, ty: ElementaryType) -> Option<String> {
     }
 }
 
-/// Explains why a text is no literal of a type, without a place counted in bytes.
+/// Explains why a text is no literal of a type, without the byte offset that the error has.
 fn reason(error: LiteralError, literal: &str, ty: ElementaryType) -> String {
     let place = match literal.get(error.offset()..) {
         None | Some("") => "at its end".to_owned(),
@@ -172,7 +172,7 @@ fn reason(error: LiteralError, literal: &str, ty: ElementaryType) -> String {
     }
 }
 
-/// Writes a text between the quotes of its type.
+/// Encloses a text in the quotes of its type.
 fn quoted(text: &str, ty: ElementaryType) -> String {
     let wide = matches!(ty, ElementaryType::Wstring | ElementaryType::Wchar);
     let quote = if wide { '"' } else { '\'' };
@@ -180,7 +180,7 @@ fn quoted(text: &str, ty: ElementaryType) -> String {
     format!("{quote}{escaped}{quote}")
 }
 
-/// Writes the literal of a real as the standard has it: `1E10` becomes `1.0E10`, and `5` becomes `5.0`.
+/// Rewrites a real literal in the form of the standard: `1E10` becomes `1.0E10`, and `5` becomes `5.0`.
 fn with_point(text: &str) -> String {
     let digits = text.trim_start_matches(['+', '-']);
     if !digits.starts_with(|first: char| first.is_ascii_digit()) || text.contains('.') {

@@ -1,4 +1,4 @@
-//! From the name of a function to the sweeps that it takes: one for each pair of types and each distinct rule.
+//! Turns the name of a function into the sweeps that it needs: one for each pair of types and each distinct rule.
 
 use crate::functions::{NoSuchFunction, find_function};
 use crate::sweep::domain::{Domain, Sampling};
@@ -7,7 +7,7 @@ use crate::sweep::reference::Reference;
 use stickler_exact::{Operation, Signature, choices_of, signatures};
 use stickler_types::{ConversionChoices, DialectName, ElementaryType};
 
-/// One function between fixed types, by one rule.
+/// A sweep of one function between fixed types, by one rule.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Sweep {
     /// The function with its types.
@@ -16,19 +16,19 @@ pub struct Sweep {
     pub choices: ConversionChoices,
     /// The dialects that make these choices; never empty.
     pub dialects: Vec<DialectName>,
-    /// The inputs.
+    /// The inputs of the sweep.
     pub domain: Domain,
     /// The reference's own conversion.
     pub reference: Reference,
 }
 
-/// Why there is nothing to sweep.
+/// The reason why a function cannot be swept.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum AgendaError {
-    /// None of the dialects has such a function.
+    /// None of the dialects has the function.
     #[error(transparent)]
     NoSuchFunction(#[from] NoSuchFunction),
-    /// The reference does not know a function that exact arithmetic does; one of them is wrong.
+    /// The reference lacks a function that exact arithmetic has; one of the two is wrong.
     #[error("{dialect} of the reference has no `{function}`, but should: this is a defect of Stickler")]
     NotInReference {
         /// The name as it was given.
@@ -38,18 +38,18 @@ pub enum AgendaError {
     },
 }
 
-/// How a sweep converts its inputs.
+/// The method by which a sweep converts its inputs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SweepMethod {
-    /// Calls the reference's own conversion. Dialects that have the same rule share a sweep, for nothing else differs.
+    /// Calls of the reference's own conversion. Dialects that have the same rule share a sweep, for nothing else differs.
     Conversion,
-    /// Gives programs to an engine. Each dialect has its own sweep, for a foreign engine may do in each what it likes;
+    /// Programs that an engine executes. Each dialect has its own sweep, for another engine than the reference may differ in each;
     /// a source of 32 bits is swept only where a program can fold the results into one number, and sampled elsewhere.
     Programs,
 }
 
 impl SweepMethod {
-    /// The default size of a sample: programs take their time.
+    /// The default size of a sample for [`SweepMethod::Programs`], small since programs take their time.
     const SAMPLED_BY_PROGRAMS: u64 = 10_000;
 
     fn domain(self, signature: &Signature, sampling: Sampling) -> Domain {
@@ -74,7 +74,7 @@ impl SweepMethod {
 /// case; dialects that lack the function are left out.
 ///
 /// # Errors
-/// [`AgendaError`] where none of the dialects has it, or where the reference lacks it.
+/// [`AgendaError`] where none of the dialects has the function, or where the reference lacks it.
 pub fn agenda(
     function: &str,
     dialects: &[DialectName],
@@ -114,7 +114,7 @@ pub fn agenda(
     Ok(sweeps)
 }
 
-/// Returns the signatures of all the dialects, those of one type beside each other.
+/// Returns the signatures that a function has in any of the dialects, grouped by type.
 fn in_order(function: &str, dialects: &[DialectName]) -> Vec<Signature> {
     let mut all: Vec<Signature> = dialects
         .iter()
@@ -124,7 +124,7 @@ fn in_order(function: &str, dialects: &[DialectName]) -> Vec<Signature> {
     all
 }
 
-/// Returns the choices, with those that cannot matter between these types made equal.
+/// Returns the choices, with those that cannot matter for a signature reset to a fixed value.
 fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoices {
     let has = |is: fn(ElementaryType) -> bool| signature.operands.iter().any(|ty| is(*ty));
     let (real, text) = (has(|ty| ty.is_real()), has(|ty| ty.is_text()));

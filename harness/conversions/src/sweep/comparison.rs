@@ -7,13 +7,13 @@ use std::ops::Range;
 use stickler_exact::{Bulk, expected, value};
 use stickler_types::{ElementaryType, Value};
 
-/// How many raw forms are converted before they are compared; three buffers of this size stay in the nearest cache.
+/// The number of raw forms that are converted before they are compared; three buffers of this size stay in the nearest cache.
 const BLOCK: usize = 1024;
 
-/// How many inputs a worker takes at a time: about a millisecond's work.
+/// The number of inputs that a worker takes at a time: about a millisecond's work.
 const STEP: u64 = 1 << 18;
 
-/// How many inputs a worker takes at a time where exact arithmetic has no quick form.
+/// The number of inputs that a worker takes at a time where exact arithmetic has no bulk form.
 const SLOW_STEP: u64 = 1 << 9;
 
 /// A sweep, and the converter that it compares with exact arithmetic.
@@ -21,7 +21,7 @@ const SLOW_STEP: u64 = 1 << 9;
 pub struct Comparison<'s> {
     sweep: &'s Sweep,
     converter: &'s dyn Converter,
-    /// The quick form of exact arithmetic, where there is one.
+    /// The bulk form of exact arithmetic, where there is one.
     bulk: Option<Bulk>,
 }
 
@@ -36,7 +36,7 @@ impl<'s> Comparison<'s> {
         }
     }
 
-    /// Returns how many inputs a worker should take at a time.
+    /// Returns the number of inputs that a worker takes at a time.
     #[must_use]
     pub const fn step(&self) -> u64 {
         if self.bulk.is_some() { STEP } else { SLOW_STEP }
@@ -53,7 +53,7 @@ impl<'s> Comparison<'s> {
         }
     }
 
-    /// Describes the difference at a place whose operands gave another result.
+    /// Makes the record of a wrong result at a place of the domain.
     fn difference(&self, place: u64, operands: Vec<Value>, expected: Value, got: Value) -> Difference {
         let dialects = self.sweep.dialects.iter();
         let basis = dialects
@@ -78,7 +78,7 @@ pub struct ComparisonBuffers<'s> {
 }
 
 impl ComparisonBuffers<'_> {
-    /// Compares the results for the inputs at these places with exact arithmetic.
+    /// Compares the results for the inputs at the given places of the domain with exact arithmetic.
     pub fn compare(&mut self, places: Range<u64>) -> Findings {
         let mut found = Findings::new(0);
         match self.comparison.bulk {
@@ -107,7 +107,7 @@ impl ComparisonBuffers<'_> {
         }
     }
 
-    /// Collects the differences of a block. Two NaNs are equal whatever their bits.
+    /// Adds the differences in a block to the findings. Two NaNs are equal whatever their bits.
     #[cold]
     fn collect_differences(&self, start: u64, length: usize, found: &mut Findings) {
         let signature = &self.comparison.sweep.signature;
@@ -145,7 +145,7 @@ impl ComparisonBuffers<'_> {
     }
 }
 
-/// Returns whether a raw form stands for no number: all bits of the exponent, and some of the fraction.
+/// Returns whether a raw form is a NaN: all bits of the exponent are set, and some of the fraction.
 const fn is_nan(ty: ElementaryType, raw: u64) -> bool {
     match ty {
         ElementaryType::Real => raw & 0x7FFF_FFFF > 0x7F80_0000,

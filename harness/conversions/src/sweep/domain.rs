@@ -1,4 +1,4 @@
-//! The inputs of a sweep.
+//! The inputs of a sweep: all values of a type, or chosen and sampled ones.
 
 mod choose;
 mod operands;

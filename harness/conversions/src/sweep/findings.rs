@@ -1,13 +1,13 @@
-//! The differences that a sweep found.
+//! The findings of a sweep over the reference: the counts and the first differences.
 
 use crate::sweep::run::Progress;
 use std::fmt;
 use stickler_types::Value;
 
-/// How many differences are kept; all are counted.
+/// The maximum number of differences that are kept; all are counted.
 pub const MAX_DIFFERENCES: usize = 10;
 
-/// One input that does not give the exact result.
+/// An input whose result differs from the exact one.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Difference {
     /// The place of the input in the domain.
@@ -32,21 +32,21 @@ impl fmt::Display for Difference {
     }
 }
 
-/// The differences that a sweep found, and how far it came.
+/// The differences that a sweep found, and its progress.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Findings {
-    /// All inputs of the domain.
+    /// The number of inputs of the domain.
     pub inputs: u64,
-    /// How many inputs were compared: all up to a place.
+    /// The number of inputs that were compared, from the first on without a gap.
     pub done: u64,
-    /// How many inputs gave a wrong result.
+    /// The number of inputs that gave a wrong result.
     pub mismatches: u64,
     /// The first wrong results, at most [`MAX_DIFFERENCES`], in the order of the domain.
     pub first: Vec<Difference>,
 }
 
 impl Findings {
-    /// Returns findings of which nothing was compared yet.
+    /// Returns findings with no input compared yet.
     #[must_use]
     pub fn new(inputs: u64) -> Findings {
         Findings {
@@ -61,7 +61,7 @@ impl Findings {
         self.done == self.inputs
     }
 
-    /// Returns how far the sweep is.
+    /// Returns the progress of the sweep.
     #[must_use]
     pub const fn progress(&self) -> Progress {
         Progress {

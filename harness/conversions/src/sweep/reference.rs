@@ -1,4 +1,4 @@
-//! The reference's own conversion, by the functions that its machine calls too: not a copy of them.
+//! The reference's own conversion, by the same functions that its machine calls.
 
 use crate::sweep::converter::Converter;
 use stickler_exact::Signature;
@@ -6,7 +6,7 @@ use stickler_reference::Dialect;
 use stickler_reference::conversion::{Concatenation, Conversion, concatenation, function};
 use stickler_types::{DialectName, ElementaryType, Value};
 
-/// A conversion of the reference.
+/// A conversion function of the reference between fixed types, with the rules of a dialect.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Reference {
     kind: Kind,

@@ -7,19 +7,20 @@ use crate::sweep::findings::Findings;
 use std::ops::Range;
 use stickler_workers::{Cancellation, SpawnError, WorkerPool};
 
-/// How far a sweep is.
+/// The progress of a sweep.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Progress {
-    /// How many inputs were compared.
+    /// The number of inputs that were compared so far.
     pub done: u64,
-    /// How many of them gave a wrong result.
+    /// The number of compared inputs that gave a wrong result.
     pub mismatches: u64,
 }
 
-/// Compares the result of every input of the sweep with exact arithmetic, on so many threads, 0 being one a processor.
+/// Compares the result of every input of the sweep with exact arithmetic, on the given number of threads (0: one for each
+/// processor).
 ///
-/// `progress` is called whenever some more inputs are done. When `cancel` is requested, what has been begun is finished and
-/// the rest left: what was compared is always everything up to a place.
+/// Calls `progress` whenever some more inputs are done. When `cancel` is requested, finishes the inputs that have been begun and
+/// leaves the rest: the compared inputs always are all inputs up to a place.
 ///
 /// # Errors
 /// [`SpawnError`] where the system gives no threads.
@@ -46,7 +47,7 @@ pub fn run(
     Ok(findings)
 }
 
-/// Returns all places in order, in pieces of `step`.
+/// Returns the places of all inputs in order, in ranges of `step`.
 fn tasks(step: u64, inputs: u64) -> impl Iterator<Item = Range<u64>> {
     let starts = std::iter::successors(Some(0), move |start: &u64| start.checked_add(step));
     starts

@@ -1,13 +1,13 @@
-//! Engines that are the reference with something wrong.
+//! Engines that are the reference with a planted error.
 
 use stickler_engines::{Engine, EngineError, Identity, Outcome, Reference, RunRequest, Session};
 use stickler_types::DialectName;
 
-/// Puts something between the reference and whoever asks it.
+/// An engine that passes requests to the reference through a function, which may change request and answer.
 pub struct Between<F> {
-    /// Who answers in the end.
+    /// The reference that answers requests.
     pub reference: Reference,
-    /// What is done to a request, or instead of it.
+    /// The function that answers a request, by the session of the reference.
     pub answer: F,
 }
 
@@ -44,7 +44,7 @@ impl<F: Fn(&mut dyn Session, &RunRequest<'_>) -> Outcome> Session for BetweenSes
     }
 }
 
-/// The reference with the function replaced: `body` assigns `Wrong` from `x`, and may say `RIGHT` for the right result.
+/// Returns the reference with a function replaced: `body` assigns `Wrong` from `x`, and may say `RIGHT` for the right result.
 pub fn wrong(
     function: &'static str,
     from: &'static str,

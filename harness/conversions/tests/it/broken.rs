@@ -1,10 +1,10 @@
-//! A sweep that cannot fail proves nothing: conversions that are wrong in one small thing, and are found.
+//! Tests that a sweep finds conversions with one small error.
 
 use crate::support::{Spoilt, findings, sweep};
 use stickler_conversions::sweep::{Converter, Difference, Findings};
 use stickler_types::{DialectName, Value};
 
-/// What a sweep of a function finds in its spoilt reference.
+/// Returns the findings of a sweep over the reference's conversion, whose results `spoil` changes.
 fn spoilt(function: &str, spoil: impl Fn(u64, u64) -> u64 + Sync) -> Findings {
     let sweep = sweep(function, DialectName::Matiec);
     assert_eq!(findings(&sweep, &sweep.reference).mismatches, 0, "{function}");
@@ -92,7 +92,7 @@ fn the_first_differences_come_in_order_and_all_are_counted() {
     assert_eq!(found.mismatches, 65_536);
 }
 
-/// Texts that are all wrong in the same way.
+/// A converter whose texts are all wrong in the same way.
 struct Shouting<'s>(&'s dyn Converter);
 
 impl Converter for Shouting<'_> {

@@ -1,4 +1,4 @@
-//! The reference against exact arithmetic, function by function.
+//! Tests the reference against exact arithmetic, function by function.
 
 use crate::support::{findings, sampled};
 use std::collections::HashSet;
@@ -8,7 +8,7 @@ use stickler_exact::{Signature, functions};
 use stickler_types::DialectName;
 use stickler_types::boundaries::Detail;
 
-/// Every function of every dialect, each distinct rule once: every input of a source of at most 16 bits, and the
+/// Sweeps every function of every dialect, each distinct rule once: every input of a source of at most 16 bits, and the
 /// nearest neighbours of the boundaries with a small sample of the others.
 #[test]
 fn the_reference_is_exact_wherever_a_moment_suffices() {
@@ -116,7 +116,7 @@ fn a_function_that_a_dialect_lacks_is_named_with_those_that_have_it() {
     );
 }
 
-/// What a dialect says of rounding matters only where a real becomes an integer.
+/// Checks that a dialect's rounding separates sweeps only where a real becomes an integer.
 #[test]
 fn dialects_share_a_sweep_unless_their_rules_for_it_differ() {
     for (function, distinct) in [

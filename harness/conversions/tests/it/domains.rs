@@ -1,4 +1,4 @@
-//! Which inputs a sweep goes through.
+//! Tests the inputs that a sweep goes through.
 
 use stickler_conversions::sweep::{Domain, Sampling};
 use stickler_types::{ElementaryType, Value, literal};

@@ -1,4 +1,4 @@
-//! The reference as if it were foreign, through programs; and engines that get single things wrong.
+//! Tests sweeps through programs: of the reference, and of engines with a single planted error.
 
 use crate::between::{Between, wrong};
 use stickler_conversions::RefusalKind;
@@ -18,7 +18,7 @@ fn sweeps(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Swee
     agenda(function, &[dialect], sampling, SweepMethod::Programs).unwrap_or_default()
 }
 
-/// By one worker, so that it is always the same programs.
+/// Returns the findings of a sweep by one worker, so that the programs are always the same.
 fn found(sweep: &Sweep, engine: &dyn Engine) -> ForeignFindings {
     found_by(1, sweep, engine)
 }
@@ -29,7 +29,7 @@ fn found_by(workers: usize, sweep: &Sweep, engine: &dyn Engine) -> ForeignFindin
     found
 }
 
-/// What the engine gets right is as it is told here: nothing else was found.
+/// Asserts that a sweep dealt with all inputs and found nothing wrong.
 fn assert_clean(function: &str, found: &ForeignFindings) {
     let clean = ForeignFindings {
         inputs: found.inputs,
@@ -192,7 +192,7 @@ fn where_everything_is_wrong_the_first_are_named_and_the_rest_not_looked_into() 
 
 #[test]
 fn what_no_document_speaks_of_is_an_observation() {
-    // An engine that stays at the limit, as PLCnext's documents neither say nor deny.
+    // The engine stays at the limit, which PLCnext's documents neither demand nor forbid.
     let limit = "IF x > 127 THEN Wrong := SINT#127; ELSIF x < -128 THEN Wrong := SINT#-128; ELSE Wrong := RIGHT; END_IF;";
     let engine = wrong("INT_TO_SINT", "INT", "SINT", limit);
     let found = found(&sweeps("INT_TO_SINT", DialectName::Plcnext, None)[0], &engine);

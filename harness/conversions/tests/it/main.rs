@@ -1,4 +1,4 @@
-//! Sweeps from the outside: what they go through, what they find, and how they stop.
+//! Tests of sweeps by the crate's public interface: inputs, findings and cancellation.
 
 mod between;
 mod broken;

@@ -1,4 +1,4 @@
-//! How a sweep shows how far it is, and stops.
+//! Tests the progress and the cancellation of a sweep.
 
 use crate::support::{Spoilt, sweep};
 use std::sync::Mutex;

@@ -1,15 +1,15 @@
-//! What the tests share.
+//! Functions and types that several tests share.
 
 use stickler_conversions::sweep::{Converter, Findings, Sampling, Sweep, SweepMethod, agenda, run};
 use stickler_types::{DialectName, Value};
 use stickler_workers::Cancellation;
 
-/// The sweeps of a function in one dialect, each input of a small source, and a small sample of others.
+/// Returns the sweeps of a function in one dialect: each input of a small source, and a small sample of others.
 pub fn sweeps(function: &str, dialect: DialectName) -> Vec<Sweep> {
     sampled(function, &[dialect], None)
 }
 
-/// The sweeps of a function in some dialects; `inputs` as in [`Sampling::inputs`].
+/// Returns the sweeps of a function in some dialects; `inputs` as in [`Sampling::inputs`].
 pub fn sampled(function: &str, dialects: &[DialectName], inputs: Option<u64>) -> Vec<Sweep> {
     let sampling = Sampling {
         inputs,
@@ -18,25 +18,25 @@ pub fn sampled(function: &str, dialects: &[DialectName], inputs: Option<u64>) ->
     agenda(function, dialects, sampling, SweepMethod::Conversion).expect("a conversion function")
 }
 
-/// The only sweep of a function in a dialect.
+/// Returns the only sweep of a function in a dialect.
 pub fn sweep(function: &str, dialect: DialectName) -> Sweep {
     let mut sweeps = sweeps(function, dialect);
     assert_eq!(sweeps.len(), 1, "{function}");
     sweeps.remove(0)
 }
 
-/// Runs to the end without a word.
+/// Runs a sweep to its end, and returns its findings.
 pub fn findings(sweep: &Sweep, converter: &dyn Converter) -> Findings {
     let found = run(sweep, converter, 0, &|_| {}, &Cancellation::new()).expect("threads");
     assert!(found.is_complete());
     found
 }
 
-/// A converter made of the reference and of something that spoils its results.
+/// A converter that changes the results of the reference's conversion.
 pub struct Spoilt<'s, F> {
-    /// What is swept.
+    /// The sweep whose reference converts.
     pub sweep: &'s Sweep,
-    /// The raw form of an operand and of the right result, and gives the wrong one.
+    /// The function that takes the raw forms of an operand and of the right result, and returns that of the wrong one.
     pub spoil: F,
 }
 

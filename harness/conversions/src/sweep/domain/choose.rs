@@ -1,4 +1,4 @@
-//! The domain of a sweep: inputs by their place, so that workers need not wait for each other.
+//! The domain of a sweep: finds each input by its place, so that workers need not wait for each other.
 
 use super::operands::{Operands, Texts};
 use super::{sample, texts};
@@ -9,12 +9,12 @@ use stickler_types::{ElementaryType, SplitMix64, Value};
 /// The size and the seed of a sample.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Sampling {
-    /// How many inputs are sampled beside the chosen ones. `None` is every input of a source of at most 32 bits, and
+    /// The number of inputs that are sampled beside the chosen ones. `None` takes every input of a source of at most 32 bits, and
     /// [`Sampling::DEFAULT`] of all others. A source of at most 16 bits is never sampled.
     pub inputs: Option<u64>,
     /// The seed; the same seed gives the same inputs.
     pub seed: u64,
-    /// How many neighbours each boundary has.
+    /// The level of detail of the boundary values, which decides the number of neighbours of each.
     pub detail: Detail,
 }
 
@@ -24,7 +24,7 @@ impl Sampling {
 }
 
 impl Default for Sampling {
-    /// Returns every input where that is possible, otherwise fine neighbourhoods and the sample of seed 1.
+    /// Returns the sampling that takes every input where that is possible, otherwise fine neighbourhoods and the sample of seed 1.
     fn default() -> Sampling {
         Sampling {
             inputs: None,
@@ -37,7 +37,7 @@ impl Default for Sampling {
 /// The inputs of one sweep, in a fixed order.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Domain {
-    /// Every value of a type, in the order of its bits: 0, 1, 2 … and then, of signed types and REAL, the
+    /// Every value of a type, in the order of its bits: 0, 1, 2 … and then, for signed types and REAL, the
     /// negative ones; a REAL passes its infinity and its NaNs on the way.
     Every(ElementaryType),
     /// The boundaries of a type with their neighbours, then a sample.
@@ -54,7 +54,7 @@ pub enum Domain {
 }
 
 impl Domain {
-    /// Returns the domain of a function with these operands; the empty one where there are neither one nor two.
+    /// Returns the domain of a function with the given types of operands; an empty one unless there are one or two operands.
     #[must_use]
     pub fn of(operands: &[ElementaryType], sampling: Sampling) -> Domain {
         let sampled = sampling.inputs.unwrap_or(Sampling::DEFAULT);
@@ -71,7 +71,7 @@ impl Domain {
         }
     }
 
-    /// Returns how many inputs there are.
+    /// Returns the number of inputs.
     #[must_use]
     pub fn len(&self) -> u64 {
         match self {
@@ -94,8 +94,8 @@ impl Domain {
         matches!(self, Domain::Every(_))
     }
 
-    /// Returns how many inputs were chosen, by hand or as neighbours of a boundary, and how many are sampled; `None` where
-    /// the domain has every value of its type.
+    /// Returns the number of inputs that were chosen, by hand or as neighbours of a boundary, and the number of sampled ones;
+    /// `None` where the domain has every value of its type.
     #[must_use]
     pub fn parts(&self) -> Option<(u64, u64)> {
         match self {
@@ -106,7 +106,7 @@ impl Domain {
         }
     }
 
-    /// Returns the operands at a place. Beyond the last place they are others of the same kind.
+    /// Returns the operands at a place. Beyond the last place they are further samples.
     #[must_use]
     pub fn operands(&self, place: u64) -> Vec<Value> {
         match self {
@@ -123,7 +123,7 @@ impl Domain {
         }
     }
 
-    /// Writes the raw forms at these places, as many as `raws` has room for; nothing where an input is no single raw form.
+    /// Writes the raw forms at the given places, as many as `raws` has room for; nothing where an input is no single raw form.
     pub fn fill(&self, places: Range<u64>, raws: &mut [u64]) {
         match self {
             Domain::Every(ty) => every(*ty, places, raws),
@@ -135,7 +135,7 @@ impl Domain {
     }
 }
 
-/// Writes the bits at these places as raw forms: the low ones, sign-extended for a signed type.
+/// Writes the raw forms at the given places of [`Domain::Every`]: the low bits of the place, sign-extended for a signed type.
 fn every(ty: ElementaryType, places: Range<u64>, raws: &mut [u64]) {
     let sign = if ty.is_signed() {
         1 << (ty.bits() - 1)
@@ -147,7 +147,7 @@ fn every(ty: ElementaryType, places: Range<u64>, raws: &mut [u64]) {
     }
 }
 
-/// Shapes scattered bits into a value of a type; see [`sample::raw`].
+/// Returns the raw form of the sampled value of a type at a place; see [`sample::raw`].
 pub(super) fn sampled(ty: ElementaryType, random: SplitMix64, place: u64) -> u64 {
     sample::raw(ty, random.at(2 * place), random.at(2 * place + 1))
 }

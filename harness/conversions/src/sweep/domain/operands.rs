@@ -1,10 +1,10 @@
-//! Chosen inputs followed by sampled ones, each to be had by its place.
+//! Lists of chosen inputs followed by sampled ones, each found by its place.
 
 use super::choose::sampled;
 use super::texts;
 use stickler_types::{ElementaryType, SplitMix64, Value};
 
-/// Values of one type that is no text.
+/// The inputs of an operand of a type other than text.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Operands {
     ty: ElementaryType,
@@ -14,7 +14,7 @@ pub struct Operands {
 }
 
 impl Operands {
-    /// Makes a list of the chosen raw forms, followed by so many of the sample.
+    /// Makes a list of the chosen raw forms, followed by a number of sampled ones.
     #[must_use]
     pub const fn new(ty: ElementaryType, chosen: Vec<u64>, sampled: u64, random: SplitMix64) -> Operands {
         Operands {
@@ -25,19 +25,19 @@ impl Operands {
         }
     }
 
-    /// Returns how many were chosen.
+    /// Returns the number of chosen inputs.
     #[must_use]
     pub fn chosen(&self) -> u64 {
         self.chosen.len() as u64
     }
 
-    /// Returns how many are sampled.
+    /// Returns the number of sampled values.
     #[must_use]
     pub const fn sampled(&self) -> u64 {
         self.sampled
     }
 
-    /// Returns how many there are, chosen and sampled.
+    /// Returns the number of inputs, chosen and sampled.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.chosen().saturating_add(self.sampled)
@@ -62,7 +62,7 @@ impl Operands {
     }
 }
 
-/// Texts of one width.
+/// The inputs of an operand of type STRING or WSTRING.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Texts {
     ty: ElementaryType,
@@ -72,7 +72,7 @@ pub struct Texts {
 }
 
 impl Texts {
-    /// Makes a list of the chosen texts, followed by so many made-up ones.
+    /// Makes a list of the chosen texts, followed by a number of generated ones.
     #[must_use]
     pub const fn new(ty: ElementaryType, chosen: Vec<Vec<u16>>, sampled: u64, random: SplitMix64) -> Texts {
         Texts {
@@ -83,19 +83,19 @@ impl Texts {
         }
     }
 
-    /// Returns how many were chosen.
+    /// Returns the number of chosen inputs.
     #[must_use]
     pub fn chosen(&self) -> u64 {
         self.chosen.len() as u64
     }
 
-    /// Returns how many are made up.
+    /// Returns the number of generated texts.
     #[must_use]
     pub const fn sampled(&self) -> u64 {
         self.sampled
     }
 
-    /// Returns how many there are, chosen and sampled.
+    /// Returns the number of inputs, chosen and sampled.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.chosen().saturating_add(self.sampled)

@@ -1,4 +1,4 @@
-//! Scattered bits as values of a type, so that no magnitude is rare.
+//! Turns random bits into values of a type, so that no magnitude is rare.
 
 use stickler_types::{ElementaryType, Family};
 
@@ -6,8 +6,8 @@ const MILLISECOND: i64 = 1_000_000;
 const SECOND: i64 = 1_000 * MILLISECOND;
 const DAY: i64 = 86_400 * SECOND;
 
-/// Makes a value of a type from two scattered numbers, the first of which decides its kind and the other its digits.
-/// Bits alone would seldom give a small integer or a real number near the integers; 0 for a text.
+/// Returns the raw form of a value made from two random numbers, the first of which decides its kind and the other its digits;
+/// 0 for a text. Random bits alone would seldom give a small integer or a real number near the integers.
 #[must_use]
 pub fn raw(ty: ElementaryType, kind: u64, digits: u64) -> u64 {
     match ty.family() {
@@ -22,7 +22,7 @@ pub fn raw(ty: ElementaryType, kind: u64, digits: u64) -> u64 {
     }
 }
 
-/// Makes a number with any count of bits, of either sign.
+/// Returns a random number of either sign and of any magnitude, each number of bits being equally likely.
 fn any_length(kind: u64, digits: u64) -> i64 {
     let magnitude = (digits >> (kind % 64)).cast_signed();
     if kind & 64 == 0 {
@@ -32,8 +32,8 @@ fn any_length(kind: u64, digits: u64) -> i64 {
     }
 }
 
-/// Makes a real number: a fourth of them are any bits at all, a fourth halves of integers, the rest numbers that round to an
-/// integer of up to 70 bits.
+/// Returns the raw form of a random real number: a fourth of them are any bits at all, a fourth halves of integers, the rest
+/// numbers that round to an integer of up to 70 bits.
 fn real(ty: ElementaryType, kind: u64, digits: u64) -> u64 {
     let (fraction_bits, bias, sign) = match ty {
         ElementaryType::Real => (23, 127, 31),
@@ -57,7 +57,7 @@ fn real(ty: ElementaryType, kind: u64, digits: u64) -> u64 {
     }
 }
 
-/// Makes a number of nanoseconds, whole milliseconds or whole seconds, of any magnitude.
+/// Returns a random number of nanoseconds, whole milliseconds or whole seconds, of any magnitude.
 fn moment(kind: u64, digits: u64) -> i64 {
     let any = any_length(kind >> 2, digits);
     match kind & 3 {

@@ -1,4 +1,4 @@
-//! Texts for the functions that read them: those that people get wrong, and number-like ones made up.
+//! Texts for the functions that parse them: error-prone ones written by hand, and generated number-like ones.
 
 use stickler_types::{ElementaryType, SplitMix64};
 
@@ -25,7 +25,7 @@ pub fn by_hand(ty: ElementaryType) -> Vec<Vec<u16>> {
         .collect()
 }
 
-/// Returns texts that only a WSTRING holds (digits of full width, half of a character), or those of a STRING instead.
+/// Returns texts that only a WSTRING holds (full-width digits, half of a surrogate pair), or their counterparts for a STRING.
 fn wide(ty: ElementaryType) -> Vec<Vec<u16>> {
     match ty {
         ElementaryType::Wstring => vec![
@@ -202,7 +202,7 @@ const SHORT: &[&str] = &[
     "5%",
 ];
 
-/// The pieces of made-up texts; digits are more frequent than the rest.
+/// The pieces of generated texts; digits are more frequent than the rest.
 const PIECES: &[&str] = &[
     "0",
     "1",
@@ -245,7 +245,7 @@ const PIECES: &[&str] = &[
     "ÿ",
 ];
 
-/// Makes up a number-like text: an integer, a real number with or without an exponent, or pieces as they come.
+/// Generates a number-like text: an integer, a real number with or without an exponent, or random pieces.
 #[must_use]
 pub fn made_up(random: SplitMix64) -> Vec<u16> {
     let sign = ["", "", "-", "+"][(random.at(0) % 4) as usize];

@@ -1,4 +1,4 @@
-//! The checksum of results, written twice: in ST and in Rust.
+//! The checksum of results, implemented twice: in ST for the generated programs, and in Rust for the expected sum.
 //!
 //! Each result becomes one or two whole numbers from 0 below 2^53, its parts, and each of these goes into the sum by
 //! `total := (total * FACTOR + part) MOD MODULUS`. No step exceeds 2^62, so a LINT never overflows.
@@ -17,10 +17,10 @@ use stickler_types::{ElementaryType, Family};
 
 const FACTOR: u64 = 1_234_567_891;
 const MODULUS: u64 = 1_999_999_973;
-/// The number of values of half of 64 bits.
+/// The number of values that 32 bits hold, half of the width of LINT.
 const HALF: u64 = 1 << 32;
 
-/// How results of a type are added up.
+/// The checksum of results of one type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Checksum {
     result: ElementaryType,
@@ -60,7 +60,7 @@ impl Checksum {
         }
     }
 
-    /// Returns the code of sign and exponent, and the 53 bits of the mantissa.
+    /// Returns the parts of a real number's raw form: the code of sign and exponent, and the 53 bits of the mantissa.
     fn real(self, raw: u64) -> (u64, u64) {
         let number = match self.result {
             // A REAL's raw form has 32 bits.
@@ -76,7 +76,7 @@ impl Checksum {
         }
     }
 
-    /// Returns the declarations of the variables besides `given`, which holds the result.
+    /// Returns the ST declarations of the checksum's variables besides `given`, which holds the result.
     #[must_use]
     pub fn declarations(self) -> String {
         let more = match (self.result.family(), self.result) {
@@ -90,7 +90,7 @@ impl Checksum {
         format!("    part  : LINT;\n    total : LINT := LINT#0;\n{more}")
     }
 
-    /// Returns the statements that add `given` to `total`, each line indented twice.
+    /// Returns the ST statements that add `given` to `total`, each line indented twice.
     #[must_use]
     pub fn statements(self) -> String {
         use ElementaryType::{Bool, Lint, Lreal, Lword, Real, Ulint};
@@ -121,8 +121,8 @@ impl Checksum {
     }
 }
 
-/// The biased exponents that the program can tell: from that of 2^-255 up to, and without, that of 2^128. Those of REALs
-/// are among them, and nothing else is ever expected.
+/// The least of the biased exponents that the program can tell apart: from that of 2^-255 up to, and without, that of 2^128.
+/// Those of REALs are among them, and no other is ever expected.
 const LEAST_EXPONENT: u64 = 1023 - 255;
 const GREATEST_EXPONENT: u64 = 1023 + 128;
 
@@ -134,7 +134,8 @@ fn lines(lines: &[&str]) -> String {
     lines.iter().map(|line| format!("        {line}\n")).collect()
 }
 
-/// Returns the statements that take the high and the low half, the low one never negative, whichever way the engine's `MOD` of a negative number goes.
+/// Returns the ST statements that split a signed LINT into its high and its low half, the low one never negative, whatever the
+/// sign of the engine's `MOD` of a negative number.
 fn halves_of_signed() -> String {
     lines(&[
         &format!("high := given / LINT#{HALF};"),
@@ -158,8 +159,9 @@ fn halves_of_unsigned() -> String {
     ])
 }
 
-/// Returns the statements that take sign, exponent and mantissa of `number`. Its magnitude is brought between 1 and 2 by products with powers of two, each
-/// of them exact; the mantissa is then a whole number of 53 bits. A NaN passes every comparison as false.
+/// Returns the ST statements that split `number` into sign, exponent and mantissa. Products with powers of two, each of them
+/// exact, bring its magnitude between 1 and 2; the mantissa is then a whole number of 53 bits. A NaN passes every comparison
+/// as false.
 fn digits() -> String {
     let one = power_of_two(0);
     let mut text = lines(&[
@@ -195,10 +197,10 @@ fn digits() -> String {
     ])
 }
 
-/// Returns the statement that multiplies `number` by a power of two where it compares so, and adjusts `exponent`.
+/// Appends the ST statement that multiplies `number` by a power of two where the comparison holds, and adjusts `exponent`.
 fn scaled(text: &mut String, comparison: &str, power: i32) {
     let product = power_of_two(power);
-    // As above.
+    // Writing to a String cannot fail.
     let _ = writeln!(
         text,
         "            IF number {comparison} THEN\n                number := number * {product};\n                \
@@ -211,7 +213,7 @@ mod tests {
     use super::{Checksum, FACTOR, MODULUS};
     use stickler_types::ElementaryType;
 
-    /// A prime modulus, and a factor whose powers go through everything before they come back to 1.
+    /// The modulus is a prime, and the powers of the factor take every value but 0 before they return to 1.
     #[test]
     fn the_factor_is_a_primitive_root_of_the_modulus() {
         let power = |exponent: u64| {
@@ -232,7 +234,8 @@ mod tests {
         }
     }
 
-    /// A wrap instead of a limit, a sign, a bit, one more or less: none of these differences is a multiple of the modulus.
+    /// The differences of typical errors (a wrap instead of a limit, a sign, a bit, one more or less) are no multiples of the
+    /// modulus.
     #[test]
     fn no_usual_difference_vanishes() {
         let edges: Vec<i128> = (0..=64)

@@ -1,22 +1,22 @@
-//! The ST statements by which a program goes from one operand to the next.
+//! The ST statements by which a program counts from one operand to the next.
 
 use crate::literals;
 use std::fmt::Write;
 use std::ops::Range;
 use stickler_types::{ElementaryType, Family, Value};
 
-/// The bits of a REAL's fraction.
+/// The number of bits of a REAL's fraction.
 const FRACTION: u32 = 23;
-/// How many REALs there are of one sign.
+/// The number of REALs of one sign, NaNs among them.
 const SIGN: u64 = 1 << 31;
-/// The REALs of one sign from infinity on: it and the NaNs.
+/// The place of infinity among the REALs of one sign; the NaNs follow.
 const INFINITY: u64 = 0xFF << FRACTION;
 
-/// Counts through a type of at most 32 bits, in the order of [`Domain::Every`](crate::sweep::Domain::Every).
+/// A counter through the values of a type of at most 32 bits, in the order of [`Domain::Every`](crate::sweep::Domain::Every).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Counter {
     operand: ElementaryType,
-    /// The type that is counted: that of the operand, or for a bit string the unsigned integer of the same width.
+    /// The type in which the program counts: that of the operand, or for a bit string the unsigned integer type of the same width.
     counted: ElementaryType,
 }
 
@@ -35,8 +35,8 @@ impl Counter {
         Some(Counter { operand, counted })
     }
 
-    /// Returns the ranges of places whose operands are one step apart, in order. They leave out what no program can count: the
-    /// infinities and NaNs. Each zero of a REAL stands alone, for whoever wants to see the sign of a result.
+    /// Returns the ranges of places whose operands are one step apart, in order. Leaves out the infinities and NaNs, which no
+    /// program can count. Each zero of a REAL is a range of its own, so that the sign of its result can be observed.
     #[must_use]
     pub fn stretches(self) -> Vec<Range<u64>> {
         if self.operand == ElementaryType::Real {
@@ -49,7 +49,7 @@ impl Counter {
         }
     }
 
-    /// Returns how many values of the type are in no stretch.
+    /// Returns the number of values of the type that are in no stretch.
     #[must_use]
     pub const fn left_out(self) -> u64 {
         match self.operand {
@@ -58,7 +58,7 @@ impl Counter {
         }
     }
 
-    /// Returns the declarations of the variables, `operand` among them, with the value that they have at a place.
+    /// Returns the ST declarations of the counter's variables, `operand` among them, initialized for a place.
     #[must_use]
     pub fn declarations(self, place: u64) -> String {
         let Counter { operand, counted } = self;
@@ -80,7 +80,7 @@ impl Counter {
         text
     }
 
-    /// Returns the statement that converts what is counted to the operand; empty where they are the same.
+    /// Returns the ST statement that converts the counted variable to the operand; empty where both are the same variable.
     #[must_use]
     pub fn making(self) -> String {
         let Counter { operand, counted } = self;
@@ -90,7 +90,7 @@ impl Counter {
         format!("operand := {counted}_TO_{operand}(counted);")
     }
 
-    /// Returns the statement that goes on to the next operand.
+    /// Returns the ST statement that advances to the next operand.
     #[must_use]
     pub fn advancing(self) -> String {
         let Counter { operand, counted } = self;
@@ -102,7 +102,7 @@ impl Counter {
     }
 }
 
-/// Returns the stretches of one sign, from its zero on.
+/// Returns the stretches of the REALs of one sign, from its zero on.
 fn binades(sign: u64) -> impl Iterator<Item = Range<u64>> {
     let binade = move |exponent: u64| sign + (exponent << FRACTION)..sign + ((exponent + 1) << FRACTION);
     // The subnormal numbers are as far apart as those of the binade after them.
@@ -148,7 +148,7 @@ mod tests {
         assert_eq!(counters().count(), 10);
     }
 
-    /// What the program adds is computed here in the arithmetic of REAL itself, at both ends of each stretch.
+    /// The increments of the program are checked in the arithmetic of REAL itself, at both ends of each stretch.
     #[test]
     fn adding_the_unit_in_the_last_place_gives_the_next_real() {
         let counter = Counter::new(ElementaryType::Real).expect("a counter");

@@ -5,10 +5,11 @@ use crate::sweep::findings::{Difference, MAX_DIFFERENCES};
 use crate::sweep::run::Progress;
 use stickler_types::Value;
 
-/// How many reasons are told apart; a message may hold a number that is always another.
+/// The maximum number of reasons that are kept apart, since a message may hold a number that is always another.
 const MAX_REASONS: usize = 20;
 
-/// How many inputs without an answer are separated from their neighbours; beyond, programs are given up as a whole.
+/// The number of unanswered inputs up to which they are separated from their neighbours; beyond it, programs are given up as
+/// a whole.
 const MAX_SEPARATE_REFUSALS: u64 = 50;
 
 /// Inputs that an engine did not answer for one reason.
@@ -16,40 +17,41 @@ const MAX_SEPARATE_REFUSALS: u64 = 50;
 pub struct Unanswered {
     /// The reason, as the engine gave it for the first of the inputs.
     pub refusal: Refusal,
-    /// How many inputs they are.
+    /// The number of inputs.
     pub inputs: u64,
     /// The operands of the first of the inputs.
     pub example: Vec<Value>,
 }
 
-/// The findings of a sweep through programs, and how far it came.
+/// The findings of a sweep through programs, and its progress.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ForeignFindings {
-    /// All inputs of the domain.
+    /// The number of inputs of the domain.
     pub inputs: u64,
-    /// How many inputs were dealt with, in whatever way.
+    /// The number of inputs that were dealt with: compared, left out or unanswered.
     pub done: u64,
-    /// How many inputs no program can make: the infinities and NaNs.
+    /// The number of inputs that no program can make: the infinities and NaNs.
     pub left_out: u64,
-    /// How many of the results that were observed one by one contradict a document.
+    /// The number of results, among those that were observed one by one, that contradict a document.
     pub mismatches: u64,
     /// The first mismatches, at most [`MAX_DIFFERENCES`], in the order of the domain.
     pub first: Vec<Difference>,
-    /// How many of the results that were observed one by one differ from exact arithmetic where no document speaks.
+    /// The number of results, among those that were observed one by one, that differ from exact arithmetic where no document
+    /// speaks.
     pub observed: u64,
     /// The first differences where no document speaks, at most [`MAX_DIFFERENCES`], in the order of the domain.
     pub first_observed: Vec<Difference>,
-    /// How many inputs went through programs with a wrong sum without being observed one by one, where a document speaks
-    /// of some of them.
+    /// The number of inputs in programs with a wrong sum that were not observed one by one, where a document speaks of some of the
+    /// inputs.
     pub unexamined: u64,
-    /// How many inputs went through programs with a wrong sum without being observed one by one, where no document speaks
-    /// of any of them.
+    /// The number of inputs in programs with a wrong sum that were not observed one by one, where no document speaks of any of the
+    /// inputs.
     pub unexamined_observed: u64,
-    /// How many inputs went through programs whose sum was wrong although each result alone was right.
+    /// The number of inputs in programs whose sum was wrong although each result alone was right.
     pub unexplained: u64,
-    /// The inputs that the engine did not answer, by reason.
+    /// The inputs that the engine did not answer, grouped by reason.
     pub unanswered: Vec<Unanswered>,
-    /// How many programs the engine was given.
+    /// The number of programs that the engine was given.
     pub programs: u64,
 }
 
@@ -60,14 +62,15 @@ impl ForeignFindings {
         self.done == self.inputs
     }
 
-    /// Returns how many inputs the engine answered.
+    /// Returns the number of inputs that the engine answered.
     #[must_use]
     pub fn answered(&self) -> u64 {
         let unanswered: u64 = self.unanswered.iter().map(|reason| reason.inputs).sum();
         self.done.saturating_sub(self.left_out).saturating_sub(unanswered)
     }
 
-    /// Returns whether the engine did something that no document lets it do: a mismatch, a wrong sum, a crash.
+    /// Returns whether the engine failed: a mismatch, a wrong sum where a document speaks, an unexplained sum, or a failure to
+    /// answer.
     #[must_use]
     pub fn has_failures(&self) -> bool {
         let failed = |reason: &Unanswered| reason.refusal.kind.is_failure();
@@ -77,7 +80,7 @@ impl ForeignFindings {
             || self.unanswered.iter().any(failed)
     }
 
-    /// Returns how far the sweep is.
+    /// Returns the progress of the sweep.
     #[must_use]
     pub const fn progress(&self) -> Progress {
         Progress {
@@ -98,7 +101,7 @@ impl ForeignFindings {
         kept.truncate(MAX_DIFFERENCES);
     }
 
-    /// Adds inputs that were not answered.
+    /// Adds inputs that the engine did not answer.
     pub(super) fn refuse(&mut self, refusal: Refusal, inputs: u64, example: Vec<Value>) {
         let known = |reason: &&mut Unanswered| reason.refusal == refusal;
         let full = self.unanswered.len() >= MAX_REASONS;

@@ -1,4 +1,4 @@
-//! The kind of program by which inputs go to an engine.
+//! The plan of a sweep through programs: the kind of program, and the inputs that it can take.
 
 use super::checksum::Checksum;
 use super::counter::Counter;
@@ -15,18 +15,18 @@ pub struct Counting {
     pub counter: Counter,
     /// The statements that add up the results.
     pub checksum: Checksum,
-    /// The exact results.
+    /// The bulk form of exact arithmetic, for the expected sum.
     pub bulk: Bulk,
 }
 
-/// How the inputs of a sweep go to an engine.
+/// The plan by which the inputs of a sweep are given to an engine.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// The program that counts; `None` where operands are listed as literals.
     pub counting: Option<Counting>,
     /// The places that may go into one program, in order.
     pub stretches: Vec<Range<u64>>,
-    /// How many inputs are in no stretch, since no program can make them.
+    /// The number of inputs that are in no stretch, since no program can make them.
     pub left_out: u64,
 }
 
@@ -37,7 +37,7 @@ pub const fn has_digest(operand: ElementaryType, result: ElementaryType) -> bool
 }
 
 impl Plan {
-    /// Plans a sweep.
+    /// Makes the plan of a sweep.
     #[must_use]
     pub fn of(sweep: &Sweep) -> Plan {
         match Plan::counting(sweep) {

@@ -1,4 +1,4 @@
-//! The programs that count through operands: one that adds the results up, and one that keeps each result.
+//! Writes the programs that count through operands: one that adds the results up, and one that keeps each result.
 
 use super::plan::Counting;
 use crate::program::Program;
@@ -7,7 +7,7 @@ use std::ops::Range;
 use stickler_exact::Signature;
 use stickler_types::ElementaryType;
 
-/// Writes a program that adds up the results for the operands at these places of a stretch; there must be fewer than 2^31.
+/// Writes a program that adds up the results for the operands at the given places of a stretch, fewer than 2^31.
 #[must_use]
 pub fn summed(signature: &Signature, counting: &Counting, places: &Range<u64>) -> Program {
     let Signature { function, result, .. } = signature;
@@ -34,7 +34,7 @@ pub fn summed(signature: &Signature, counting: &Counting, places: &Range<u64>) -
     }
 }
 
-/// Writes a program that counts through these places of a stretch and keeps each result in a variable of its own.
+/// Writes a program that counts through the given places of a stretch and keeps each result in a variable of its own.
 #[must_use]
 pub fn unrolled(signature: &Signature, counting: &Counting, places: &Range<u64>) -> Program {
     let Signature { function, result, .. } = signature;

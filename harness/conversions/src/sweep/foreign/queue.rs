@@ -1,32 +1,32 @@
-//! The queue of inputs, and how many of them an engine can take in one program.
+//! The queue of inputs, which adapts the number of inputs in a program to the speed of the engine.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// How many operands a list has.
+/// The number of operands in a list.
 const LIST_LEN: u64 = 400;
-/// How many inputs the first program counts through.
+/// The number of inputs that the first program counts through.
 pub const FIRST_COUNT: u64 = 1 << 14;
-/// How many inputs one program counts through at most, so that its counter, a DINT, holds them.
+/// The maximum number of inputs that one program counts through, so that its counter, a DINT, holds them.
 const MAX_COUNT: u64 = 1 << 28;
 /// The time within which a program must be answered for the next one to be twice as large.
 const GROWTH_LIMIT: Duration = Duration::from_secs(1);
 
-/// Places to be taken in order by all workers.
+/// The places of a sweep's inputs, taken in order by all workers.
 pub struct Queue {
     stretches: Vec<Range<u64>>,
     /// The index of the current stretch, and the place up to which it was taken.
     reached: Mutex<(usize, u64)>,
-    /// How many inputs the next program has.
+    /// The number of inputs of the next program.
     size: AtomicU64,
-    /// How many inputs the next program may have at most.
+    /// The maximum number of inputs of the next program.
     limit: AtomicU64,
 }
 
 impl Queue {
-    /// Makes the queue of all of these places, for programs that count or that list.
+    /// Makes the queue of the places in the given stretches, for programs that count (`counted`) or that list operands.
     pub fn new(stretches: Vec<Range<u64>>, counted: bool) -> Queue {
         let (size, limit) = if counted {
             (FIRST_COUNT, MAX_COUNT)
@@ -42,7 +42,7 @@ impl Queue {
         }
     }
 
-    /// Takes the next places; `None` where all are taken.
+    /// Takes the places of the next program; `None` where all are taken.
     pub fn claim(&self) -> Option<Range<u64>> {
         let mut reached = self.reached.lock().unwrap_or_else(PoisonError::into_inner);
         let (index, start) = *reached;
@@ -59,7 +59,7 @@ impl Queue {
         Some(start..end)
     }
 
-    /// Records how long a program of so many inputs took to be answered.
+    /// Records the time in which a program of the given number of inputs was answered.
     pub fn answered(&self, inputs: u64, took: Duration) {
         let limit = self.limit.load(Ordering::Relaxed);
         if took < GROWTH_LIMIT && 2 * inputs <= limit {
@@ -67,7 +67,7 @@ impl Queue {
         }
     }
 
-    /// Records that a program of so many inputs took too long.
+    /// Records that a program of the given number of inputs took too long.
     pub fn too_long(&self, inputs: u64) {
         let less = (inputs / 2).max(1);
         self.limit.fetch_min(less, Ordering::Relaxed);

@@ -15,7 +15,7 @@ use stickler_engines::{Engine, EngineError};
 use stickler_types::DialectName;
 use stickler_workers::{Cancellation, SpawnError, WorkerPool};
 
-/// Why an engine could not be swept at all.
+/// The error of a sweep that could not be started.
 #[derive(Debug, thiserror::Error)]
 pub enum ForeignError {
     /// No session could be opened.
@@ -26,11 +26,11 @@ pub enum ForeignError {
     NothingRun {
         /// The engine's name.
         engine: String,
-        /// The function.
+        /// The name of the function.
         function: String,
         /// The dialect.
         dialect: DialectName,
-        /// What the engine did instead of answering.
+        /// The reason for which the engine gave no values.
         refusal: Box<Refusal>,
         /// Whether the programs were to count through the operands.
         counts: bool,
@@ -40,7 +40,7 @@ pub enum ForeignError {
     Workers(#[from] SpawnError),
 }
 
-/// Returns advice for a sweep whose programs count.
+/// Returns advice for the error of a sweep whose programs count; empty otherwise.
 const fn advice(counts: bool) -> &'static str {
     if counts {
         "; `--sample N` asks by lists of literals instead of a loop"
@@ -49,10 +49,11 @@ const fn advice(counts: bool) -> &'static str {
     }
 }
 
-/// Compares the result of every input of the sweep that a program can make with exact arithmetic, in so many sessions at
-/// a time, 0 being one a processor. The sweep must have one dialect, as those of [`SweepMethod::Programs`](crate::sweep::SweepMethod::Programs) have.
+/// Compares the result of every input of the sweep that a program can make with exact arithmetic, in the given number of
+/// sessions (0: one for each processor). The sweep must have one dialect, as those of
+/// [`SweepMethod::Programs`](crate::sweep::SweepMethod::Programs) have.
 ///
-/// `progress` and `cancel` as for [`crate::sweep::run`]; a program that was given to the engine is waited for.
+/// Treats `progress` and `cancel` as [`crate::sweep::run`] does; waits for a program that was given to the engine.
 ///
 /// # Errors
 /// [`ForeignError`]: no session, no thread, or none of a few inputs from all over the domain is answered at all.
@@ -103,7 +104,7 @@ pub fn run(
         .unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Tries a few small programs until the engine answers one of them.
+/// Runs a few small programs until the engine answers one of them; the error is the refusal of the first one.
 fn probe(sweep: &Sweep, plan: &Plan, engine: &dyn Engine, dialect: DialectName) -> Result<(), ForeignError> {
     let mut session = FunctionSession::open(engine)?;
     let mut refusal = None;
@@ -126,7 +127,7 @@ fn probe(sweep: &Sweep, plan: &Plan, engine: &dyn Engine, dialect: DialectName) 
     }
 }
 
-/// Returns small programs about inputs from all over the domain.
+/// Returns small programs for inputs from all over the domain.
 fn probes(sweep: &Sweep, plan: &Plan) -> Vec<Program> {
     let signature = &sweep.signature;
     if let Some(counting) = &plan.counting {

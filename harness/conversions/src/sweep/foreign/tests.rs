@@ -1,4 +1,4 @@
-//! The two formulations of counting and of the checksum held to each other: the reference executes the one in ST.
+//! Tests that counting and checksum are the same in Rust and in ST, which the reference executes.
 
 use super::plan::Plan;
 use super::program;
@@ -20,8 +20,8 @@ fn ends(stretch: &Range<u64>) -> [Range<u64>; 2] {
     ]
 }
 
-/// A function of each pair of types that can be counted, in each dialect, at both ends of its stretches: of all where they are
-/// few, of some where a REAL has hundreds.
+/// Compares the two sums for a function of each pair of types that can be counted, in each dialect, at both ends of its
+/// stretches: of all where they are few, of some where a REAL has hundreds.
 #[test]
 fn the_sum_in_st_is_the_sum_in_rust() {
     let mut programs = 0;
@@ -68,7 +68,7 @@ fn the_sum_in_st_is_the_sum_in_rust() {
     assert!(programs > 5_000, "{programs}");
 }
 
-/// A program shows what the sum of wrong results would be: each kind of result, wrong in one bit or by one.
+/// Runs programs whose results are wrong in one bit or by one, for each kind of result: their sum must differ.
 #[test]
 fn a_wrong_bit_changes_the_sum_in_st_too() {
     let dialect = DialectName::IronplcEd3;
@@ -110,7 +110,7 @@ fn a_wrong_bit_changes_the_sum_in_st_too() {
     }
 }
 
-/// Where documents speak is asked at the ends of a stretch only; nothing between them may be otherwise.
+/// Checks that the basis changes at most once within a stretch of REALs, and never within others: a sweep looks at the ends only.
 #[test]
 fn what_a_document_speaks_of_does_not_change_back_and_forth() {
     for dialect in DialectName::ALL {

@@ -1,4 +1,4 @@
-//! The work on one range of inputs: a program for them, and further programs where the answer is not the exact one.
+//! Compares one range of inputs: by a program for all of them, and by further programs where its sum is not the exact one.
 
 use super::findings::ForeignFindings;
 use super::plan::{Counting, Plan};
@@ -17,32 +17,32 @@ use stickler_exact::{Expected, Operation, expected, value};
 use stickler_types::{DialectName, ElementaryType, Value};
 use stickler_workers::Cancellation;
 
-/// How many inputs of a program with a wrong sum are observed one by one at most.
+/// The maximum number of inputs of a program with a wrong sum that are observed one by one.
 const MAX_UNROLLED: u64 = 64;
 
-/// How many raw forms are computed at a time.
+/// The number of raw forms that are computed at a time.
 const BLOCK: usize = 1024;
 
 /// The state that the workers of a sweep share.
 pub struct ForeignSweep<'s> {
-    /// The sweep.
+    /// The sweep that the workers perform.
     pub sweep: &'s Sweep,
     /// The dialect that the engine is asked to speak, and whose documents apply.
     pub dialect: DialectName,
-    /// How the inputs go to the engine.
+    /// The plan by which the inputs are given to the engine.
     pub plan: &'s Plan,
-    /// The inputs that no worker has taken yet.
+    /// The queue of inputs that no worker has taken yet.
     pub queue: Queue,
     /// The findings so far.
     pub findings: Mutex<ForeignFindings>,
-    /// Called after each program.
+    /// The function that is called after each program.
     pub progress: &'s (dyn Fn(Progress) + Sync),
-    /// Whether no more programs are wanted.
+    /// The request to run no more programs.
     pub cancel: &'s Cancellation,
 }
 
 impl ForeignSweep<'_> {
-    /// Compares what the engine gives for these places with exact arithmetic.
+    /// Compares the engine's results for the inputs at the given places with exact arithmetic.
     pub fn examine(&self, session: &mut FunctionSession<'_>, places: Range<u64>) {
         match &self.plan.counting {
             Some(counting) => self.count(session, counting, places),
@@ -50,7 +50,7 @@ impl ForeignSweep<'_> {
         }
     }
 
-    /// Updates the findings, and counts so many inputs as dealt with.
+    /// Updates the findings, counts the given number of inputs as dealt with, and reports the progress.
     fn note(&self, inputs: u64, what: impl FnOnce(&mut ForeignFindings)) {
         let mut findings = self.findings.lock().unwrap_or_else(PoisonError::into_inner);
         what(&mut findings);
@@ -59,7 +59,7 @@ impl ForeignSweep<'_> {
         (self.progress)(findings.progress());
     }
 
-    /// Reads something from the findings so far.
+    /// Reads from the findings so far.
     fn known<T>(&self, what: impl FnOnce(&ForeignFindings) -> T) -> T {
         what(&self.findings.lock().unwrap_or_else(PoisonError::into_inner))
     }
@@ -69,7 +69,7 @@ impl ForeignSweep<'_> {
         session.run(self.dialect, program)
     }
 
-    /// Compares these places of a stretch by one program, and by more where its sum is wrong.
+    /// Compares the given places of a stretch by one program, and by more where its sum is wrong.
     fn count(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let inputs = places.end - places.start;
         if self.cancel.is_requested() {
@@ -90,7 +90,7 @@ impl ForeignSweep<'_> {
         }
     }
 
-    /// Searches places for those that differ, as long as differences are still collected.
+    /// Searches the places of a program with a wrong sum for differing results, as long as differences are still collected.
     fn open(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let inputs = places.end - places.start;
         let (is_claimed, is_open) = (self.has(&places, true), self.has(&places, false));
@@ -112,14 +112,14 @@ impl ForeignSweep<'_> {
         self.count(session, counting, middle..places.end);
     }
 
-    /// Returns whether a document speaks of one of these inputs, or, where `claimed` is false, does not speak of one.
+    /// Returns whether a document speaks of one of the inputs or, where `claimed` is false, does not speak of one.
     fn has(&self, places: &Range<u64>, claimed: bool) -> bool {
         let signature = &self.sweep.signature;
         let is_so = |place| self.expected(&self.sweep.domain.operands(place)).basis.is_some() == claimed;
         match signature.operation {
-            // Only of these it matters what digits there are.
+            // Only for these the digits of the operand matter.
             Operation::FromBcd | Operation::ToBcd => places.clone().any(is_so),
-            // Of an integer the value does not matter, and of a REAL whether it is too large: within a stretch the
+            // For an integer the value does not matter, and for a REAL only whether it is too large: within a stretch the
             // magnitude grows from one end to the other.
             _ => is_so(places.start) || is_so(places.end - 1),
         }
@@ -129,7 +129,7 @@ impl ForeignSweep<'_> {
         expected(&self.sweep.signature, operands, self.dialect)
     }
 
-    /// Compares each of a few places, by a program that keeps each result.
+    /// Compares the results of a few places one by one, by a program that keeps each result.
     fn unroll(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let program = program::unrolled(&self.sweep.signature, counting, &places);
         match self.ask(session, &program) {
@@ -144,7 +144,7 @@ impl ForeignSweep<'_> {
         }
     }
 
-    /// Asks for both halves of the places of a program that the engine does not answer.
+    /// Handles a program that the engine did not answer: halves its places, or records them as unanswered.
     fn divide(
         &self,
         session: &mut FunctionSession<'_>,
@@ -170,7 +170,7 @@ impl ForeignSweep<'_> {
         self.count(session, counting, middle..places.end);
     }
 
-    /// Compares these places by a list of their operands.
+    /// Compares the given places by a program that lists their operands.
     fn list(&self, session: &mut FunctionSession<'_>, places: Vec<u64>) {
         let is_writable = |place: &u64| self.sweep.domain.operands(*place).iter().all(has_literal);
         let (places, unwritable): (Vec<u64>, Vec<u64>) = places.into_iter().partition(is_writable);
@@ -204,7 +204,7 @@ impl ForeignSweep<'_> {
         }
     }
 
-    /// Compares results with the exact ones; returns whether any differs.
+    /// Compares results with the exact ones, and returns whether any differs.
     fn compare(&self, places: Vec<u64>, given: Vec<Value>) -> bool {
         let inputs = places.len() as u64;
         let mut differences = Vec::new();
@@ -239,13 +239,13 @@ impl ForeignSweep<'_> {
     }
 }
 
-/// Returns the sum of the exact results at these places.
+/// Returns the checksum of the exact results at the given places.
 pub fn total(sweep: &Sweep, counting: &Counting, places: Range<u64>) -> Value {
     let (mut operands, mut results) = ([0; BLOCK], [0; BLOCK]);
     let (mut total, mut start) = (0, places.start);
     while start < places.end {
         let end = places.end.min(start + BLOCK as u64);
-        // At most `BLOCK`.
+        // The length is at most `BLOCK`.
         let length = (end - start) as usize;
         sweep.domain.fill(start..end, &mut operands[..length]);
         counting.bulk.fill(&operands[..length], &mut results[..length]);
