@@ -1,6 +1,6 @@
-//! `badge.json`: how much of what documents say an engine does, in one line, for the first page of its project.
+//! `badge.json`: the share of documented claims that an engine meets, in one line, for the first page of its project.
 //!
-//! Basis of the keys: the endpoint badge of shields.io, which draws what a JSON file at any address says.
+//! Basis of the keys: the endpoint badge of shields.io, which draws a badge from a JSON file at any address.
 
 use crate::ReportError;
 use crate::claims::Standing;
@@ -10,12 +10,12 @@ use serde::Serialize;
 use std::path::PathBuf;
 use stickler_types::counted;
 
-/// The file, while the run goes on.
+/// The badge of a run, written when the run is over.
 pub(crate) struct Badge {
     file: PendingFile,
 }
 
-/// What the file says.
+/// The content of the file.
 #[derive(PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Endpoint {
@@ -26,20 +26,20 @@ struct Endpoint {
 }
 
 impl Badge {
-    /// Makes the file.
+    /// Creates the file.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where it cannot be made.
+    /// [`ReportError::Write`] where the file cannot be created.
     pub(crate) fn create(path: PathBuf) -> Result<Badge, ReportError> {
         Ok(Badge {
             file: PendingFile::create(path)?,
         })
     }
 
-    /// Writes the file; a run that was cut short has none, since nobody could see from it what is missing.
+    /// Writes the file; a run that was cut short gets none, since the badge could not show what is missing.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where that fails.
+    /// [`ReportError::Write`] where the file cannot be written.
     pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
         if overview.footer.is_none() {
             return Ok(());
@@ -76,12 +76,12 @@ fn endpoint(overview: &Overview) -> Endpoint {
     }
 }
 
-/// The cases about which a document says something, and which the engine can run.
+/// Returns the number of cases that a document decides and the engine supports.
 fn decided(standing: Standing) -> u64 {
     standing.passed + standing.failed
 }
 
-/// How many of a thousand such cases are right, never rounded up; `None` where there are none.
+/// Returns how many of a thousand decided cases pass, rounded down; `None` where there are none.
 fn per_mille(standing: Standing) -> Option<u64> {
     (standing.passed * 1000).checked_div(decided(standing))
 }
@@ -94,7 +94,7 @@ fn share(standing: Standing) -> String {
     }
 }
 
-/// What is said of the only engine, whose name whoever shows the badge knows.
+/// Returns the message about the only engine, which leaves its name to the page that shows the badge.
 fn alone(standing: Standing) -> String {
     match decided(standing) {
         0 => share(standing),
@@ -102,7 +102,7 @@ fn alone(standing: Standing) -> String {
     }
 }
 
-/// The words of shields.io for how good that is.
+/// Returns the color name of shields.io for a number of passes in a thousand.
 fn color(worst: Option<u64>) -> &'static str {
     match worst {
         None => "lightgrey",

@@ -1,18 +1,18 @@
-//! The basis of a case: the document that makes a claim, and the section that it stands in.
+//! The basis of a case: a document that makes a claim, and the section of the claim.
 
 use std::cmp::Ordering;
 
-/// A document and one of its sections. Sorted as their readers look for them: `Table 4` comes before `Table 31`.
+/// A document and one of its sections. The order is the natural one: `Table 4` comes before `Table 31`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Basis<'a> {
     /// The document, such as `ironplc-type-conversions`.
     pub source: &'a str,
-    /// Its section, such as `Integer widening`; empty where the whole document is meant.
+    /// The section of the document, such as `Integer widening`; empty where the whole document is meant.
     pub section: &'a str,
 }
 
 impl<'a> Basis<'a> {
-    /// Reads the `basis` of a case. Basis: section 3 of the design, `source: section`.
+    /// Parses the `basis` of a case. Basis: section 3 of the design, `source: section`.
     pub fn of(basis: &'a str) -> Basis<'a> {
         let (source, section) = basis.split_once(':').unwrap_or((basis, ""));
         Basis {
@@ -24,7 +24,7 @@ impl<'a> Basis<'a> {
 
 impl Ord for Basis<'_> {
     fn cmp(&self, other: &Self) -> Ordering {
-        // Names that the natural order takes for one, such as 1.01 and 1.1, are two here, so that it agrees with `Eq`.
+        // The natural order does not tell names such as 1.01 and 1.1 apart; here they differ, so that it agrees with `Eq`.
         let sections = || alphanumeric_sort::compare_str(self.section, other.section);
         let source = self.source.cmp(other.source);
         source

@@ -1,33 +1,34 @@
-//! Claims: what each section of each document says, and how an engine stands to it. Every format leads with them,
-//! and every format takes them from here.
+//! Claims: the statements of each section of each document, and how many of its cases an engine meets. Every report begins
+//! with them, and takes them from here.
 
 use crate::basis::Basis;
 use crate::overview::entry;
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_run::{CaseEvent, Verdict};
 
-/// How the cases of one claim stand. Every case counts once.
+/// The results of the cases of one claim, counted. Every case counts once.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, serde::Serialize)]
 pub struct Standing {
-    /// The engine did what the document says (verdicts pass and xpass).
+    /// The number of cases in which the engine did what the document says (verdicts pass and xpass).
     pub passed: u64,
-    /// It did something else, whether a baseline expects that or not, or it crashed, hung or made no sense.
+    /// The number of cases in which the engine did something else, whether a baseline expects that or not, or crashed, timed
+    /// out or gave an invalid answer.
     pub failed: u64,
-    /// Those of `failed` that a baseline expects (verdict xfail).
+    /// The number of cases in `failed` that a baseline expects (verdict xfail).
     pub known: u64,
-    /// The document leaves it open: what the engine does was recorded, nothing was asserted.
+    /// The number of cases that the document leaves open: the result was recorded, nothing was asserted.
     pub open: u64,
-    /// The engine said that it cannot run the case.
+    /// The number of cases that the engine does not support.
     pub unsupported: u64,
 }
 
 impl Standing {
-    /// All cases of the claim.
+    /// Returns the number of all cases of the claim.
     pub const fn cases(self) -> u64 {
         self.passed + self.failed + self.open + self.unsupported
     }
 
-    /// How many of `failed` no baseline expects.
+    /// Returns the number of cases in `failed` that no baseline expects.
     pub const fn unexpected(self) -> u64 {
         self.failed - self.known
     }
@@ -56,35 +57,35 @@ impl Standing {
     }
 }
 
-/// One section of one document, as one engine meets it.
+/// A section of a document, with the results of one engine.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Claim<'a> {
-    /// The engine.
+    /// The name of the engine.
     pub engine: &'a str,
     /// The document, such as `ironplc-type-conversions`.
     pub source: &'a str,
-    /// Its section, such as `Integer widening`; empty where a basis names a whole document.
+    /// The section, such as `Integer widening`; empty where a basis names a whole document.
     pub section: &'a str,
-    /// How its cases stand.
+    /// The results of the claim's cases.
     pub standing: Standing,
 }
 
-/// One section of one document beside how each of several engines meets it; or, where `section` is empty and `sum` is
-/// set, the sum of a document's sections.
+/// A section of a document with the results of several engines side by side; or, where `section` is empty and `sum` is set,
+/// the sum of a document's sections.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Row<'a> {
-    /// The document.
+    /// The document, such as `ironplc-type-conversions`.
     pub source: &'a str,
-    /// Its section; empty where a basis names a whole document.
+    /// The section; empty where a basis names a whole document.
     pub section: &'a str,
-    /// Whether this is the sum of the sections that follow.
+    /// Whether the row is the sum of the rows that follow, the document's sections.
     pub sum: bool,
-    /// How each engine stands to it, in the order that was asked for.
+    /// The results of each engine, in the requested order.
     pub standings: Vec<Standing>,
 }
 
 impl Row<'_> {
-    /// Whether any of the engines does not do what the document says.
+    /// Returns whether any of the engines fails a case of the claim.
     pub fn failed(&self) -> bool {
         self.standings.iter().any(|standing| standing.failed > 0)
     }
@@ -97,12 +98,12 @@ pub struct Claims {
 }
 
 impl Claims {
-    /// Counts one case.
+    /// Adds the result of a case.
     pub fn take(&mut self, event: &CaseEvent) {
         entry(entry(&mut self.engines, &event.engine), &event.basis).count(event);
     }
 
-    /// Every claim, sorted by engine, document and section.
+    /// Returns every claim, sorted by engine, document and section.
     pub fn iter(&self) -> impl Iterator<Item = Claim<'_>> {
         self.engines.iter().flat_map(|(engine, claims)| {
             in_order(claims.keys()).map(move |(basis, Basis { source, section })| Claim {
@@ -114,7 +115,7 @@ impl Claims {
         })
     }
 
-    /// The claims with the engines side by side: each document, and behind it its sections.
+    /// Returns the claims with these engines side by side: each document, followed by its sections.
     pub fn rows(&self, engines: &[&str]) -> Vec<Row<'_>> {
         let bases: BTreeSet<&String> = self.engines.values().flat_map(BTreeMap::keys).collect();
         let mut rows: Vec<Row<'_>> = Vec::new();
@@ -147,7 +148,7 @@ impl Claims {
         rows
     }
 
-    /// How an engine stands to all of them together.
+    /// Returns the sum of all claims for an engine.
     pub fn of_engine(&self, engine: &str) -> Standing {
         let mut sum = Standing::default();
         let claims = self.engines.get(engine).into_iter().flat_map(BTreeMap::values);
@@ -156,7 +157,7 @@ impl Claims {
     }
 }
 
-/// Each basis with what it names, in the order of that.
+/// Parses each basis, and returns it with the text, sorted by document and section.
 fn in_order<'a>(
     bases: impl IntoIterator<Item = &'a String>,
 ) -> impl Iterator<Item = (&'a String, Basis<'a>)> {

@@ -1,4 +1,4 @@
-//! What the header of a run says of one engine, for those who show its cases.
+//! Looks up what the header of a run states about the engine of a case.
 
 use stickler_run::{CaseEvent, EngineHeader, Grade};
 
@@ -7,12 +7,13 @@ pub(crate) fn of<'h>(engines: &'h [EngineHeader], case: &CaseEvent) -> Option<&'
     engines.iter().find(|engine| engine.name == case.engine)
 }
 
-/// Returns how exact the rejections of an engine had to be. One that the header does not name is held to the code.
+/// Returns the worst grade of a rejection by an engine that still passed; [`Grade::Code`] for an engine that the header does
+/// not name.
 pub(crate) fn strictness(engine: Option<&EngineHeader>) -> Grade {
     engine.map_or(Grade::Code, |engine| engine.strict)
 }
 
-/// Returns the command that runs a case again.
+/// Returns the command that runs a case again; empty for an engine that the header does not name.
 pub(crate) fn rerun(engine: Option<&EngineHeader>, case: &CaseEvent) -> String {
     engine.map_or_else(String::new, |engine| engine.rerun(&case.id, &case.dialect))
 }

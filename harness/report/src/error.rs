@@ -1,27 +1,27 @@
-//! What can go wrong when a report is written or an event log is read.
+//! The errors of writing a report and of reading an event log.
 
 use std::io;
 use std::path::{Path, PathBuf};
 use stickler_run::FORMAT;
 
-/// A report that could not be written.
+/// An error of writing a report.
 #[derive(Debug, thiserror::Error)]
 pub enum ReportError {
-    /// The folder, or a file in it, cannot be made or written.
+    /// The folder, or a file in it, cannot be created or written.
     #[error("cannot write {}", path.display())]
     Write {
-        /// What was to be written.
+        /// The path that was to be written.
         path: PathBuf,
-        /// Why not.
+        /// The error of the file system.
         source: io::Error,
     },
-    /// An event does not serialise.
+    /// An event cannot be serialised.
     #[error("cannot serialise an event")]
     Serialise(#[from] serde_json::Error),
 }
 
 impl ReportError {
-    /// A closure for `map_err` that remembers which file it was.
+    /// Returns a closure for `map_err` that adds the path to an error.
     pub(crate) fn writing(path: &Path) -> impl Fn(io::Error) -> ReportError + use<> {
         let path = path.to_owned();
         move |source| ReportError::Write {
@@ -31,7 +31,7 @@ impl ReportError {
     }
 }
 
-/// Returns what else is to be done about a file of an earlier format.
+/// Returns the advice to run the cases again, for a file of an earlier format; empty for another.
 fn again(format: u32) -> &'static str {
     match format {
         0..FORMAT => {
@@ -41,53 +41,53 @@ fn again(format: u32) -> &'static str {
     }
 }
 
-/// An event log that could not be read.
+/// An error of reading an event log.
 #[derive(Debug, thiserror::Error)]
 pub enum LogError {
-    /// Reading failed.
+    /// The input cannot be read.
     #[error("cannot read the event log")]
     Read(#[from] io::Error),
-    /// The log holds no line at all.
+    /// The log contains no line.
     #[error("the event log is empty")]
     Empty,
     /// The first line is not a header.
     #[error("line 1 of the event log is no header, so this is no event log")]
     NoHeader,
-    /// A line in the middle is no event.
+    /// A line before the last one is no event.
     #[error("line {line} of the event log is no event")]
     Line {
-        /// The line, from 1.
+        /// The number of the line, from 1.
         line: u64,
-        /// What is wrong with it.
+        /// The error of parsing the line.
         source: serde_json::Error,
     },
-    /// A case names a group that was not described.
+    /// A case refers to a group that was not described.
     #[error("line {line} of the event log names a group of cases that no line before it describes")]
     Group {
-        /// The line, from 1.
+        /// The number of the line, from 1.
         line: u64,
     },
-    /// Something follows the footer, or a second header.
+    /// A line follows the footer, or is a second header.
     #[error("line {line} of the event log stands outside its header and footer")]
     Misplaced {
-        /// The line, from 1.
+        /// The number of the line, from 1.
         line: u64,
     },
-    /// The header belongs to a later version of the format.
+    /// The log has a later version of the format.
     #[error(
         "the event log has format {format}, which a later version of Stickler wrote; this one reads format {FORMAT}"
     )]
     Later {
-        /// Its format.
+        /// The version of the log's format.
         format: u32,
     },
-    /// The header belongs to an earlier version of the format.
+    /// The log has an earlier version of the format.
     #[error(
         "the event log has format {format}, which an earlier version of Stickler wrote; this one reads format {FORMAT}: run the \
          cases again with this version"
     )]
     Earlier {
-        /// Its format.
+        /// The version of the log's format.
         format: u32,
     },
     /// The file is a `results.json`.
@@ -96,15 +96,15 @@ pub enum LogError {
         again(*format)
     )]
     Results {
-        /// Its format.
+        /// The version of the format of that file.
         format: u32,
     },
-    /// The footer is there, and cases are not.
+    /// The log has a footer, but not all of its cases.
     #[error("the event log promises {promised} cases and holds {cases}, so it is not whole")]
     Miscounted {
-        /// What its header says.
+        /// The number of cases that the header states.
         promised: u64,
-        /// What is there.
+        /// The number of cases in the log.
         cases: u64,
     },
 }

@@ -1,6 +1,7 @@
 //! `events.jsonl`: the event stream itself, one JSON object a line, written while the run goes on.
 //!
-//! What the cases of a probe have in common is written once, before the first of them; the line of a case names it by a number.
+//! The common properties of the cases of a probe are written once, before the first of them; the line of a case refers to
+//! them by a number.
 
 mod record;
 
@@ -16,13 +17,13 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use stickler_run::{Event, FORMAT, Header};
 
-/// What the log is called in a folder of reports.
+/// The name of the log in a folder of reports.
 pub const NAME: &str = "events.jsonl";
 
-/// How much is gathered before it is written.
+/// The number of bytes that are gathered before they are written.
 const BATCH: usize = 1 << 16;
 
-/// How long an event waits at most for others: whoever follows the log of a slow engine sees its cases come.
+/// The maximum time for which an event waits for others, so that the cases of a slow engine appear in its log while it runs.
 const FLUSH_INTERVAL: Duration = Duration::from_millis(250);
 
 /// Writes the log. Only whole lines reach the file, so that a run which is cut short leaves a readable log without
@@ -34,11 +35,11 @@ pub struct EventLog {
     written: Instant,
 }
 
-/// Turns events into lines.
+/// An encoder that turns events into lines.
 #[derive(Default)]
 struct Encoder {
     groups: Groups,
-    /// Whole lines that are not written yet.
+    /// The whole lines that are not written yet.
     lines: Vec<u8>,
 }
 
@@ -73,10 +74,10 @@ fn push_line(lines: &mut Vec<u8>, record: &impl Serialize) -> serde_json::Result
 }
 
 impl EventLog {
-    /// Makes the file, empty.
+    /// Creates the file, empty.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where it cannot be made.
+    /// [`ReportError::Write`] where the file cannot be created.
     pub fn create(path: PathBuf) -> Result<EventLog, ReportError> {
         let file = File::create(&path).map_err(ReportError::writing(&path))?;
         Ok(EventLog {
@@ -90,7 +91,8 @@ impl EventLog {
     /// Adds one event. The header and the footer reach the file at once, cases in batches.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where it cannot be written; [`ReportError::Serialise`].
+    /// [`ReportError::Write`] where the file cannot be written; [`ReportError::Serialise`] where the event cannot be
+    /// serialised.
     pub fn take(&mut self, event: &Event) -> Result<(), ReportError> {
         self.take_case(event).map(|_| ())
     }
@@ -113,10 +115,10 @@ impl EventLog {
         &self.encoder.groups
     }
 
-    /// Writes what was gathered.
+    /// Writes the lines that were gathered.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where that fails.
+    /// [`ReportError::Write`] where the file cannot be written.
     pub fn flush(&mut self) -> Result<(), ReportError> {
         self.file
             .write_all(&self.encoder.lines)
@@ -127,15 +129,15 @@ impl EventLog {
     }
 }
 
-/// Whether a log tells of a whole run.
+/// Whether a log covers a whole run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[must_use = "a truncated run must be called truncated"]
 pub enum Completeness {
-    /// The footer is there.
+    /// The log has a footer.
     Complete,
-    /// The footer is missing: the run was cut short after so many cases.
+    /// The log has no footer: the run was cut short after so many cases.
     Truncated {
-        /// How many cases the log holds.
+        /// The number of cases in the log.
         cases: u64,
     },
 }
@@ -154,7 +156,7 @@ impl fmt::Display for Completeness {
     }
 }
 
-/// The log at a path that a person names: the file itself, or that of a folder of reports.
+/// Returns the path of the log at a path that a person names: the file itself, or the log in a folder of reports.
 pub fn locate(path: &Path) -> PathBuf {
     if path.is_dir() {
         path.join(NAME)
@@ -163,9 +165,9 @@ pub fn locate(path: &Path) -> PathBuf {
     }
 }
 
-/// Reads a log, one event at a time; memory holds one line.
+/// A reader of a log, which gives one event at a time; memory holds one line.
 ///
-/// A last line that is only partly there counts as not written. After an error there is nothing more.
+/// An incomplete last line counts as not written. After an error the reader is at its end.
 pub struct Reader<R> {
     input: R,
     line: Vec<u8>,
@@ -181,14 +183,14 @@ impl Reader<BufReader<File>> {
     /// Opens a log.
     ///
     /// # Errors
-    /// [`LogError::Read`] where there is none.
+    /// [`LogError::Read`] where the file cannot be opened.
     pub fn open(path: &Path) -> Result<Reader<BufReader<File>>, LogError> {
         Ok(Reader::new(BufReader::with_capacity(BATCH, File::open(path)?)))
     }
 }
 
 impl<R: BufRead> Reader<R> {
-    /// Reads from here on.
+    /// Creates a reader of a log that begins at the input's position.
     pub fn new(input: R) -> Reader<R> {
         Reader {
             input,
@@ -202,7 +204,7 @@ impl<R: BufRead> Reader<R> {
         }
     }
 
-    /// The header, which every log begins with.
+    /// Reads the header, which every log begins with.
     ///
     /// # Errors
     /// [`LogError`] where the input is no event log.
@@ -213,7 +215,7 @@ impl<R: BufRead> Reader<R> {
         }
     }
 
-    /// Whether what was read tells of a whole run; to be asked at the end.
+    /// Returns whether the events that were read cover a whole run; meaningful only at the end.
     pub const fn completeness(&self) -> Completeness {
         match self.complete {
             true => Completeness::Complete,
@@ -290,7 +292,7 @@ impl<R: BufRead> Iterator for Reader<R> {
 /// The beginning of the first line of a `results.json`; its format follows.
 const RESULTS: &[u8] = b"{\"format\":";
 
-/// Checks that a first line is not that of another file or format.
+/// Checks that a first line does not belong to another file or format.
 ///
 /// # Errors
 /// [`LogError::Results`], [`LogError::Earlier`] and [`LogError::Later`].
@@ -302,7 +304,7 @@ fn check_format(line: &[u8]) -> Result<(), LogError> {
         });
         return Err(LogError::Results { format });
     }
-    // What is no header at all is told where it is read whole.
+    // A line that is no header at all is reported when it is parsed.
     match serde_json::from_slice::<Format>(line) {
         Ok(Format { format }) if format < FORMAT => Err(LogError::Earlier { format }),
         Ok(Format { format }) if format > FORMAT => Err(LogError::Later { format }),
@@ -310,8 +312,8 @@ fn check_format(line: &[u8]) -> Result<(), LogError> {
     }
 }
 
-/// Returns what a text is, where it is a report of a run: `the event log of a run, of format 2`. Whoever wants something else can
-/// say so then.
+/// Describes a text that is a report of a run, such as `the event log of a run, of format 2`, for messages about a file that
+/// is not of the wanted kind; returns `None` for other texts.
 pub fn recognize(text: &[u8]) -> Option<String> {
     let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
     match (check_format(line), serde_json::from_slice::<Format>(line)) {
@@ -323,13 +325,13 @@ pub fn recognize(text: &[u8]) -> Option<String> {
     }
 }
 
-/// What the headers of all formats have in common.
+/// The version of the format, which the headers of all formats contain.
 #[derive(Deserialize)]
 struct Format {
     format: u32,
 }
 
-/// Reads a log and hands each event on, in order.
+/// Reads a log and passes each event on, in order.
 ///
 /// # Errors
 /// [`LogError`] where the input is no event log, or a line in its middle is no event.

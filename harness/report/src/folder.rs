@@ -12,7 +12,7 @@ use std::fs;
 use std::path::Path;
 use stickler_run::Event;
 
-/// The reports of one run, while it goes on.
+/// The reports of a run while it goes on.
 pub struct Reports {
     events: EventLog,
     results: Results,
@@ -23,8 +23,8 @@ pub struct Reports {
 }
 
 impl Reports {
-    /// Makes the folder where it is missing, and opens every file in it. What an earlier run left there is removed, so
-    /// that all files of a folder tell of one run.
+    /// Creates the folder where it is missing, and opens every file in it. The files of an earlier run are removed, so that
+    /// all files of a folder belong to one run.
     ///
     /// # Errors
     /// [`ReportError::Write`] where the folder or a file cannot be made: before the run, not after it.
@@ -52,7 +52,7 @@ impl Reports {
         Ok(())
     }
 
-    /// Completes every report. Of a run that was cut short, only the event log stays.
+    /// Completes every report. For a run that was cut short, only the event log stays.
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written.

@@ -1,14 +1,15 @@
-//! What the cases of one probe have in common, which a report says once.
+//! Groups of cases with common properties, which a report writes once per group.
 
 use crate::observations::probe;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use stickler_run::{CaseEvent, Grade};
 
-/// What the cases of a group have in common.
+/// The common properties of the cases of a group.
 #[derive(Clone, PartialEq, Eq, Hash, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Group {
-    /// The beginning of the ids of its cases: a case file and a probe, such as `widening/integer::assignment`.
+    /// The beginning that the ids of the group's cases share: a case file and a probe, such as
+    /// `widening/integer::assignment`.
     pub(crate) id: String,
     pub(crate) dialect: String,
     pub(crate) engine: String,
@@ -16,10 +17,10 @@ pub(crate) struct Group {
     pub(crate) basis: String,
     pub(crate) file: String,
     pub(crate) area: String,
-    /// The document leaves it open.
+    /// Whether the document leaves the result open.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub(crate) open: bool,
-    /// How exactly a rejection or a fault was right.
+    /// The grade of a rejection or a fault.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) grade: Option<Grade>,
 }
@@ -50,7 +51,7 @@ impl Group {
             && self.area == case.area
     }
 
-    /// Returns what stands behind the group's id in the id of one of its cases: `(SINT,INT,-128)`, or nothing.
+    /// Returns the arguments of the probe in the id of a case: `(SINT,INT,-128)`, or an empty text.
     pub(crate) fn arguments(id: &str) -> &str {
         &id[probe(id).len()..]
     }
@@ -59,15 +60,16 @@ impl Group {
 /// The number of a group in [`Groups`].
 pub(crate) type GroupNumber = usize;
 
-/// How many groups are looked at before the table of all is: the cases of a probe alternate between its dialects.
+/// The number of recent groups that are searched before the table of all groups, since the cases of a probe alternate
+/// between dialects.
 const MAX_RECENT: usize = 16;
 
-/// The groups of a run, numbered as they came.
+/// The groups of a run, numbered in the order of their first cases.
 #[derive(Default)]
 pub(crate) struct Groups {
     all: Vec<Group>,
     numbers: HashMap<Group, GroupNumber>,
-    /// The groups that were met last, the last one first.
+    /// The groups of the latest cases, the last one first.
     recent: Vec<GroupNumber>,
 }
 

@@ -1,6 +1,6 @@
-//! The parts of a divided run put together to the stream of events that the whole run would have been.
+//! Merges the parts of a divided run into the stream of events of the whole run.
 //!
-//! What is missing is said, in sentences, and then the stream has no footer: every reader calls it truncated, and nobody
+//! Missing parts are reported in sentences, and then the stream has no footer: every reader calls it truncated, and nobody
 //! takes it for the whole. The parts are read side by side; memory holds one event of each.
 
 mod belonging;
@@ -11,19 +11,20 @@ use std::io::BufRead;
 use stickler_run::{CaseEvent, DefinedHeader, EngineTotals, Event, Footer, Header};
 use stickler_workers::Shard;
 
-/// The event log of one part, and what messages call it.
+/// The event log of one part of a run, with the name that messages use for it.
 pub struct Part<R> {
-    /// Its name, such as its folder's.
+    /// The name of the part, such as its folder's.
     pub name: String,
-    /// Its log, unread; or why there is none.
+    /// The unread log of the part, or the error of opening it.
     pub log: Result<Reader<R>, LogError>,
 }
 
-/// Puts the parts of a run together, and hands each event on. Cases come by file, in the order of the suite; those of one
-/// file come part by part.
+/// Merges the parts of a run, and passes each event on. Cases come by file, in the order of the suite; the cases of one file
+/// come part by part.
 ///
-/// It never fails: what is missing, cut short or cannot be read is told, a sentence each; where there is any, the stream
-/// has no footer, and where no part can be read it is empty. `command` stands in the header as the command that was run.
+/// Merging never fails: everything that is missing, cut short or unreadable is described by a sentence of the returned list.
+/// Where there is any, the stream has no footer, and where no part can be read it is empty. `command` becomes the command in
+/// the header.
 #[must_use = "what is missing must be said"]
 pub fn merge<R: BufRead>(parts: Vec<Part<R>>, command: &str, sink: &mut dyn FnMut(Event)) -> Vec<String> {
     let mut missing = Vec::new();
@@ -61,7 +62,8 @@ pub fn merge<R: BufRead>(parts: Vec<Part<R>>, command: &str, sink: &mut dyn FnMu
     missing
 }
 
-/// The header that all parts agree on but for the part, and the parts that belong to that run, each once, in their order.
+/// Opens the parts, and returns the header that all of them share but for the part, and those parts that belong to that run,
+/// each once, in their order.
 fn open<R: BufRead>(parts: Vec<Part<R>>, missing: &mut Vec<String>) -> (Option<Header>, Vec<Stream<R>>) {
     let mut first: Option<(Header, u32, String)> = None;
     let mut streams: Vec<Stream<R>> = Vec::with_capacity(parts.len());
@@ -103,14 +105,14 @@ fn open<R: BufRead>(parts: Vec<Part<R>>, missing: &mut Vec<String>) -> (Option<H
     (first.map(|(header, ..)| header), streams)
 }
 
-/// An error and its causes, in one line.
+/// Formats an error and its causes in one line.
 fn told(error: &dyn std::error::Error) -> String {
     let causes = std::iter::successors(Some(error), |error| error.source());
     let causes: Vec<String> = causes.map(ToString::to_string).collect();
     causes.join(": ")
 }
 
-/// One part while it is read.
+/// A part of a run while it is read.
 struct Stream<R> {
     name: String,
     reader: Reader<R>,
@@ -118,15 +120,15 @@ struct Stream<R> {
     promised: u64,
     started: String,
     defined: Vec<DefinedHeader>,
-    /// The next case.
+    /// The next case of the part.
     case: Option<CaseEvent>,
     footer: Option<Footer>,
-    /// Why it is not a whole part.
+    /// The reason why the part is incomplete.
     trouble: Option<String>,
 }
 
 impl<R> Stream<R> {
-    /// The file of the next case.
+    /// Returns the file of the next case.
     fn file(&self) -> Option<&str> {
         self.case.as_ref().map(|case| case.file.as_str())
     }
@@ -147,7 +149,7 @@ impl<R: BufRead> Stream<R> {
         }
     }
 
-    /// Reads on to the next case, or to the end.
+    /// Reads the next case, or to the end.
     fn advance(&mut self) {
         let name = format!("part {} ({})", self.shard, self.name);
         loop {
@@ -160,7 +162,7 @@ impl<R: BufRead> Stream<R> {
                     return;
                 }
                 Some(Ok(Event::Footer(footer))) => self.footer = Some(footer),
-                // The reader lets no second header through.
+                // The reader rejects a second header.
                 Some(Ok(Event::Header(_))) => {}
                 Some(Err(error)) => {
                     self.trouble = Some(format!("{name} cannot be read to its end: {}", told(&error)));
@@ -178,13 +180,14 @@ impl<R: BufRead> Stream<R> {
     }
 }
 
-/// The part whose next case comes first; the suite is sorted by file. Of parts at the same file the first.
+/// Returns the part whose next case comes first; the suite is sorted by file. Of parts at the same file the first is
+/// returned.
 fn first_by_file<R>(streams: &mut [Stream<R>]) -> Option<&mut Stream<R>> {
     let waiting = streams.iter_mut().filter(|stream| stream.case.is_some());
     waiting.min_by(|one, other| one.file().cmp(&other.file()))
 }
 
-/// The footers added up. Parts run side by side, so the whole took as long as the longest of them.
+/// Adds the footers up. Parts run side by side, so the whole run took as long as the longest of them.
 fn footer<R>(header: &Header, streams: &[Stream<R>]) -> Footer {
     let mut whole = Footer {
         engines: header

@@ -1,7 +1,7 @@
 //! `results.json`: the whole run as one JSON document, for programs. Section 5 of the design names its keys.
 //!
-//! A case that did not pass stands whole in `cases`. Those that passed stand in `passed`, each with nothing but its arguments
-//! and its times, under what the cases of its probe have in common.
+//! A case that did not pass is in `cases` with all its properties. The cases that passed are in `passed`, each with only its
+//! arguments and its times, under the common properties of its probe.
 
 mod passed;
 
@@ -20,7 +20,7 @@ use stickler_run::{
     Verdict,
 };
 
-/// Gathers the run; the document is written when it is whole, with the totals and claims, which are known last, in front.
+/// The results of a run, gathered until the document is written: it begins with the totals and claims, which are known last.
 pub(crate) struct Results {
     file: PendingFile,
     engines: Vec<EngineHeader>,
@@ -29,10 +29,10 @@ pub(crate) struct Results {
 }
 
 impl Results {
-    /// Makes the file.
+    /// Creates the file.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where it cannot be made.
+    /// [`ReportError::Write`] where the file cannot be created.
     pub(crate) fn create(path: PathBuf) -> Result<Results, ReportError> {
         Ok(Results {
             file: PendingFile::create(path)?,
@@ -65,7 +65,7 @@ impl Results {
     /// Writes the document. A run without header or footer has no results.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where that fails.
+    /// [`ReportError::Write`] where the file cannot be written.
     pub(crate) fn finish(mut self, overview: &Overview, groups: &Groups) -> Result<(), ReportError> {
         let (Some(header), Some(footer)) = (&overview.header, &overview.footer) else {
             return Ok(());
@@ -111,13 +111,13 @@ impl Results {
     }
 }
 
-/// Writes one key of the document's top level, after at least one other.
+/// Writes one key of the document's top level, which follows at least one other.
 fn key(out: &mut impl Write, name: &str, value: &impl Serialize) -> io::Result<()> {
     write!(out, ",\n\"{name}\":")?;
     Ok(serde_json::to_writer(out, value)?)
 }
 
-/// A JSON array that grows, one element a line.
+/// A JSON array that grows, with one element per line.
 #[derive(Default)]
 struct List {
     spool: Spool,
@@ -140,7 +140,7 @@ impl List {
     }
 }
 
-/// Each engine of the header with its totals from the footer.
+/// Returns each engine of the header with its totals from the footer.
 fn engines<'a>(header: &'a Header, footer: &'a Footer) -> Vec<EngineResult<'a>> {
     let totals = |name: &str| footer.engines.iter().find(|engine| engine.name == name);
     header

@@ -1,11 +1,11 @@
-//! Bytes that are gathered until what stands before them in a file is known.
+//! A buffer for bytes that are gathered until the beginning of their file is known.
 
 use std::io::{self, Write};
 
-/// How much one piece holds. Pieces are never moved, so that gathering costs one copy however much it becomes.
+/// The capacity of one piece, in bytes. Pieces are never moved, so that gathering costs one copy however much is added.
 const PIECE: usize = 1 << 20;
 
-/// Gathered bytes.
+/// A buffer of gathered bytes, in pieces.
 #[derive(Default)]
 pub(crate) struct Spool {
     pieces: Vec<Vec<u8>>,
@@ -26,15 +26,15 @@ impl Spool {
         }
     }
 
-    /// Whether nothing was added.
+    /// Returns whether nothing was added.
     pub(crate) fn is_empty(&self) -> bool {
         self.pieces.is_empty()
     }
 
-    /// Writes all of it.
+    /// Writes all gathered bytes.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Returns the error of writing to `out`.
     pub(crate) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         self.pieces.iter().try_for_each(|piece| out.write_all(piece))
     }

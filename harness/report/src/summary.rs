@@ -1,4 +1,4 @@
-//! `summary.md`: the run for a person, small enough for the step summary of a CI service.
+//! `summary.md`: the run as Markdown, small enough for the step summary of a CI service.
 
 mod claims;
 mod observed;
@@ -14,34 +14,36 @@ use std::path::PathBuf;
 use stickler_run::{CaseEvent, DefinedHeader, EngineHeader, Totals};
 use stickler_types::{counted, grouped};
 
-/// The most that a step summary takes is 1 MiB; this leaves room for what other steps write.
+/// The maximum length of the document, in bytes. A step summary may have 1 MiB; the rest is left to other steps.
 const MAX_BYTES: usize = 900_000;
 
-/// How many failures are shown, and how much of each text.
+/// The maximum number of failures that are shown.
 const MAX_SHOWN_FAILURES: usize = 100;
+/// The maximum number of lines that are shown of each text.
 const MAX_SHOWN_LINES: usize = 60;
+/// The maximum number of characters that are shown of each line.
 const MAX_SHOWN_CHARACTERS: usize = 400;
 
-/// Writes the summary when the run is over.
+/// The summary of a run, written when the run is over.
 pub(crate) struct Summary {
     file: PendingFile,
 }
 
 impl Summary {
-    /// Makes the file.
+    /// Creates the file.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where it cannot be made.
+    /// [`ReportError::Write`] where the file cannot be created.
     pub(crate) fn create(path: PathBuf) -> Result<Summary, ReportError> {
         Ok(Summary {
             file: PendingFile::create(path)?,
         })
     }
 
-    /// Writes the document; a run that was cut short has none.
+    /// Writes the document; a run that was cut short gets none.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where that fails.
+    /// [`ReportError::Write`] where the file cannot be written.
     pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
         if overview.footer.is_none() {
             return Ok(());
@@ -54,7 +56,7 @@ impl Summary {
     }
 }
 
-/// The summary as Markdown, at most [`MAX_BYTES`] long.
+/// Returns the summary as Markdown, at most [`MAX_BYTES`] long.
 pub fn markdown(overview: &Overview) -> String {
     let mut page = Page {
         text: String::new(),
@@ -68,7 +70,7 @@ pub fn markdown(overview: &Overview) -> String {
     page.text
 }
 
-/// Markdown that grows up to its limit; from then on what does not fit is counted.
+/// A Markdown text that grows up to its limit; further sections are only counted.
 struct Page {
     text: String,
     left_out: u64,
@@ -217,7 +219,7 @@ fn failure(case: &CaseEvent, engine: Option<&EngineHeader>) -> String {
     )
 }
 
-/// Three backticks, or more than any line of the text has.
+/// Returns a code fence: three backticks, or more than any line of the text has.
 pub(crate) fn fence(text: &str) -> String {
     let longest = text
         .split(|character| character != '`')
@@ -227,12 +229,12 @@ pub(crate) fn fence(text: &str) -> String {
     "`".repeat(longest.max(2) + 1)
 }
 
-/// A text as inline code; two backticks, so that one in the text does no harm.
+/// Formats a text as inline code, between two backticks, so that a single one in the text is harmless.
 pub(crate) fn code(text: &str) -> String {
     format!("`` {} ``", visible(text).replace(['\n', '\t'], " "))
 }
 
-/// A text that Markdown and HTML leave alone, on one line.
+/// Escapes a text for Markdown and HTML, on one line.
 pub(crate) fn inline(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in clip(&visible(text).replace('\n', " "), 1, MAX_SHOWN_CHARACTERS).chars() {
@@ -247,7 +249,7 @@ pub(crate) fn inline(text: &str) -> String {
     escaped
 }
 
-/// What a dialect of stickler.toml is, and what is not run in it, a line each.
+/// Describes a custom dialect and the cases that are not run in it, one line each.
 fn defined(dialect: &DefinedHeader) -> Vec<String> {
     let DefinedHeader { name, extends, .. } = dialect;
     let about: String = dialect.about.iter().map(|about| format!(" ({about})")).collect();

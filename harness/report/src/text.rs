@@ -1,11 +1,12 @@
-//! Making texts of unknown origin fit to be shown: foreign engines print what they like.
+//! Makes texts of unknown origin fit to be shown, since engines may print anything, and words the parts that several reports
+//! share.
 
 use std::fmt::Write;
 use stickler_run::{BaselineNote, Fact, Grade, OutdatedEntry, Verdict};
 use stickler_types::counted;
 
-/// The text with control characters spelled out (`\u{1b}`), but for line ends and tabs: what an engine says must not
-/// move the cursor of whoever reads it.
+/// Escapes the control characters of a text (`\u{1b}`), except line ends and tabs, so that an engine's message cannot move
+/// the cursor of a terminal.
 pub(crate) fn visible(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for character in text.chars() {
@@ -22,7 +23,7 @@ pub(crate) fn visible(text: &str) -> String {
     shown
 }
 
-/// At most so many lines, each of at most so many characters; what is left out is said.
+/// Clips a text to so many lines of so many characters each, and appends how much is left out.
 pub(crate) fn clip(text: &str, lines: usize, characters: usize) -> String {
     let mut kept: Vec<String> = text
         .lines()
@@ -36,7 +37,7 @@ pub(crate) fn clip(text: &str, lines: usize, characters: usize) -> String {
     kept.join("\n")
 }
 
-/// Returns at most so many lines of facts, each text of foreign origin in them clipped to so many characters; says how many
+/// Clips facts to so many lines, and each text of foreign origin in them to so many characters; a last fact states how many
 /// lines are left out.
 pub(crate) fn clip_facts(facts: &[Fact], lines: usize, characters: usize) -> Vec<Fact> {
     let mut room = lines;
@@ -65,7 +66,7 @@ pub(crate) fn clip_facts(facts: &[Fact], lines: usize, characters: usize) -> Vec
     kept
 }
 
-/// A line of no more than so many characters, for a column of a table.
+/// Shortens a line to so many characters at most, for a column of a table.
 pub(crate) fn shortened(line: &str, characters: usize) -> String {
     match line.char_indices().nth(characters) {
         None => line.to_owned(),
@@ -78,7 +79,7 @@ fn clip_line(line: &str, characters: usize) -> String {
         return line.to_owned();
     };
     let clipped = format!("{} ... {} bytes more", &line[..end], line.len() - end);
-    // What is longer with the end cut off than with it, is whole.
+    // A text that is longer when cut than it is whole stays whole.
     if clipped.len() < line.len() {
         clipped
     } else {
@@ -86,7 +87,7 @@ fn clip_line(line: &str, characters: usize) -> String {
     }
 }
 
-/// What stands behind an engine whose rejections need not have been right to code and line.
+/// Returns the note that follows the name of an engine whose rejections need not match code and line to pass.
 pub(crate) fn judged(strict: Grade) -> &'static str {
     match strict {
         Grade::Code => "",
@@ -95,7 +96,7 @@ pub(crate) fn judged(strict: Grade) -> &'static str {
     }
 }
 
-/// What a baseline says of a case, on one line.
+/// Formats a baseline's note on a case, on one line.
 pub(crate) fn noted(note: &BaselineNote) -> String {
     let link = note
         .link
@@ -106,13 +107,13 @@ pub(crate) fn noted(note: &BaselineNote) -> String {
     visible(&text).replace(['\n', '\t'], " ")
 }
 
-/// An entry of a baseline that is out of date, on one line.
+/// Formats a baseline entry that is out of date, on one line.
 pub(crate) fn outdated(entry: &OutdatedEntry) -> String {
     let text = format!("{}: {} {}", entry.at, entry.case, entry.why);
     visible(&text).replace(['\n', '\t'], " ")
 }
 
-/// How many entries are out of date, as a sentence without its point.
+/// Formats the number of entries that are out of date, as a sentence without its full stop.
 pub(crate) fn outdated_entries(number: usize) -> String {
     let entries = counted(
         number as u64,
@@ -122,7 +123,7 @@ pub(crate) fn outdated_entries(number: usize) -> String {
     format!("{entries} out of date")
 }
 
-/// Milliseconds as a person reads them: `34 ms`, `1.2 s`, `2 min 5 s`.
+/// Formats milliseconds for people: `34 ms`, `1.2 s`, `2 min 5 s`.
 pub(crate) fn duration(milliseconds: u64) -> String {
     match milliseconds {
         0..1000 => format!("{milliseconds} ms"),
