@@ -1,4 +1,4 @@
-//! The marks that apply to one expansion become its expectation.
+//! Collects the marks that apply to one expansion of a program into its expectation.
 
 use std::sync::Arc;
 
@@ -9,17 +9,17 @@ use crate::mark::{Claim, Mark, ValueLine};
 use crate::model::{Acceptance, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue};
 use crate::observed;
 
-/// Collects what the marks of one expansion claim.
+/// Collector of the claims that the marks of one expansion make.
 #[derive(Debug)]
 pub(crate) struct Assembler<'n> {
     expectation: Expectation,
     recorded: Vec<Observation>,
     set: Vec<Setting>,
     clock: Vec<ClockSetting>,
-    /// The first value to which the clock was set and that is no time.
+    /// The first value that a clock setting has and that is not a time.
     no_time: Option<Value>,
     acceptance_observed: bool,
-    /// The line of the last mark, for mistakes that no mark alone makes.
+    /// The line of the last mark, on which contradictions between several marks are reported.
     line: u32,
     names: &'n TypeNames,
     scratch: String,
@@ -40,8 +40,8 @@ impl<'n> Assembler<'n> {
         }
     }
 
-    /// Adds what a mark claims that stands on `line` of the program; `file_line` gives the line of the case file for a line
-    /// of the template.
+    /// Adds the claim of a mark on `line` of the program; `file_line` maps a line of the template to a line of the case
+    /// file.
     pub(crate) fn mark(
         &mut self,
         mark: &Mark,
@@ -164,7 +164,7 @@ impl<'n> Assembler<'n> {
         });
     }
 
-    /// Says that acceptance is recorded, and nothing asserted.
+    /// Records that acceptance is only observed, not asserted.
     pub(crate) fn observe_acceptance(&mut self) {
         self.acceptance_observed = true;
     }
@@ -185,7 +185,7 @@ impl<'n> Assembler<'n> {
         }
     }
 
-    /// The expectation, if what was said makes sense together.
+    /// Returns the expectation, or the first contradiction in the collected claims.
     pub(crate) fn finish(mut self, scans: u32) -> Result<Assembly, AssemblyMistake> {
         let line = self.line;
         let wrong = |message| AssemblyMistake { line, message };
@@ -212,7 +212,7 @@ impl<'n> Assembler<'n> {
         })
     }
 
-    /// Everything that has a scan must have one that comes, and the clock a time.
+    /// Checks that every scan number is at most `scans` and that every clock setting is a time.
     fn check_scans(&self, scans: u32) -> Result<(), String> {
         let values = self.expectation.values.iter().filter_map(|value| value.after);
         let recorded = self.recorded.iter().filter_map(|observe| observe.after);
@@ -233,7 +233,7 @@ impl<'n> Assembler<'n> {
     }
 }
 
-/// The trimmed lines of a text, without empty ones at its start and end.
+/// Returns the trimmed lines of a text, without empty ones at its start and end.
 fn body_lines(text: &str) -> Vec<Box<str>> {
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
     let filled = |line: &&str| !line.is_empty();

@@ -1,4 +1,4 @@
-//! What the marks that apply to one expansion say in all, and whether it makes sense.
+//! The claims of all marks that apply to one expansion, and the check that they do not contradict each other.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use stickler_types::{ClockSetting, ElementaryType, Observation, Setting, Value};
 
 use crate::model::{Acceptance, Expectation};
 
-/// All that marks say about a case.
+/// The claims that all marks of a case make together.
 #[derive(Clone, Debug)]
 pub(crate) struct Assembly {
     pub(crate) expectation: Arc<Expectation>,
@@ -15,7 +15,7 @@ pub(crate) struct Assembly {
     pub(crate) clock: Arc<[ClockSetting]>,
 }
 
-/// What is wrong with the marks of a case, at which 1-based line of its template.
+/// A mistake in the marks of a case, with the 1-based line of its template.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct AssemblyMistake {
     pub(crate) line: u32,
@@ -23,11 +23,12 @@ pub(crate) struct AssemblyMistake {
 }
 
 impl Assembly {
-    /// What lint says of a case that claims nothing, and what to do about it.
+    /// The warning of lint for a case without a claim, and the hint that goes with it.
     pub(crate) const NOTHING: &str = "claims nothing but that the program is accepted";
     pub(crate) const SAY_OK: &str = "if that is the claim, say `(*! ok *)` on the line that matters";
 
-    /// Whether no mark says what the program is there for. What is only recorded is meant to be so.
+    /// Returns whether no mark claims anything. A value that is only recorded counts as a claim, because the author wants
+    /// no more.
     pub(crate) fn claims_nothing(&self) -> bool {
         let expectation = &self.expectation;
         expectation.accepted == Acceptance::Required
@@ -39,7 +40,7 @@ impl Assembly {
     }
 }
 
-/// Two claims that cannot both be met. The lists of the expectation are in the order of the lines.
+/// Returns a message if two claims cannot both be met. The lists of the expectation must be ordered by line.
 pub(crate) fn contradiction(expectation: &Expectation) -> Option<&'static str> {
     let Expectation {
         diagnostics,
@@ -80,7 +81,7 @@ pub(crate) fn contradiction(expectation: &Expectation) -> Option<&'static str> {
     }
 }
 
-/// The names of the elementary types, each once for all cases that name it.
+/// The names of the elementary types, allocated once for all cases that use them.
 #[derive(Debug)]
 pub(crate) struct TypeNames(Vec<Arc<str>>);
 
@@ -96,7 +97,7 @@ impl Default for TypeNames {
 }
 
 impl TypeNames {
-    /// The name of a value's type.
+    /// Returns the name of a value's type.
     pub(crate) fn of(&self, value: &Value) -> Arc<str> {
         match value {
             Value::Plain { ty, .. } | Value::Text { ty, .. } => self.elementary(*ty),
@@ -104,7 +105,7 @@ impl TypeNames {
         }
     }
 
-    /// The name of an elementary type.
+    /// Returns the name of an elementary type.
     pub(crate) fn elementary(&self, ty: ElementaryType) -> Arc<str> {
         match self.0.get(ty as usize) {
             // The variants stand in the order of `ALL`; a test holds that.
@@ -114,7 +115,7 @@ impl TypeNames {
     }
 }
 
-/// A list that cases share; most are empty, and all empty ones are the same.
+/// Converts a list to one that cases share; all empty lists share one allocation, because most are empty.
 pub(crate) fn shared<T>(list: Vec<T>) -> Arc<[T]> {
     if list.is_empty() {
         Arc::default()

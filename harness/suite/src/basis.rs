@@ -12,11 +12,11 @@ pub struct Source {
     pub id: &'static str,
     /// The document's title, for a person.
     pub title: &'static str,
-    /// What may stand behind the colon.
+    /// The sections that may follow the colon.
     pub sections: Sections,
 }
 
-/// How the sections of a source are named.
+/// The way in which the sections of a source are named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sections {
     /// By these headings.
@@ -123,12 +123,12 @@ pub const SOURCES: &[Source] = &[
     },
 ];
 
-/// The source with this id.
+/// Returns the source with this id.
 pub fn source(id: &str) -> Option<&'static Source> {
     SOURCES.iter().find(|source| source.id == id)
 }
 
-/// The source and the section that a basis names: `"ironplc-bit-access: Syntax"`.
+/// Returns the source and the section that a basis such as `"ironplc-bit-access: Syntax"` names.
 ///
 /// # Errors
 /// A message that says which part is unknown and what there is.
@@ -148,7 +148,7 @@ pub fn check(basis: &str) -> Result<(&'static Source, &str), String> {
 }
 
 impl Sections {
-    /// What to write instead, if there is no section of this name.
+    /// Returns an error message with the valid spellings, if the source has no such section.
     fn unknown(self, section: &str) -> Option<String> {
         let (known, expected) = match self {
             Sections::Headings(headings) => (headings.contains(&section), headings.join(" · ")),

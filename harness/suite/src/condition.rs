@@ -2,15 +2,15 @@
 
 use stickler_types::ElementaryType;
 
-/// All of these tests must hold; none: always.
+/// A conjunction of tests; without a test it always holds.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Condition(Vec<Test>);
 
 #[derive(Clone, Debug)]
 struct Test {
-    /// The placeholder that is looked at.
+    /// The index of the placeholder that is tested.
     slot: usize,
-    /// `<>`: none of the alternatives may fit.
+    /// Whether the test is `<>`: then none of the alternatives may match.
     negated: bool,
     alternatives: Vec<Alternative>,
 }
@@ -23,14 +23,14 @@ enum Alternative {
     Generic(Generic),
 }
 
-/// What a condition may look at.
+/// The placeholders that a condition may test.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Testable<'a> {
     /// The names of the placeholders, by index.
     pub(crate) names: &'a [Box<str>],
-    /// How many of them, from the first, are known when conditions are tested.
+    /// The number of placeholders, counted from the first, whose values are known when conditions are tested.
     pub(crate) known: usize,
-    /// The placeholder that a condition without a name looks at: the cell's word.
+    /// The placeholder that a condition without a name tests: the word of the cell.
     pub(crate) unnamed: Option<usize>,
 }
 
@@ -49,12 +49,12 @@ impl Condition {
         self.0.extend(other.0);
     }
 
-    /// Whether it holds where the placeholders have these values.
+    /// Returns whether the condition holds for these values of the placeholders.
     pub(crate) fn holds(&self, values: &[&str]) -> bool {
         self.0.iter().all(|test| test.holds(values))
     }
 
-    /// The placeholders that it looks at.
+    /// Returns the indices of the placeholders that the condition tests.
     pub(crate) fn slots(&self) -> impl Iterator<Item = usize> {
         self.0.iter().flat_map(|test| {
             let others = test

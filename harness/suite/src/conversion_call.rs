@@ -1,19 +1,20 @@
 //! A program that is one call of a function, read from its text.
 //!
-//! The tables of conversion functions are made of such programs. This is no parser of the language: whatever is not written
-//! exactly so is passed over.
+//! The tables of conversion functions consist of such programs. This is not a parser of the language: a program that is not
+//! written in exactly this form is ignored.
 
 use stickler_types::{ElementaryType, Value};
 
-/// A program that declares variables, one of them with an initial value at most, and assigns the result of one call to one of them.
+/// A program that declares variables, at most one of them with an initial value, and assigns the result of one call to one
+/// of them.
 pub(crate) struct Call<'s> {
-    /// The function.
+    /// The name of the called function.
     pub(crate) function: &'s str,
-    /// What it is given.
+    /// The value of the argument.
     pub(crate) operand: Value,
     /// The variable that takes the result.
     pub(crate) into: &'s str,
-    /// Its type.
+    /// The type of the variable that takes the result.
     pub(crate) result: ElementaryType,
 }
 
@@ -25,7 +26,7 @@ struct Variable<'s> {
 }
 
 impl<'s> Call<'s> {
-    /// The call that a program is; `None` where it is anything else.
+    /// Reads the call from a program; `None` if the program is anything else.
     pub(crate) fn read(source: &'s str) -> Option<Call<'s>> {
         let mut lines = source.lines().map(str::trim).filter(|line| !line.is_empty());
         if lines.next()? != "PROGRAM main" {
@@ -75,7 +76,7 @@ fn variable(line: &str) -> Option<Variable<'_>> {
     })
 }
 
-/// The value of an argument: a typed literal, or a variable with an initial value.
+/// Returns the value of an argument: a typed literal, or a variable with an initial value.
 fn operand(argument: &str, variables: &[Variable<'_>]) -> Option<Value> {
     let Some(variable) = variables.iter().find(|variable| variable.name == argument) else {
         return Value::parse(argument).ok();

@@ -1,6 +1,6 @@
-//! What the definition of a dialect states of cases that it takes over from the dialect which it extends.
+//! Expectations that the definition of a dialect states for cases inherited from the dialect that it extends.
 //!
-//! Values come from exact arithmetic with the choices that the definition makes.
+//! Their values come from exact arithmetic with the choices of the definition.
 
 use crate::assembly::TypeNames;
 use crate::conversion_call::Call;
@@ -9,8 +9,8 @@ use std::sync::Arc;
 use stickler_exact::{ImplicitResult, expected, is_overridden, signatures};
 use stickler_types::{DialectName, ElementaryType, Observation, Value};
 
-/// What arrives where a pair of types converts because a definition states so: what `<FROM>_TO_<TO>` gives, as far as
-/// somebody says what that is.
+/// Returns what a value becomes where a definition states that a pair of types converts implicitly: the result of
+/// `<FROM>_TO_<TO>`, or `Open` where no document or definition says what that is.
 pub(crate) fn converted(value: &Value, to: ElementaryType, dialect: DialectName) -> ImplicitResult {
     let from = match value {
         Value::Plain { ty, .. } | Value::Text { ty, .. } => *ty,
@@ -27,8 +27,8 @@ pub(crate) fn converted(value: &Value, to: ElementaryType, dialect: DialectName)
     }
 }
 
-/// Makes a case expect what the definition of its dialect states, where that decides what comes: a program which is one call
-/// of a conversion function. Any other case stays as it is.
+/// Replaces the expectation of a case whose program is one call of a conversion function, where the definition of the
+/// case's dialect decides the result. Leaves any other case unchanged.
 pub(crate) fn restate(case: &mut Case, names: &TypeNames) {
     if case.expectation.accepted == Acceptance::Rejected || case.expectation.fault.is_some() {
         return;

@@ -1,4 +1,4 @@
-//! The names by which cases say in which dialects they stand: `dialects.toml`.
+//! The dialects and groups of dialects that case files may name: `dialects.toml`.
 
 use std::collections::BTreeMap;
 
@@ -15,16 +15,16 @@ use crate::toml_text;
 pub struct Dialects {
     groups: BTreeMap<String, Vec<DialectName>>,
     entries: BTreeMap<DialectName, DialectEntry>,
-    /// Those of other definitions that take over the cases of their bases.
+    /// The user-defined dialects that take over the cases of the dialects that they extend.
     defined: Vec<DialectName>,
 }
 
-/// What `dialects.toml` says of one dialect.
+/// The entry of one dialect in `dialects.toml`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DialectEntry {
     /// A name for a person.
     pub title: String,
-    /// What the dialect stands for.
+    /// A description of the system or the rules that the dialect stands for.
     pub description: String,
     /// The sources that its rules come from.
     pub sources: Vec<String>,
@@ -52,7 +52,7 @@ struct EntryFile {
 }
 
 impl Default for Dialects {
-    /// The dialects' own names, and no groups.
+    /// Returns the dialects under their own names, without groups.
     fn default() -> Self {
         Dialects {
             groups: BTreeMap::new(),
@@ -63,14 +63,14 @@ impl Default for Dialects {
 }
 
 impl Dialects {
-    /// The same, and these dialects take over the cases of those that they were defined to extend.
+    /// Adds user-defined dialects, which take over the cases of the dialects that they extend.
     pub(crate) fn with_defined(mut self, defined: &[DialectName]) -> Dialects {
         self.defined
             .extend(defined.iter().filter(|dialect| dialect.definition().is_some()));
         self
     }
 
-    /// Reads `dialects.toml`: what of it can be used, and what is wrong with it.
+    /// Reads `dialects.toml`; returns its usable part and its mistakes.
     pub(crate) fn read(text: &str) -> (Dialects, Vec<Mistake>) {
         let lines = Lines::new(text);
         match toml_text::read::<DialectsFile>(text, 0, &lines) {
@@ -83,7 +83,7 @@ impl Dialects {
         }
     }
 
-    /// Reads the text of a `dialects.toml` that stands at `shown`: what of it can be used, and what is wrong with it.
+    /// Reads the text of the `dialects.toml` that reports show as `shown`; returns its usable part and its mistakes.
     #[must_use]
     pub fn of_file(shown: &str, text: &str) -> (Dialects, Vec<CaseFileError>) {
         let (dialects, mistakes) = Dialects::read(text);
@@ -91,19 +91,19 @@ impl Dialects {
         (dialects, errors.collect())
     }
 
-    /// What the file says of the dialects that it has an entry for.
+    /// Returns the dialects that the file has an entry for, with their entries.
     pub fn entries(&self) -> impl Iterator<Item = (DialectName, &DialectEntry)> {
         self.entries.iter().map(|(&name, entry)| (name, entry))
     }
 
-    /// The groups, each with its dialects.
+    /// Returns the groups, each with its dialects.
     pub fn groups(&self) -> impl Iterator<Item = (&str, &[DialectName])> {
         self.groups
             .iter()
             .map(|(name, members)| (name.as_str(), members.as_slice()))
     }
 
-    /// The dialects that a name stands for: a group's, or the dialect itself and those that extend it.
+    /// Returns the dialects that a name stands for: those of a group, or the dialect itself and those that extend it.
     ///
     /// # Errors
     /// A message that lists the names there are.

@@ -1,4 +1,4 @@
-//! What is wrong in a case file, and where.
+//! Mistakes in case files, with their place and a hint.
 
 use std::fmt;
 
@@ -11,11 +11,11 @@ pub struct CaseFileError {
     pub file: String,
     /// The 1-based line; 1 where the whole file is meant.
     pub line: u32,
-    /// The key that is wrong, where there is one: `probe.values`.
+    /// The wrong key, if the mistake belongs to one: `probe.values`.
     pub key: Option<String>,
-    /// What is wrong.
+    /// A description of the mistake.
     pub message: String,
-    /// What to do about it, where that can be said.
+    /// A suggestion how to correct the mistake, if there is one.
     pub hint: Option<String>,
 }
 
@@ -33,7 +33,7 @@ impl fmt::Display for CaseFileError {
     }
 }
 
-/// A mistake whose file is not said yet: what the readers of parts of a file give back.
+/// A mistake without the name of its file: the error of the functions that read a part of a file.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Mistake {
     pub(crate) line: u32,

@@ -1,4 +1,4 @@
-//! The files of a suite's folder: which there are, what they are, and their texts.
+//! The files of a suite's folder: finds them, tells their kind, and reads their texts.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -15,11 +15,11 @@ const MAX_FILE_LEN: u64 = 16 << 20;
 #[derive(Debug)]
 pub(crate) struct Root {
     path: PathBuf,
-    /// The folder's own name, with which the paths in reports begin.
+    /// The name of the folder itself, with which the paths in reports begin.
     name: String,
 }
 
-/// What is said of any other file that is named as one.
+/// The message for a path that is given as a case file but has another extension.
 pub(crate) const NO_CASE_FILE: &str = "a case file ends in .st or .toml";
 
 /// A case file.
@@ -33,7 +33,7 @@ pub(crate) struct CaseFile {
     pub(crate) kind: FileKind,
 }
 
-/// What a case file is, by its name.
+/// The kind of a case file, which its extension tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
     /// An annotated program, `*.st`; the id of its case is the id of the file.
@@ -42,7 +42,7 @@ pub enum FileKind {
     Table,
 }
 
-/// What stands below a root.
+/// The case files below a root, and the mistakes met while listing them.
 #[derive(Debug, Default)]
 pub(crate) struct Listing {
     pub(crate) files: Vec<CaseFile>,
@@ -69,12 +69,12 @@ impl Root {
         &self.path
     }
 
-    /// A path below the root as reports show it.
+    /// Returns a path below the root as reports show it.
     pub(crate) fn shown(&self, below_root: &str) -> String {
         format!("{}/{below_root}", self.name)
     }
 
-    /// The case file at `path`.
+    /// Returns the case file at `path`.
     pub(crate) fn case_file(&self, path: &Path) -> Result<CaseFile, CaseFileError> {
         let below = path
             .strip_prefix(&self.path)
@@ -97,7 +97,7 @@ impl Root {
         }
     }
 
-    /// One of the two paths may be relative, or go through a link.
+    /// Returns `path` relative to the root after resolving both, because one of them may be relative or go through a link.
     fn below_by_real_path(&self, path: &Path) -> Result<PathBuf, ()> {
         let root = self.path.canonicalize().map_err(drop)?;
         let path = path.canonicalize().map_err(drop)?;
@@ -113,7 +113,8 @@ fn slashes(path: &Path) -> String {
     parts.join("/")
 }
 
-/// What the file is, by its name; nothing for the suite's own files and for all others.
+/// Returns the kind of a file by its name; `None` for the suite's own files (`suite.toml`, `dialects.toml`) and for all
+/// others.
 pub(crate) fn kind(below_root: &str) -> Option<FileKind> {
     match below_root {
         "suite.toml" | "dialects.toml" => None,
@@ -123,7 +124,7 @@ pub(crate) fn kind(below_root: &str) -> Option<FileKind> {
     }
 }
 
-/// All case files below the root, ordered by path. Hidden files and folders are not looked at.
+/// Lists all case files below the root, ordered by path. Skips hidden files and folders.
 pub(crate) fn list(root: &Root) -> Listing {
     let mut listing = Listing::default();
     let is_hidden = |name: &std::ffi::OsStr| name.as_encoded_bytes().starts_with(b".");
@@ -189,10 +190,10 @@ fn note_folder_without_readme(root: &Root, folder: &walkdir::DirEntry, listing: 
     }
 }
 
-/// The text of a file.
+/// Reads the text of a file.
 ///
 /// # Errors
-/// Where it cannot be read, is too long, or is not UTF-8.
+/// If the file cannot be read, is too long, or is not UTF-8.
 pub(crate) fn read(path: &Path) -> Result<String, Mistake> {
     let unreadable = |error: std::io::Error| Mistake::new(1, format!("cannot be read: {error}"));
     let file = std::fs::File::open(path).map_err(unreadable)?;

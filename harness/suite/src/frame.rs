@@ -1,4 +1,4 @@
-//! What all cases of a file or a probe have in common, and how cases are made of it.
+//! The properties that all cases of a file or a probe share, and the making of cases from them.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::model::{Case, MatrixCell};
 use crate::place::Lines;
 use crate::table::Budget;
 
-/// The file that cases come from.
+/// A case file that is being expanded, with its text and the dialects of the suite.
 #[derive(Debug)]
 pub(crate) struct FileContext<'a> {
     /// The path relative to the suite's parent, as reports show it.
@@ -24,11 +24,11 @@ pub(crate) struct FileContext<'a> {
     pub(crate) lines: Lines,
     pub(crate) dialects: &'a Dialects,
     pub(crate) type_names: &'a TypeNames,
-    /// How much the file may expand into.
+    /// The limits on the expansion of the file.
     pub(crate) budget: Budget,
 }
 
-/// What the cases of a probe have in common.
+/// The properties that all cases of a probe share.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
     pub(crate) summary: Option<Arc<str>>,
@@ -36,7 +36,7 @@ pub(crate) struct Frame {
     pub(crate) scans: u32,
 }
 
-/// What is special to a group of cases that differ in nothing but their dialect.
+/// The properties of a group of cases that differ only in their dialect.
 #[derive(Debug)]
 pub(crate) struct Group<'a> {
     pub(crate) id: Arc<str>,
@@ -48,25 +48,25 @@ pub(crate) struct Group<'a> {
     pub(crate) cell: Option<&'a Arc<MatrixCell>>,
 }
 
-/// What came out of a case file.
+/// The cases, mistakes and remarks that reading a case file results in.
 #[derive(Debug, Default)]
 pub(crate) struct Harvest {
     pub(crate) cases: Vec<Case>,
     pub(crate) mistakes: Vec<Mistake>,
-    /// What lint says of the file beside its mistakes.
+    /// The warnings of lint about the file, beside its mistakes.
     pub(crate) remarks: Vec<Mistake>,
 }
 
 impl Harvest {
-    /// Notes what lint has to say; what it just said is not said again.
-    pub(crate) fn doubt(&mut self, remark: Mistake) {
+    /// Adds a warning of lint, unless it equals the last one or the limit is reached.
+    pub(crate) fn remark(&mut self, remark: Mistake) {
         const MAX_REMARKS: usize = 200;
         if self.remarks.last() != Some(&remark) && self.remarks.len() < MAX_REMARKS {
             self.remarks.push(remark);
         }
     }
 
-    /// Adds a case for each dialect.
+    /// Adds a case for each of the dialects.
     pub(crate) fn add(
         &mut self,
         context: &FileContext<'_>,
@@ -99,7 +99,7 @@ impl Harvest {
 }
 
 impl FileContext<'_> {
-    /// The dialects that a list of names stands for, in their own order, each once.
+    /// Returns the dialects that a list of names stands for, in their own order, each once.
     pub(crate) fn resolve(
         &self,
         names: &[Spanned<String>],
@@ -121,7 +121,7 @@ impl FileContext<'_> {
     }
 }
 
-/// Checks the key `scans`; 1 where there is none.
+/// Checks the key `scans` and returns its value, or 1 if it is absent.
 pub(crate) fn scans(scans: Option<&Spanned<u32>>, lines: &Lines, mistakes: &mut Vec<Mistake>) -> u32 {
     const MAX_SCANS: u32 = 1_000_000;
     let Some(scans) = scans else { return 1 };

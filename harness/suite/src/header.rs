@@ -39,7 +39,7 @@ pub(crate) struct ClockKey {
     pub(crate) value: Spanned<String>,
 }
 
-/// Tags as cases share them.
+/// Converts tags to the form that cases share.
 pub(crate) fn tags<'a>(tags: impl Iterator<Item = &'a String>) -> Arc<[Arc<str>]> {
     tags.map(|tag| Arc::from(tag.as_str())).collect()
 }

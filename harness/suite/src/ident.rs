@@ -7,10 +7,11 @@ use stickler_types::Fnv1a;
 /// The number of characters that a cell of a row may take in an id.
 const MAX_CELL_LEN: usize = 48;
 
-/// The id of the file at `path` (relative to the suite's root, with forward slashes): the path without its extension.
+/// Returns the id of the file at `path` (relative to the suite's root, with forward slashes): the path without its
+/// extension.
 ///
 /// # Errors
-/// A message, where the path has characters that ids cannot have.
+/// A message, if the path has characters that ids cannot have.
 pub(crate) fn of_file(path: &str) -> Result<String, String> {
     let stem = stem(path);
     match check(stem) {
@@ -24,7 +25,7 @@ pub(crate) fn stem(path: &str) -> &str {
     path.rsplit_once('.').map_or(path, |(stem, _)| stem)
 }
 
-/// Whether `id` can be the whole id of a program, or the name of a probe.
+/// Checks that `id` can be the whole id of a program, or the name of a probe.
 pub(crate) fn check(id: &str) -> Result<(), String> {
     let bad = id
         .chars()

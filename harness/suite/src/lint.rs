@@ -1,34 +1,34 @@
-//! What is wrong or doubtful in a folder of case files.
+//! Reports the mistakes and the doubtful places in a folder of case files.
 
 use std::path::Path;
 
 use crate::{CaseFileError, Suite};
 
-/// One thing that `stickler lint` says.
+/// One finding of `stickler lint`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// How bad it is.
+    /// The severity of the finding.
     pub severity: Severity,
-    /// What and where it is.
+    /// The message and its place.
     pub what: CaseFileError,
 }
 
-/// How bad a finding is.
+/// The severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// The file, or a part of it, cannot be used; a run says so too.
+    /// An error: the file, or a part of it, cannot be used. A run reports it too.
     Error,
-    /// The cases can be run, but the file does not say what its author meant.
+    /// A warning: the cases can be run, but the file probably does not say what its author meant.
     Warning,
 }
 
-/// Reads the suite at `dir` and says everything that is wrong or doubtful, ordered by file and line.
+/// Reads the suite at `dir` and returns its mistakes and warnings, ordered by file and line.
 pub fn lint(dir: &Path) -> Vec<Finding> {
     Suite::load(dir).findings()
 }
 
 impl Suite {
-    /// Everything that is wrong or doubtful in the files of the suite, ordered by file and line.
+    /// Returns the mistakes and warnings for the files of the suite, ordered by file and line.
     pub fn findings(&self) -> Vec<Finding> {
         let finding = |severity| {
             move |what: &CaseFileError| Finding {

@@ -1,4 +1,4 @@
-//! What the marks of a program say.
+//! Marks, the comments `(*! … *)` in which a program states its expectation.
 //!
 //! Basis: stickler-design §3.1.
 
@@ -18,17 +18,17 @@ pub(crate) struct Mark {
     /// The byte offset in the template.
     pub(crate) offset: usize,
     pub(crate) condition: Condition,
-    /// The dialects in which it applies; all where none are said.
+    /// The dialects in which the mark applies; all of them for `None`.
     pub(crate) dialects: Option<Vec<DialectName>>,
     pub(crate) claim: Claim,
 }
 
-/// What a mark claims.
+/// The claim of a mark.
 #[derive(Clone, Debug)]
 pub(crate) enum Claim {
     /// Diagnostics with these codes name the line.
     Error(Vec<Known<Code>>),
-    /// No diagnostic names the line.
+    /// No diagnostic names the line of the mark.
     Ok,
     Fault(Known<Fault>),
     Values {
@@ -62,14 +62,14 @@ pub(crate) struct ValueLine {
     pub(crate) line: u32,
 }
 
-/// Something that is known at once, or only when the placeholders are.
+/// A word of a mark that is known at once, or only when the placeholders are replaced.
 #[derive(Clone, Debug)]
 pub(crate) enum Known<T> {
     Now(T),
     Later(Template),
 }
 
-/// Something that a mark can name.
+/// A kind of word that a mark can name.
 pub(crate) trait MarkWord: Sized + Clone {
     fn read(text: &str) -> Result<Self, String>;
 }
@@ -97,7 +97,7 @@ fn from_str<T: FromStr<Err: Display>>(text: &str) -> Result<T, String> {
 }
 
 impl<T: MarkWord> Known<T> {
-    /// The thing, with the placeholders replaced; `scratch` is a buffer to be used again.
+    /// Returns the word with its placeholders replaced; `scratch` is a buffer that is reused.
     pub(crate) fn get(&self, scratch: &mut String, values: &[&str]) -> Result<T, String> {
         match self {
             Known::Now(thing) => Ok(thing.clone()),

@@ -10,18 +10,18 @@ use crate::mark::{Claim, Known, Mark, MarkWord, ValueLine};
 use crate::scan::RawMark;
 use crate::template::Template;
 
-/// What is wrong with a mark, at which 1-based line of the template.
+/// A mistake in a mark, with the 1-based line of the template.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct MarkMistake {
     pub(crate) line: u32,
     pub(crate) message: String,
 }
 
-/// Reads marks in one kind of file.
+/// Reader of the marks of one kind of file.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MarkReader<'a> {
     pub(crate) dialects: &'a Dialects,
-    /// What conditions may test; in a program that is no template there are none.
+    /// The placeholders that conditions may test; none in a program that is not a template.
     pub(crate) testable: Testable<'a>,
     /// Whether braces stand for placeholders.
     pub(crate) is_template: bool,
@@ -160,7 +160,7 @@ impl MarkReader<'_> {
         })
     }
 
-    /// Reads the number of a scan, and the clauses behind it.
+    /// Reads the number of a scan, and the clauses that follow it.
     fn scan(&self, rest: &str, clauses: &mut Clauses) -> Result<u32, String> {
         let (number, rest) = split_clauses(rest.trim());
         self.clauses(rest, clauses)?;
@@ -243,7 +243,7 @@ impl MarkReader<'_> {
     }
 }
 
-/// What may stand behind a mark's own words.
+/// The clauses `after`, `if` and `in`, which may follow the words of a mark.
 #[derive(Debug, Default)]
 struct Clauses {
     condition: Condition,
@@ -255,7 +255,7 @@ fn is_clause(word: &str) -> bool {
     matches!(word, "if" | "in" | "after")
 }
 
-/// Splits a mark's own words from the clauses behind them.
+/// Splits the words of a mark from the clauses that follow them.
 fn split_clauses(text: &str) -> (&str, &str) {
     let mut at = 0;
     for word in text.split_whitespace() {

@@ -1,4 +1,4 @@
-//! What the rest of the harness sees of a case: the program, the dialect, and what must happen.
+//! Cases and expectations, as the rest of the harness sees them.
 //!
 //! The texts are shared (`Arc<str>`), because sixty thousand cases of one table have most of theirs in common.
 
@@ -32,7 +32,7 @@ pub struct Case {
     pub line: u32,
     /// The program, marks and all: they are comments, so lines stay what they are in the file.
     pub source: Arc<str>,
-    /// How many scans the program runs; at least 1.
+    /// The number of scans that the program runs; at least 1.
     pub scans: u32,
     /// Words to select cases by.
     pub tags: Arc<[Arc<str>]>,
@@ -40,7 +40,7 @@ pub struct Case {
     pub clock: Arc<[ClockSetting]>,
     /// Variables that are written before certain scans, ordered by scan.
     pub set: Arc<[Setting]>,
-    /// What must happen.
+    /// The expectation: acceptance, diagnostics, values, a fault or a rendered text.
     pub expectation: Arc<Expectation>,
     /// All variables whose values an engine has to give back, each once: those asserted and those only recorded.
     pub observe: Arc<[Observation]>,
@@ -49,12 +49,12 @@ pub struct Case {
 }
 
 impl Case {
-    /// The key of results: `id@dialect`.
+    /// Returns the key of results: `id@dialect`.
     pub fn key(&self) -> String {
         format!("{}@{}", self.id, self.dialect)
     }
 
-    /// Returns what an engine is asked about the case: the program and what to observe of it, never the expectation.
+    /// Returns the request for an engine: the program and what to observe of it, never the expectation.
     pub fn request(&self) -> RunRequest<'_> {
         RunRequest {
             dialect: self.dialect,
@@ -66,7 +66,7 @@ impl Case {
         }
     }
 
-    /// Whether what must happen is what the definition of the case's dialect states, and not what a document says of the
+    /// Returns whether the expectation comes from the definition of the case's dialect, and not from a document about the
     /// dialect that it extends.
     pub fn is_stated(&self) -> bool {
         let source = self.basis.split_once(':').map(|(source, _)| source);
@@ -74,7 +74,7 @@ impl Case {
     }
 }
 
-/// What must happen when an engine is given a case's program.
+/// The expectation of a case: the results of an engine that conforms.
 ///
 /// Basis: stickler-design §3.1.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -85,11 +85,11 @@ pub struct Expectation {
     pub diagnostics: Vec<ExpectedDiagnostic>,
     /// Lines of the program that no diagnostic may name (`ok` marks), ascending.
     pub clean_lines: Vec<u32>,
-    /// The values that variables must have.
+    /// The values that variables must have after a scan.
     pub values: Vec<ExpectedValue>,
     /// The fault that must end the run.
     pub fault: Option<ExpectedFault>,
-    /// What the renderer must give back for the bodies of the POUs.
+    /// The text that the renderer must return for the bodies of the program organization units.
     pub rendered: Option<ExpectedText>,
 }
 
@@ -99,9 +99,9 @@ pub enum Acceptance {
     /// No diagnostic at all may be given.
     #[default]
     Required,
-    /// The program must be rejected, with the diagnostics that the expectation lists and no others.
+    /// At least one diagnostic must be given: those that the expectation lists and no others.
     Rejected,
-    /// No document says: accepted or rejected is recorded, nothing is asserted.
+    /// No document decides: whether the program is accepted is recorded, and nothing is asserted.
     Observed,
 }
 
@@ -110,7 +110,7 @@ pub enum Acceptance {
 pub struct ExpectedDiagnostic {
     /// The 1-based line of the program.
     pub line: u32,
-    /// The code.
+    /// The code of the diagnostic.
     pub code: Code,
 }
 
@@ -119,16 +119,16 @@ pub struct ExpectedDiagnostic {
 pub struct ExpectedValue {
     /// The variable or path: `a[1]`, `rec.field`.
     pub name: Arc<str>,
-    /// The 1-based scan after which it must hold; the last one where there is none.
+    /// The 1-based scan after which the variable must have the value; `None` for the last scan.
     pub after: Option<u32>,
-    /// The value, compared exactly.
+    /// The value that the variable must have exactly.
     pub value: Value,
     /// The 1-based line of the case file that asserts it.
     pub line: u32,
 }
 
 impl ExpectedValue {
-    /// Returns the name under which the value comes back.
+    /// Returns the key under which an engine returns the value.
     pub fn key(&self) -> ObservationKey<'_> {
         ObservationKey {
             name: &self.name,
@@ -146,10 +146,10 @@ pub struct ExpectedFault {
     pub line: u32,
 }
 
-/// What the renderer must give back.
+/// The text that the renderer must return.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ExpectedText {
-    /// The lines of the POUs' bodies, trimmed, without empty lines at the start and the end.
+    /// The lines of the bodies of the program organization units, trimmed, without empty lines at the start and the end.
     pub lines: Vec<Box<str>>,
     /// The 1-based line of the program on which the mark stands.
     pub line: u32,
@@ -164,6 +164,6 @@ pub struct MatrixCell {
     pub row: Arc<str>,
     /// The column's name, the target type: `DINT`.
     pub column: Arc<str>,
-    /// What the cell says.
+    /// The word of the cell, which tells whether the types convert.
     pub word: MatrixWord,
 }

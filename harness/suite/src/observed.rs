@@ -8,10 +8,10 @@ use crate::assembly::TypeNames;
 use crate::model::ExpectedValue;
 use stickler_types::Observation;
 
-/// The variables of the asserted values, and those that are only recorded.
+/// Returns the variables of the asserted values and those that are only recorded.
 ///
 /// # Errors
-/// A message, where a value is asserted twice, or a variable has two types.
+/// A message, if a value is asserted twice or a variable has two types.
 pub(crate) fn all(
     values: &[ExpectedValue],
     recorded: Vec<Observation>,
@@ -45,7 +45,7 @@ pub(crate) fn all(
 /// Variables in order, each once.
 struct Directory {
     list: Vec<Observation>,
-    /// Filled only where there are many: most cases observe one variable.
+    /// The place of each variable in the list, filled only for long lists: most cases observe one variable.
     index: FxHashMap<(Arc<str>, Option<u32>), usize>,
 }
 
@@ -57,7 +57,7 @@ impl Directory {
         }
     }
 
-    /// The type of the variable if it is there already; else it is added.
+    /// Returns the type of the variable if the list has it already; adds the variable otherwise.
     fn find_or_add(&mut self, observe: Observation) -> Option<Arc<str>> {
         const FEW: usize = 8;
         let found = match self.list.len() {

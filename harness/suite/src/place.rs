@@ -1,9 +1,9 @@
-//! Where things stand in a file: from byte offsets to lines.
+//! Converts byte offsets to the lines of a case file.
 
 /// The lines of a text, for looking up offsets in it.
 #[derive(Debug)]
 pub(crate) struct Lines {
-    /// The byte offset behind each line break.
+    /// The byte offset after each line break.
     starts: Vec<usize>,
 }
 
@@ -19,14 +19,14 @@ impl Lines {
         }
     }
 
-    /// The 1-based line of a byte offset. O(log n).
+    /// Returns the 1-based line of a byte offset. O(log n).
     pub(crate) fn line(&self, offset: usize) -> u32 {
         let line = self.starts.partition_point(|&start| start <= offset) + 1;
         u32::try_from(line).unwrap_or(u32::MAX)
     }
 }
 
-/// Where a text that comes out of a case file stands in it.
+/// The position in a case file of a text that is taken from it, such as the source of a probe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TextPlace {
     /// The line of the file on which the text's first line stands.
@@ -36,15 +36,15 @@ pub(crate) struct TextPlace {
 }
 
 impl TextPlace {
-    /// The place of a text that is a whole file.
+    /// The position of a text that is a whole file.
     pub(crate) const FILE: TextPlace = TextPlace {
         first: 1,
         line_by_line: true,
     };
 
-    /// The place of a TOML string whose source text, quotes and all, begins at `start` of `file`.
+    /// Returns the position of a TOML string whose source text, including the quotes, begins at `start` of `file`.
     ///
-    /// A line that a backslash joins to the next is not noticed: lines behind it are said too small.
+    /// A backslash that joins a line to the next is not recognized: the numbers of later lines are then too small.
     pub(crate) fn of_toml_string(file: &str, lines: &Lines, start: usize) -> TextPlace {
         let quoted = file.get(start..).unwrap_or_default();
         let first = lines.line(start);
@@ -64,7 +64,7 @@ impl TextPlace {
         }
     }
 
-    /// The line of the file for a 1-based line of the text.
+    /// Returns the line of the file for a 1-based line of the text.
     pub(crate) fn line(self, line: u32) -> u32 {
         if self.line_by_line {
             self.first.saturating_add(line.saturating_sub(1))

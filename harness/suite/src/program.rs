@@ -13,7 +13,7 @@ use crate::place::TextPlace;
 use crate::scan::{RawMark, scan};
 use crate::template::Template;
 
-/// Above so many mistakes in the marks of one program, the rest is left out: they come from one cause.
+/// The number of mistakes in the marks of one program after which the rest is dropped, because they have one cause.
 const MAX_MISTAKES: usize = 50;
 
 /// A program or a template of programs, with its marks.
@@ -21,7 +21,7 @@ const MAX_MISTAKES: usize = 50;
 pub(crate) struct Program {
     pub(crate) source: Template,
     pub(crate) marks: Vec<Mark>,
-    /// Where the source stands in the case file.
+    /// The position of the source in the case file.
     pub(crate) place: TextPlace,
     /// The placeholders that the program uses outside its marks, by index.
     pub(crate) used: Vec<bool>,
@@ -29,12 +29,12 @@ pub(crate) struct Program {
     used_in_marks: Vec<bool>,
 }
 
-/// What a reader of the file would want to know, though the program can be used.
+/// Warnings about a program that can be used.
 #[derive(Debug, Default)]
 pub(crate) struct Remarks(pub(crate) Vec<Mistake>);
 
 impl Program {
-    /// Reads `text`; marks before the byte `marks_from` are none (the header).
+    /// Reads `text`; comments before the byte `marks_from` (the header) are not read as marks.
     pub(crate) fn read(
         text: &str,
         marks_from: usize,
@@ -86,7 +86,7 @@ impl Program {
         }
     }
 
-    /// The marks that apply in a dialect, by index.
+    /// Returns the indices of the marks that apply in a dialect.
     pub(crate) fn active(&self, dialect: DialectName, texts: &[&str]) -> Vec<usize> {
         let applies = |mark: &Mark| {
             mark.dialects
@@ -102,7 +102,7 @@ impl Program {
             .collect()
     }
 
-    /// Groups dialects in which the same marks apply, in the order of the first of each.
+    /// Groups the dialects in which the same marks apply, in the order of the first dialect of each group.
     pub(crate) fn groups(
         &self,
         dialects: &[DialectName],
@@ -119,21 +119,21 @@ impl Program {
         groups
     }
 
-    /// Whether one of these marks says that the program is rejected.
+    /// Returns whether one of these marks claims that the program is rejected.
     pub(crate) fn rejects(&self, active: &[usize]) -> bool {
         active
             .iter()
             .any(|&index| matches!(self.marks[index].claim, Claim::Error(_)))
     }
 
-    /// Whether one of these marks says where execution stops.
+    /// Returns whether one of these marks claims that execution stops with a fault.
     pub(crate) fn faults(&self, active: &[usize]) -> bool {
         active
             .iter()
             .any(|&index| matches!(self.marks[index].claim, Claim::Fault(_)))
     }
 
-    /// Gives an assembler what these marks claim.
+    /// Adds the claims of these marks to an assembler.
     pub(crate) fn apply(
         &self,
         active: &[usize],
@@ -154,7 +154,7 @@ impl Program {
         Ok(())
     }
 
-    /// The line breaks that placeholders bring in before an offset of the template.
+    /// Returns the number of line breaks that placeholders add before an offset of the template.
     fn lines_before(&self, offset: usize, texts: &[&str]) -> u32 {
         let slots = self.source.placed_slots().take_while(|&(_, at)| at < offset);
         let lines = slots
@@ -163,18 +163,18 @@ impl Program {
         u32::try_from(lines).unwrap_or(u32::MAX)
     }
 
-    /// The placeholder that would close or open a comment inside a mark, if there is one.
+    /// Returns the placeholder whose text would close or open a comment inside a mark, if there is one.
     pub(crate) fn breaks_a_mark(&self, texts: &[&str]) -> Option<usize> {
         let breaks = |text: &str| text.contains("*)") || text.contains("(*");
         (0..texts.len()).find(|&slot| self.used_in_marks.get(slot) == Some(&true) && breaks(texts[slot]))
     }
 
-    /// Whether a placeholder stands anywhere in the program, marks or not.
+    /// Returns whether the program uses a placeholder, inside or outside marks.
     pub(crate) fn uses(&self, slot: usize) -> bool {
         self.used.get(slot) == Some(&true) || self.used_in_marks.get(slot) == Some(&true)
     }
 
-    /// The program, with its placeholders replaced.
+    /// Returns the program with its placeholders replaced.
     pub(crate) fn fill(&self, scratch: &mut String, texts: &[&str]) -> Arc<str> {
         self.source.fill(scratch, texts)
     }
@@ -196,7 +196,7 @@ fn read_source(text: &str, place: TextPlace, reader: &MarkReader<'_>) -> Result<
     })
 }
 
-/// The placeholders used outside and inside marks.
+/// Returns which placeholders are used outside marks, and which inside.
 fn uses(source: &Template, marks: &[RawMark<'_>], names: usize) -> (Vec<bool>, Vec<bool>) {
     let mut outside = vec![false; names];
     let mut inside = vec![false; names];

@@ -9,25 +9,25 @@
 pub(crate) struct RawMark<'t> {
     /// The byte offset of `(*!`.
     pub(crate) start: usize,
-    /// What stands between `(*!` and `*)`.
+    /// The text between `(*!` and `*)`.
     pub(crate) text: &'t str,
     /// The 1-based line on which the mark opens.
     pub(crate) line: u32,
 }
 
 impl RawMark<'_> {
-    /// The byte offset of the text behind `(*!`.
+    /// Returns the byte offset of the text after `(*!`.
     pub(crate) fn text_start(&self) -> usize {
         self.start + "(*!".len()
     }
 }
 
-/// What the scanner found.
+/// The marks of a text, and the places that look like marks.
 #[derive(Debug, Default)]
 pub(crate) struct Scan<'t> {
     /// The marks, in order.
     pub(crate) marks: Vec<RawMark<'t>>,
-    /// The lines on which `(*!` stands where it is no mark: in a string or in another comment.
+    /// The lines on which `(*!` stands inside a string or another comment, where it is not a mark.
     pub(crate) hidden: Vec<u32>,
     /// The line of a mark that is never closed.
     pub(crate) unclosed: Option<u32>,
@@ -107,7 +107,7 @@ impl<'t> Scanner<'t> {
         }
     }
 
-    /// Notes marks that stand between two offsets, where nobody reads them.
+    /// Records the lines of marks between two offsets, where they have no effect.
     fn note_hidden(&mut self, start: usize, end: usize) {
         let bytes = &self.text.as_bytes()[start..end];
         let mut line = self.line;

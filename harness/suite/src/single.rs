@@ -1,4 +1,4 @@
-//! `*.st`: one annotated program becomes a case in each of its dialects.
+//! Reads `*.st` files: one annotated program becomes a case in each of its dialects.
 //!
 //! Basis: stickler-design §3.1.
 
@@ -30,7 +30,7 @@ pub(crate) fn read(context: &FileContext<'_>) -> Harvest {
     harvest
 }
 
-/// The header, and the byte offset behind its text.
+/// Returns the header, and the byte offset after its text.
 fn read_header(context: &FileContext<'_>) -> Result<(Header, usize), Mistake> {
     let found = scan(context.text);
     let hint = "the first mark is the header: `(*!`, TOML with title, basis and dialects, `*)`";
@@ -48,7 +48,7 @@ fn read_header(context: &FileContext<'_>) -> Result<(Header, usize), Mistake> {
     Ok((header, first.text_start() + first.text.len()))
 }
 
-/// Whether the text begins like one of the other marks, and so was not meant as TOML.
+/// Returns whether the text begins like another kind of mark, and so is not a header in TOML.
 fn is_other_mark(mark: &RawMark<'_>) -> bool {
     let mut words = mark.text.split_whitespace();
     let word = words.next().unwrap_or_default();
@@ -115,7 +115,7 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
             Ok(assembly) => {
                 if assembly.claims_nothing() {
                     let message = format!("the case {}", Assembly::NOTHING);
-                    harvest.doubt(Mistake::new(1, message).hint(Assembly::SAY_OK));
+                    harvest.remark(Mistake::new(1, message).hint(Assembly::SAY_OK));
                 }
                 let (id, title, basis, source) = (
                     Arc::clone(&id),
@@ -149,7 +149,7 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
     }
 }
 
-/// The settings of the header.
+/// Returns the settings of the header.
 fn settings(
     context: &FileContext<'_>,
     header: &Header,
@@ -181,7 +181,7 @@ fn settings(
     (set, clock.collect())
 }
 
-/// Notes marks that stand for none of the file's dialects.
+/// Adds a warning for each mark that applies in none of the file's dialects.
 fn note_marks_without_dialect(
     program: &Program,
     dialects: &[stickler_types::DialectName],

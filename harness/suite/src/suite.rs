@@ -1,4 +1,4 @@
-//! A folder of case files becomes a suite.
+//! Reads a folder of case files into a suite.
 
 use std::path::Path;
 
@@ -16,18 +16,18 @@ use crate::place::Lines;
 use crate::{Case, CaseFileError, Dialects};
 use crate::{files, ident, single, table, toml_text};
 
-/// All cases of a folder, and what is wrong with its files.
+/// The cases of a folder, and the mistakes in its files.
 #[derive(Clone, Debug, Default)]
 pub struct Suite {
     /// The suite's own version, from `suite.toml`; results name it.
     pub version: String,
     /// The cases, ordered by path and then by their place in the file.
     pub cases: Vec<Case>,
-    /// Mistakes in case files, ordered by file and line. What of the suite is sound is loaded all the same.
+    /// The mistakes in case files, ordered by file and line. The sound part of the suite is loaded all the same.
     pub errors: Vec<CaseFileError>,
     /// The dialects and groups that case files may name, from `dialects.toml`.
     pub dialects: Dialects,
-    /// What lint says of the files beside their mistakes.
+    /// The warnings of lint about the files, beside their mistakes.
     pub(crate) remarks: Vec<CaseFileError>,
 }
 
@@ -40,21 +40,21 @@ struct SuiteFile {
 impl Suite {
     /// Reads every case file below `dir`, the folder that has `suite.toml` and `dialects.toml`.
     ///
-    /// It never fails: what is wrong stands in [`Suite::errors`], also where `dir` does not exist.
+    /// Loading never fails: mistakes are listed in [`Suite::errors`], also if `dir` does not exist.
     pub fn load(dir: &Path) -> Suite {
         Suite::load_with(dir, &[])
     }
 
-    /// Reads every case file, with cases of these dialects that were [defined](DialectName::define): those of the dialect that
-    /// each extends, taken over as they are, but for what its definition states. A cell that it overrides expects what it says,
-    /// and a call of a conversion function what exact arithmetic gives by its choices. Whether anything else depends on what it
-    /// overrides, this crate cannot know.
+    /// Reads every case file, and adds cases for these dialects that were [defined](DialectName::define): those of the
+    /// dialect that each extends, unchanged except where its definition states a result. An overridden cell of a matrix
+    /// expects the word of the definition, and a call of a conversion function expects the result of exact arithmetic with
+    /// the choices of the definition. This crate cannot tell whether another case depends on an override.
     pub fn load_with(dir: &Path, defined: &[DialectName]) -> Suite {
         Suite::load_files(dir, defined, |_, _| true)
     }
 
-    /// Reads the case files that `is_wanted`, which is given the id of each file (its path below `dir` without the extension)
-    /// and its kind. What is wrong with the others is not said.
+    /// Reads the case files that `is_wanted` selects by the id of a file (its path below `dir` without the extension) and
+    /// its kind. Does not report the mistakes of the other files.
     pub fn load_files(
         dir: &Path,
         defined: &[DialectName],
@@ -120,7 +120,7 @@ impl Suite {
     }
 }
 
-/// Reads the one case file `path`, as a part of the suite at `root`: the cases to run, and the file's mistakes.
+/// Reads the one case file `path` as a part of the suite at `root`; returns the cases to run and the file's mistakes.
 ///
 /// `path` may be given relative to the working folder or absolute, as test harnesses that walk `root` give it.
 pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
@@ -139,8 +139,8 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
     (cases, errors)
 }
 
-/// Reads a case file that is no file: `text` under the path `name` below a suite's root, by whose ending it is a program (`.st`)
-/// or a table (`.toml`). Gives the cases to run, and the mistakes.
+/// Reads a case file from memory: `text` under the path `name` below a suite's root, whose extension makes it a program
+/// (`.st`) or a table (`.toml`). Returns the cases to run and the mistakes.
 #[must_use]
 pub fn read_case_file(name: &str, text: &str, dialects: &Dialects) -> (Vec<Case>, Vec<CaseFileError>) {
     let harvest = match files::kind(name) {
@@ -150,7 +150,7 @@ pub fn read_case_file(name: &str, text: &str, dialects: &Dialects) -> (Vec<Case>
     alone(harvest, name)
 }
 
-/// The cases and mistakes of a file that is read by itself.
+/// Returns the cases of a file that is read by itself, and its mistakes with the file's path.
 fn alone(harvest: Harvest, shown: &str) -> (Vec<Case>, Vec<CaseFileError>) {
     let mistakes = harvest.mistakes.into_iter();
     let errors = mistakes.map(|mistake| mistake.in_file(shown)).collect();
@@ -179,7 +179,7 @@ fn read_file(file: &files::CaseFile, dialects: &Dialects, type_names: &TypeNames
     }
 }
 
-/// What is left of a file that could not be read.
+/// Returns the result for a file that could not be read: no case, and one mistake.
 fn wrong(mistake: Mistake) -> Harvest {
     Harvest {
         mistakes: vec![mistake],
@@ -218,7 +218,8 @@ fn read_text(
     harvest
 }
 
-/// Drops the cases whose key stood before in the file, and notes each place once. Keys of different files differ.
+/// Drops each case whose id and dialect the file has already, and records one mistake per line. Ids of different files
+/// differ.
 fn drop_duplicates(harvest: &mut Harvest) {
     let mut seen: FxHashMap<&str, (DialectSet, u32)> = FxHashMap::default();
     seen.reserve(harvest.cases.len() / 2);
@@ -249,14 +250,14 @@ fn drop_duplicates(harvest: &mut Harvest) {
 /// A set of dialects.
 #[derive(Clone, Debug, Default)]
 struct DialectSet {
-    /// A bit each for those of documented systems.
+    /// The dialects of documented systems, one bit each.
     built_in: u32,
-    /// The others; there are few.
+    /// The user-defined dialects of the set; usually few.
     defined: Vec<DefinedDialect>,
 }
 
 impl DialectSet {
-    /// Adds a dialect; false where it was there.
+    /// Adds a dialect; returns false if the set had it already.
     fn insert(&mut self, dialect: DialectName) -> bool {
         if let DialectName::Defined(defined) = dialect {
             let is_new = !self.defined.contains(&defined);

@@ -1,4 +1,4 @@
-//! `*.toml`: tables that expand into a case for every cell or row × probe × value × dialect.
+//! Reads `*.toml` files: tables that expand into a case for every cell or row × probe × value × dialect.
 
 mod budget;
 mod cell;

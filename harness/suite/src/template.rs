@@ -2,19 +2,19 @@
 
 use std::sync::Arc;
 
-/// A text, cut into what stands and what is replaced.
+/// A text with placeholders, cut into the constant pieces and the slots between them.
 #[derive(Clone, Debug)]
 pub(crate) struct Template {
     pieces: Vec<Piece>,
-    /// The whole text, where nothing is replaced.
+    /// The whole text, if it has no placeholder.
     fixed: Option<Arc<str>>,
 }
 
 #[derive(Clone, Debug)]
 struct Piece {
-    /// What stands before the slot.
+    /// The constant text before the slot.
     text: Box<str>,
-    /// What is replaced after it; the last piece has none.
+    /// The placeholder that follows the text; `None` in the last piece.
     slot: Option<Slot>,
 }
 
@@ -25,7 +25,7 @@ struct Slot {
     offset: usize,
 }
 
-/// What is wrong with a template, and at which byte of it.
+/// A mistake in a template, with its byte offset.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct TemplateMistake {
     pub(crate) offset: usize,
@@ -33,7 +33,7 @@ pub(crate) struct TemplateMistake {
 }
 
 impl Template {
-    /// A text in which braces are braces.
+    /// Returns the template of a text in which braces have no special meaning.
     pub(crate) fn plain(text: &str) -> Template {
         Template {
             pieces: Vec::new(),
@@ -77,17 +77,17 @@ impl Template {
         Ok(Template { pieces, fixed: None })
     }
 
-    /// The text, where nothing in it is replaced.
+    /// Returns the text, if it has no placeholder.
     pub(crate) fn fixed(&self) -> Option<&Arc<str>> {
         self.fixed.as_ref()
     }
 
-    /// The placeholders by index, each as often as it stands there.
+    /// Returns the indices of the placeholders, with repetitions.
     pub(crate) fn slots(&self) -> impl Iterator<Item = usize> {
         self.placed_slots().map(|(index, _)| index)
     }
 
-    /// The placeholders by index, with their byte offsets in the text as it was read.
+    /// Returns the indices of the placeholders, each with its byte offset in the original text.
     pub(crate) fn placed_slots(&self) -> impl Iterator<Item = (usize, usize)> {
         self.pieces
             .iter()
@@ -108,7 +108,7 @@ impl Template {
         }
     }
 
-    /// The text, with each placeholder replaced; `scratch` is a buffer to be used again.
+    /// Returns the text with each placeholder replaced by `values[index]`; `scratch` is a buffer that is reused.
     pub(crate) fn fill(&self, scratch: &mut String, values: &[&str]) -> Arc<str> {
         match &self.fixed {
             Some(fixed) => Arc::clone(fixed),
@@ -121,7 +121,7 @@ impl Template {
     }
 }
 
-/// Reads the placeholder at `brace`: its index, and where the text goes on.
+/// Reads the placeholder at `brace`; returns its index and the offset at which the text goes on.
 fn slot(text: &str, brace: usize, names: &[Box<str>]) -> Result<(usize, usize), TemplateMistake> {
     let mistake = |message| {
         Err(TemplateMistake {

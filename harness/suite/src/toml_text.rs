@@ -1,4 +1,4 @@
-//! Reading TOML with places: every mistake has the line and the key that a person has to look at.
+//! Reads TOML with positions: every mistake has the line and the key that it belongs to.
 
 use std::fmt;
 use std::ops::Range;
@@ -49,13 +49,13 @@ pub(crate) enum TextOr<T> {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Scalar {
     Text(String),
-    /// A number, which the file's own text spells.
+    /// A number, whose spelling is taken from the text of the file.
     Number,
     Truth(bool),
 }
 
 impl Scalar {
-    /// The scalar as programs are to see it; `written` is its text in the file.
+    /// Returns the scalar as programs spell it; `written` is its text in the file.
     pub(crate) fn spelling(&self, written: &str) -> Box<str> {
         match self {
             Scalar::Text(text) => text.as_str().into(),

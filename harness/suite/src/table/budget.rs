@@ -1,11 +1,11 @@
-//! How much one file may expand into: a table of a few lines can stand for more cases than a machine can hold.
+//! Limits on the expansion of one file: a table of a few lines can stand for more cases than a machine can hold.
 
-/// What is left of the limits.
+/// The remaining budget of a file that is being expanded.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Budget {
-    /// How many more cells or rows may be looked at.
+    /// The number of cells or rows that may still be visited.
     pub(crate) looks: u64,
-    /// How many more bytes of programs may be written.
+    /// The number of bytes of programs that may still be written.
     pub(crate) bytes: u64,
 }
 
@@ -19,18 +19,18 @@ impl Default for Budget {
 }
 
 impl Budget {
-    /// Takes a look at a cell or a row in one probe.
+    /// Counts the visit of one cell or row by one probe.
     ///
     /// # Errors
-    /// A message, where the file is too big.
+    /// A message, if the limit is exceeded.
     pub(crate) fn look(&mut self) -> Result<(), String> {
         take(&mut self.looks, 1).ok_or_else(|| "the table expands into too many cells".to_owned())
     }
 
-    /// Pays for a program of so many bytes and the case around it.
+    /// Counts a program of `bytes` bytes and the case around it.
     ///
     /// # Errors
-    /// A message, where the file is too big.
+    /// A message, if the limit is exceeded.
     pub(crate) fn program(&mut self, bytes: usize) -> Result<(), String> {
         let cost = u64::try_from(bytes).unwrap_or(u64::MAX).saturating_add(400);
         take(&mut self.bytes, cost)

@@ -1,4 +1,4 @@
-//! One cell of a matrix in one probe: which values it takes, and what must arrive.
+//! One cell of a matrix in one probe: the values that it takes, and the results that are expected.
 //!
 //! Basis: stickler-design §3.2.
 
@@ -25,52 +25,53 @@ pub(crate) const TYPED: usize = 5;
 pub(crate) const EXPECTED: usize = 6;
 pub(crate) const OTHER: usize = 7;
 
-/// Conditions may test the row, the column and the cell: what stands before this index.
+/// The number of placeholders that conditions may test: the row, the column and the cell.
 pub(crate) const TESTABLE: usize = 3;
 
-/// What the placeholders of a matrix stand for.
+/// The texts that replace the placeholders of a matrix.
 pub(crate) type Texts<'t> = [&'t str; PLACEHOLDERS.len()];
 
-/// One cell in one probe.
+/// One cell of a matrix in one probe.
 pub(crate) struct Cell<'a> {
     pub(crate) row: &'a TypeInfo,
     pub(crate) column: &'a TypeInfo,
     pub(crate) word: MatrixWord,
-    /// The line of the case file.
+    /// The 1-based line of the case file.
     pub(crate) line: u32,
-    /// The id up to the value.
+    /// The part of the id before the value.
     pub(crate) prefix: String,
     pub(crate) place: Arc<MatrixCell>,
     pub(crate) basis: Arc<str>,
-    /// The dialect whose definition states this cell, where one does: then the matrix of the file has another word.
+    /// The dialect whose definition states the word of this cell in place of the matrix, if one does.
     pub(crate) stated_by: Option<DialectName>,
 }
 
-/// What the cases of one cell in one group of dialects have in common.
-pub(crate) struct CaseOf<'a, 't> {
+/// The properties that the cases of one cell share in one group of dialects.
+pub(crate) struct CaseGroup<'a, 't> {
     pub(crate) probe: &'a Probe<'a>,
     pub(crate) cell: &'a Cell<'t>,
-    /// The marks that apply, by index.
+    /// The indices of the marks that apply.
     pub(crate) active: &'a [usize],
     pub(crate) dialects: &'a [DialectName],
-    /// Whether one of the marks says that the program is rejected.
+    /// Whether one of the marks claims that the program is rejected.
     pub(crate) rejected: bool,
 }
 
 impl Probe<'_> {
-    /// Whether the program depends on the value.
+    /// Returns whether the program depends on the value.
     pub(crate) fn takes_values(&self) -> bool {
         [VALUE, TYPED].iter().any(|&slot| self.program.used[slot])
     }
 }
 
-/// The one value of a cell that takes one: the ordinary one, unless the probe lists its own.
+/// Returns the only value of a cell that takes one: the ordinary value of the row if it is among the inputs, or else the
+/// first input.
 pub(crate) fn one_of<'a>(inputs: &'a [Input], row: &'a TypeInfo) -> Option<&'a Input> {
     let listed = |ordinary: &&Input| inputs.iter().any(|input| input.literal == ordinary.literal);
     row.ordinary.as_ref().filter(listed).or(inputs.first())
 }
 
-/// The declarations that a row and a column need, on one line if they are.
+/// Returns the declarations that a row and a column need, on one line if each of them is on one line.
 pub(crate) fn declarations(row: &TypeInfo, column: &TypeInfo) -> String {
     let (first, second) = (&*row.declaration, &*column.declaration);
     match (first.is_empty(), second.is_empty() || row.name == column.name) {
@@ -81,8 +82,8 @@ pub(crate) fn declarations(row: &TypeInfo, column: &TypeInfo) -> String {
 }
 
 impl Cell<'_> {
-    /// Returns what a value becomes in an elementary type. A pair that converts because a definition states so does what the
-    /// conversion function for the pair does.
+    /// Returns what a value becomes in an elementary type. A pair that converts because a definition states it follows the
+    /// conversion function for the pair.
     fn implicit_result(&self, value: &Value, ty: ElementaryType) -> Option<ImplicitResult> {
         let documented = implicit_result(value, ty);
         match (self.stated_by, &documented) {
@@ -91,7 +92,7 @@ impl Cell<'_> {
         }
     }
 
-    /// Returns what an input becomes in a variable of the column's type; `None` where nothing says so.
+    /// Returns what an input becomes in a variable of the column's type; `None` where no rule decides.
     pub(crate) fn result_in_column(&self, input: &Input) -> Option<ImplicitResult> {
         let value = input.value.as_ref()?;
         match self.column.base {
@@ -101,11 +102,12 @@ impl Cell<'_> {
     }
 }
 
-impl CaseOf<'_, '_> {
-    /// Gives an assembler what must arrive in the observed variables, or what is recorded of them.
+impl CaseGroup<'_, '_> {
+    /// Adds the expected values of the observed variables to an assembler, or records the variables without asserting a
+    /// value.
     ///
     /// # Errors
-    /// A message, where a value must arrive, but nothing says which.
+    /// A message, if a value must be asserted and no rule decides which.
     pub(crate) fn targets(
         &self,
         input: Option<&Input>,
@@ -129,7 +131,7 @@ impl CaseOf<'_, '_> {
         Ok(())
     }
 
-    /// A value must arrive in `target`.
+    /// Asserts the value of `target`.
     fn assert(
         &self,
         target: &Target,
@@ -167,7 +169,7 @@ impl CaseOf<'_, '_> {
         Ok(())
     }
 
-    /// What `target` holds is recorded.
+    /// Records the value of `target` without asserting it.
     fn record(
         &self,
         target: &Target,
@@ -187,7 +189,7 @@ impl CaseOf<'_, '_> {
         }
     }
 
-    /// Records a variable, if its type has values that can be given back.
+    /// Records a variable, if its type has values that can be observed.
     fn observe(
         &self,
         name: Arc<str>,
@@ -214,7 +216,8 @@ impl CaseOf<'_, '_> {
         }
     }
 
-    /// What is found below a variable of a type that has no value of its own.
+    /// Returns the paths below a variable whose own value cannot be observed (`arrives`), with the values that they must
+    /// have.
     fn below<'i>(&self, input: &'i Input, own: Option<&str>) -> Option<&'i [(Box<str>, Value)]> {
         let applies =
             own.is_none() && !input.arrives.is_empty() && self.cell.row.name == self.cell.column.name;
@@ -228,7 +231,7 @@ impl CaseOf<'_, '_> {
     }
 }
 
-/// The elementary type of this name; a text may have a length.
+/// Returns the elementary type of this name; the name of a text type may have a length.
 fn elementary(name: &str) -> Option<ElementaryType> {
     ElementaryType::from_name(name.split_once('[').map_or(name, |(bare, _)| bare))
 }

@@ -1,4 +1,4 @@
-//! A matrix becomes a case for every cell × probe × value × dialect.
+//! Expands a matrix into a case for every cell × probe × value × dialect.
 //!
 //! Basis: stickler-design §3.2.
 
@@ -17,7 +17,7 @@ use crate::model::MatrixCell;
 use crate::program::Remarks;
 use crate::table::budget::Budget;
 use crate::table::cell::{
-    CELL, CaseOf, Cell, EXPECTED, OTHER, PLACEHOLDERS, TESTABLE, TYPED, TYPES, Texts, VALUE, declarations,
+    CELL, CaseGroup, Cell, EXPECTED, OTHER, PLACEHOLDERS, TESTABLE, TYPED, TYPES, Texts, VALUE, declarations,
     one_of,
 };
 use crate::table::inputs;
@@ -28,7 +28,7 @@ use crate::table::read::{MAX_MISTAKES, Table};
 use crate::table::section::{self, Section};
 use crate::table::types::{self, Input, TypeInfo};
 
-/// What a placeholder stands for where there is nothing to say.
+/// The text that replaces a placeholder without a value.
 const UNKNOWN: &str = "?";
 
 /// Expands the matrices of a file.
@@ -76,35 +76,35 @@ pub(crate) fn expand(
     }
 }
 
-/// What is said of a cell.
+/// The word that applies to a cell, and its origin.
 #[derive(Clone, Copy)]
-struct Said {
+struct CellWord {
     word: MatrixWord,
-    /// The dialect whose definition says so, and its basis; nothing where the matrix does.
+    /// The dialect whose definition states the word, with the basis; `None` if the word is that of the matrix.
     stated: Option<(DialectName, &'static str)>,
 }
 
-/// What is said of a cell in which of the dialects: what the matrix says, and what definitions say instead. Only what a matrix says
-/// of implicit conversion they override.
+/// Groups the dialects of a cell by the word that applies: that of the matrix, or that of a dialect's definition. A
+/// definition overrides only the words about implicit conversion.
 fn overridden(
     probe: &Probe<'_>,
     row: &str,
     column: &TypeInfo,
     word: MatrixWord,
     dialects: &[DialectName],
-) -> Vec<(Said, Vec<DialectName>)> {
+) -> Vec<(CellWord, Vec<DialectName>)> {
     let stated = |dialect: &DialectName| {
         let pair = (
             ElementaryType::from_name(row)?,
             ElementaryType::from_name(&column.name)?,
         );
         let stated = dialect.definition()?.implicit(pair.0, pair.1)?;
-        Some(Said {
+        Some(CellWord {
             word: stated.value,
             stated: Some((*dialect, &stated.basis)),
         })
     };
-    let by_matrix = Said { word, stated: None };
+    let by_matrix = CellWord { word, stated: None };
     if dialects.iter().all(|dialect| dialect.definition().is_none()) || !probe.is_implicit_conversion() {
         return vec![(by_matrix, dialects.to_vec())];
     }
@@ -127,7 +127,7 @@ struct Expander<'a, 'h> {
 }
 
 impl Expander<'_, '_> {
-    /// Keys that a matrix has no use for.
+    /// Reports the keys that have no meaning in a matrix.
     fn check_keys(&mut self, probes: &[Probe<'_>]) {
         if let Some(expect) = &self.table.file.expect {
             let line = self.table.context.lines.line(expect.span().start);
@@ -150,7 +150,7 @@ impl Expander<'_, '_> {
         }
     }
 
-    /// The types of all rows and columns by name; nothing where one is unknown.
+    /// Returns the types of all rows and columns by name; `None` if one of them is unknown.
     fn types(
         &mut self,
         matrix: &Matrix,
@@ -179,7 +179,7 @@ impl Expander<'_, '_> {
     /// Expands one matrix in one probe.
     ///
     /// # Errors
-    /// The mistake after which there is no point in going on.
+    /// A mistake that makes it pointless to go on.
     fn section(
         &mut self,
         section: &Section<'_>,
@@ -236,7 +236,7 @@ impl Expander<'_, '_> {
         section: &Section<'_>,
         probe: &mut Probe<'_>,
         (row, row_type): (&MatrixRow, &TypeInfo),
-        (column, Said { word, stated }): (&TypeInfo, Said),
+        (column, CellWord { word, stated }): (&TypeInfo, CellWord),
         inputs: &[Input],
         dialects: &[DialectName],
     ) -> Result<(), Mistake> {
@@ -276,7 +276,7 @@ impl Expander<'_, '_> {
                 self.wrong(Mistake::new(row.line, message).hint(hint));
                 continue;
             }
-            let case = CaseOf {
+            let case = CaseGroup {
                 probe,
                 cell: &cell,
                 active: &active,
@@ -324,15 +324,15 @@ impl Expander<'_, '_> {
     /// Makes the cases of one value in the dialects of one group.
     ///
     /// # Errors
-    /// The mistake after which there is no point in going on.
+    /// A mistake that makes it pointless to go on.
     fn case(
         &mut self,
         section: &Section<'_>,
-        of: &CaseOf<'_, '_>,
+        of: &CaseGroup<'_, '_>,
         input: Option<&Input>,
         texts: &Texts<'_>,
     ) -> Result<(), Mistake> {
-        let CaseOf { probe, cell, .. } = of;
+        let CaseGroup { probe, cell, .. } = of;
         let (program, column) = (&probe.program, cell.column);
         let result = input
             .filter(|_| !of.rejected)
@@ -405,11 +405,11 @@ impl Expander<'_, '_> {
 
     fn assemble(
         &mut self,
-        of: &CaseOf<'_, '_>,
+        of: &CaseGroup<'_, '_>,
         input: Option<&Input>,
         texts: &[&str],
     ) -> Result<Assembly, Mistake> {
-        let CaseOf { probe, cell, .. } = of;
+        let CaseGroup { probe, cell, .. } = of;
         let names = self.table.context.type_names;
         if let Some(slot) = probe.program.breaks_a_mark(texts) {
             let message = format!(
@@ -436,7 +436,7 @@ impl Expander<'_, '_> {
                 probe.name,
                 Assembly::NOTHING
             );
-            self.harvest.doubt(
+            self.harvest.remark(
                 Mistake::new(probe.line, message)
                     .key("probe")
                     .hint(Assembly::SAY_OK),

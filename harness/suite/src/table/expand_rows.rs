@@ -1,4 +1,4 @@
-//! A table of rows becomes a case for every row × probe × dialect.
+//! Expands a table of rows into a case for every row × probe × dialect.
 //!
 //! Basis: stickler-design §3.2.
 
@@ -17,7 +17,7 @@ use crate::table::keys::Row;
 use crate::table::probe::{self, Placeholders, Probe};
 use crate::table::read::{MAX_MISTAKES, Table};
 
-/// The columns that have a meaning of their own.
+/// The indices of the columns that have a meaning of their own.
 #[derive(Default)]
 struct Special {
     id: Option<usize>,
@@ -26,17 +26,17 @@ struct Special {
     dialects: Option<usize>,
 }
 
-/// What a row says of the observed variables.
+/// The expectation of a row for the observed variables.
 enum Expect {
-    /// They hold this.
+    /// The observed variables must hold this value.
     Value(Value),
     Rejected,
     Fault,
     Open,
     Accepted,
-    /// There is no `expect`: the marks alone say what must happen.
+    /// The row has no `expect`: only the marks state an expectation.
     Unsaid,
-    /// There is no case.
+    /// The row stands for no case.
     None,
 }
 
@@ -95,7 +95,7 @@ struct Expander<'a, 'h> {
 }
 
 impl Expander<'_, '_> {
-    /// Columns that cannot be placeholders, and keys that a table of rows has no use for.
+    /// Reports columns that cannot be placeholders, and keys that have no meaning in a table of rows.
     fn check_keys(&mut self, probes: &[Probe<'_>]) {
         for (at, column) in self.table.file.columns.iter().flatten().enumerate() {
             let name = column.get_ref();
@@ -282,7 +282,7 @@ impl Expander<'_, '_> {
         if assembly.claims_nothing() && !matches!(expect, Expect::Accepted) {
             let message = format!("the probe `{}` {} for this row", probe.name, Assembly::NOTHING);
             self.harvest
-                .doubt(Mistake::new(line, message).hint(Assembly::SAY_OK));
+                .remark(Mistake::new(line, message).hint(Assembly::SAY_OK));
         }
         let source = program.fill(&mut self.scratch, texts);
         self.budget
@@ -329,7 +329,7 @@ impl Expander<'_, '_> {
         Ok(())
     }
 
-    /// Adds what the observed variables must hold, or that they are recorded.
+    /// Adds the values that the observed variables must hold, or records the variables.
     fn targets(
         &mut self,
         probe: &Probe<'_>,
@@ -358,7 +358,7 @@ impl Expander<'_, '_> {
         Ok(())
     }
 
-    /// The id: of the cells those that the program uses outside its marks.
+    /// Returns the id of the case: it names those cells of the row that the program uses outside its marks.
     fn id(&self, probe: &Probe<'_>, texts: &[&str]) -> String {
         let mut id = format!("{}::{}", self.table.context.id, probe.name);
         let Special {

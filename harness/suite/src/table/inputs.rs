@@ -10,7 +10,7 @@ use crate::table::probe::Probe;
 use crate::table::types::{Input, TypeInfo};
 use crate::toml_text::{Scalar, TextOr};
 
-/// The values of a row whose line in the file is `line`.
+/// Returns the values of a row whose line in the file is `line`.
 pub(crate) fn of_row<'t>(
     probe: &Probe<'_>,
     row: &'t TypeInfo,

@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use crate::toml_text::{Scalar, Strings, TextOr};
 
-/// A whole table file.
+/// The keys of a whole table file.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct TableFile {
@@ -35,7 +35,8 @@ pub(crate) struct TableFile {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Generate {
-    /// The names of the functions, in which `{from}` and `{to}` stand for the types; none stands for `{from}_TO_{to}`.
+    /// The names of the functions, in which `{from}` and `{to}` stand for the types; an empty list stands for
+    /// `{from}_TO_{to}`.
     #[serde(default)]
     pub functions: Vec<String>,
     /// The source types.

@@ -1,4 +1,4 @@
-//! The text of a matrix: a line of columns, and a line for each row.
+//! Parses the text of a matrix: a line of columns, and a line for each row.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use stickler_types::MatrixWord;
 use crate::error::Mistake;
 use crate::place::TextPlace;
 
-/// A matrix, read.
+/// A parsed matrix.
 #[derive(Debug)]
 pub(crate) struct Matrix {
     /// The 1-based line of the case file on which the columns stand.
@@ -22,7 +22,7 @@ pub(crate) struct MatrixRow {
     pub(crate) name: Arc<str>,
     /// The 1-based line of the case file.
     pub(crate) line: u32,
-    /// One for each column; nothing where there is no case.
+    /// The word for each column; `None` where there is no case.
     pub(crate) words: Vec<Option<MatrixWord>>,
 }
 
@@ -92,7 +92,7 @@ fn read_word(word: &str) -> Result<Option<MatrixWord>, String> {
         .ok_or_else(|| format!("`{word}` is no word of a cell; there are yes, no, open, = and -"))
 }
 
-/// A name that stands twice, if there is one.
+/// Returns a name that occurs twice, if there is one.
 fn repeated(names: &[Arc<str>]) -> Option<Arc<str>> {
     let mut sorted: Vec<&Arc<str>> = names.iter().collect();
     sorted.sort();

@@ -1,4 +1,4 @@
-//! A probe: the template of a program, read once for all cells or rows.
+//! Probes: templates of programs, read once for all cells or rows.
 
 use std::sync::Arc;
 
@@ -28,21 +28,21 @@ pub(crate) struct Probe<'a> {
     pub(crate) program: Program,
     pub(crate) observe: Vec<Target>,
     pub(crate) only: Condition,
-    /// The dialects that the probe narrows its cases to.
+    /// The dialects to which the probe restricts its cases; all of them for `None`.
     pub(crate) dialects: Option<Vec<DialectName>>,
     pub(crate) title: Option<Template>,
     pub(crate) basis: Option<Template>,
     pub(crate) expect: Option<Template>,
     pub(crate) frame: Frame,
-    /// Which marks applied in some case, by index.
+    /// Whether each mark, by index, applied in some case.
     pub(crate) applied: Vec<bool>,
 }
 
-/// A variable in which a value must arrive.
+/// A variable whose value is observed.
 #[derive(Debug)]
 pub(crate) struct Target {
     pub(crate) name: Template,
-    /// The type that the probe gives it.
+    /// The type that the probe gives the variable.
     pub(crate) ty: Option<Template>,
 }
 
@@ -54,7 +54,7 @@ pub(crate) struct Placeholders<'a> {
     pub(crate) unnamed: Option<usize>,
 }
 
-/// Reads the probes of a file; those with mistakes are left out.
+/// Reads the probes of a file; leaves out those with mistakes.
 pub(crate) fn read<'a>(
     file: &'a TableFile,
     context: &FileContext<'_>,
@@ -215,15 +215,15 @@ fn no_slash(name: &str) -> Result<(), String> {
 }
 
 impl Probe<'_> {
-    /// The dialects of `all` that the probe has cases in.
+    /// Returns the dialects of `all` in which the probe has cases.
     pub(crate) fn narrowed(&self, all: &[DialectName]) -> Vec<DialectName> {
         let narrows = |dialect: &DialectName| self.dialects.as_ref().is_none_or(|own| own.contains(dialect));
         all.iter().copied().filter(narrows).collect()
     }
 
-    /// Whether the probe is about implicit conversion alone, so that a word for a pair of types says all that must happen: a
-    /// rejection is that of a value which does not convert to the type of its context, and otherwise the probe shows what arrives.
-    /// Values of its own (`values`) it says of the pairs of its matrix, and of no others.
+    /// Returns whether the probe is about implicit conversion alone, so that a word for a pair of types decides the whole
+    /// expectation: a rejection means that the value does not convert to the type of its context, and otherwise the probe
+    /// shows the converted value. The probe's own `values` apply only to the pairs of its matrix.
     ///
     /// Basis: stickler-design: §7 (which code where).
     pub(crate) fn is_implicit_conversion(&self) -> bool {
@@ -243,14 +243,14 @@ impl Probe<'_> {
         shows
     }
 
-    /// Notes that marks applied in a case.
+    /// Records that the marks with these indices applied in a case.
     pub(crate) fn note_applied(&mut self, active: &[usize]) {
         for &index in active {
             self.applied[index] = true;
         }
     }
 
-    /// What a reader of the file would want to know after all cases were made.
+    /// Adds a warning if the probe has no case, and one for each mark that applied in no case.
     pub(crate) fn remarks(&self, cases: usize, remarks: &mut Vec<Mistake>) {
         if cases == 0 {
             let message = format!("the probe `{}` has no case", self.name);
@@ -269,7 +269,7 @@ impl Probe<'_> {
         }
     }
 
-    /// Whether anything of the probe uses a placeholder.
+    /// Returns whether any part of the probe uses a placeholder.
     pub(crate) fn mentions(&self, slot: usize) -> bool {
         let in_template = |template: &Template| template.slots().any(|used| used == slot);
         let templates = [&self.title, &self.basis, &self.expect];

@@ -1,4 +1,4 @@
-//! From the text of a table file to its cases.
+//! Reads a table file and expands it into its cases.
 
 use std::sync::Arc;
 
@@ -12,17 +12,17 @@ use crate::table::{cell, expand_matrix, expand_rows};
 use crate::template::{Template, TemplateMistake};
 use crate::toml_text;
 
-/// Above so many mistakes in one file, the rest is left out: they come from one cause.
+/// The number of mistakes in one file after which the rest is dropped, because they have one cause.
 pub(crate) const MAX_MISTAKES: usize = 50;
 
-/// Placeholders are looked up among the columns one after the other.
+/// The largest number of columns of a table; placeholders are searched linearly among them.
 const MAX_COLUMNS: usize = 100;
 
-/// What the expansions of both kinds of table work with.
+/// A table file, as the expansions of both kinds of table use it.
 pub(crate) struct Table<'a> {
     pub(crate) context: &'a FileContext<'a>,
     pub(crate) file: &'a TableFile,
-    /// The file's dialects; nothing where it does not say.
+    /// The dialects of the file; `None` if it does not name any.
     pub(crate) dialects: Option<Vec<DialectName>>,
     pub(crate) title: Template,
     pub(crate) basis: Template,
@@ -94,10 +94,10 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
 }
 
 impl Table<'_> {
-    /// Notes a basis that no source has.
+    /// Reports a basis that no source has.
     pub(crate) fn check_basis(&self, basis: &Arc<str>, line: u32, harvest: &mut Harvest) {
         if let Err(message) = crate::basis::check(basis) {
-            harvest.doubt(Mistake::new(line, message).key("basis"));
+            harvest.remark(Mistake::new(line, message).key("basis"));
         }
     }
 }

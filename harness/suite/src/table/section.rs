@@ -1,4 +1,4 @@
-//! The matrices of a file, each with what is special to it.
+//! The matrices of a file, each with the keys of its own.
 
 use stickler_types::DialectName;
 use toml::Spanned;
@@ -13,7 +13,7 @@ use crate::template::Template;
 
 /// One matrix of a file.
 pub(crate) struct Section<'a> {
-    /// What its cases are called before the probe's name.
+    /// The part of the case ids before the name of the probe.
     pub(crate) name: Option<&'a str>,
     pub(crate) matrix: Matrix,
     pub(crate) dialects: Vec<DialectName>,
@@ -21,7 +21,7 @@ pub(crate) struct Section<'a> {
     pub(crate) basis: Option<Template>,
 }
 
-/// Reads the matrices; those with mistakes are left out.
+/// Reads the matrices; leaves out those with mistakes.
 pub(crate) fn read<'a>(
     table: &Table<'_>,
     key: &'a MatrixKey,
@@ -78,7 +78,7 @@ impl Reader<'_, '_> {
         })
     }
 
-    /// The matrix's own dialects, as far as they are the file's.
+    /// Returns the dialects of the matrix that are also dialects of the file.
     fn dialects(&mut self, key: Option<&MatrixTable>, line: u32) -> Option<Vec<DialectName>> {
         let own = key.and_then(|key| key.dialects.as_ref());
         let own = own.map(|names| {

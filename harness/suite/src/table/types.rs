@@ -1,4 +1,4 @@
-//! The rows and columns of a matrix as types: what values they have, and how they are declared.
+//! The rows and columns of a matrix as types: their values and their declarations.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -10,30 +10,31 @@ use crate::frame::FileContext;
 use crate::mark::MarkWord;
 use crate::table::keys::TypeKey;
 
-/// The type that a row or a column is named after.
+/// The type after which a row or a column is named.
 #[derive(Debug)]
 pub(crate) struct TypeInfo {
     pub(crate) name: Arc<str>,
-    /// The elementary type that it is or stands for.
+    /// The elementary type that the type is or derives from.
     pub(crate) base: Option<ElementaryType>,
-    /// What has to be declared; empty for an elementary type.
+    /// The declaration that a program needs; empty for an elementary type.
     pub(crate) declaration: Box<str>,
-    /// All boundary values.
+    /// All boundary values of the type.
     pub(crate) boundaries: Vec<Input>,
-    /// One ordinary value.
+    /// One ordinary value of the type.
     pub(crate) ordinary: Option<Input>,
 }
 
 /// A value of a row's type, as a program writes it.
 #[derive(Clone, Debug)]
 pub(crate) struct Input {
-    /// What `{value}` stands for.
+    /// The text that replaces `{value}`.
     pub(crate) literal: Box<str>,
-    /// What `{typed}` stands for.
+    /// The text that replaces `{typed}`.
     pub(crate) typed: Box<str>,
-    /// The value, where it is one that can be observed.
+    /// The value, if it can be observed.
     pub(crate) value: Option<Value>,
-    /// What is found below the observed variable, where the value itself cannot be.
+    /// The paths below the observed variable and the values that they must have, where the variable itself has no
+    /// observable value.
     pub(crate) arrives: Arc<[(Box<str>, Value)]>,
 }
 
@@ -50,7 +51,7 @@ impl Input {
 }
 
 impl TypeInfo {
-    /// An elementary type, a text with a length, or a type that the file declares.
+    /// Finds the type of a name: an elementary type, a text with a length, or a type that the file declares.
     pub(crate) fn find(name: &Arc<str>, declared: &BTreeMap<Box<str>, TypeInfo>) -> Result<TypeInfo, String> {
         if let Some(declared) = declared.get(&**name) {
             return Ok(declared.copy());
@@ -84,7 +85,7 @@ impl TypeInfo {
         }
     }
 
-    /// A value of the type that `literal` stands for.
+    /// Returns the value of the type that `literal` spells.
     pub(crate) fn input(&self, literal: &str) -> Option<Input> {
         match self.base {
             Some(ty) => WrittenValue::parse(ty, literal).ok().map(Input::of),
@@ -92,7 +93,7 @@ impl TypeInfo {
         }
     }
 
-    /// A value of a type that is not elementary: of an enumeration, or one that cannot be observed.
+    /// Returns a value of a type that is not elementary: of an enumeration, or one that cannot be observed.
     fn enumerated(&self, literal: &str, arrives: Arc<[(Box<str>, Value)]>) -> Input {
         let typed = format!("{}#{literal}", self.name);
         let value = Value::parse(&typed).ok().filter(|_| arrives.is_empty());
@@ -109,7 +110,7 @@ impl TypeInfo {
         }
     }
 
-    /// A literal of the type that is not `value`: the initial value of what is observed.
+    /// Returns a literal of the type that differs from `value`: the initial value of the observed variable.
     pub(crate) fn other(&self, value: Option<&Value>) -> Option<Box<str>> {
         match self.base {
             Some(ty) => boundaries::other_than(ty, value).map(|other| other.literal),
@@ -201,7 +202,7 @@ fn declare(name: &str, key: &TypeKey, context: &FileContext<'_>, mistakes: &mut 
     info
 }
 
-/// Reads `.x = INT#5`.
+/// Parses a line such as `.x = INT#5`.
 fn read_arrival(line: &str) -> Result<(Box<str>, Value), String> {
     let (path, value) = line.split_once('=').ok_or("write `.path = literal`")?;
     let path = path.trim();

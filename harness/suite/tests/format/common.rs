@@ -1,10 +1,10 @@
-//! A suite of a few lines in a folder that goes away with the test.
+//! Helpers that write a small suite to a temporary folder.
 
 use std::path::Path;
 
 use stickler_suite::{Case, Suite};
 
-/// What each test suite has: the two groups that the real one has.
+/// The `dialects.toml` of every test suite, with two groups of the real suite.
 pub const DIALECTS: &str = "[groups]\nironplc = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\"]\n\
     all = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\", \"matiec\", \"plcnext\"]\n";
 
