@@ -1,11 +1,12 @@
-//! A digest of the source of the adapters, so that what an engine answered is never taken for what it would answer to others.
+//! Computes a digest of the sources of the adapters, so that a cached answer is never taken for one that changed adapters would
+//! give.
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
 use std::path::Path;
 
-/// What decides how an engine is asked and its answer is read: this crate, and the values that it reads.
+/// The sources that decide how an engine is asked and how its answers are read: this crate, and the crate of the value types.
 const SOURCES: [&str; 2] = ["src", "../types/src"];
 
 fn main() -> io::Result<()> {
@@ -18,7 +19,7 @@ fn main() -> io::Result<()> {
     Ok(())
 }
 
-/// Takes a file, or all that is in a folder, in the order of the names.
+/// Hashes a file, or everything in a folder, in the order of the file names.
 fn take(path: &Path, hasher: &mut DefaultHasher) -> io::Result<()> {
     if !path.is_dir() {
         path.file_name().hash(hasher);

@@ -1,4 +1,4 @@
-//! Digests: short texts that stand for long ones.
+//! A digest of texts, numbers and files, by which the cache and fingerprints compare them.
 
 use siphasher::sip128::{Hasher128, SipHasher13};
 use std::fs::{self, File};
@@ -6,17 +6,18 @@ use std::hash::Hasher;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// A digest of 128 bits, of whatever it is given piece by piece. Each piece counts with its length, so that no two sequences
-/// of pieces run into one another.
+/// A digest of 128 bits over a sequence of pieces. Each piece counts with its length, so that no two different sequences of
+/// pieces are hashed alike.
 ///
-/// It tells things apart that differ by chance, and is no protection against somebody who wants two things to look alike.
+/// The digest tells apart what differs by chance. It does not protect against somebody who constructs two inputs of the same
+/// digest.
 #[derive(Clone)]
 pub struct Digest {
     hasher: SipHasher13,
 }
 
 impl Digest {
-    /// A digest of nothing so far; `of` says what it is of, so that digests of different things differ.
+    /// Returns a digest of nothing so far; `of` names the kind of thing, so that digests of different kinds differ.
     #[must_use]
     pub fn new(of: &str) -> Digest {
         let mut digest = Digest {
@@ -26,23 +27,23 @@ impl Digest {
         digest
     }
 
-    /// Takes a text.
+    /// Adds a text.
     pub fn text(&mut self, text: &str) -> &mut Digest {
         self.number(text.len() as u64);
         self.hasher.write(text.as_bytes());
         self
     }
 
-    /// Takes a number.
+    /// Adds a number.
     pub fn number(&mut self, number: u64) -> &mut Digest {
         self.hasher.write(&number.to_le_bytes());
         self
     }
 
-    /// Takes what is in a file.
+    /// Adds the content of a file.
     ///
     /// # Errors
-    /// Where it cannot be read.
+    /// An error of the system where the file cannot be read.
     pub fn file(&mut self, path: &Path) -> io::Result<&mut Digest> {
         let mut file = File::open(path)?;
         let mut piece = vec![0; 1 << 18];
@@ -59,10 +60,10 @@ impl Digest {
         Ok(self.number(length))
     }
 
-    /// Takes all that is in a folder and below it, with the names, in their order.
+    /// Adds everything in a folder and below it, with the file names, in the order of the names.
     ///
     /// # Errors
-    /// Where something of it cannot be read.
+    /// An error of the system where a file or a folder cannot be read.
     pub fn folder(&mut self, path: &Path) -> io::Result<&mut Digest> {
         let mut inside: Vec<fs::DirEntry> = fs::read_dir(path)?.collect::<io::Result<_>>()?;
         inside.sort_by_key(fs::DirEntry::file_name);
@@ -78,7 +79,7 @@ impl Digest {
         Ok(self)
     }
 
-    /// The digest of all that was taken: 32 hexadecimal digits.
+    /// Returns the digest of all that was added: 32 hexadecimal digits.
     #[must_use]
     pub fn finish(&self) -> String {
         format!("{:032x}", self.hasher.finish128().as_u128())

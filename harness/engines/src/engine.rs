@@ -1,4 +1,4 @@
-//! What an engine is: an identity, and sessions that answer requests.
+//! The interface of an engine: its identity, and sessions that answer requests.
 
 use crate::Grade;
 use serde::{Deserialize, Serialize};
@@ -25,9 +25,9 @@ pub trait Engine: Send + Sync {
         None
     }
 
-    /// Returns a digest of all that decides what this engine answers: its programs, what they are made of, their options, and how they
-    /// are asked. As long as it stays the same, the engine answers the same, so that what it answered need not be asked
-    /// again. `None` where that cannot be known. To find out takes a moment.
+    /// Returns a digest of everything that decides the engine's answers: its programs, their parts, their options, and how they
+    /// are asked. As long as the digest stays the same, the engine answers the same, so that earlier answers can be reused.
+    /// `None` where that cannot be known. Computing the digest takes a moment.
     fn fingerprint(&self) -> Option<String> {
         None
     }
@@ -44,8 +44,8 @@ pub trait Session {
     /// from an engine that can only check, [`Outcome::Accepted`].
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome;
 
-    /// Executes several programs of one dialect with less work than one after the other, and says what that tells about
-    /// each, in the order of the requests.
+    /// Executes several programs of one dialect with less work than one after the other. Returns the result for each program,
+    /// in the order of the requests.
     fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
         vec![Packed::Alone; requests.len()]
     }
@@ -57,7 +57,7 @@ pub trait Session {
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome;
 }
 
-/// What running a pack shows of one of its programs.
+/// The result of a pack for one of its programs.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Packed {
     /// The outcome that [`Session::run`] would give.
@@ -68,18 +68,18 @@ pub enum Packed {
     Alone,
 }
 
-/// Who an engine is and what it can do.
+/// The name, version, dialects and abilities of an engine.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Identity {
     /// A short name, such as `reference`; unique within a run.
     pub name: String,
     /// The version, in the engine's own words.
     pub version: String,
-    /// The dialects it documents itself to speak; see [`Identity::asked_in`] for those that extend them.
+    /// The dialects that the engine documents itself to speak; see [`Identity::asked_in`] for those that extend them.
     pub dialects: Vec<DialectName>,
-    /// What it can do.
+    /// The abilities of the engine.
     pub abilities: Vec<Ability>,
-    /// How exactly it can say what is wrong with a program: the best grade that can be asked of its rejections.
+    /// The best grade that can be asked of the engine's rejections: how exactly it can say what is wrong with a program.
     pub grade: Grade,
 }
 
@@ -96,9 +96,9 @@ impl Identity {
         self.asked_in(dialect).is_some()
     }
 
-    /// The dialect by whose name the engine is asked for programs of this one: by its own where the engine documents itself
-    /// to speak it. One that was defined is another name for what its base says the engine does, so an engine that has never
-    /// heard of it is asked by the base. `None` where it speaks neither.
+    /// Returns the dialect by whose name the engine is asked for programs of `dialect`: `dialect` itself where the engine
+    /// documents itself to speak it, otherwise its base. A custom dialect is another name for what its base says the engine
+    /// does, so an engine that has never heard of it is asked by the base. `None` where the engine speaks neither.
     #[must_use]
     pub fn asked_in(&self, dialect: DialectName) -> Option<DialectName> {
         let base = dialect.base().name();
@@ -113,14 +113,14 @@ impl Identity {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Ability {
-    /// It says whether a program is accepted, and why not.
+    /// The ability to say whether a program is accepted, and why not.
     Check,
-    /// It executes programs and tells values.
+    /// The ability to execute programs and report values.
     Execute,
-    /// It gives normalised source back.
+    /// The ability to render a program as normalised source.
     Render,
-    /// It executes several scans, with a clock and inputs set between them, and observes after each; see
-    /// [`RunRequest::needs_scans`].
+    /// The ability to execute several scans, with a clock and inputs set between them, and to observe values after each scan;
+    /// see [`RunRequest::needs_scans`].
     Scans,
 }
 
@@ -135,27 +135,27 @@ impl fmt::Display for Ability {
     }
 }
 
-/// An engine that cannot be used at all. Exit code 3 of the command line.
+/// An engine that cannot be used at all (exit code 3 of the command line).
 #[derive(Debug, thiserror::Error)]
 pub enum EngineError {
-    /// It could not be started.
+    /// The engine could not be started.
     #[error("engine {engine} could not be started: {reason}")]
     NotStarted {
         /// The engine's name.
         engine: String,
-        /// Why, as a fragment.
+        /// The reason, as a fragment.
         reason: String,
     },
-    /// It speaks nothing that a request could be written in.
+    /// The engine names no dialect in which a request could be written.
     #[error(
         "engine {engine} speaks none of the dialects that Stickler knows ({known}); it says that it speaks: {spoken}"
     )]
     SpeaksNone {
         /// The engine's name.
         engine: String,
-        /// The dialects that there are, in a list.
+        /// The dialects that Stickler knows, in a list.
         known: String,
-        /// Those that it names, in a list; `nothing` where it names none.
+        /// The dialects that the engine names, in a list; `nothing` where it names none.
         spoken: String,
     },
 }

@@ -1,10 +1,10 @@
-//! How exactly an engine can say what is wrong with a program.
+//! Grades: how exactly an engine can say what is wrong with a program.
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 
-/// How exactly a rejection or a fault is right, the best first. Basis: design, section 6.
+/// The degree to which a rejection or a fault is right, the best first. Basis: design, section 6.
 ///
 /// An engine claims one of them as the best that can be asked of it: a compiler without codes of its own, or whose adapter
 /// cannot map them onto those of the registry, is right to the line at best.
@@ -25,7 +25,7 @@ impl Grade {
     /// Every grade, the best first.
     pub const ALL: [Grade; 3] = [Grade::Code, Grade::Line, Grade::Rejected];
 
-    /// The word for it, such as `code`.
+    /// Returns the word for the grade, such as `code`.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -51,7 +51,7 @@ impl fmt::Display for Grade {
 impl FromStr for Grade {
     type Err = String;
 
-    /// Reads `code`, `line` or `rejected`; the error lists them.
+    /// Parses `code`, `line` or `rejected`; the error lists them.
     fn from_str(text: &str) -> Result<Grade, String> {
         let named = Grade::ALL.into_iter().find(|grade| grade.as_str() == text);
         named.ok_or_else(|| format!("unknown grade `{text}`; the grades are `code`, `line` and `rejected`"))

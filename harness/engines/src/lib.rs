@@ -1,4 +1,4 @@
-//! Engines: whatever can take an ST program and say what it does, and the wire protocol that they speak.
+//! Engines: the implementations of Structured Text under test, and the wire protocol that they speak.
 //!
 //! An [`Engine`] says [who it is](Identity) and opens a [`Session`]; an [`EngineSession`] keeps one for a worker and opens it again
 //! after a crash. A session is handed a [`RunRequest`], the program and what to observe of it, never an expectation, and answers

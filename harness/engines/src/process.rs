@@ -1,8 +1,8 @@
 //! A compiler behind an adapter: a process that speaks the wire protocol on its stdin and stdout.
 //!
-//! Nothing that such a process does harms a run: when it dies, hangs, floods its output or answers nonsense, the
-//! request at hand gets an outcome that says so, the process is killed with all that it started, and the next request
-//! meets a fresh one. Basis: design, sections 2 (crash is not reject) and 4.
+//! Nothing that such a process does harms a run: when it dies, hangs, floods its output or answers nonsense, the request at
+//! hand gets an outcome that says so, the process is killed with all that it started, and the next request starts a fresh one.
+//! Basis: design, sections 2 (crash is not reject) and 4.
 
 mod child;
 mod command_line;
@@ -27,39 +27,39 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 pub(crate) use tool::{Ended, ToolLimits, run as run_tool, run_with as run_tool_with};
 
-/// Kills every process that an engine of this program has started, with all that they started, and removes the folders
-/// in which they worked. For a program that is about to end without ending its sessions, as at Ctrl-C: the processes
-/// have groups of their own, and so nobody else ends them.
+/// Kills every process that an engine of this program has started, with all that they started, and removes their working
+/// folders. Meant for a program that is about to end without ending its sessions, as at Ctrl-C: the processes have groups of
+/// their own, so that nothing else ends them.
 ///
-/// Whoever calls it must end the program: a thread that works with a process does not return from it any more.
+/// The caller must end the program: a thread that works with a process never returns from it afterwards.
 pub fn kill_all_processes() {
     group::kill_all();
     folder::remove_all();
 }
 
-/// Kills every process that an engine of this program has started, with all that they started, and lets no other start. For
-/// a run that stops: what its engines answer from now on says nothing of them, and is to be passed over. Unlike
-/// [`kill_all_processes`] this lets everything go on, so that sessions remove their folders and reports are completed.
+/// Kills every process that an engine of this program has started, with all that they started, and prevents the start of any
+/// other. Meant for a run that stops: later answers of its engines say nothing about the engines, and must be ignored. Unlike
+/// [`kill_all_processes`] this lets threads go on, so that sessions remove their folders and reports are completed.
 pub fn stop_all_processes() {
     group::stop_all();
 }
 
-/// What an engine in a process of its own may take and give.
+/// The limits of an engine in a process of its own: time, line length and memory.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ProcessLimits {
-    /// How long it may take from its start to the answer to `hello`.
+    /// The time limit from the start of the process to its answer to `hello`.
     pub hello: Duration,
-    /// How long it may take for one answer.
+    /// The time limit for one answer.
     pub reply: Duration,
-    /// The longest line that it may answer, in bytes.
+    /// The longest line that the process may answer, in bytes.
     pub line: usize,
-    /// How much memory it and all that it starts may hold, in bytes; only looked after on Linux.
+    /// The memory that the process and all that it starts may hold, in bytes; only checked on Linux.
     pub memory: u64,
 }
 
 impl Default for ProcessLimits {
-    /// One minute for `hello` and for each reply, since compilers of big programs take seconds; the longest line is
-    /// [`MAX_LINE`](crate::protocol::MAX_LINE) bytes, and its memory 4 GiB.
+    /// Returns one minute for `hello` and for each reply, since compilers of big programs take seconds; lines of at most
+    /// [`MAX_LINE`](crate::protocol::MAX_LINE) bytes, and 4 GiB of memory.
     fn default() -> ProcessLimits {
         ProcessLimits {
             hello: Duration::from_secs(60),
@@ -70,7 +70,7 @@ impl Default for ProcessLimits {
     }
 }
 
-/// An engine that is a process, one for each session.
+/// An engine in a process of its own, one process for each session.
 pub struct ProcessEngine {
     identity: Identity,
     command: CommandLine,
@@ -112,7 +112,7 @@ impl ProcessEngine {
         })
     }
 
-    /// Gives the engine another name, for a run in which two would otherwise be called the same.
+    /// Returns the engine under another name, for a run in which two engines would otherwise have the same name.
     #[must_use]
     pub fn named(mut self, name: String) -> ProcessEngine {
         self.identity.name = name;

@@ -12,11 +12,11 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// What the reference is called, in this process and in one of its own.
+    /// The name of the reference, in this process and in a process of its own.
     pub const NAME: &str = "reference";
 
-    /// The reference under the name `reference`, with the version of this workspace. It speaks the dialects that there are
-    /// now, those that were defined among them.
+    /// Returns the reference under the name `reference`, with the version of this workspace. It speaks every dialect that
+    /// exists at the time of the call, custom dialects included.
     #[must_use]
     pub fn new() -> Reference {
         let identity = Identity {
@@ -35,7 +35,7 @@ impl Reference {
         }
     }
 
-    /// The reference with a step limit of the caller's own; a run that needs more faults with `step-limit`.
+    /// Returns the reference with a step limit of the caller's own; a run that needs more steps faults with `step-limit`.
     #[must_use]
     pub fn with_step_limit(steps: u64) -> Reference {
         Reference {
@@ -61,7 +61,7 @@ impl Engine for Reference {
     }
 }
 
-/// The reference keeps nothing between requests.
+/// A session of the reference, which keeps nothing between requests.
 struct ReferenceSession {
     limits: reference::Limits,
 }

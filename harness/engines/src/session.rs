@@ -15,7 +15,7 @@ pub struct EngineSession<'e> {
 }
 
 impl<'e> EngineSession<'e> {
-    /// Returns a session that the first request opens.
+    /// Returns an engine session that is opened at the first request.
     #[must_use]
     pub fn new(engine: &'e dyn Engine) -> EngineSession<'e> {
         EngineSession {
@@ -55,7 +55,7 @@ impl<'e> EngineSession<'e> {
         self.ask(|session| session.check(dialect, source))
     }
 
-    /// Gives a program back as normalised source, as [`Session::render`] does.
+    /// Renders a program as normalised source, as [`Session::render`] does.
     ///
     /// # Errors
     /// [`EngineError`] where there is no session and none can be opened.
@@ -63,8 +63,8 @@ impl<'e> EngineSession<'e> {
         self.ask(|session| session.render(dialect, source))
     }
 
-    /// Executes several programs, as [`Session::run_pack`] does. Returns one answer for each request whatever the engine
-    /// gives; an engine that panics has told nothing about any of them.
+    /// Executes several programs, as [`Session::run_pack`] does. Returns one answer for each request whatever the engine gives;
+    /// where the engine panics, every answer is [`Packed::Unknown`].
     ///
     /// # Errors
     /// [`EngineError`] where there is no session and none can be opened.
@@ -96,9 +96,9 @@ impl<'e> EngineSession<'e> {
     }
 }
 
-/// Catches a panic. Returns its text, as a fragment, where there is one.
+/// Runs `ask` and catches a panic. Returns the panic's text, as a fragment, where there is one.
 ///
-/// What was unwound must be dropped by the caller: that makes it safe to go on.
+/// The caller must drop what was unwound: that makes it safe to go on.
 fn guarded<T>(ask: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(ask)).map_err(|payload| panic_text(payload.as_ref()))
 }
@@ -118,7 +118,7 @@ mod tests {
     use crate::{Identity, Reference};
     use std::sync::atomic::{AtomicUsize, Ordering};
 
-    /// The reference, which panics over some programs.
+    /// An engine that is the reference, and panics over some programs.
     #[derive(Default)]
     struct Panicking {
         reference: Reference,

@@ -1,8 +1,8 @@
-//! Whether an adapter keeps to the wire protocol, told apart from whether its compiler does what it must.
+//! Checks whether an adapter keeps to the wire protocol, and separately whether its compiler answers as it must.
 //!
-//! An adapter is asked the questions of a [smoke set](smoke). What the protocol forbids is the adapter's fault, and until it
-//! is mended nothing that it says of its compiler counts; a sound answer that is not right is the compiler's, or the adapter
-//! reads it wrongly.
+//! An adapter is asked the questions of a [smoke set](smoke). An answer that the protocol forbids is a fault of the adapter,
+//! and until it is mended nothing that the adapter says about its compiler counts; a valid answer that is not right is a fault
+//! of the compiler, or of how the adapter reads it.
 
 mod reply;
 mod smoke;
@@ -14,47 +14,47 @@ use smoke::{Ask, Expect, PLAIN, QUESTIONS, Question};
 use std::path::Path;
 use stickler_types::DialectName;
 
-/// What a question showed.
+/// The verdict on the answer to one question.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CheckVerdict {
-    /// All is as it must be.
+    /// The answer is right.
     Right,
     /// The adapter does not keep to the protocol.
     Broken,
-    /// The adapter keeps to the protocol, and what it tells of the compiler is not right.
+    /// The adapter keeps to the protocol, and what it says about the compiler is not right.
     Wrong,
-    /// It says that it cannot do this.
+    /// The adapter says that it does not support this.
     Skipped,
 }
 
-/// One question and what came of it.
+/// One question and the verdict on its answer.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Check {
-    /// What must be, as a sentence without its full stop.
+    /// The rule that must hold, as a sentence without its full stop.
     pub rule: String,
-    /// What came of it.
+    /// The verdict on the answer.
     pub judgement: CheckVerdict,
-    /// What is not as it must be, as a fragment.
-    pub told: Option<String>,
-    /// What is allowed and may be a slip, as fragments.
+    /// The violation of the rule, or the reason why the check was skipped, as a fragment; `None` where the answer is right.
+    pub problem: Option<String>,
+    /// The deviations that are allowed and may be mistakes, as fragments.
     pub notes: Vec<String>,
-    /// The line that was sent, where there is something to look into.
+    /// The line that was sent, where it helps to find the cause.
     pub sent: Option<String>,
-    /// The line that came back, where there is something to look into.
+    /// The line that came back, where it helps to find the cause.
     pub received: Option<String>,
 }
 
-/// What became of an adapter.
+/// The result of validating an adapter.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Validation {
-    /// Who it says it is.
+    /// The identity that the adapter gives in its answer to `hello`.
     pub identity: Identity,
-    /// Each question, in the order in which they were asked.
+    /// The checks, in the order in which the questions were asked.
     pub checks: Vec<Check>,
 }
 
 impl Validation {
-    /// Returns how many questions had this judgement.
+    /// Returns the number of checks with this verdict.
     #[must_use]
     pub fn count(&self, judgement: CheckVerdict) -> usize {
         let of = |check: &&Check| check.judgement == judgement;
@@ -65,8 +65,8 @@ impl Validation {
 /// Starts the adapter of a command line, in a folder where one is named, and asks it the questions of the smoke set.
 ///
 /// # Errors
-/// [`EngineError`] where it cannot be started or does not answer `hello` as the protocol has it; then nothing else can be
-/// asked.
+/// [`EngineError`] where the adapter cannot be started or does not answer `hello` as the protocol has it; then nothing else can
+/// be asked.
 pub fn validate(
     folder: Option<&Path>,
     command_line: &str,
@@ -97,7 +97,7 @@ pub fn validate(
     Ok(Validation { identity, checks })
 }
 
-/// A conversation, which is opened anew after each failure.
+/// A conversation with the adapter, which is opened anew after each failure.
 struct Conversation<'v> {
     command: &'v CommandLine,
     limits: &'v ProcessLimits,
@@ -122,7 +122,7 @@ impl Conversation<'_> {
         self.ask(question.rule.to_owned(), line, verb, &question.expect, &types)
     }
 
-    /// A check of a plain program in another dialect.
+    /// Checks a plain program in another dialect.
     fn further_dialect(&mut self, dialect: DialectName) -> Check {
         let rule = format!("`check` of a plain program is answered by `accepted` in {dialect}");
         if !self.identity.can(Ability::Check) {
@@ -133,7 +133,7 @@ impl Conversation<'_> {
         self.ask(rule, line, verb, &Expect::Accepted, &[])
     }
 
-    /// Checks whether a second process lives beside the first: a run has one for each worker.
+    /// Checks whether a second process can run beside the first: a run has one for each worker.
     fn second_process(&mut self) -> Check {
         let rule = "two of its processes live side by side".to_owned();
         match self.command.greet(self.limits) {
@@ -146,7 +146,7 @@ impl Conversation<'_> {
                     false => Expect::Refused,
                 };
                 let check = self.ask(rule, asked, verb, &expect, &[]);
-                // Whether it leaves is judged by the second; who is killed may leave folders of its own behind.
+                // Whether a process ends at `bye` is judged by the second; a process that is killed may leave folders behind.
                 if let Some(first) = first {
                     first.leave(line(&Request::Bye));
                 }
@@ -156,7 +156,7 @@ impl Conversation<'_> {
         }
     }
 
-    /// Checks whether the adapter ends when it is told to.
+    /// Checks whether the adapter ends at `bye`.
     fn farewell(&mut self) -> Check {
         let rule = "it ends at `bye`".to_owned();
         let Some(connection) = self.connection.take() else {
@@ -168,7 +168,7 @@ impl Conversation<'_> {
         }
     }
 
-    /// Sends a line and judges what comes back.
+    /// Sends a line and judges the answer.
     fn ask(
         &mut self,
         rule: String,
@@ -224,8 +224,8 @@ impl Conversation<'_> {
         types: &[(String, &str)],
     ) -> Check {
         let received = Some(String::from_utf8_lossy(line).trim_end().to_owned());
-        let (judgement, told, notes) = match reply::read(line) {
-            // What is still to come would be taken for the answer to a later request.
+        let (judgement, problem, notes) = match reply::read(line) {
+            // Output that is still to come would be taken for the answer to a later request.
             Err(words) => {
                 self.connection = None;
                 (CheckVerdict::Broken, Some(words), Vec::new())
@@ -236,23 +236,23 @@ impl Conversation<'_> {
                 (CheckVerdict::Broken, Some(words), Vec::new())
             }
             Ok(reply) => {
-                let (judgement, told) = reply::judge(&reply, expect, verb, self.identity.grade, types);
+                let (judgement, problem) = reply::judge(&reply, expect, verb, self.identity.grade, types);
                 let further = reply::further_keys(line, &reply);
                 let note = |key: String| format!("`{key}` is no key of `{}` and passed over", reply.word());
-                (judgement, told, further.into_iter().map(note).collect())
+                (judgement, problem, further.into_iter().map(note).collect())
             }
         };
         Check {
             rule,
             judgement,
-            told,
+            problem,
             notes,
             sent: None,
             received,
         }
     }
 
-    /// Checks whether the reply repeats the `id`. What is no request has none that must be read.
+    /// Checks whether the reply repeats the `id`. A line that is no request has no `id` that must be read.
     fn answers(&self, reply: &Reply, expect: &Expect) -> bool {
         matches!(expect, Expect::Error) || reply.id() == Some(self.id)
     }
@@ -262,7 +262,7 @@ fn right(rule: String) -> Check {
     Check {
         rule,
         judgement: CheckVerdict::Right,
-        told: None,
+        problem: None,
         notes: Vec::new(),
         sent: None,
         received: None,
@@ -272,7 +272,7 @@ fn right(rule: String) -> Check {
 fn broken(rule: String, words: String) -> Check {
     Check {
         judgement: CheckVerdict::Broken,
-        told: Some(words),
+        problem: Some(words),
         ..right(rule)
     }
 }
@@ -280,7 +280,7 @@ fn broken(rule: String, words: String) -> Check {
 fn skipped(rule: &str, ability: Ability) -> Check {
     Check {
         judgement: CheckVerdict::Skipped,
-        told: Some(format!("it does not claim the ability `{ability}`")),
+        problem: Some(format!("it does not claim the ability `{ability}`")),
         ..right(rule.to_owned())
     }
 }
@@ -292,7 +292,7 @@ fn line(request: &Request) -> Vec<u8> {
     line
 }
 
-/// The line of a question, and its verb.
+/// Returns the line of a question, and the word for its verb.
 fn request(ask: &Ask, id: u64, dialect: DialectName) -> (Vec<u8>, &'static str) {
     let program = |dialect: &str, source: &str| ProgramRequest {
         id,
@@ -337,7 +337,7 @@ fn request(ask: &Ask, id: u64, dialect: DialectName) -> (Vec<u8>, &'static str) 
     }
 }
 
-/// The type of each observed value, by its key.
+/// Returns the type of each observed value, by its key.
 fn observed(ask: &Ask) -> Vec<(String, &'static str)> {
     let Ask::Run { observe, .. } = ask else {
         return Vec::new();

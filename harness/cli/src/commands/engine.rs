@@ -91,9 +91,9 @@ fn write_check(check: &Check, out: &mut dyn Write) -> io::Result<()> {
         CheckVerdict::Broken => writeln!(out, "  {BAD}BROKEN{BAD:#}   {}", check.rule)?,
         CheckVerdict::Wrong => writeln!(out, "  {BAD}WRONG{BAD:#}    {}", check.rule)?,
     }
-    let told = check.told.iter().map(|told| ("", told));
+    let problem = check.problem.iter().map(|problem| ("", problem));
     let notes = check.notes.iter().map(|note| ("note: ", note));
-    for (label, words) in told.chain(notes) {
+    for (label, words) in problem.chain(notes) {
         writeln!(out, "             {label}{words}")?;
     }
     if matches!(check.judgement, CheckVerdict::Broken | CheckVerdict::Wrong) {

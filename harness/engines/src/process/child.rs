@@ -1,4 +1,4 @@
-//! A process that is talked to: its start, its end, and the last that it wrote to stderr.
+//! A process that speaks the wire protocol: its start, its end, and the last lines that it wrote to stderr.
 
 use super::command_line::CommandLine;
 use super::group::{Group, Pipes, lock};
@@ -12,16 +12,16 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long a process that is done may take to end, and its stderr to be read to the end.
+/// The time limit for a process that is done to end, and for its stderr to be read to the end.
 const EXIT_TIMEOUT: Duration = Duration::from_secs(1);
 
-/// How much of stderr is kept, in bytes.
+/// The number of bytes of stderr that are kept, from its end.
 const MAX_STDERR_LEN: usize = 4096;
 
-/// How many lines of stderr are told.
+/// The number of lines of stderr that a message quotes at most.
 const MAX_STDERR_LINES: usize = 8;
 
-/// A running process with everything that it starts. Dropping it kills them all.
+/// A running process with all that it starts. Dropping it kills them all.
 pub(super) struct Child {
     group: Group,
     usage: Watch,
@@ -59,18 +59,19 @@ impl Child {
         }
     }
 
-    /// Tells whether the process itself has ended; what it started may still hold its output open.
+    /// Tells whether the process itself has ended; processes that it started may still hold its output open.
     pub(super) fn has_ended(&mut self) -> bool {
         self.group.has_ended()
     }
 
-    /// Returns how much memory it and all that it started hold, in bytes; 0 where the system does not tell, or just told.
+    /// Returns the memory that the process and all that it started hold, in bytes; 0 where the system does not tell, or the
+    /// last measurement was too short a time ago.
     pub(super) fn memory(&mut self) -> u64 {
         self.usage.look(self.group.number()).unwrap_or_default().memory
     }
 
-    /// Waits a moment for the end of a process that has nothing more to say, kills what is left of it, and tells how it
-    /// ended: a fragment such as `it ended (exit status: 101); its stderr ends: …`.
+    /// Waits up to [`EXIT_TIMEOUT`] for the end of a process that has nothing more to say, kills what is left of it, and
+    /// returns how it ended: a fragment such as `it ended (exit status: 101); its stderr ends: …`.
     pub(super) fn end(mut self) -> String {
         let status = self.group.wait_until(Instant::now() + EXIT_TIMEOUT);
         self.group.kill();
@@ -84,22 +85,22 @@ impl Child {
         }
     }
 
-    /// Kills the process and tells the end of what it wrote to stderr.
+    /// Kills the process and returns the end of what it wrote to stderr.
     pub(super) fn kill_and_tell(mut self) -> String {
         self.group.kill();
         self.stderr.text()
     }
 
-    /// Lets a process that was told to leave do so, for a moment; whether it did.
+    /// Waits up to [`EXIT_TIMEOUT`] for a process that was told to end, then kills it. Returns whether it ended in time.
     pub(super) fn leave(mut self) -> bool {
         self.group.wait_until(Instant::now() + EXIT_TIMEOUT).is_some()
     }
 }
 
-/// The last bytes of a stream that is read to its end, whoever looks.
+/// The last bytes of a stream that a thread of its own reads to the end.
 struct Tail {
     bytes: Arc<Mutex<VecDeque<u8>>>,
-    /// Its other end is gone once the stream has ended.
+    /// The receiver whose sender is dropped once the stream has ended.
     ended: Receiver<()>,
 }
 
@@ -119,12 +120,12 @@ impl Tail {
         Tail { bytes, ended }
     }
 
-    /// The last lines, joined into one; empty where there are none.
+    /// Returns the last lines, joined into one; empty where there are none.
     fn text(&self) -> String {
-        // Whether by its end or by the time limit: what there is now is told.
+        // The lines that have come so far are returned, whether the stream has ended or the time limit has passed.
         let _ = self.ended.recv_timeout(EXIT_TIMEOUT);
         let bytes: Vec<u8> = lock(&self.bytes).iter().copied().collect();
-        told(&String::from_utf8_lossy(&bytes))
+        last_lines(&String::from_utf8_lossy(&bytes))
     }
 }
 
@@ -134,9 +135,9 @@ fn keep(kept: &mut VecDeque<u8>, piece: &[u8]) {
     kept.drain(..surplus);
 }
 
-/// The last lines that are not blank, in one line, without what would steer a terminal.
-pub(super) fn told(text: &str) -> String {
-    // A flood may be one line.
+/// Joins the last lines that are not blank into one line, without characters that would control a terminal.
+pub(super) fn last_lines(text: &str) -> String {
+    // A flood of output may be a single line.
     let from = text.len().saturating_sub(MAX_STDERR_LEN);
     let from = (from..text.len()).find(|&at| text.is_char_boundary(at));
     let text = &text[from.unwrap_or(0)..];
@@ -155,16 +156,19 @@ pub(super) fn told(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_STDERR_LEN, keep, told};
+    use super::{MAX_STDERR_LEN, keep, last_lines};
     use std::collections::VecDeque;
 
     #[test]
     fn the_last_lines_are_told_in_one_without_what_steers_a_terminal() {
-        assert_eq!(told("one\n\n  two\r\n\u{1b}[31mthree\n"), "one | two | [31mthree");
+        assert_eq!(
+            last_lines("one\n\n  two\r\n\u{1b}[31mthree\n"),
+            "one | two | [31mthree"
+        );
         let many: String = (0..20).map(|number| format!("{number}\n")).collect();
-        assert_eq!(told(&many), "12 | 13 | 14 | 15 | 16 | 17 | 18 | 19");
-        assert_eq!(told(""), "");
-        assert_eq!(told(&"ä".repeat(1 << 20)), "ä".repeat(MAX_STDERR_LEN / 2));
+        assert_eq!(last_lines(&many), "12 | 13 | 14 | 15 | 16 | 17 | 18 | 19");
+        assert_eq!(last_lines(""), "");
+        assert_eq!(last_lines(&"ä".repeat(1 << 20)), "ä".repeat(MAX_STDERR_LEN / 2));
     }
 
     #[test]

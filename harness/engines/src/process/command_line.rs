@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 /// A program and its arguments, and how they were written.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct CommandLine {
-    /// As a person wrote it, for messages.
+    /// The line as a person wrote it, for messages.
     pub(super) written: String,
     /// The program to start: a path, or a name that is looked up in PATH.
     pub(super) program: String,
-    /// Its arguments.
+    /// The arguments of the program.
     pub(super) arguments: Vec<String>,
-    /// The folder in which it is started; otherwise the one in which this program is.
+    /// The folder in which the program is started; `None` for the current folder.
     pub(super) folder: Option<PathBuf>,
 }
 
@@ -21,7 +21,7 @@ impl CommandLine {
     /// expanded.
     ///
     /// # Errors
-    /// Where a quote stays open, or there is no word.
+    /// [`EngineError`] where a quote stays open, or there is no word.
     pub(crate) fn split(line: &str) -> Result<CommandLine, EngineError> {
         let wrong = |reason: &str| EngineError::NotStarted {
             engine: format!("`cmd:{line}`"),
@@ -43,8 +43,7 @@ impl CommandLine {
         })
     }
 
-    /// Sets the folder in which the command is started. A program that is named with a path is sought from there, and one that is
-    /// named alone on PATH.
+    /// Sets the folder in which the command is started. A program with a path is looked up from there, and a bare name on PATH.
     pub(crate) fn inside(mut self, folder: &Path) -> CommandLine {
         if self.program.contains(std::path::is_separator) {
             self.program = folder.join(&self.program).to_string_lossy().into_owned();
@@ -53,7 +52,7 @@ impl CommandLine {
         self
     }
 
-    /// A program and its arguments that nobody wrote in a line.
+    /// Returns the command of a program and its arguments that were not written as a line.
     pub(crate) fn of(program: String, arguments: Vec<String>) -> CommandLine {
         CommandLine {
             written: program.clone(),
@@ -63,7 +62,7 @@ impl CommandLine {
         }
     }
 
-    /// The error that this command could not be started.
+    /// Returns the error that this command could not be started.
     pub(super) fn not_started(&self, reason: String) -> EngineError {
         EngineError::NotStarted {
             engine: format!("`cmd:{}`", self.written),

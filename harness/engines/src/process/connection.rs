@@ -1,4 +1,4 @@
-//! Lines to and from a process, each with a time limit.
+//! Sends lines to a process and receives lines from it, each with a time limit.
 
 use super::child::Child;
 use super::command_line::CommandLine;
@@ -11,11 +11,11 @@ use std::time::{Duration, Instant};
 /// The number of lines that are read ahead of the requests. An engine that floods its output waits at this limit.
 const MAX_LINES_AHEAD: usize = 1;
 
-/// How much memory a process and all that it starts may hold where nobody says otherwise, in bytes: some compilers live in
-/// run-time systems that take much.
+/// The default limit on the memory that a process and all that it starts may hold, in bytes: some compilers live in run-time
+/// systems that take much.
 pub(super) const DEFAULT_MAX_MEMORY: u64 = 4 << 30;
 
-/// The interval at which a wait for a line checks whether the process still lives, and how much memory it holds.
+/// The interval at which a wait for a line checks whether the process is still running, and how much memory it holds.
 const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 /// A process and the two streams to and from it. Dropping it kills the process.
@@ -27,27 +27,27 @@ pub(crate) struct Connection {
     child: Child,
     requests: Sender<Vec<u8>>,
     replies: Receiver<Incoming>,
-    /// How much memory it may hold, in bytes.
+    /// The memory that the process may hold, in bytes.
     memory: u64,
 }
 
-/// What came from a process.
+/// A message from the thread that reads the output of a process.
 enum Incoming {
     Line(Vec<u8>),
     /// A line that is longer than allowed; nothing is read after it.
     Flood,
 }
 
-/// Why there is no reply.
+/// The reason why there is no reply.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Failure {
     /// The output ended.
     Ended,
-    /// There was none within the time limit.
+    /// No reply came within the time limit.
     TimedOut,
-    /// It is longer than allowed.
+    /// The reply is longer than allowed.
     Flood,
-    /// The process holds more than this, in bytes.
+    /// The process holds more memory than this, in bytes.
     Memory(u64),
 }
 
@@ -55,7 +55,7 @@ impl Connection {
     /// Starts a process; `longest` is the longest line to be read from it, in bytes.
     ///
     /// # Errors
-    /// A fragment that says why there is no process.
+    /// A fragment that says why the process could not be started.
     pub(crate) fn open(command: &CommandLine, longest: usize) -> Result<Connection, String> {
         let (child, stdin, stdout) = Child::start(command)?;
         let (requests, lines) = mpsc::channel();
@@ -70,7 +70,7 @@ impl Connection {
         })
     }
 
-    /// Sets how much memory the process may hold, in bytes.
+    /// Sets the limit on the memory that the process may hold, in bytes.
     pub(super) fn within(mut self, memory: u64) -> Connection {
         self.memory = memory;
         self
@@ -79,9 +79,10 @@ impl Connection {
     /// Sends a line, its line feed included, and waits for one line in return.
     ///
     /// # Errors
-    /// Afterwards the conversation is out of step, and the connection of no use but to ask how its process ended.
+    /// [`Failure`], after which the conversation is out of step, and the connection is of no use but to ask how its process
+    /// ended.
     pub(crate) fn exchange(&mut self, line: Vec<u8>, limit: Duration) -> Result<Vec<u8>, Failure> {
-        // A writer that is gone has found the pipe closed; the reader will tell.
+        // A writer thread that is gone has found the pipe closed, which the reader thread reports.
         let _ = self.requests.send(line);
         let deadline = Instant::now() + limit;
         loop {
@@ -100,7 +101,7 @@ impl Connection {
         }
     }
 
-    /// A line that a process wrote before it ended, where another that it started keeps its output open.
+    /// Receives a line that a process wrote before it ended, where another process that it started keeps its output open.
     fn last_words(&self) -> Result<Vec<u8>, Failure> {
         match self.replies.recv_timeout(POLL_INTERVAL) {
             Ok(Incoming::Line(reply)) => Ok(reply),
@@ -109,26 +110,27 @@ impl Connection {
         }
     }
 
-    /// Returns how the process ended, once its output has; a fragment.
+    /// Returns how the process ended, once its output has ended; a fragment.
     pub(crate) fn end(self) -> String {
         self.child.end()
     }
 
-    /// Kills the process and tells the end of what it wrote to stderr.
+    /// Kills the process and returns the end of what it wrote to stderr.
     pub(super) fn kill(self) -> String {
         self.child.kill_and_tell()
     }
 
-    /// Sends a last line, closes the stream, and lets the process leave for a moment before it is killed; whether it left.
+    /// Sends a last line, closes the stream, and gives the process a moment to end before it is killed. Returns whether it
+    /// ended.
     pub(crate) fn leave(self, farewell: Vec<u8>) -> bool {
-        // As in `exchange`; then there is nobody to take leave of.
+        // Where this fails, the process has closed its input and needs no farewell.
         let _ = self.requests.send(farewell);
         drop(self.requests);
         self.child.leave()
     }
 }
 
-/// Writes until there is nothing more to come or nobody to read it; then the stream is closed.
+/// Writes the lines until there are no more, or the process has closed the pipe; then closes the stream.
 fn write(mut stream: ChildStdin, lines: &Receiver<Vec<u8>>) {
     for line in lines {
         if stream.write_all(&line).and_then(|()| stream.flush()).is_err() {
@@ -137,7 +139,7 @@ fn write(mut stream: ChildStdin, lines: &Receiver<Vec<u8>>) {
     }
 }
 
-/// Reads until the end, a line that is too long, or until nobody wants to know.
+/// Reads lines until the end of the stream, a line that is too long, or the receiver is gone.
 fn read(stream: ChildStdout, longest: usize, sender: &SyncSender<Incoming>) {
     let mut stream = BufReader::new(stream);
     let limit = u64::try_from(longest).unwrap_or(u64::MAX).saturating_add(1);

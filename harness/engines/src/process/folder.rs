@@ -7,28 +7,28 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use tempfile::TempDir;
 
-/// Every folder that there is.
+/// The paths of all folders that have not been removed yet.
 static FOLDERS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Removes every folder. For a program that is about to end without dropping them, as at Ctrl-C; those who work in
-/// them must be gone.
+/// Removes every folder. Meant for a program that is about to end without dropping them, as at Ctrl-C; the processes that work
+/// in them must be gone.
 pub(super) fn remove_all() {
     for folder in std::mem::take(&mut *lock(&FOLDERS)) {
-        // What cannot be removed now, nobody can remove.
+        // A folder that cannot be removed now cannot be removed later either.
         let _ = fs::remove_dir_all(folder);
     }
 }
 
-/// A folder that only this user can look into. Dropping it removes it.
+/// A folder that only this user can read. Dropping it removes it.
 pub(crate) struct Folder {
     folder: TempDir,
 }
 
 impl Folder {
-    /// A new folder among the temporary files of the system.
+    /// Creates a folder among the temporary files of the system.
     ///
     /// # Errors
-    /// A fragment that says why there is none.
+    /// A fragment that says why the folder could not be created.
     pub(crate) fn new() -> Result<Folder, String> {
         let folder = tempfile::Builder::new()
             .prefix("stickler-")
@@ -38,19 +38,19 @@ impl Folder {
         Ok(Folder { folder })
     }
 
-    /// Returns where it is.
+    /// Returns the path of the folder.
     pub(crate) fn path(&self) -> &Path {
         self.folder.path()
     }
 
-    /// Writes a file in it, in place of one of the same name.
+    /// Writes a file in the folder, in place of one of the same name.
     ///
     /// # Errors
     /// A fragment that says why it could not be written.
     pub(crate) fn write(&self, name: &str, text: &str) -> Result<PathBuf, String> {
         let path = self.path().join(name);
         if write_over(&path, text).is_err() {
-            // Whatever stands there is not what this program wrote.
+            // The file may hold something else than this program wrote.
             let _ = fs::remove_file(&path);
             fs::write(&path, text)
                 .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
@@ -59,11 +59,11 @@ impl Folder {
     }
 }
 
-/// Writes over what is in a file: to remove it and to make a new one takes some systems longer than all else that a call of a
-/// compiler needs but its start, and one that is cut to nothing first they bring to the disk at once.
+/// Overwrites the content of an existing file. On some systems removing a file and creating a new one takes longer than
+/// everything else in a call of a compiler but its start, and a file that is truncated first is written to the disk at once.
 ///
 /// # Errors
-/// Those of the system; and where something else stands there, as where a compiler left a link, which leads who knows where.
+/// Errors of the system; also where the path is not a plain file, such as a link that a compiler left, whose target is unknown.
 fn write_over(path: &Path, text: &str) -> io::Result<()> {
     let there = fs::symlink_metadata(path)?;
     if !is_plain(&there) {
@@ -78,14 +78,14 @@ fn write_over(path: &Path, text: &str) -> io::Result<()> {
     }
 }
 
-/// Tells whether this is of a file, and under no other name as well.
+/// Tells whether the metadata is that of a file which has no other name.
 #[cfg(unix)]
 fn is_plain(there: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;
     there.is_file() && there.nlink() == 1
 }
 
-/// As above; elsewhere nobody tells of other names.
+/// Tells whether the metadata is that of a file. Systems other than Unix do not tell whether it has other names.
 #[cfg(not(unix))]
 fn is_plain(there: &Metadata) -> bool {
     there.is_file()

@@ -1,4 +1,4 @@
-//! The opening of a conversation: `hello`, and who answers it.
+//! The opening of a conversation: `hello`, and the identity of the engine that answers.
 
 use super::ProcessLimits;
 use super::command_line::CommandLine;
@@ -10,10 +10,10 @@ use serde_json::Value as Json;
 use stickler_types::DialectName;
 
 impl CommandLine {
-    /// Starts a process and asks who it is.
+    /// Starts a process and asks for its identity.
     ///
     /// # Errors
-    /// Where it cannot be started, or answers anything but a `hello` of this protocol.
+    /// [`EngineError`] where the process cannot be started, or answers anything but a `hello` of this protocol.
     pub(crate) fn greet(&self, limits: &ProcessLimits) -> Result<(Connection, Identity), EngineError> {
         let mut connection = Connection::open(self, limits.line)
             .map_err(|reason| self.not_started(reason))?
@@ -49,7 +49,7 @@ fn unanswered(failure: Failure, connection: Connection, limits: &ProcessLimits) 
     }
 }
 
-/// Returns what is told of a process that held more memory than this, in bytes.
+/// Returns the message about a process that held more memory than `limit`, in bytes.
 pub(super) fn too_much(limit: u64) -> String {
     format!("it held more than {} MiB of memory", limit >> 20)
 }
@@ -61,7 +61,7 @@ pub(super) fn with_words(reason: String, words: &str) -> String {
     }
 }
 
-/// Returns what was answered. Abilities that this version does not know are passed over: an engine may be newer.
+/// Parses the answer to `hello`. Abilities that this version does not know are ignored: an engine may be newer.
 fn understood(line: &[u8]) -> Result<HelloReply, String> {
     let nonsense = || {
         format!(
@@ -89,7 +89,8 @@ fn understood(line: &[u8]) -> Result<HelloReply, String> {
     }
 }
 
-/// Who answered. Dialects that this version does not know are passed over, as long as there are others.
+/// Returns the identity of the engine that answered. Dialects that this version does not know are ignored, as long as there are
+/// others.
 fn identity(hello: HelloReply) -> Result<Identity, EngineError> {
     let known = |name: &String| name.parse::<DialectName>().ok();
     let identity = Identity {
@@ -113,8 +114,8 @@ fn identity(hello: HelloReply) -> Result<Identity, EngineError> {
     Ok(identity)
 }
 
-/// The text with control characters spelled out (`\u{1b}`): an engine's name stands on terminals and in reports, where
-/// it must neither move the cursor nor begin a line.
+/// Returns the text with control characters spelled out (`\u{1b}`): an engine's name is printed on terminals and in reports,
+/// where it must neither move the cursor nor begin a line.
 fn harmless(text: &str) -> String {
     let spelled = |character: char| match character.is_control() {
         true => character.escape_unicode().to_string(),

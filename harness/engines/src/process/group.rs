@@ -1,4 +1,4 @@
-//! A process with everything that it starts: its start, its end, and the end of all of them at once.
+//! A group of processes: the start of its leader, its end, and the end of all groups at once.
 
 use super::pause::Pauses;
 use process_wrap::std::{ChildWrapper, CommandWrap};
@@ -9,21 +9,22 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard, We
 use std::thread;
 use std::time::Instant;
 
-/// A process with all that belongs to it. Whoever waits for its end keeps the lock only for a look.
+/// A process with all that belongs to it. A thread that waits for its end holds the lock only while it checks.
 type Shared = Mutex<Box<dyn ChildWrapper>>;
 
 /// Every process that was started and has not been let go.
 static ALIVE: Mutex<Vec<Weak<Shared>>> = Mutex::new(Vec::new());
 
-/// Whether the program is about to end. Whoever starts a process holds this until the process is among [`ALIVE`], so that
-/// none is started behind the back of [`kill_all`].
+/// The state of the program's end. A thread that starts a process holds this until the process is among [`ALIVE`], so that
+/// [`kill_all`] misses none.
 static ENDING: RwLock<Ending> = RwLock::new(Ending::No);
 
-/// Whether there is still to be any process; what is further down says more, and nobody goes back.
+/// Whether processes may still be started. Later variants are further steps towards the end of the program; the state never
+/// goes back.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Ending {
     No,
-    /// None starts any more.
+    /// No process is started any more.
     Processes,
     /// The program itself ends.
     Program,
@@ -34,10 +35,10 @@ pub(super) fn stop_all() {
     end(Ending::Processes);
 }
 
-/// Kills every process that an engine of this program has started, with all that they started. For a program that is
-/// about to end without ending its sessions, as at Ctrl-C: the processes have groups of their own, and so nobody else
-/// ends them. No process starts after it, and no thread that works with one goes on: it would take the death of its engine
-/// for the engine's own doing, report it, and start the next one.
+/// Kills every process that an engine of this program has started, with all that they started. Meant for a program that is
+/// about to end without ending its sessions, as at Ctrl-C: the processes have groups of their own, so that nothing else ends
+/// them. No process starts afterwards, and no thread that works with one goes on: it would take the death of its engine for a
+/// crash of the engine's own, report it, and start the next one.
 pub(super) fn kill_all() {
     end(Ending::Program);
 }
@@ -48,12 +49,12 @@ fn end(what: Ending) {
     drop(ending);
     let alive = std::mem::take(&mut *lock(&ALIVE));
     for process in alive.iter().filter_map(Weak::upgrade) {
-        // One that is gone already is what is wanted.
+        // A process that has ended already is what is wanted.
         let _ = lock(&process).start_kill();
     }
 }
 
-/// Holds the end of the program off for as long as the answer is kept; never returns where the end has begun.
+/// Delays the end of the program for as long as the returned guard is kept; never returns where the end has begun.
 fn goes_on() -> RwLockReadGuard<'static, Ending> {
     let ending = ENDING.read().unwrap_or_else(PoisonError::into_inner);
     if *ending == Ending::Program {
@@ -65,19 +66,19 @@ fn goes_on() -> RwLockReadGuard<'static, Ending> {
     ending
 }
 
-/// Returns what a mutex holds, also where somebody panicked who held it: nothing here is left half done.
+/// Locks a mutex, also where a thread panicked while it held the lock: no value here is left half changed.
 pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A running process with everything that it starts. Dropping it kills them all.
+/// A running process with all that it starts. Dropping it kills them all.
 pub(super) struct Group {
     wrapped: Arc<Shared>,
-    /// It was killed already; by now its number may be another's.
+    /// Whether the group was killed already, after which its number may belong to another.
     killed: bool,
 }
 
-/// The ends of a process's pipes; `None` where none was asked for.
+/// The parent's ends of a process's pipes; `None` where none was asked for.
 pub(super) struct Pipes {
     pub(super) stdin: Option<ChildStdin>,
     pub(super) stdout: Option<ChildStdout>,
@@ -88,7 +89,7 @@ impl Group {
     /// Starts a process as the leader of a group (on Windows: in a job) of its own.
     ///
     /// # Errors
-    /// A fragment that says why there is no process.
+    /// A fragment that says why the process could not be started.
     pub(super) fn start(
         program: &OsStr,
         prepare: impl FnOnce(&mut Command),
@@ -124,17 +125,17 @@ impl Group {
         Ok((group, pipes))
     }
 
-    /// The number of the process, which is that of its group as well.
+    /// Returns the number of the process, which is that of its group as well.
     pub(super) fn number(&self) -> u32 {
         lock(&self.wrapped).id()
     }
 
-    /// Tells whether the process itself has ended; what it started may still hold its output open.
+    /// Tells whether the process itself has ended; processes that it started may still hold its output open.
     pub(super) fn has_ended(&mut self) -> bool {
         matches!(lock(&self.wrapped).try_wait(), Ok(Some(_)))
     }
 
-    /// Waits until the process itself has ended; `None` where it lives on at the deadline.
+    /// Waits until the process itself has ended; `None` where it is still running at the deadline.
     pub(super) fn wait_until(&mut self, deadline: Instant) -> Option<ExitStatus> {
         let mut pauses = Pauses::new();
         loop {

@@ -1,4 +1,4 @@
-//! Requests as the wire has them, and replies as what an engine did.
+//! Builds the requests of the wire protocol, and turns its replies into outcomes.
 
 use crate::protocol::{ClockMessage, ObserveMessage, ProgramRequest, Reply};
 use crate::protocol::{Request, RunMessage, SetMessage};
@@ -6,7 +6,7 @@ use crate::{NamedValue, Observation, Outcome, RunRequest};
 use std::collections::BTreeMap;
 use stickler_types::{DialectName, ElementaryType, Fault, Value};
 
-/// What was asked, and so how it may be answered.
+/// The kind of a request, which decides the replies that it may have.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Verb {
     Run,
@@ -24,7 +24,7 @@ impl Verb {
     }
 }
 
-/// A request as one line with its line feed.
+/// Returns a request as one line with its line feed.
 pub(super) fn line(request: &Request) -> Vec<u8> {
     // A request holds nothing but texts and numbers, which always have a form in JSON.
     let mut line = serde_json::to_vec(request).unwrap_or_default();
@@ -32,7 +32,7 @@ pub(super) fn line(request: &Request) -> Vec<u8> {
     line
 }
 
-/// The message of `run`.
+/// Returns the request of `run`.
 pub(super) fn run(id: u64, request: &RunRequest<'_>) -> Request {
     let observe = |asked: &Observation| ObserveMessage {
         name: asked.name.to_string(),
@@ -59,7 +59,7 @@ pub(super) fn run(id: u64, request: &RunRequest<'_>) -> Request {
     })
 }
 
-/// The message of `check` and `render`.
+/// Returns the message of `check` and `render`.
 pub(super) fn program(id: u64, dialect: DialectName, source: &str) -> ProgramRequest {
     ProgramRequest {
         id,
@@ -68,7 +68,7 @@ pub(super) fn program(id: u64, dialect: DialectName, source: &str) -> ProgramReq
     }
 }
 
-/// Returns what a line says that the engine did.
+/// Parses a reply line into the outcome of the request.
 ///
 /// # Errors
 /// A fragment that says why the line is no answer to this request. Then the conversation is out of step.
@@ -105,13 +105,16 @@ pub(super) fn outcome(line: &[u8], id: u64, verb: Verb, observe: &[Observation])
     }
 }
 
-/// The values in the order in which they were asked for. One that is missing is left out, since a fault may have come
-/// before it; one that nobody asked for is passed over.
-fn values(mut told: BTreeMap<String, String>, observe: &[Observation]) -> Result<Vec<NamedValue>, String> {
+/// Parses the values in the order in which they were asked for. A missing value is left out, since a fault may have come before
+/// it; a value that was not asked for is ignored.
+fn values(
+    mut literals: BTreeMap<String, String>,
+    observe: &[Observation],
+) -> Result<Vec<NamedValue>, String> {
     let mut values = Vec::with_capacity(observe.len());
     for asked in observe {
         let key = asked.key().to_string();
-        if let Some(literal) = told.remove(&key) {
+        if let Some(literal) = literals.remove(&key) {
             let value = Value::parse(&literal)
                 .map_err(|error| format!("its value `{literal}` of `{key}` is no typed literal: {error}"))?;
             values.push((key, value));
@@ -120,10 +123,10 @@ fn values(mut told: BTreeMap<String, String>, observe: &[Observation]) -> Result
     Ok(values)
 }
 
-/// How many characters of a line are quoted in a message.
+/// The number of characters of a line that a message quotes at most.
 const MAX_EXCERPT_LEN: usize = 120;
 
-/// The beginning of a line, between backquotes, without what would steer a terminal.
+/// Returns the beginning of a line, between backquotes, without characters that would control a terminal.
 pub(crate) fn excerpt(line: &[u8]) -> String {
     let text = String::from_utf8_lossy(line);
     let mut characters = text

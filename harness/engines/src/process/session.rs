@@ -1,4 +1,4 @@
-//! One conversation with a process, which is started anew after each failure.
+//! A conversation with a process, which is started anew after each failure.
 
 use super::ProcessLimits;
 use super::command_line::CommandLine;
@@ -9,19 +9,19 @@ use crate::protocol::Request;
 use crate::{Identity, Observation, Outcome, RunRequest, Session};
 use stickler_types::DialectName;
 
-/// A session: a process that lives as long as it answers.
+/// A session of an engine in a process, which lives as long as it answers.
 pub(super) struct ProcessSession<'e> {
     command: &'e CommandLine,
     limits: &'e ProcessLimits,
     identity: &'e Identity,
-    /// `None` after a failure, until the next request.
+    /// The connection to the process; `None` after a failure, until the next request.
     connection: Option<Connection>,
     /// The id of the last request.
     id: u64,
 }
 
 impl<'e> ProcessSession<'e> {
-    /// A session with a process that has said `hello`.
+    /// Returns a session with a process that has answered `hello`.
     pub(super) fn new(
         command: &'e CommandLine,
         limits: &'e ProcessLimits,
@@ -37,7 +37,8 @@ impl<'e> ProcessSession<'e> {
         }
     }
 
-    /// The name by which the process knows the dialect; one that it does not know, it is told all the same, to say so.
+    /// Returns the name by which the process knows the dialect. A dialect that it does not know is sent under its own name, so
+    /// that the process can say so.
     fn asked_in(&self, dialect: DialectName) -> DialectName {
         self.identity.asked_in(dialect).unwrap_or(dialect)
     }
@@ -64,7 +65,7 @@ impl<'e> ProcessSession<'e> {
                     self.connection = Some(connection);
                     outcome
                 }
-                // What is still to come would be taken for the answer to a later request.
+                // Output that is still to come would be taken for the answer to a later request.
                 Err(message) => Outcome::Error { message },
             },
             Err(failure) => self.failed(failure, connection),

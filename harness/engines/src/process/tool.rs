@@ -1,8 +1,8 @@
-//! A program that is run once, such as a compiler: what it wrote, how it ended, and what it may take.
+//! Runs a program once, such as a compiler, within limits: its output, and how it ended.
 
 mod output;
 
-use super::child::told;
+use super::child::last_lines;
 use super::group::Group;
 use super::usage::Watch;
 use crate::Outcome;
@@ -12,28 +12,28 @@ use std::path::Path;
 use std::process::{Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-/// How long a stream may take to end when its process has and all that it started was killed.
+/// The time limit for a stream to end after its process has ended and all that it started was killed.
 const EXIT_TIMEOUT: Duration = Duration::from_secs(1);
 
 /// The interval at which a wait checks the process and its memory.
 const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
-/// What one run of a program may take.
+/// The limits of one run of a program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct ToolLimits {
-    /// How long it may run.
+    /// The time for which the program may run.
     pub(crate) time: Duration,
-    /// How much processor time it and all that it starts may take; only looked after on Linux.
+    /// The processor time that the program and all that it starts may take; only checked on Linux.
     pub(crate) cpu: Duration,
-    /// How much it may write to stdout, and to stderr, in bytes.
+    /// The number of bytes that the program may write to stdout, and to stderr.
     pub(crate) output: u64,
-    /// How much memory it and all that it starts may hold, in bytes; only looked after on Linux.
+    /// The memory that the program and all that it starts may hold, in bytes; only checked on Linux.
     pub(crate) memory: u64,
 }
 
 impl Default for ToolLimits {
-    /// One minute, two of processor time, 16 MiB of output and 2 GiB of memory: many times what compilers of small programs
-    /// take, also on a busy machine.
+    /// Returns one minute, two of processor time, 16 MiB of output and 2 GiB of memory: many times what compilers of small
+    /// programs take, also on a busy machine.
     fn default() -> ToolLimits {
         ToolLimits {
             time: Duration::from_secs(60),
@@ -44,27 +44,27 @@ impl Default for ToolLimits {
     }
 }
 
-/// What a program left behind that ended of its own accord, or by a signal that is none of ours.
+/// A program that ended of its own accord, or by a signal that Stickler did not send.
 #[derive(Debug)]
 pub(crate) struct Ended {
-    /// How it ended.
+    /// The exit status.
     pub(crate) status: ExitStatus,
-    /// All that it wrote to stdout, with what is no UTF-8 replaced.
+    /// The whole of stdout, with invalid UTF-8 replaced.
     pub(crate) stdout: String,
-    /// The same of stderr.
+    /// The whole of stderr, with invalid UTF-8 replaced.
     pub(crate) stderr: String,
 }
 
 impl Ended {
-    /// Its exit code.
+    /// Returns the exit code.
     ///
     /// # Errors
-    /// [`Outcome::Crashed`] where a signal ended it.
+    /// [`Outcome::Crashed`] where a signal ended the program.
     pub(crate) fn code(&self) -> Result<i32, Outcome> {
         self.status.code().ok_or_else(|| self.crashed())
     }
 
-    /// Tells whether the processor ended it at an integer division: by zero, or of the smallest integer by -1.
+    /// Tells whether the processor stopped the program at an integer division: by zero, or of the smallest integer by -1.
     #[cfg(unix)]
     pub(crate) fn stopped_by_arithmetic(&self) -> bool {
         use std::os::unix::process::ExitStatusExt;
@@ -73,16 +73,16 @@ impl Ended {
         self.status.signal() == Some(ARITHMETIC)
     }
 
-    /// Elsewhere such an end looks like any other.
+    /// Returns `false`: systems other than Unix do not tell such an end from any other.
     #[cfg(not(unix))]
     pub(crate) fn stopped_by_arithmetic(&self) -> bool {
         false
     }
 
-    /// The outcome that says how it ended and what it said last.
+    /// Returns the outcome that says how the program ended, with its last lines of output.
     pub(crate) fn crashed(&self) -> Outcome {
-        let words = match told(&self.stderr) {
-            words if words.is_empty() => told(&self.stdout),
+        let words = match last_lines(&self.stderr) {
+            words if words.is_empty() => last_lines(&self.stdout),
             words => words,
         };
         let reason = match words.as_str() {
@@ -96,8 +96,8 @@ impl Ended {
 /// Runs a program in a folder, without input, to its end.
 ///
 /// # Errors
-/// [`Outcome::TimedOut`] or [`Outcome::Crashed`] where it took more than allowed, after which it is killed with all that
-/// it started; [`Outcome::Error`] where it cannot be started.
+/// [`Outcome::TimedOut`] or [`Outcome::Crashed`] where the program exceeded a limit, after which it is killed with all that it
+/// started; [`Outcome::Error`] where it cannot be started.
 pub(crate) fn run<A: AsRef<OsStr>>(
     program: &Path,
     arguments: &[A],
@@ -123,7 +123,7 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
         start
             .args(arguments)
             .current_dir(folder)
-            // What it would leave behind when it is killed goes with the folder.
+            // Files that a killed program leaves behind are removed with the folder.
             .envs(["TMPDIR", "TEMP", "TMP"].map(|variable| (variable, folder)))
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
@@ -146,7 +146,7 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
     })
 }
 
-/// Waits for the end of both streams, and looks after the process meanwhile.
+/// Waits for the end of both streams, and checks the limits of the process meanwhile.
 fn watch(
     group: &mut Group,
     output: &mut Output,
@@ -161,12 +161,12 @@ fn watch(
             Waited::Ended => {}
             Waited::Flooded => return Err(flooded(limits)),
             Waited::InVain if group.has_ended() => match orphaned {
-                // What the process started holds its output open: with them gone the streams end.
+                // Processes that the program started hold its output open: once they are gone the streams end.
                 None => {
                     orphaned = Some(Instant::now());
                     group.kill();
                 }
-                // Somebody left the group, and is not waited for.
+                // A process that left the group is not waited for.
                 Some(since) if since.elapsed() > EXIT_TIMEOUT => return Ok(()),
                 Some(_) => {}
             },
@@ -177,7 +177,7 @@ fn watch(
     Ok(())
 }
 
-/// A crash with the last that the process wrote.
+/// Adds the last lines that the process wrote to a crash.
 fn with_last_words(outcome: Outcome, output: &Output) -> Outcome {
     match (outcome, output.last_words()) {
         (Outcome::Crashed { reason }, words) if !words.is_empty() => Outcome::Crashed {
@@ -213,7 +213,7 @@ fn within(group: &Group, usage: &mut Watch, limits: &ToolLimits) -> Result<(), O
     }
 }
 
-/// Waits for the end of a process that has closed its output, and looks after it meanwhile.
+/// Waits for the end of a process that has closed its output, and checks its limits meanwhile.
 fn end(
     group: &mut Group,
     usage: &mut Watch,

@@ -1,50 +1,52 @@
-//! How much memory a group of processes holds, and how much processor time it took.
+//! The memory that a group of processes holds, and the processor time that it took.
 //!
-//! Limits of the system would not do: they count each process for itself, and address space, of which some run-time systems
-//! reserve far more than they use. What counts here is what is resident, and what was computed, of the whole group.
+//! The system's own limits do not serve: they count each process by itself, and address space, of which some run-time systems
+//! reserve far more than they use. This module sums the resident memory and the processor time of the whole group.
 
 use std::time::{Duration, Instant};
 
-/// What a group of processes takes.
+/// The memory and the processor time of a group of processes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(super) struct Usage {
-    /// Its resident size in bytes.
+    /// The resident size, in bytes.
     pub(super) memory: u64,
-    /// The processor time of those that live and of those that ended and were waited for.
+    /// The processor time of the processes that run, and of those that ended and were waited for.
     pub(super) cpu: Duration,
 }
 
-/// A hundredth of the time that somebody waits is the most that looking takes: a look goes through every process of the system.
-const REST: u32 = 100;
+/// The pause after a measurement, as a multiple of its duration, so that at most a hundredth of the waiting time is spent on
+/// measuring: each measurement goes through every process of the system.
+const PAUSE_FACTOR: u32 = 100;
 
-/// However long a look takes, the next one comes after this time.
+/// The longest pause after a measurement, however long it took.
 const MAX_INTERVAL: Duration = Duration::from_secs(1);
 
-/// Whoever looks again and again at what a group takes.
+/// A repeated measurement of a group, whose frequency is limited.
 pub(super) struct Watch {
-    /// Not to be looked at before.
+    /// The time before which nothing is measured.
     next: Instant,
 }
 
 impl Watch {
-    /// Nobody has looked.
+    /// Returns a watch that has measured nothing yet.
     pub(super) fn new() -> Watch {
         Watch { next: Instant::now() }
     }
 
-    /// Returns what a group takes; `None` where the last look was too short a time ago for what it took, or the system does not tell.
+    /// Measures a group; `None` where the last measurement was too short a time ago for its duration, or the system does not
+    /// tell.
     pub(super) fn look(&mut self, group: u32) -> Option<Usage> {
         let begun = Instant::now();
         if begun < self.next {
             return None;
         }
         let usage = of_group(group);
-        self.next = Instant::now() + MAX_INTERVAL.min(begun.elapsed() * REST);
+        self.next = Instant::now() + MAX_INTERVAL.min(begun.elapsed() * PAUSE_FACTOR);
         usage
     }
 }
 
-/// Returns what a group of processes takes; `None` where the system does not tell.
+/// Measures a group of processes; `None` where the system does not tell.
 ///
 /// Basis: linux: proc_pid_stat(5), fields 5 (process group), 14 to 17 (time, in clock ticks) and 24 (resident set size in
 /// pages).
@@ -53,41 +55,42 @@ pub(super) fn of_group(group: u32) -> Option<Usage> {
     let processes = std::fs::read_dir("/proc").ok()?;
     let mut total = Usage::default();
     for process in processes.flatten() {
-        // One that has ended meanwhile takes nothing.
+        // A process that has ended meanwhile takes nothing.
         if !process.file_name().as_encoded_bytes()[0].is_ascii_digit() {
             continue;
         }
         if let Ok(status) = std::fs::read_to_string(process.path().join("stat"))
             && let Some((pages, ticks)) = pages_and_ticks(&status, group)
         {
-            total.memory += pages * PAGE;
-            total.cpu += TICK * u32::try_from(ticks).unwrap_or(u32::MAX);
+            total.memory += pages * MIN_PAGE_SIZE;
+            total.cpu += CLOCK_TICK * u32::try_from(ticks).unwrap_or(u32::MAX);
         }
     }
     Some(total)
 }
 
-/// As above; other systems are not asked.
+/// Returns `None`: systems other than Linux are not asked.
 #[cfg(not(target_os = "linux"))]
 pub(super) fn of_group(_group: u32) -> Option<Usage> {
     None
 }
 
-/// The smallest page that Linux has; where pages are larger, the limit is looser than it says.
+/// The smallest memory page of Linux, in bytes; where pages are larger, the limit is looser than it says.
 #[cfg(target_os = "linux")]
-const PAGE: u64 = 4096;
+const MIN_PAGE_SIZE: u64 = 4096;
 
-/// The clock tick that Linux shows to every program, whatever it uses inside: a hundredth of a second.
+/// The duration of the clock tick in which Linux reports times to every program, whatever it uses inside: a hundredth of a
+/// second.
 #[cfg(target_os = "linux")]
-const TICK: Duration = Duration::from_millis(10);
+const CLOCK_TICK: Duration = Duration::from_millis(10);
 
-/// The resident pages of a process and its time, if it belongs to this group.
+/// Returns the resident pages of a process and its time in clock ticks, if it belongs to the group.
 #[cfg(target_os = "linux")]
 fn pages_and_ticks(status: &str, group: u32) -> Option<(u64, u64)> {
     // The name of the program stands in parentheses and may hold anything.
     let (_, fields) = status.rsplit_once(')')?;
     let fields: Vec<&str> = fields.split_ascii_whitespace().collect();
-    // The fields are counted from 1, and the two before these are the number and the name.
+    // Fields are counted from 1; the two before these are the number and the name.
     let field = |number: usize| fields.get(number - 3)?.parse::<u64>().ok();
     if field(5)? != u64::from(group) {
         return None;

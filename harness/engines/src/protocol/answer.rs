@@ -1,4 +1,4 @@
-//! One request to one reply.
+//! Turns one request into one reply.
 
 use super::{ClockMessage, HelloReply, HelloRequest, ObserveMessage, PROTOCOL, ProgramRequest, Reply};
 use super::{RunMessage, SetMessage};

@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead};
 
-/// What the next line turned out to be.
+/// The result of reading a line.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Line {
     /// The buffer holds the line, without its line feed.
@@ -17,7 +17,7 @@ pub(super) enum Line {
 /// line without a line feed counts.
 ///
 /// # Errors
-/// Those of `input`.
+/// The errors of `input`.
 pub(super) fn next_line(input: &mut impl BufRead, buffer: &mut Vec<u8>, limit: usize) -> io::Result<Line> {
     buffer.clear();
     let mut too_long = false;

@@ -1,4 +1,4 @@
-//! What an engine sends back.
+//! The messages that an engine sends back.
 
 use crate::{Ability, Diagnostic, Grade, NamedValue, Outcome};
 use serde::{Deserialize, Serialize};
@@ -27,7 +27,7 @@ pub enum Reply {
     Error(ErrorReply),
 }
 
-/// Who the engine is.
+/// The identity of the engine.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct HelloReply {
@@ -37,12 +37,12 @@ pub struct HelloReply {
     pub name: String,
     /// The engine's version.
     pub version: String,
-    /// The dialects it speaks.
+    /// The dialects that the engine speaks.
     pub dialects: Vec<String>,
-    /// What it can do.
+    /// The abilities of the engine.
     pub abilities: Vec<Ability>,
-    /// The best grade that can be asked of its rejections: `code` where its diagnostics have the registry's codes and the
-    /// lines, `line` where only the lines are sure, `rejected` where it only says that a program is rejected.
+    /// The best grade that can be asked of the engine's rejections: `code` where its diagnostics have the registry's codes and
+    /// the lines, `line` where only the lines are sure, `rejected` where it only says that a program is rejected.
     #[serde(default)]
     pub grade: Grade,
 }
@@ -71,7 +71,7 @@ pub struct ExecutedReply {
 pub struct RejectedReply {
     /// The request's id.
     pub id: u64,
-    /// Sorted by line, column, code; everything that a person would want at once.
+    /// The diagnostics, sorted by line, column and code; all that a person would want at once.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -81,7 +81,7 @@ pub struct RejectedReply {
 pub struct FaultedReply {
     /// The request's id.
     pub id: u64,
-    /// What kind of fault.
+    /// The kind of the fault.
     #[cfg_attr(test, schemars(extend("enum" = ["division-by-zero", "subscript-range", "subrange", "step-limit"])))]
     pub fault: String,
     /// The line, from 1.
@@ -109,7 +109,7 @@ pub struct RenderedReply {
 pub struct UnsupportedReply {
     /// The request's id.
     pub id: u64,
-    /// Why.
+    /// The reason, as a fragment.
     pub reason: String,
 }
 
@@ -120,12 +120,12 @@ pub struct ErrorReply {
     /// The request's id, where it could be read.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub id: Option<u64>,
-    /// What is wrong with the request.
+    /// The reason why the request could not be understood.
     pub message: String,
 }
 
 impl Reply {
-    /// An error about the request with this id.
+    /// Returns an error about the request with this id.
     pub(super) fn error(id: Option<u64>, message: impl Into<String>) -> Reply {
         Reply::Error(ErrorReply {
             id,
@@ -133,7 +133,7 @@ impl Reply {
         })
     }
 
-    /// The `id` of the request that it answers; `None` where it repeats none.
+    /// Returns the `id` of the request that the reply answers; `None` where the reply repeats none.
     #[must_use]
     pub fn id(&self) -> Option<u64> {
         match self {
@@ -148,7 +148,7 @@ impl Reply {
         }
     }
 
-    /// Its `type` on the wire, such as `accepted`.
+    /// Returns the `type` of the reply on the wire, such as `accepted`.
     #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
@@ -163,8 +163,8 @@ impl Reply {
         }
     }
 
-    /// The reply that tells this outcome. The protocol has no words for a crash or a time limit, since a dead
-    /// engine cannot speak: where an engine survives one, the reply is an error.
+    /// Returns the reply that reports an outcome. The protocol has no words for a crash or a time limit, since a dead engine
+    /// cannot speak: where an engine survives one, the reply is an error.
     #[must_use]
     pub fn from_outcome(id: u64, outcome: Outcome) -> Reply {
         match outcome {

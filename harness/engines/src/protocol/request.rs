@@ -1,4 +1,4 @@
-//! What is sent to an engine.
+//! The messages that are sent to an engine.
 
 use serde::{Deserialize, Serialize};
 
@@ -32,7 +32,7 @@ pub struct HelloRequest {
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ProgramRequest {
-    /// Repeated by the reply.
+    /// The id of the request, which the reply repeats.
     pub id: u64,
     /// The dialect's name.
     pub dialect: String,
@@ -44,19 +44,19 @@ pub struct ProgramRequest {
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RunMessage {
-    /// Repeated by the reply.
+    /// The id of the request, which the reply repeats.
     pub id: u64,
     /// The dialect's name.
     pub dialect: String,
     /// The whole source text.
     pub source: String,
-    /// How many scans to run; 1 where nothing is said.
+    /// The number of scans to run; 1 where none is given.
     #[serde(default = "one_scan")]
     pub scans: u32,
     /// The variables whose values are wanted.
     #[serde(default)]
     pub observe: Vec<ObserveMessage>,
-    /// Simulated time.
+    /// The simulated time before each scan.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub clock: Vec<ClockMessage>,
     /// Variables written between scans.

@@ -1,6 +1,7 @@
-//! The JSON Schemas of both directions, as they are published in `harness/engines/schemas/`: those of one line each.
+//! Tests that the JSON Schemas published in `harness/engines/schemas/`, one for requests and one for replies, are those of the
+//! code.
 //!
-//! To write them anew after a change of the protocol: `STICKLER_BLESS=1 cargo test -p stickler-engines schema`.
+//! To write them again after a change of the protocol: `STICKLER_BLESS=1 cargo test -p stickler-engines schema`.
 
 use super::{Reply, Request};
 use std::path::Path;

@@ -1,17 +1,16 @@
-//! Serving an engine over the wire: each line is answered in order, and no line ends the conversation but
-//! `bye`.
+//! Serves an engine over the wire protocol: each line is answered in order, and only `bye` ends the conversation.
 
 use super::lines::{Line, next_line};
 use super::{MAX_LINE, Reply, Request, answer};
 use crate::{Engine, EngineSession, Outcome};
 use std::io::{self, BufRead, Write};
 
-/// Answers requests until `bye` or the end of the input. Every reply is flushed as it is written; a malformed
-/// line is answered by an error (with the request's `id` where it can be read); blank lines are passed over;
-/// memory is bounded by [`MAX_LINE`] and what the engine needs for one program. Basis: design, section 4.
+/// Answers requests until `bye` or the end of the input. Every reply is flushed as it is written; a malformed line is answered
+/// by an error (with the request's `id` where it can be read); blank lines are ignored; memory is bounded by [`MAX_LINE`] and
+/// what the engine needs for one program. Basis: design, section 4.
 ///
 /// # Errors
-/// Those of `input` and `output`, and an engine of which no session can be opened.
+/// Errors of `input` and `output`, and of an engine of which no session can be opened.
 pub fn serve(engine: &dyn Engine, input: impl BufRead, output: impl Write) -> io::Result<()> {
     serve_lines(engine, input, output, MAX_LINE)
 }
@@ -50,7 +49,7 @@ enum Answer {
 /// Answers one line.
 ///
 /// # Errors
-/// Where the engine crashed over an earlier line and no session can be opened any more.
+/// An error where the engine crashed over an earlier line and no session can be opened any more.
 fn answer(session: &mut EngineSession<'_>, line: &[u8]) -> io::Result<Answer> {
     // Some shells put a byte-order mark in front of what they pipe.
     let line = line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line).trim_ascii();
@@ -92,7 +91,7 @@ fn send(output: &mut impl Write, reply: &Reply) -> io::Result<()> {
     output.flush()
 }
 
-/// The `id` of a line that is no request but a JSON object all the same.
+/// Returns the `id` of a line that is no request but a JSON object all the same.
 fn readable_id(line: &[u8]) -> Option<u64> {
     serde_json::from_slice::<serde_json::Value>(line)
         .ok()?

@@ -1,4 +1,4 @@
-//! One line of an adapter, held to the protocol as strictly as its schema is, and then to what must come back.
+//! Judges one reply of an adapter: first against the protocol, as strictly as its schema, and then against the expected answer.
 
 use super::CheckVerdict;
 use super::smoke::Expect;
@@ -8,13 +8,13 @@ use crate::{Diagnostic, Grade};
 use serde_json::Value as Json;
 use stickler_types::{ElementaryType, Fault, Value};
 
-/// Reads a line strictly: what the schema forbids is an error.
+/// Parses a line strictly: what the schema forbids is an error.
 ///
 /// # Errors
-/// A fragment that says what is wrong with it.
+/// A fragment that says what is wrong with the line.
 pub(super) fn read(line: &[u8]) -> Result<Reply, String> {
-    let told = |error: serde_json::Error| format!("{} is no reply: {error}", excerpt(line));
-    let reply: Reply = serde_json::from_slice(line).map_err(told)?;
+    let no_reply = |error: serde_json::Error| format!("{} is no reply: {error}", excerpt(line));
+    let reply: Reply = serde_json::from_slice(line).map_err(no_reply)?;
     match &reply {
         Reply::Rejected(reply) => reply.diagnostics.iter().try_for_each(numbers)?,
         Reply::Faulted(reply) => {
@@ -26,11 +26,11 @@ pub(super) fn read(line: &[u8]) -> Result<Reply, String> {
     Ok(reply)
 }
 
-fn numbers(told: &Diagnostic) -> Result<(), String> {
-    from_one("line", told.line)?;
-    from_one("column", told.column)?;
-    from_one("end_line", told.end_line)?;
-    from_one("end_column", told.end_column)
+fn numbers(diagnostic: &Diagnostic) -> Result<(), String> {
+    from_one("line", diagnostic.line)?;
+    from_one("column", diagnostic.column)?;
+    from_one("end_line", diagnostic.end_line)?;
+    from_one("end_column", diagnostic.end_column)
 }
 
 fn from_one(key: &str, number: Option<u32>) -> Result<(), String> {
@@ -40,7 +40,7 @@ fn from_one(key: &str, number: Option<u32>) -> Result<(), String> {
     }
 }
 
-/// The keys of a line that no reply has, the first of each place. They are passed over, and may be slips.
+/// Returns the keys of a line that no reply has, the first of each place. They are ignored, and may be mistakes.
 pub(super) fn further_keys(line: &[u8], reply: &Reply) -> Vec<String> {
     let mut further = Vec::new();
     if let (Ok(line), Ok(known)) = (serde_json::from_slice::<Json>(line), serde_json::to_value(reply)) {
@@ -49,7 +49,7 @@ pub(super) fn further_keys(line: &[u8], reply: &Reply) -> Vec<String> {
     further
 }
 
-/// Compares a line with what is written back of its reply, which has every key that was understood.
+/// Compares a line with its reply written back as JSON, which has every key that was understood.
 fn compare(line: &Json, known: &Json, further: &mut Vec<String>) {
     match (line, known) {
         (Json::Object(line), Json::Object(known)) => {
@@ -70,8 +70,8 @@ fn compare(line: &Json, known: &Json, further: &mut Vec<String>) {
     }
 }
 
-/// Holds a reply, which answers the question at hand, against what must come back. `grade` is what the adapter claims for its
-/// rejections, and `types` tells the type of each observed value by its key.
+/// Compares a reply, which answers the question at hand, with the expected answer. `grade` is what the adapter claims for its
+/// rejections, and `types` gives the type of each observed value by its key.
 pub(super) fn judge(
     reply: &Reply,
     expect: &Expect,
@@ -137,23 +137,26 @@ pub(super) fn judge(
     }
 }
 
-/// Returns what a rejection tells, as far as the adapter claims to tell it.
+/// Judges a rejection, as far as the grade that the adapter claims.
 fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (CheckVerdict, Option<String>) {
     let broken = |words: String| (CheckVerdict::Broken, Some(words));
     if diagnostics.is_empty() {
         return broken("it rejects the program without a diagnostic".to_owned());
     }
-    if grade.suffices(Grade::Line) && diagnostics.iter().all(|told| told.line.is_none()) {
+    if grade.suffices(Grade::Line) && diagnostics.iter().all(|diagnostic| diagnostic.line.is_none()) {
         return broken(format!(
             "no diagnostic names a line, and `hello` claims the grade `{grade}`; claim `rejected`"
         ));
     }
-    if grade.suffices(Grade::Code) && diagnostics.iter().all(|told| told.code.is_none()) {
+    if grade.suffices(Grade::Code) && diagnostics.iter().all(|diagnostic| diagnostic.code.is_none()) {
         return broken(format!(
             "no diagnostic has a code, and `hello` claims the grade `{grade}`; claim `line`"
         ));
     }
-    let named: Vec<u32> = diagnostics.iter().filter_map(|told| told.line).collect();
+    let named: Vec<u32> = diagnostics
+        .iter()
+        .filter_map(|diagnostic| diagnostic.line)
+        .collect();
     match line {
         Some(line) if !named.is_empty() && !named.contains(&line) => (
             CheckVerdict::Wrong,
@@ -165,10 +168,10 @@ fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (Che
     }
 }
 
-/// One value: as the protocol has it, of the type that was asked for, and the one that must come.
-fn value(told: Option<&String>, key: &str, ty: &str, expected: &str) -> (CheckVerdict, Option<String>) {
+/// Judges one value: its form, its type, and whether it is the expected one.
+fn value(literal: Option<&String>, key: &str, ty: &str, expected: &str) -> (CheckVerdict, Option<String>) {
     let broken = |words: String| (CheckVerdict::Broken, Some(words));
-    let Some(literal) = told else {
+    let Some(literal) = literal else {
         return broken(format!("`values` has no `{key}`, which was asked for"));
     };
     let value = match Value::parse(literal) {
@@ -213,8 +216,8 @@ mod tests {
             ),
         ];
         for (line, part) in lines {
-            let told = read(line.as_bytes()).unwrap_err();
-            assert!(told.contains(part), "{told}");
+            let error = read(line.as_bytes()).unwrap_err();
+            assert!(error.contains(part), "{error}");
         }
     }
 
@@ -229,12 +232,12 @@ mod tests {
 
     #[test]
     fn a_wrong_value_is_the_compilers_and_a_wrong_literal_the_adapters() {
-        let told = |literal: &str| value(Some(&literal.to_owned()), "x", "INT", "INT#5").0;
-        assert_eq!(told("INT#5"), CheckVerdict::Right);
-        assert_eq!(told("INT#16#5"), CheckVerdict::Right);
-        assert_eq!(told("INT#6"), CheckVerdict::Wrong);
-        assert_eq!(told("5"), CheckVerdict::Broken);
-        assert_eq!(told("DINT#5"), CheckVerdict::Broken);
+        let judge = |literal: &str| value(Some(&literal.to_owned()), "x", "INT", "INT#5").0;
+        assert_eq!(judge("INT#5"), CheckVerdict::Right);
+        assert_eq!(judge("INT#16#5"), CheckVerdict::Right);
+        assert_eq!(judge("INT#6"), CheckVerdict::Wrong);
+        assert_eq!(judge("5"), CheckVerdict::Broken);
+        assert_eq!(judge("DINT#5"), CheckVerdict::Broken);
         assert_eq!(value(None, "x", "INT", "INT#5").0, CheckVerdict::Broken);
     }
 }

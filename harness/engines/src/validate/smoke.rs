@@ -1,19 +1,19 @@
 //! The smoke set: questions so plain that every compiler of Structured Text gives the same answers.
 //!
-//! What is asked needs no dialect, and each answer follows from the standard or from the protocol alone. A compiler that
-//! gives another one is wrong, or its adapter does not tell what it does.
+//! No question needs a particular dialect, and each answer follows from the standard or from the protocol alone. Where another
+//! answer comes, the compiler is wrong, or its adapter does not report what the compiler does.
 
 use crate::Ability;
 
-/// One question, and what must come back.
+/// One question, and the answer that must come back.
 pub(super) struct Question {
-    /// What is right, as a sentence without its full stop.
+    /// The rule that must hold, as a sentence without its full stop.
     pub(super) rule: &'static str,
     pub(super) ask: Ask,
     pub(super) expect: Expect,
 }
 
-/// What is asked.
+/// The request of a question.
 pub(super) enum Ask {
     Check(&'static str),
     Run {
@@ -30,26 +30,26 @@ pub(super) enum Ask {
     Line(&'static str),
 }
 
-/// A name, a type, and the scan after which to look.
+/// An observed variable: its name, its type, and the scan after which it is observed.
 pub(super) type Observed = (&'static str, &'static str, Option<u32>);
 
-/// What must come back.
+/// The answer that must come back.
 pub(super) enum Expect {
     Accepted,
-    /// A rejection; a diagnostic that names a line names this one, where there is one.
+    /// A rejection; where a line is given, a diagnostic that names a line must name this one.
     Rejected(Option<u32>),
-    /// Each value under its key, as a typed literal.
+    /// The values, each as its key and a typed literal.
     Values(&'static [(&'static str, &'static str)]),
     /// Source text.
     Rendered,
-    /// An error of this request alone, or that it is not supported.
+    /// An error about this request alone, or that the request is not supported.
     Refused,
-    /// An error of no request.
+    /// An error that belongs to no request.
     Error,
 }
 
 impl Question {
-    /// Returns what an engine must be able to do to be asked.
+    /// Returns the abilities that an engine needs to be asked this question.
     pub(super) fn needs(&self) -> &'static [Ability] {
         match self.ask {
             Ask::Run { scans: 1, .. } => &[Ability::Execute],

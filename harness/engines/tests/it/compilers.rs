@@ -1,4 +1,4 @@
-//! Real compilers behind their adapters. Where one is not on this machine, its test says so and has nothing to do.
+//! Tests real compilers behind their adapters. Where a compiler is not installed, its test says so and passes.
 
 use std::io::Write;
 use stickler_engines::{
@@ -6,7 +6,7 @@ use stickler_engines::{
 };
 use stickler_types::{DialectName, Fault};
 
-/// The compiler, or nothing and a word about it.
+/// Returns the compiler's engine; prints why it is skipped where there is none.
 fn here(compiler: Compiler) -> Option<Box<dyn Engine>> {
     match compiler.engine(compiler.name()) {
         Ok(engine) => Some(engine),
@@ -42,7 +42,7 @@ fn values(outcome: Outcome) -> Vec<String> {
         .collect()
 }
 
-/// What every compiler of Structured Text does alike.
+/// Checks the behaviour that every compiler of Structured Text has in common.
 fn behaves(engine: &dyn Engine) {
     let source = "TYPE PAIR : STRUCT a : INT; b : DINT; END_STRUCT; END_TYPE\n\
                   FUNCTION ADDED : INT\nVAR_INPUT x : INT; END_VAR\n    ADDED := x + 1;\nEND_FUNCTION\n\
@@ -100,7 +100,7 @@ fn divides_by_zero(engine: &dyn Engine) {
     );
 }
 
-/// Programs of every fate, some of which declare the same names.
+/// Programs with every kind of outcome, some of which declare the same names.
 const COMPANY: [&str; 12] = [
     "TYPE COLOR : (RED, GREEN); END_TYPE\nPROGRAM main\nVAR c : COLOR; n : INT; END_VAR\n    c := GREEN;\n    \
      IF c = GREEN THEN n := 1; END_IF;\nEND_PROGRAM\n",
@@ -121,7 +121,7 @@ const COMPANY: [&str; 12] = [
     "(* a comment that does not end PROGRAM main\nVAR n : INT; END_VAR\nEND_PROGRAM\n",
 ];
 
-/// Packs change nothing but the time that is taken.
+/// Checks that running in packs gives the same outcomes as running alone.
 fn packs(engine: &dyn Engine) {
     let observe = [Observation::last("n", "INT")];
     let requests: Vec<RunRequest<'_>> = COMPANY

@@ -1,4 +1,4 @@
-//! The engines from the outside, in one program: each of its own would be linked once more.
+//! Integration tests of the engines in one program, since each program of its own would be linked once more.
 
 mod compilers;
 #[cfg(unix)]

@@ -1,4 +1,4 @@
-//! An engine in a process of its own, and all that it may do wrong.
+//! Tests an engine in a process of its own, and every way in which it may misbehave.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use stickler_types::DialectName;
 
 const UNRULY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/adapters/unruly.sh");
 
-/// Long enough for a busy machine; what hangs is not waited for so long.
+/// Limits that suffice on a busy machine; a test of a process that hangs sets shorter ones.
 const LIMITS: ProcessLimits = ProcessLimits {
     hello: Duration::from_secs(60),
     reply: Duration::from_secs(60),
@@ -22,12 +22,12 @@ fn unruly(limits: ProcessLimits) -> ProcessEngine {
     ProcessEngine::start(&format!("sh '{UNRULY}'"), limits).unwrap()
 }
 
-/// Asks for a check of a program that tells the adapter what to do.
+/// Asks for a check of a program that tells the adapter how to misbehave.
 fn please(session: &mut dyn Session, what: &str) -> Outcome {
     session.check(DialectName::Matiec, &format!("please: {what}"))
 }
 
-/// What the adapter is asked to do, and that afterwards it answers as if nothing had been.
+/// Returns the outcome of asking the adapter to misbehave, and checks that it answers as usual afterwards.
 fn outcome_of(what: &str, limits: ProcessLimits) -> Outcome {
     let engine = unruly(limits);
     let mut session = engine.session().unwrap();
@@ -40,7 +40,7 @@ fn outcome_of(what: &str, limits: ProcessLimits) -> Outcome {
     outcome
 }
 
-/// As [`outcome_of`], of what has little time to answer; the request afterwards has more.
+/// Returns the outcome of asking the adapter to misbehave, without a further request, which might exceed a short time limit.
 fn outcome_of_slow(what: &str, limits: ProcessLimits) -> Outcome {
     let engine = unruly(limits);
     let mut session = engine.session().unwrap();

@@ -1,5 +1,5 @@
-//! The reference over the wire protocol, with programs that no case contains. What is expected was worked out
-//! by hand.
+//! Tests the reference over the wire protocol, with programs that no case contains. The expected values were worked out by
+//! hand.
 
 use serde_json::{Value as Json, json};
 use stickler_engines::Reference;
@@ -16,7 +16,7 @@ fn talk(lines: &[Json]) -> Vec<Json> {
         .collect()
 }
 
-/// The only reply to this request.
+/// Returns the only reply to this request.
 fn ask(request: Json) -> Json {
     let mut replies = talk(&[request]);
     assert_eq!(replies.len(), 1, "{replies:?}");

@@ -1,11 +1,11 @@
-//! The server of the wire protocol over an engine that only pretends, so that what is tested is the server.
+//! Tests the server of the wire protocol over an engine that executes nothing.
 
 use serde_json::{Value as Json, json};
 use stickler_engines::protocol::serve;
 use stickler_engines::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
 use stickler_types::{DialectName, Fault, Value};
 
-/// Tells what it was asked, and panics where the source says so.
+/// An engine that answers with the request it got, and panics where the source says so.
 struct Parrot {
     identity: Identity,
 }
@@ -89,7 +89,7 @@ fn talk(lines: &[Json]) -> Vec<Json> {
     talk_bytes(text.as_bytes())
 }
 
-/// The `id` and the message of the only reply, which must be an error.
+/// Returns the `id` and the message of the only reply, which must be an error.
 fn complaint(input: &[u8]) -> (Option<u64>, String) {
     let replies = talk_bytes(input);
     assert_eq!(replies.len(), 1, "{replies:?}");

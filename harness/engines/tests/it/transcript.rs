@@ -1,4 +1,4 @@
-//! The conversation in this crate's README is one that the reference would have.
+//! Tests that the conversation in this crate's README is one that the reference would have.
 
 use serde_json::Value as Json;
 use stickler_engines::Reference;

@@ -1,4 +1,4 @@
-//! Programs that do as they are told, and programs that do not.
+//! Tests with programs that keep to their limits, and programs that do not.
 
 use super::*;
 

@@ -1,9 +1,9 @@
-//! Two streams read by whoever waits for their end. The system says which of them has something to be read, so that a program
-//! that runs for milliseconds needs no thread to be started for it.
+//! Reads two streams in the thread that waits for their end. The system says which of them has something to be read, so that a
+//! program that runs for milliseconds needs no thread to be started for it.
 //!
-//! Compilers write a line in dozens of pieces, a colour or a word each. Whoever woke at each of them would keep a processor from
-//! the compilers, and hold them up besides; so what is written is left to gather in the pipe for a moment, unless much of it
-//! comes or the stream ends.
+//! Compilers write a line in dozens of pieces, a colour or a word each. A thread that woke at each piece would take a processor
+//! from the compilers, and delay them besides; so the output gathers in the pipe for a moment before it is read, unless much of
+//! it comes or the stream ends.
 
 use super::Waited;
 use crate::process::group::Pipes;
@@ -13,32 +13,32 @@ use std::io::{self, ErrorKind};
 use std::os::fd::OwnedFd;
 use std::time::{Duration, Instant};
 
-/// How much is read at a time, in bytes: less than a pipe holds, so that one in which something gathers is not full.
-const PIECE: usize = 1 << 14;
+/// The number of bytes that are read at a time: less than a pipe holds, so that a pipe in which output gathers is not full.
+const READ_SIZE: usize = 1 << 14;
 
-/// How long a program that was just started is left alone, unless its streams end: many compilers are done by then.
-const START: Duration = Duration::from_millis(16);
+/// The time for which a program that was just started is left alone, unless its streams end: many compilers are done by then.
+const START_GATHER_TIMEOUT: Duration = Duration::from_millis(16);
 
-/// How long what is written later gathers before it is read, unless the stream ends: so short that a program that fills its
+/// The time for which later output gathers before it is read, unless the stream ends: so short that a program that fills its
 /// pipe meanwhile hardly waits.
-const GATHER: Duration = Duration::from_millis(4);
+const GATHER_TIMEOUT: Duration = Duration::from_millis(4);
 
-/// Both streams, and what came from them so far.
+/// Both streams, and the bytes that came from them so far.
 pub(super) struct Streams {
     streams: [Stream; 2],
     most: u64,
-    /// How long it is before something is read again; `None` where it is read as soon as it comes.
+    /// The time before something is read again; `None` where it is read as soon as it comes.
     gathers: Option<Duration>,
 }
 
 struct Stream {
-    /// `None` once it has ended.
+    /// The open end of the pipe; `None` once the stream has ended.
     pipe: Option<File>,
     kept: Vec<u8>,
 }
 
 impl Streams {
-    /// Streams of which no more than `most` bytes each are read.
+    /// Returns streams of which no more than `most` bytes each are read.
     pub(super) fn of(pipes: Pipes, most: u64) -> Streams {
         let stdout = pipes.stdout.map(OwnedFd::from);
         let stderr = pipes.stderr.map(OwnedFd::from);
@@ -49,16 +49,16 @@ impl Streams {
         Streams {
             streams,
             most,
-            gathers: Some(START),
+            gathers: Some(START_GATHER_TIMEOUT),
         }
     }
 
-    /// Tells whether one of them has not ended.
+    /// Tells whether a stream has not ended.
     pub(super) fn are_open(&self) -> bool {
         self.streams.iter().any(|stream| stream.pipe.is_some())
     }
 
-    /// Reads until one of them ends, for no longer than this.
+    /// Reads until a stream ends, for no longer than `limit`.
     pub(super) fn wait(&mut self, limit: Duration) -> Waited {
         let deadline = Instant::now() + limit;
         loop {
@@ -72,7 +72,7 @@ impl Streams {
                 .map(|number| self.streams[number].read(self.most))
                 .collect();
             let gathers = read.contains(&Read::Short) && !read.contains(&Read::Full);
-            self.gathers = gathers.then_some(GATHER);
+            self.gathers = gathers.then_some(GATHER_TIMEOUT);
             if read.contains(&Read::Flooded) {
                 return Waited::Flooded;
             }
@@ -85,50 +85,51 @@ impl Streams {
         }
     }
 
-    /// Returns what came so far.
+    /// Returns the bytes that came so far from stdout and from stderr.
     pub(super) fn bytes(&self) -> [Vec<u8>; 2] {
         let [stdout, stderr] = &self.streams;
         [stdout.kept.clone(), stderr.kept.clone()]
     }
 
-    /// The numbers of those of which this is so, or of which the end is reached, after this time at most.
+    /// Waits for an event or the end of a stream, for no longer than `limit`. Returns the numbers of the streams that are
+    /// ready.
     fn ready(&self, awaited: PollFlags, limit: Duration) -> Vec<usize> {
         let open = self.streams.iter().enumerate();
         let open: Vec<(usize, &File)> = open
             .filter_map(|(number, stream)| Some((number, stream.pipe.as_ref()?)))
             .collect();
         let mut asked: Vec<PollFd<'_>> = open.iter().map(|(_, pipe)| PollFd::new(*pipe, awaited)).collect();
-        // A time that the system cannot count is as good as none at all.
+        // A time that the system cannot represent is as good as no limit.
         let limit = Timespec::try_from(limit).ok();
         match poll(&mut asked, limit.as_ref()) {
-            // After a signal, or where the system cannot tell just now, the next look does.
+            // After a signal, or where the system cannot tell just now, the next call does.
             Ok(0) | Err(_) => Vec::new(),
             Ok(_) => {
-                let told = open.iter().zip(&asked);
-                let told = told.filter(|(_, asked)| !asked.revents().is_empty());
-                told.map(|((number, _), _)| *number).collect()
+                let ready = open.iter().zip(&asked);
+                let ready = ready.filter(|(_, asked)| !asked.revents().is_empty());
+                ready.map(|((number, _), _)| *number).collect()
             }
         }
     }
 }
 
-/// What came of one reading.
+/// The result of one reading.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Read {
-    /// All that there was.
+    /// All bytes that there were.
     Short,
-    /// As much as is read at a time; there may be more.
+    /// As many bytes as are read at a time; there may be more.
     Full,
-    /// More than is allowed, with what came before.
+    /// More bytes than are allowed, together with those that came before.
     Flooded,
-    /// The end.
+    /// The end of the stream.
     Ended,
 }
 
 impl Stream {
-    /// Reads what there is, and waits for it where there is nothing.
+    /// Reads the bytes that have come, and waits for some where there are none.
     fn read(&mut self, most: u64) -> Read {
-        let mut piece = [0; PIECE];
+        let mut piece = [0; READ_SIZE];
         let Some(pipe) = &mut self.pipe else {
             return Read::Ended;
         };
@@ -137,12 +138,12 @@ impl Stream {
                 self.kept.extend_from_slice(&piece[..length]);
                 match length {
                     _ if self.kept.len() as u64 > most => Read::Flooded,
-                    PIECE => Read::Full,
+                    READ_SIZE => Read::Full,
                     _ => Read::Short,
                 }
             }
             Err(error) if error.kind() == ErrorKind::Interrupted => Read::Short,
-            // What was read before an error is what there is.
+            // After an error, the bytes that were read before it are kept.
             Ok(0) | Err(_) => {
                 self.pipe = None;
                 Read::Ended
@@ -156,7 +157,7 @@ mod tests {
     use super::*;
     use std::io::{PipeWriter, Write, pipe};
 
-    /// The streams of a program that has no stderr, and the end of its stdout to which it writes.
+    /// Returns the streams of a program that has no stderr, and the end of its stdout to which it writes.
     fn streams(most: u64) -> (Streams, PipeWriter) {
         let (reader, writer) = pipe().unwrap();
         let pipes = Pipes {
@@ -194,11 +195,11 @@ mod tests {
     #[test]
     fn a_program_that_writes_much_is_not_held_up() {
         let (mut streams, mut writer) = streams(1 << 20);
-        writer.write_all(&[b'x'; 3 * PIECE]).unwrap();
+        writer.write_all(&[b'x'; 3 * READ_SIZE]).unwrap();
         assert_eq!(streams.wait(Duration::ZERO), Waited::InVain);
         for pieces in 1..=3 {
             assert_eq!(streams.wait(Duration::ZERO), Waited::InVain);
-            assert_eq!(kept(&streams).len(), pieces * PIECE);
+            assert_eq!(kept(&streams).len(), pieces * READ_SIZE);
         }
     }
 

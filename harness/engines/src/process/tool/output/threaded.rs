@@ -1,4 +1,4 @@
-//! Two streams read by threads of their own, for systems that do not say which of them has something to be read.
+//! Reads two streams in threads of their own, for systems that do not say which stream has something to be read.
 
 use super::Waited;
 use crate::process::group::{Pipes, lock};
@@ -8,19 +8,19 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::Duration;
 
-/// What came from a stream so far.
+/// The bytes that came from a stream so far.
 type Shared = Arc<Mutex<Vec<u8>>>;
 
-/// Both streams, and what came from them so far. A thread ends with its stream.
+/// Both streams, and the bytes that came from them so far. A thread ends with its stream.
 pub(super) struct Streams {
     kept: [Shared; 2],
-    /// For each stream that ends, whether it kept to its limit.
+    /// The receiver of one message for each stream that ends: whether it kept to its limit.
     ends: Receiver<bool>,
     open: usize,
 }
 
 impl Streams {
-    /// Streams of which no more than `most` bytes each are read.
+    /// Returns streams of which no more than `most` bytes each are read.
     pub(super) fn of(pipes: Pipes, most: u64) -> Streams {
         let (sender, ends) = mpsc::channel();
         Streams {
@@ -33,12 +33,12 @@ impl Streams {
         }
     }
 
-    /// Tells whether one of them has not ended.
+    /// Tells whether a stream has not ended.
     pub(super) fn are_open(&self) -> bool {
         self.open > 0
     }
 
-    /// Waits so long for the end of one of them.
+    /// Waits for the end of a stream, for no longer than `limit`.
     pub(super) fn wait(&mut self, limit: Duration) -> Waited {
         match self.ends.recv_timeout(limit) {
             Ok(within) => {
@@ -46,7 +46,7 @@ impl Streams {
                 if within { Waited::Ended } else { Waited::Flooded }
             }
             Err(RecvTimeoutError::Timeout) => Waited::InVain,
-            // Threads that are gone without a word have nothing more to read.
+            // Threads that have ended without a message have nothing more to read.
             Err(RecvTimeoutError::Disconnected) => {
                 self.open = 0;
                 Waited::Ended
@@ -54,7 +54,7 @@ impl Streams {
         }
     }
 
-    /// Returns what came so far.
+    /// Returns the bytes that came so far from stdout and from stderr.
     pub(super) fn bytes(&self) -> [Vec<u8>; 2] {
         let [stdout, stderr] = &self.kept;
         [lock(stdout).clone(), lock(stderr).clone()]
@@ -65,17 +65,17 @@ fn read(stream: Option<impl Read + Send + 'static>, most: u64, sender: Sender<bo
     let shared = Shared::default();
     let kept = Arc::clone(&shared);
     thread::spawn(move || {
-        // Nobody may be waiting any more.
+        // The receiver may be gone.
         let _ = sender.send(stream.is_none_or(|stream| keep(stream, &kept, most)));
     });
     shared
 }
 
-/// Reads a stream to its end; whether that came within the limit.
+/// Reads a stream to its end. Returns whether that came within the limit.
 fn keep(mut stream: impl Read, kept: &Mutex<Vec<u8>>, most: u64) -> bool {
     let mut piece = vec![0; 1 << 16];
     let mut total: u64 = 0;
-    // What was read before an error is what there is.
+    // After an error, the bytes that were read before it are kept.
     while let Ok(length @ 1..) = stream.read(&mut piece) {
         total += u64::try_from(length).unwrap_or(u64::MAX);
         if total > most {
