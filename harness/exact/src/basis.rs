@@ -1,6 +1,7 @@
-//! Which document says what a call gives, if one does: what the suite asserts, and what it only observes.
+//! Tells which document states the result of a call, if one does: the suite asserts stated results and only observes the
+//! others.
 //!
-//! Whatever is not said here is open. An overloaded name (`TO_INT`) is open whatever it is given, for no document of a
+//! A result without a document is open. An overloaded name (`TO_INT`) is open for every operand, because no document of a
 //! dialect has it: the ForgeIEC page says that every conversion is `<SRC>_TO_<DST>`, and so does IronPLC's.
 
 mod stated;
@@ -13,20 +14,21 @@ use crate::value::value;
 use crate::{bcd, integer, moment};
 use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, Rounding, Value};
 
-/// What a call gives.
+/// The expected result of a call, and the document that states it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Expected {
-    /// The value.
+    /// The result of the call.
     pub value: Value,
     /// The document and section that say so, as the suite writes a basis: `source: section`. `None` where the call is open.
     pub basis: Option<&'static str>,
 }
 
-/// What a call of a conversion function must give in a dialect, and by which document.
+/// Returns the expected result of a call of a conversion function in a dialect, and the document that states it.
 ///
-/// Takes a signature of [`crate::signatures`] and one operand for each of its types. Where no document says what the call
-/// gives, the basis is `None` and the value is that of stickler-design: §8. In a dialect that was defined, what the definition
-/// states goes before the documents of its base, and the basis is the definition's. See [`value`] for operands that do not fit.
+/// Takes a signature of [`crate::signatures`] and one operand for each of its types. Where no document states the result,
+/// the basis is `None` and the value is that of stickler-design: §8. In a user-defined dialect, a statement of its
+/// definition takes precedence over the documents of its base, and the basis is that of the definition. See [`value`] for
+/// operands that do not fit.
 #[must_use]
 pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
     let choices = choices_of(dialect);
@@ -51,8 +53,8 @@ pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName)
     }
 }
 
-/// Whether something that the definition of a dialect states decides what a call gives: with another word in its place, the
-/// call would give something else. Never in a dialect that was not defined, and not where the operands do not fit.
+/// Returns whether an override in the definition of a dialect decides the result of a call: with another choice in its
+/// place, the result would differ. Always `false` in a dialect of a documented system, and for operands that do not fit.
 #[must_use]
 pub fn is_overridden(signature: &Signature, operands: &[Value], dialect: DialectName) -> bool {
     let Some(definition) = dialect.definition() else {
@@ -79,7 +81,7 @@ const IRONPLC_EXPLICIT: &str = "ironplc-type-conversions: Explicit Conversion Fu
 const IRONPLC_NARROWING: &str = "ironplc-type-conversions: Narrowing Conversions";
 const DESIGN: &str = "stickler-design: §8";
 
-/// Whose documents apply.
+/// The system whose documents apply.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Rules {
     Ironplc,
@@ -96,12 +98,13 @@ impl Rules {
         }
     }
 
-    /// The basis where one of the first two says something, and PLCnext's documents nothing.
+    /// Returns the basis of a result that the documents of IronPLC and the ForgeIEC page state; `None` for PLCnext, whose
+    /// documents do not state it.
     fn documented(self, basis: &'static str) -> Option<&'static str> {
         (self != Rules::Plcnext).then_some(basis)
     }
 
-    /// The basis where only the ForgeIEC page says something.
+    /// Returns the basis of a result that only the ForgeIEC page states; `None` for the other systems.
     fn only_matiec(self, basis: &'static str) -> Option<&'static str> {
         (self == Rules::Matiec).then_some(basis)
     }
@@ -129,7 +132,7 @@ impl Call<'_> {
         }
     }
 
-    /// `<SRC>_TO_<DST>`.
+    /// Returns the basis of `<SRC>_TO_<DST>`.
     fn of_conversion(self, raw: u64) -> Option<&'static str> {
         use Family::{BitString, Boolean, Date, DateAndTime, Real, Signed, Text, Unsigned};
         match (self.from.family(), self.to.family()) {
@@ -154,7 +157,7 @@ impl Call<'_> {
         }
     }
 
-    /// Integers among each other and to bit strings, bit strings to integers.
+    /// Returns the basis of conversions among integers, from integers to bit strings, and from bit strings to integers.
     fn of_integers(self, raw: u64) -> Option<&'static str> {
         match self.rules {
             Rules::Plcnext => None,
@@ -169,7 +172,7 @@ impl Call<'_> {
         }
     }
 
-    /// A real number to an integer by `<SRC>_TO_<DST>`.
+    /// Returns the basis of `<SRC>_TO_<DST>` from a real number to an integer.
     fn of_real_to_integer(self, raw: u64) -> Option<&'static str> {
         match self.truncated(raw) {
             Truncated::Inside => match self.rules {
@@ -182,8 +185,8 @@ impl Call<'_> {
         }
     }
 
-    /// TIME to and from a number, in every dialect: whole milliseconds that arrive whole, or as the nearest real. What else may
-    /// happen to a duration no document says.
+    /// Returns the basis of TIME to and from a number, in every dialect: whole milliseconds that the target holds exactly
+    /// or as the nearest real. No document states another conversion of a duration.
     fn of_time(self, raw: u64) -> Option<&'static str> {
         let says = match (self.from.family(), self.to.family()) {
             (Family::Duration, Family::Signed | Family::Unsigned) => {
@@ -200,7 +203,7 @@ impl Call<'_> {
         says.then_some(NAMING)
     }
 
-    /// `DATE_TO_DT`, `DT_TO_DATE` and `DT_TO_TOD`; other conversions of dates the page does not list.
+    /// Returns the basis of `DATE_TO_DT`, `DT_TO_DATE` and `DT_TO_TOD`; the page does not list other conversions of dates.
     fn of_date(self, raw: u64) -> Option<&'static str> {
         use ElementaryType::{Date, Dt, Tod};
         match (self.from, self.to) {
@@ -210,7 +213,7 @@ impl Call<'_> {
         }
     }
 
-    /// `STRING_TO_<INTEGER>` and `STRING_TO_<REAL>`.
+    /// Returns the basis of `STRING_TO_<INTEGER>` and `STRING_TO_<REAL>`.
     fn of_text(self, from: ElementaryType, units: &[u16]) -> Option<&'static str> {
         let is_listed = from == ElementaryType::String && (self.to.is_integer() || self.to.is_real());
         if self.rules == Rules::Matiec && is_listed {
@@ -220,7 +223,8 @@ impl Call<'_> {
         }
     }
 
-    /// `BCD_TO_INT` of decimal digits, and `INT_TO_BCD` of a number that has no more digits than the target.
+    /// Returns the basis of `BCD_TO_INT` of decimal digits, and of `INT_TO_BCD` of a number with no more digits than the
+    /// target.
     fn of_bcd(self, name: &str, raw: u64) -> Option<&'static str> {
         let says = match name {
             "BCD_TO_INT" => bcd::is_decimal(raw, self.from),
@@ -230,7 +234,8 @@ impl Call<'_> {
         says.then_some(BCD).filter(|_| self.rules == Rules::Matiec)
     }
 
-    /// TRUNC and its kin. Of those that name a type the ForgeIEC page has three; the others are open.
+    /// Returns the basis of TRUNC and its variants. The ForgeIEC page has three of the variants that name a type; the
+    /// others are open.
     fn of_truncation(self, name: &str, raw: u64) -> Option<&'static str> {
         let truncated = self.truncated(raw);
         match name {
@@ -244,7 +249,7 @@ impl Call<'_> {
         }
     }
 
-    /// Where the truncated operand lies.
+    /// Returns where the truncated operand lies relative to the range of the result type.
     fn truncated(self, raw: u64) -> Truncated {
         let Real::Finite {
             negative,
@@ -261,13 +266,13 @@ impl Call<'_> {
     }
 }
 
-/// Where a truncated real number lies.
+/// The position of a truncated real number relative to the range of the target.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Truncated {
     /// Within the range of the target.
     Inside,
-    /// Outside it.
+    /// Outside the range of the target.
     Outside,
-    /// Nowhere: it is a NaN or an infinity.
+    /// The operand is a NaN or an infinity, which has no truncated value.
     NoNumber,
 }

@@ -6,28 +6,28 @@
 use crate::integer;
 use stickler_types::ElementaryType;
 
-/// The digits of a bit string, the highest first.
+/// Returns the digits of a bit string, the highest first.
 fn digits(raw: u64, ty: ElementaryType) -> impl Iterator<Item = u64> {
     let count = ty.bits() / 4;
     (0..count).rev().map(move |place| raw >> (4 * place) & 0xF)
 }
 
-/// The number that the digits spell, a digit above 9 counting with its value: `16#1A` is 20.
+/// Returns the number that the digits spell; a digit above 9 counts with its value: `16#1A` is 20.
 pub(crate) fn number(raw: u64, from: ElementaryType) -> i128 {
     digits(raw, from).fold(0, |number, digit| number * 10 + i128::from(digit))
 }
 
-/// Whether every digit is a decimal one.
+/// Returns whether every digit is at most 9.
 pub(crate) fn is_decimal(raw: u64, ty: ElementaryType) -> bool {
     digits(raw, ty).all(|digit| digit <= 9)
 }
 
-/// The greatest number that a bit string has digits for.
+/// Returns the greatest number that a bit string has digits for.
 pub(crate) const fn greatest(ty: ElementaryType) -> i128 {
     10_i128.pow(ty.bits() / 4) - 1
 }
 
-/// The digits of a number, as many as the bit string holds: those of the number modulo 10^n, so that -1 becomes `16#99`.
+/// Returns a number in binary-coded decimal, modulo 10^n for the n digits of the bit string, so that -1 becomes `16#99`.
 pub(crate) fn encoded(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
     let mut rest = integer::number(raw, from).rem_euclid(greatest(to) + 1);
     let mut bits = 0;

@@ -1,10 +1,10 @@
-//! The exact arithmetic a second time, quick enough for every input of a 32-bit source.
+//! A second implementation of the exact arithmetic, fast enough for every input of a 32-bit source.
 //!
-//! What [`value`](crate::value) computes with integers and fractions of any size is computed here within 64 and
-//! 128 bits, with shifts, masks and tables; there is no floating point in it either. The two are held to each
-//! other by tests at every boundary and by samples, so a sweep may trust this one.
+//! The functions here compute within 64 and 128 bits, with shifts, masks and tables, what [`value`](crate::value) computes
+//! with integers and fractions of any size; neither uses floating point. Tests compare the two at every boundary and on
+//! samples, so that a sweep may rely on this one.
 //!
-//! Architecture Invariant: nothing in here is taken from the reference, so that a mistake in one of them shows.
+//! Architecture Invariant: no code is shared with the reference, so that a mistake in one of the two shows.
 
 mod decimal;
 mod integer;
@@ -17,7 +17,7 @@ use crate::{Operation, Signature};
 use real::RealResult;
 use stickler_types::{ConversionChoices, ElementaryType, Family, OutOfRange, Rounding};
 
-/// One conversion over many raw forms.
+/// One conversion, applied to many raw forms at a time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Bulk {
     rule: Rule,
@@ -25,7 +25,7 @@ pub struct Bulk {
     to: ElementaryType,
 }
 
-/// What happens to a value, as far as it has to be told apart.
+/// The arithmetic rule of a conversion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Rule {
     /// The number modulo 2^n.
@@ -34,29 +34,29 @@ enum Rule {
     Replaced,
     /// Whether the number is not zero.
     Truth,
-    /// The same of a REAL.
+    /// Whether a REAL is not zero.
     RealTruth,
     /// The nearest real.
     Nearest(RealResult),
-    /// REAL as it is.
+    /// A REAL, unchanged.
     Same,
-    /// REAL as LREAL.
+    /// A REAL, widened to LREAL.
     Lengthened,
-    /// REAL as an integer.
+    /// A REAL, rounded to an integer.
     Integral(Rounding, OutOfRange),
-    /// A number of units of time.
+    /// A number of units of time, as a duration, date or time of day.
     Units,
-    /// The same, of a REAL.
+    /// A REAL number of units of time, as a duration, date or time of day.
     RealUnits,
-    /// Decimal digits as the number that they spell.
+    /// Binary-coded decimal digits, as the number that they spell.
     Digits,
-    /// A number as decimal digits.
+    /// A number, as binary-coded decimal digits.
     Decimal,
 }
 
 impl Bulk {
-    /// The quick form of a function, where it has one: a single operand of at most 32 bits that is no text, and
-    /// a result that is no text.
+    /// Returns the fast form of a function that has one: a function with a single operand of at most 32 bits, where neither
+    /// the operand nor the result is a text.
     #[must_use]
     pub fn new(signature: &Signature, choices: &ConversionChoices) -> Option<Bulk> {
         let [from] = signature.operands[..] else {
@@ -76,8 +76,8 @@ impl Bulk {
         Some(Bulk { rule, from, to })
     }
 
-    /// Writes the raw form of the result for the raw form of each operand; the shorter of the two slices decides
-    /// how many. A NaN of the result is the quiet one without a payload.
+    /// Writes the raw form of the result for each operand, up to the length of the shorter slice. A NaN of the result is
+    /// the quiet one without a payload.
     pub fn fill(&self, operands: &[u64], results: &mut [u64]) {
         let Bulk { rule, from, to } = *self;
         match rule {

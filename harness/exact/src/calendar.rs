@@ -1,6 +1,6 @@
 //! The Gregorian calendar, also for the days before it was introduced.
 
-/// The days before the first day of a year, counted from the first day of year 1.
+/// Returns the number of days before the first day of a year, counted from the first day of year 1.
 const fn days_before_year(year: i64) -> i64 {
     let years = year - 1;
     years * 365 + years.div_euclid(4) - years.div_euclid(100) + years.div_euclid(400)
@@ -10,7 +10,7 @@ const fn is_leap_year(year: i64) -> bool {
     days_before_year(year + 1) - days_before_year(year) == 366
 }
 
-/// The days of a month, which is from 1 to 12.
+/// Returns the number of days of a month from 1 to 12.
 pub(crate) const fn days_of_month(year: i64, month: i64) -> i64 {
     match month {
         4 | 6 | 9 | 11 => 30,
@@ -20,13 +20,13 @@ pub(crate) const fn days_of_month(year: i64, month: i64) -> i64 {
     }
 }
 
-/// The days from 1970-01-01 to a date that the calendar has.
+/// Returns the number of days from 1970-01-01 to a valid date.
 pub(crate) fn days_since_1970(year: i64, month: i64, day: i64) -> i64 {
     let months: i64 = (1..month).map(|month| days_of_month(year, month)).sum();
     days_before_year(year) - days_before_year(1970) + months + day - 1
 }
 
-/// Year, month and day that lie so many days after 1970-01-01.
+/// Returns year, month and day of the date that lies `days` days after 1970-01-01.
 pub(crate) fn date(days: i64) -> (i64, i64, i64) {
     let days = days + days_before_year(1970);
     // A year has from 365 to 366 days, so that this is off by a year now and then.

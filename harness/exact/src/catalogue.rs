@@ -1,6 +1,7 @@
 //! The catalogue of conversion functions: every name of a dialect with its signatures.
 //!
-//! It is written out once for all dialects that have the same functions, from pairs of types and a few patterns of names, and looked up afterwards.
+//! The catalogue is generated once for all dialects that have the same functions, from pairs of types and a few patterns of
+//! names, and looked up afterwards.
 
 use crate::pair;
 use crate::signature::{Operation, Signature};
@@ -9,7 +10,7 @@ use std::sync::LazyLock;
 use stickler_types::definition::Flag;
 use stickler_types::{BuiltIn, DialectName, ElementaryType};
 
-/// Every signature of a function in a dialect; none where the dialect has no conversion function of this name.
+/// Returns every signature of a function in a dialect; none if the dialect has no conversion function of this name.
 ///
 /// The name may be in any ASCII case, and spell the types `TOD`, `DT`, `LTOD` and `LDT` out: `TIME_OF_DAY`. The signatures are
 /// in the order of their operand types, and then of their result types, as [`ElementaryType::ALL`] has them; each carries the
@@ -50,7 +51,8 @@ pub fn signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
     renamed.collect()
 }
 
-/// Every name of a conversion function that a dialect has, each once, in upper case and the short spelling of the types.
+/// Returns the name of every conversion function of a dialect, each once, in upper case and with the short spelling of the
+/// types.
 ///
 /// The order is always the same: the pairs of types, the overloaded names, truncation, BCD, `CONCAT_…`, rounding.
 #[must_use]
@@ -58,7 +60,7 @@ pub fn functions(dialect: DialectName) -> Vec<String> {
     Catalogue::of(dialect).names.clone()
 }
 
-/// The same name with the short keywords of the types.
+/// Replaces the long keywords of types in a name (`TIME_OF_DAY`) by the short ones (`TOD`).
 fn short_spelling(name: &str) -> String {
     // Only here the names of types are part of a name that does not follow from them.
     if name.starts_with("CONCAT_") {
@@ -68,13 +70,13 @@ fn short_spelling(name: &str) -> String {
     name.replace("TIME_OF_DAY", "TOD").replace("DATE_AND_TIME", "DT")
 }
 
-/// The functions of the dialects that have the same.
+/// The functions of all dialects that have the same features.
 struct Catalogue {
     names: Vec<String>,
     by_name: HashMap<String, Vec<Signature>>,
 }
 
-/// Each at the [index](Features::index) of its features.
+/// The catalogues, each at the [index](Features::index) of its features.
 static CATALOGUES: [LazyLock<Catalogue>; 4] = [
     LazyLock::new(|| Catalogue::written_out(Features::at(0))),
     LazyLock::new(|| Catalogue::written_out(Features::at(1))),
@@ -82,7 +84,7 @@ static CATALOGUES: [LazyLock<Catalogue>; 4] = [
     LazyLock::new(|| Catalogue::written_out(Features::at(3))),
 ];
 
-/// What makes the functions of one dialect others than those of another.
+/// The features by which the functions of dialects differ.
 #[derive(Clone, Copy)]
 struct Features {
     /// Bit 0: the types of the third edition.
@@ -153,7 +155,7 @@ impl Catalogue {
         signatures.push(signature);
     }
 
-    /// `<SRC>_TO_<DST>` and `TO_<DST>`.
+    /// Adds `<SRC>_TO_<DST>` and `TO_<DST>`.
     fn add_pairs(&mut self, types: &[ElementaryType]) {
         let pairs = || {
             let all = types
@@ -169,7 +171,7 @@ impl Catalogue {
         }
     }
 
-    /// `TRUNC`, `TRUNC_<INTEGER>`, `<REAL>_TRUNC_<INTEGER>`.
+    /// Adds `TRUNC`, `TRUNC_<INTEGER>` and `<REAL>_TRUNC_<INTEGER>`.
     fn add_truncations(&mut self) {
         let integers = || ElementaryType::ALL.into_iter().filter(|ty| ty.is_integer());
         for from in REALS {
@@ -186,7 +188,7 @@ impl Catalogue {
         }
     }
 
-    /// Everything with BCD in its name.
+    /// Adds the functions with BCD in their name.
     fn add_bcd(&mut self) {
         // What the ForgeIEC page lists for its two functions.
         let (bits, integers) = (
@@ -226,7 +228,7 @@ impl Catalogue {
         }
     }
 
-    /// `CONCAT_…` of types that the dialect has.
+    /// Adds `CONCAT_…` of the types that the dialect has.
     fn add_concatenations(&mut self, types: &[ElementaryType]) {
         use ElementaryType::{Date, Dt, Ldate, Ldt, Ltod, Tod};
         for (date, time, result) in [(Date, Tod, Dt), (Date, Ltod, Ldt), (Ldate, Ltod, Ldt)] {
@@ -241,7 +243,7 @@ impl Catalogue {
         }
     }
 
-    /// `ROUND`, `CEIL`, `CEILING`, `FLOOR`.
+    /// Adds `ROUND`, `CEIL`, `CEILING` and `FLOOR`.
     fn add_roundings(&mut self) {
         for (name, operation) in [
             ("ROUND", Operation::Round),
@@ -261,7 +263,7 @@ impl Catalogue {
 
 const REALS: [ElementaryType; 2] = [ElementaryType::Real, ElementaryType::Lreal];
 
-/// Whether a dialect has the types that the third edition added.
+/// Returns whether a dialect has the types that the third edition added.
 ///
 /// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); stickler-design: §8.
 pub(crate) fn has_third_edition(dialect: DialectName) -> bool {
@@ -269,7 +271,8 @@ pub(crate) fn has_third_edition(dialect: DialectName) -> bool {
         .unwrap_or(!matches!(dialect.base(), BuiltIn::IronplcEd2 | BuiltIn::Matiec))
 }
 
-/// What the definition of a dialect states, where it has one.
+/// Returns the value that the definition of a dialect states for a flag; `None` for a dialect of a documented system, or a
+/// definition that does not mention it.
 fn stated(dialect: DialectName, flag: Flag) -> Option<bool> {
     dialect.definition().and_then(|definition| definition.flag(flag))
 }

@@ -1,12 +1,13 @@
-//! What each dialect chooses in the points in which systems convert differently.
+//! The choices of each dialect in the points in which systems convert differently.
 
 use stickler_types::{
     BitStringText, BuiltIn, ConversionChoices, DialectName, OutOfRange, RealText, Rounding, TextReading,
 };
 
-/// Returns what a dialect chooses.
+/// Returns the conversion choices of a dialect.
 ///
-/// Other choices describe dialects yet to come, and serve to recognise the rules that a foreign compiler follows.
+/// Choices that no dialect makes describe dialects of the future, and serve to recognize the rules that a foreign compiler
+/// follows.
 ///
 /// Basis: ironplc-type-conversions: Explicit Conversion Functions and forgeiec-conversion-functions: Range and precision
 /// (truncation); stickler-design: §8 for all that is open. The texts of `matiec` are measured (10 digits, `16#ff`).

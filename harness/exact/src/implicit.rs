@@ -1,15 +1,16 @@
-//! What the documents say of implicit conversion: which elementary types become others without a call.
+//! Implicit conversion by the documents: the pairs of elementary types that convert without a call.
 //!
-//! This is the suite's own statement of the rules, beside the widening tables of the conformance cases; a test holds the two to
-//! each other, cell by cell. What a value becomes, [`implicit_result`](crate::implicit_result) says; it is what the function
-//! `<FROM>_TO_<TO>` gives.
+//! The rules here are stated independently of the widening tables of the conformance cases; a test compares the two, cell
+//! by cell. [`implicit_result`](crate::implicit_result) gives the converted value, which is that of the function
+//! `<FROM>_TO_<TO>`.
 
 use crate::catalogue::has_third_edition;
 use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 
-/// Returns whether a value of the type `from` stands where `to` is expected, in a dialect.
+/// Returns whether a value of the type `from` converts implicitly to `to` in a dialect.
 ///
-/// Types that the dialect does not have convert to nothing, and nothing to them. What a definition states of a pair is so.
+/// A type that the dialect does not have converts to no other, and no other to it. A statement of the dialect's definition
+/// about a pair takes precedence over the documents.
 ///
 /// Basis: ironplc-type-conversions: Implicit Type Widening, Cross-family widening; forgeiec-conversion-functions: matiec
 /// conformance; implicit-conversion-table: SEM1189 table; implicit-conversion-rules: ANY_DURATION, for TIME and LTIME, which are
@@ -37,7 +38,8 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
     }
 }
 
-/// IronPLC's three categories, and what its general rule leaves open.
+/// Returns the answer of IronPLC's three categories; open between the short and the long form of a type, for which only its
+/// general rule could apply.
 fn ironplc(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     if from.long_form() == Some(to) || to.long_form() == Some(from) {
         return MatrixWord::Open;
@@ -54,12 +56,13 @@ fn ironplc(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     })
 }
 
-/// "A bit-string type can widen to an integer type of strictly greater bit width", where the flag is on.
+/// Returns whether the pair is one of "a bit-string type can widen to an integer type of strictly greater bit width", which
+/// needs the flag.
 const fn is_cross_family(from: ElementaryType, to: ElementaryType) -> bool {
     from.is_bit_string() && to.is_integer() && from.bits() < to.bits()
 }
 
-/// PLCnext's coloured table.
+/// Returns the answer of PLCnext's coloured table.
 fn plcnext(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     use ElementaryType::{Ltime, Time, Udint};
     said(match (from.family(), to.family()) {
@@ -77,7 +80,7 @@ fn plcnext(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     })
 }
 
-/// Whether one integer type holds every value of another.
+/// Returns whether one integer type holds every value of another.
 fn holds_every_integer(from: ElementaryType, to: ElementaryType) -> bool {
     let (Some((least, greatest)), Some((low, high))) = (from.integer_range(), to.integer_range()) else {
         return false;

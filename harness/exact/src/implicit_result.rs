@@ -1,10 +1,10 @@
-//! What a value becomes when it is converted implicitly.
+//! Results of implicit conversions.
 
 use crate::real;
 use crate::{integer, moment};
 use stickler_types::{ElementaryType, Value};
 
-/// What is known about the result of an implicit conversion.
+/// The result of an implicit conversion, as far as it is known.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ImplicitResult {
     /// The result is exactly this value.
@@ -13,11 +13,11 @@ pub enum ImplicitResult {
     Open,
 }
 
-/// Returns what a variable of type `to` holds once it was given `value`; `None` for pairs of types that no document converts
-/// implicitly.
+/// Returns the value of a variable of type `to` after `value` was assigned to it; `None` for pairs of types that no
+/// document converts implicitly.
 ///
-/// That is the number (rounded once, to the nearest, where the target is a real), the zero-extended bits, the same duration, date or
-/// time of day in its long or short form, or for UDINT and TIME the same count of milliseconds.
+/// The result is the number (rounded once, to the nearest, where the target is a real), the zero-extended bits, the same
+/// duration, date or time of day in its long or short form, or for UDINT and TIME the same count of milliseconds.
 ///
 /// Basis: stickler-design: §3.2 and §8.
 #[must_use]

@@ -2,13 +2,13 @@
 
 use stickler_types::{ElementaryType, Family};
 
-/// The number that a raw form stands for; a bit string, a BOOL and a character count as unsigned, durations and dates as their
-/// nanoseconds.
+/// Returns the number that a raw form represents; a bit string, a BOOL and a character count as unsigned, durations and
+/// dates as their nanoseconds.
 pub(crate) const fn number(raw: u64, ty: ElementaryType) -> i128 {
     ty.integer_value(raw)
 }
 
-/// The raw form of a number modulo 2^n of its type.
+/// Returns the raw form of a number modulo 2^n of its type.
 ///
 /// Basis: stickler-design: §8 (arithmetic rules); forgeiec-conversion-functions: Range and precision ("wraps").
 pub(crate) fn wrapped(number: i128, to: ElementaryType) -> u64 {
@@ -24,18 +24,18 @@ pub(crate) fn wrapped(number: i128, to: ElementaryType) -> u64 {
     raw(value)
 }
 
-/// Two's complement in 64 bits, of a number that 64 bits hold with or without a sign.
+/// Returns the 64-bit two's complement of a number that fits 64 bits with or without a sign.
 const fn raw(value: i128) -> u64 {
     value as u64
 }
 
-/// Whether an integer, bit string or BOOL of this type holds the number; `false` for any other type.
+/// Returns whether an integer, bit string or BOOL of this type holds the number; `false` for any other type.
 pub(crate) fn holds(to: ElementaryType, number: i128) -> bool {
     to.integer_range()
         .is_some_and(|(least, greatest)| (least..=greatest).contains(&number))
 }
 
-/// The raw form of the number, or of the limit of the type that lies next to it; 0 for a type without limits.
+/// Returns the raw form of the number, or of the nearest limit of the type; 0 for a type without limits.
 pub(crate) fn saturated(number: i128, to: ElementaryType) -> u64 {
     to.integer_range()
         .map_or(0, |(least, greatest)| raw(number.clamp(least, greatest)))

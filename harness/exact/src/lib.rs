@@ -1,8 +1,8 @@
-//! What every type conversion function must give, by exact arithmetic.
+//! The expected results of type conversion functions, computed by exact arithmetic.
 //!
-//! This crate is the suite's oracle: the generator of row tables, `stickler sweep` and the property tests ask it, and the
-//! reference implementation never does, nor is it ever asked. It computes with integers and exact fractions only, so that
-//! every number is rounded at most once, at the end, by a rule that stands here in words.
+//! This crate is the suite's oracle: the generator of row tables, `stickler sweep` and the property tests use it. The
+//! reference implementation never uses it, and it never uses the reference. It computes with integers and exact fractions
+//! only, so that every number is rounded at most once, at the end, by a rule that the documentation here states.
 //!
 //! Architecture Invariant: there is no floating point arithmetic outside of tests.
 //!
@@ -26,8 +26,8 @@
 //! assert_eq!(given.basis, Some("forgeiec-conversion-functions: Range and precision"));
 //! ```
 //!
-//! Where no document says what a call gives, the answer is *open*: [`Expected::basis`] is `None`, and the value is what IEC
-//! 60559 and two's complement suggest, by the choices of the dialect.
+//! Where no document states the result of a call, the answer is *open*: [`Expected::basis`] is `None`, and the value is
+//! what IEC 60559 and two's complement suggest, by the choices of the dialect.
 //!
 //! Basis: stickler-design: §8 (arithmetic rules, and what *open* means); the rules themselves name theirs.
 

@@ -1,6 +1,6 @@
-//! Durations, dates and times of day: as numbers, from numbers, and as one another.
+//! Conversions of durations, dates and times of day: to numbers, from numbers, and among each other.
 //!
-//! Numbers count a duration in milliseconds, and so a time of day; a date, and a date and time, in seconds since 1970-01-01.
+//! Numbers count a duration and a time of day in milliseconds, and a date and a date and time in seconds since 1970-01-01.
 //!
 //! Basis: forgeiec-conversion-functions: The naming pattern (`TIME_TO_DINT` "returns ms", `DINT_TO_TIME` "interprets as ms");
 //! stickler-design: §8. What the others count in no source says.
@@ -13,7 +13,7 @@ use stickler_types::{ElementaryType, Family, Rounding};
 /// The nanoseconds of a day.
 const DAY: i128 = 86_400_000_000_000;
 
-/// The nanoseconds of the unit in which numbers count a type.
+/// Returns the nanoseconds of the unit in which numbers count values of a type.
 const fn unit(ty: ElementaryType) -> u32 {
     match ty.family() {
         Family::Date | Family::DateAndTime => 1_000_000_000,
@@ -21,40 +21,41 @@ const fn unit(ty: ElementaryType) -> u32 {
     }
 }
 
-/// The nanoseconds that a raw form stands for.
+/// Returns the nanoseconds that a raw form represents.
 pub(crate) const fn nanoseconds(raw: u64) -> i128 {
     raw.cast_signed() as i128
 }
 
-/// The whole units, the fraction dropped.
+/// Returns the number of whole units, without the fraction.
 pub(crate) fn units(raw: u64, from: ElementaryType) -> i128 {
     nanoseconds(raw) / i128::from(unit(from))
 }
 
-/// Whether the units are whole.
+/// Returns whether the raw form is a whole number of units.
 pub(crate) fn has_whole_units(raw: u64, from: ElementaryType) -> bool {
     nanoseconds(raw) % i128::from(unit(from)) == 0
 }
 
-/// The units, their fraction included, as REAL or LREAL.
+/// Returns the number of units, including the fraction, as REAL or LREAL.
 pub(crate) fn real_units(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
     let nanoseconds = nanoseconds(raw);
     let magnitude = BigUint::from(nanoseconds.unsigned_abs());
     quotient::nearest(nanoseconds < 0, &magnitude, &unit(from).into(), to)
 }
 
-/// The nanoseconds of a number of units.
+/// Returns the nanoseconds of a number of units.
 pub(crate) fn of_units(number: i128, to: ElementaryType) -> i128 {
     // Less than 2^64 units of less than 2^30 nanoseconds.
     number * i128::from(unit(to))
 }
 
-/// That many units, modulo 2^64 nanoseconds.
+/// Returns the raw form of a whole number of units, modulo 2^64 nanoseconds.
 pub(crate) fn from_units(number: i128, to: ElementaryType) -> u64 {
     stored(wrapped(of_units(number, to)), to)
 }
 
-/// That many units, rounded to the nearest nanosecond, ties to even, modulo 2^64; NaN and the infinities give 0.
+/// Returns the raw form of a real number of units, rounded to the nearest nanosecond, ties to even, modulo 2^64; NaN and
+/// the infinities give 0.
 pub(crate) fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
     let Real::Finite {
         negative,
@@ -76,7 +77,7 @@ pub(crate) fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType
     stored(bits.cast_signed(), to)
 }
 
-/// Whether a real number is a whole number of units that a moment of this type holds.
+/// Returns whether a real number is a whole number of units that a value of this type holds.
 pub(crate) fn is_whole_moment(raw: u64, from: ElementaryType, to: ElementaryType) -> bool {
     let Real::Finite {
         negative,
@@ -94,17 +95,17 @@ pub(crate) fn is_whole_moment(raw: u64, from: ElementaryType, to: ElementaryType
     }
 }
 
-/// Whether 64 bits hold the nanoseconds.
+/// Returns whether the nanoseconds fit 64 bits.
 pub(crate) fn fits(nanoseconds: i128) -> bool {
     i64::try_from(nanoseconds).is_ok()
 }
 
-/// Nanoseconds modulo 2^64.
+/// Returns nanoseconds modulo 2^64.
 fn wrapped(nanoseconds: i128) -> i64 {
     nanoseconds as i64
 }
 
-/// The raw form of nanoseconds in a type: a date is a whole day, a time of day less than one.
+/// Returns the raw form of nanoseconds in a type: a whole day for a date, less than one day for a time of day.
 fn stored(nanoseconds: i64, to: ElementaryType) -> u64 {
     match to.family() {
         Family::Date => day(nanoseconds),
@@ -113,9 +114,9 @@ fn stored(nanoseconds: i64, to: ElementaryType) -> u64 {
     }
 }
 
-/// The beginning of the day on which a moment lies, also before 1970.
+/// Returns the beginning of the day on which a moment lies, also before 1970.
 ///
-/// The first moments that 64 bits hold lie on a day whose beginning they do not: they give the next day.
+/// The beginning of the first day that 64 bits reach does not fit them: moments on it give the next day.
 fn day(moment: i64) -> u64 {
     let beginning = i128::from(moment).div_euclid(DAY) * DAY;
     let held = if fits(beginning) {
@@ -126,23 +127,23 @@ fn day(moment: i64) -> u64 {
     wrapped(held).cast_unsigned()
 }
 
-/// Whether 64 bits hold the beginning of the day on which a moment lies.
+/// Returns whether 64 bits hold the beginning of the day on which a moment lies.
 pub(crate) fn has_day(raw: u64) -> bool {
     fits(nanoseconds(raw).div_euclid(DAY) * DAY)
 }
 
-/// The time that has passed since midnight, also before 1970.
+/// Returns the time that has passed since midnight, also before 1970.
 fn time_of_day(moment: i64) -> u64 {
     wrapped(i128::from(moment).rem_euclid(DAY)).cast_unsigned()
 }
 
-/// A duration, date or time of day as another type of these: DATE as DT is its midnight, DT as DATE its day and as TOD the time
-/// since midnight; a duration as TOD is what remains of it modulo 24 hours.
+/// Converts a duration, date or time of day to another such type: DATE to DT gives midnight, DT to DATE the day, and DT to
+/// TOD the time since midnight; a duration to TOD is taken modulo 24 hours.
 pub(crate) fn between(raw: u64, to: ElementaryType) -> u64 {
     stored(raw.cast_signed(), to)
 }
 
-/// The moment of a date and a time of day, modulo 2^64 nanoseconds.
+/// Returns the moment of a date and a time of day, modulo 2^64 nanoseconds.
 pub(crate) fn concatenated(date: u64, time: u64) -> u64 {
     wrapped(nanoseconds(date) + nanoseconds(time)).cast_unsigned()
 }

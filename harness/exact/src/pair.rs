@@ -1,10 +1,10 @@
-//! Which pairs of types have a conversion.
+//! The pairs of types that have a conversion.
 
 use stickler_types::{ElementaryType, Family};
 
-/// Whether a value of one type has a meaning in the other; a type has one in itself.
+/// Returns whether a value of one type has a meaning in the other; a type has one in itself.
 ///
-/// Numbers here are integers, bit strings, reals and BOOL.
+/// Numbers in this table are integers, bit strings, reals and BOOL.
 ///
 /// | from | to |
 /// |---|---|
@@ -31,7 +31,7 @@ pub(crate) const fn has_meaning(from: ElementaryType, to: ElementaryType) -> boo
     }
 }
 
-/// Whether this is an integer, a bit string, a real or BOOL.
+/// Returns whether the type is an integer, a bit string, a real or BOOL.
 pub(crate) const fn is_number(ty: ElementaryType) -> bool {
     matches!(
         ty.family(),

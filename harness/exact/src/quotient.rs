@@ -7,9 +7,9 @@ use num_traits::{ToPrimitive, Zero};
 use std::cmp::Ordering;
 use stickler_types::ElementaryType;
 
-/// The raw form nearest to `numerator / denominator` or its negative, ties to even; zero keeps the sign.
+/// Returns the raw form nearest to `numerator / denominator` or its negative, ties to even; zero keeps the sign.
 ///
-/// The general form of [`real::nearest`], for numbers of any size. The denominator must not be zero.
+/// This is [`real::nearest`] for numbers of any size. The denominator must not be zero.
 pub(crate) fn nearest(negative: bool, numerator: &BigUint, denominator: &BigUint, to: ElementaryType) -> u64 {
     // Enough bits for either format and the two below that decide the rounding.
     const MIN_BITS: i32 = 66;
@@ -25,12 +25,12 @@ pub(crate) fn nearest(negative: bool, numerator: &BigUint, denominator: &BigUint
     real::nearest(negative, magnitude, !rest.is_zero(), -shift, to)
 }
 
-/// `number * 2^exponent` where the exponent is positive, otherwise the number as it is.
+/// Returns `number * 2^exponent` for a positive exponent, and `number` otherwise.
 fn shifted(number: &BigUint, exponent: i32) -> BigUint {
     number << u32::try_from(exponent).unwrap_or(0)
 }
 
-/// The integer nearest to `numerator / denominator`, ties to even. The denominator must not be zero.
+/// Returns the integer nearest to `numerator / denominator`, ties to even. The denominator must not be zero.
 pub(crate) fn half_to_even(numerator: &BigUint, denominator: &BigUint) -> BigUint {
     let (below, rest) = numerator.div_rem(denominator);
     let up = match (rest * 2_u32).cmp(denominator) {
@@ -50,7 +50,7 @@ mod tests {
 
     type Fraction = Ratio<BigInt>;
 
-    /// The positive number of a finite raw form.
+    /// Returns the positive number of a finite raw form.
     fn number(raw: u64, ty: ElementaryType) -> Fraction {
         let real::Real::Finite {
             significand,
@@ -63,7 +63,7 @@ mod tests {
         Fraction::from_integer(significand.into()) * Fraction::from_integer(2.into()).pow(exponent)
     }
 
-    /// Holds a result against the definition: no finite number is nearer, and of two equally near ones it is the even one.
+    /// Checks a result against the definition: no finite number is nearer, and of two equally near ones it is the even one.
     fn check(numerator: &BigUint, denominator: &BigUint, ty: ElementaryType) {
         let exact = Fraction::new(numerator.clone().into(), denominator.clone().into());
         let raw = nearest(false, numerator, denominator, ty);

@@ -1,24 +1,24 @@
-//! The numbers of IEC 60559, taken apart into integers and put together again; each result is rounded once.
+//! Numbers of IEC 60559, decoded into integers and encoded again; each result is rounded once.
 
 use stickler_types::{ElementaryType, Rounding};
 
-/// What the bits of a REAL or LREAL stand for.
+/// A decoded REAL or LREAL.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Real {
-    /// No number, whatever its sign and payload.
+    /// A NaN, whatever its sign and payload.
     NotANumber,
     /// An infinity.
     Infinite {
-        /// Whether it is the negative one.
+        /// Whether the infinity is negative.
         negative: bool,
     },
     /// The number `significand * 2^exponent`, or its negative.
     Finite {
-        /// The sign, which zero has too.
+        /// Whether the sign bit is set, which zero has too.
         negative: bool,
-        /// Below 2^53.
+        /// The significand, below 2^53.
         significand: u64,
-        /// From -1074 to 971.
+        /// The exponent, from -1074 to 971.
         exponent: i32,
     },
 }
@@ -28,11 +28,11 @@ pub(crate) enum Real {
 /// Basis: IEC 60559: binary32 and binary64.
 #[derive(Clone, Copy, Debug)]
 struct Format {
-    /// The bits of a significand, the hidden one included.
+    /// The number of bits of a significand, including the hidden one.
     precision: u32,
-    /// The bits of the biased exponent.
+    /// The number of bits of the biased exponent.
     exponent_bits: u32,
-    /// The exponent of the unit in the last place of the least numbers.
+    /// The exponent of the unit in the last place of the smallest numbers.
     least_exponent: i32,
 }
 
@@ -48,7 +48,7 @@ const BINARY64: Format = Format {
 };
 
 impl Format {
-    /// That of REAL, or else LREAL.
+    /// Returns the format of REAL, or else that of LREAL.
     const fn of(ty: ElementaryType) -> Format {
         match ty {
             ElementaryType::Real => BINARY32,
@@ -56,7 +56,7 @@ impl Format {
         }
     }
 
-    /// The raw form of positive infinity: all exponent bits set, the rest zero.
+    /// Returns the raw form of positive infinity: all exponent bits set, the rest zero.
     const fn infinity(self) -> u64 {
         ((1 << self.exponent_bits) - 1) << (self.precision - 1)
     }
@@ -65,8 +65,8 @@ impl Format {
         (negative as u64) << (self.precision - 1 + self.exponent_bits)
     }
 
-    /// The raw form of the positive number `significand * 2^exponent`, which must have no more bits than the format, be
-    /// normalised or have the least exponent, and may be the power of two just above all such numbers.
+    /// Returns the raw form of the positive number `significand * 2^exponent`, which must have no more bits than the
+    /// format, be normalised or have the least exponent, and may be the power of two just above all such numbers.
     ///
     /// The encoding counts through: the number next to the largest of one exponent is the smallest of the next exponent, and
     /// next to the largest finite number is infinity.
@@ -78,7 +78,7 @@ impl Format {
     }
 }
 
-/// Takes the raw form of a REAL, or else an LREAL, apart.
+/// Decodes the raw form of a REAL, or else that of an LREAL.
 pub(crate) const fn decode(raw: u64, ty: ElementaryType) -> Real {
     let format = Format::of(ty);
     let fraction_bits = format.precision - 1;
@@ -105,8 +105,8 @@ pub(crate) const fn decode(raw: u64, ty: ElementaryType) -> Real {
     }
 }
 
-/// Whether the finite number next to this one toward zero is only half as far away as the one on the other side: that is so of
-/// powers of two, the least normal number aside.
+/// Returns whether the next finite number toward zero is only half as far away as the next one on the other side: true of
+/// powers of two, except the least normal number.
 pub(crate) const fn is_lowest_of_binade(raw: u64, ty: ElementaryType) -> bool {
     let format = Format::of(ty);
     match decode(raw, ty) {
@@ -119,20 +119,20 @@ pub(crate) const fn is_lowest_of_binade(raw: u64, ty: ElementaryType) -> bool {
     }
 }
 
-/// The raw form of the one NaN that conversions give: quiet, positive, without a payload.
+/// Returns the raw form of the one NaN that conversions give: quiet, positive, without a payload.
 pub(crate) const fn not_a_number(to: ElementaryType) -> u64 {
     let format = Format::of(to);
     format.infinity() | 1 << (format.precision - 2)
 }
 
-/// The raw form of an infinity.
+/// Returns the raw form of an infinity.
 pub(crate) const fn infinite(negative: bool, to: ElementaryType) -> u64 {
     let format = Format::of(to);
     format.infinity() | format.sign(negative)
 }
 
-/// The raw form nearest to `magnitude * 2^exponent` or its negative, ties to even; beyond the largest finite number by half a
-/// unit or more, infinity; zero keeps the sign.
+/// Returns the raw form nearest to `magnitude * 2^exponent` or its negative, ties to even; beyond the largest finite number
+/// by half a unit or more, infinity; zero keeps the sign.
 ///
 /// `sticky` says that the true number is greater than that by less than one unit of the magnitude; the magnitude must then
 /// have at least two bits more than the format.
@@ -174,7 +174,7 @@ pub(crate) fn nearest(
     format.sign(negative) | packed
 }
 
-/// The same number with all bits of the format used, as far as the least exponent allows it.
+/// Shifts a number so that its significand uses all bits of the format, as far as the least exponent allows.
 fn normalised(significand: u64, exponent: i32, format: Format) -> (u64, i32) {
     let unused = format.precision - (64 - significand.leading_zeros()).min(format.precision);
     let possible = u32::try_from(exponent - format.least_exponent).unwrap_or(0);
@@ -182,12 +182,12 @@ fn normalised(significand: u64, exponent: i32, format: Format) -> (u64, i32) {
     (significand << shift, exponent - shift as i32)
 }
 
-/// The raw form nearest to a whole number.
+/// Returns the raw form nearest to a whole number.
 pub(crate) fn from_integer(number: i128, to: ElementaryType) -> u64 {
     nearest(number < 0, number.unsigned_abs(), false, 0, to)
 }
 
-/// A REAL or LREAL as the other: exact or rounded once; a NaN stays one, and so does an infinity.
+/// Converts between REAL and LREAL: exactly or rounded once; a NaN stays a NaN, and an infinity an infinity.
 pub(crate) fn between(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
     match decode(raw, from) {
         Real::NotANumber => not_a_number(to),
@@ -200,19 +200,19 @@ pub(crate) fn between(raw: u64, from: ElementaryType, to: ElementaryType) -> u64
     }
 }
 
-/// Whether a real number is anything but zero; a NaN is.
+/// Returns whether a real number is not zero; a NaN is not.
 pub(crate) const fn is_nonzero(raw: u64, ty: ElementaryType) -> bool {
     !matches!(decode(raw, ty), Real::Finite { significand: 0, .. })
 }
 
-/// A real number made an integer.
+/// A real number rounded to an integer.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Whole {
-    /// This integer.
+    /// The integer, where it is not huge.
     Number(i128),
     /// An integer of 2^65 or more in magnitude, and a multiple of 2^64.
     Huge {
-        /// Its sign.
+        /// Whether the integer is negative.
         negative: bool,
     },
 }

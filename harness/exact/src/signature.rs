@@ -1,4 +1,4 @@
-//! What identifies one conversion: the function's name, its types, and what it does.
+//! The signature of a conversion: the function's name, its types, and its operation.
 
 use stickler_types::{ConversionChoices, ElementaryType, Rounding, Value};
 
@@ -13,12 +13,12 @@ pub struct Signature {
     pub operands: Vec<ElementaryType>,
     /// The type of the result.
     pub result: ElementaryType,
-    /// What the function does.
+    /// The operation of the function.
     pub operation: Operation,
 }
 
 impl Signature {
-    /// Whether the operands are of the types of the signature, in their order.
+    /// Returns whether the operands are of the types of the signature, in their order.
     #[must_use]
     pub fn takes(&self, operands: &[Value]) -> bool {
         let types = operands.iter().map(|operand| match operand {
@@ -29,7 +29,7 @@ impl Signature {
     }
 }
 
-/// What a conversion function does.
+/// The operation of a conversion function.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Operation {
     /// The value in the other type, by the rule for the pair of types: `<SRC>_TO_<DST>`, `TO_<DST>`.
@@ -51,7 +51,7 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// Returns how the operation makes an integer of a real number: in a way of its own, or as chosen for conversions.
+    /// Returns how the operation rounds a real number to an integer: in its own way, or as the choices say.
     #[must_use]
     pub(crate) const fn rounding(self, choices: &ConversionChoices) -> Rounding {
         match self {

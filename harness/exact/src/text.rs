@@ -1,7 +1,7 @@
-//! Values as texts, and texts as values.
+//! Conversions of values to texts, and of texts to values.
 //!
-//! No source says which form a text has, numbers in decimal digits aside; what stands here is by stickler-design: §8 open, and
-//! the same for every implementation that Stickler describes. A text is a row of code units.
+//! No source states the form of a text, except for numbers in decimal digits; the forms here are open by stickler-design:
+//! §8, and the same for every implementation that Stickler describes. A text is a sequence of code units.
 
 mod digits;
 mod literal;

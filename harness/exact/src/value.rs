@@ -1,11 +1,11 @@
-//! What a call gives by given choices: the rule for each pair of families.
+//! Computes the result of a call by given choices: one rule for each pair of families of types.
 
 use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::{bcd, character, integer, moment, pair, text};
 use stickler_types::{ConversionChoices, ElementaryType, Family, OutOfRange, Rounding, Value};
 
-/// What a call of a conversion function gives, computed exactly by the choices that the caller spells out.
+/// Returns the result of a call of a conversion function, computed exactly by the given choices.
 ///
 /// Takes a signature of [`crate::signatures`] and one operand for each of its types, in their canonical raw form; gives a value
 /// of its result type. For operands of other types, or another number of them, there is no such call: the result is then the
@@ -26,7 +26,7 @@ pub fn value(signature: &Signature, operands: &[Value], choices: &ConversionChoi
     result.unwrap_or_else(|| default(signature.result))
 }
 
-/// 0 or the empty text.
+/// Returns 0 or the empty text.
 const fn default(ty: ElementaryType) -> Value {
     if ty.is_text() {
         Value::text(ty, Vec::new())
@@ -35,7 +35,7 @@ const fn default(ty: ElementaryType) -> Value {
     }
 }
 
-/// What becomes of one operand that is no text.
+/// Converts one operand that is not a text.
 fn plain(
     signature: &Signature,
     raw: u64,
@@ -53,7 +53,7 @@ fn plain(
     Some(Value::plain(to, result))
 }
 
-/// The text of a value that is none.
+/// Returns the text of a value that is not a text.
 fn written(raw: u64, from: ElementaryType, to: ElementaryType, choices: &ConversionChoices) -> Vec<u16> {
     if from.is_character() {
         vec![character::unit(character::of_raw(raw), to)]
@@ -62,7 +62,7 @@ fn written(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Convers
     }
 }
 
-/// What becomes of a text.
+/// Converts an operand that is a text.
 fn text(signature: &Signature, units: &[u16], choices: &ConversionChoices) -> Option<Value> {
     let to = signature.result;
     (signature.operation == Operation::Convert).then(|| match to.family() {
@@ -72,7 +72,7 @@ fn text(signature: &Signature, units: &[u16], choices: &ConversionChoices) -> Op
     })
 }
 
-/// The conversion of one type to another, neither of them a text; `None` where the pair has none.
+/// Converts between types that are not texts; returns `None` if the pair has no conversion.
 fn convert(
     raw: u64,
     from: ElementaryType,
@@ -112,7 +112,7 @@ fn convert(
     })
 }
 
-/// A real number as an integer or bit string.
+/// Converts a real number to an integer or bit string.
 ///
 /// Basis: forgeiec-conversion-functions: Range and precision ("fractional digits dropped … wraps"); stickler-design: §8 (the
 /// exact integer modulo 2^n, NaN and the infinities give 0).

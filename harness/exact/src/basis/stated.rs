@@ -1,9 +1,9 @@
-//! What the definition of a dialect states of a call, in place of what the documents of its base say.
+//! Results of calls that the definition of a user-defined dialect states in place of the documents of its base.
 //!
-//! A choice *decides* a call if another choice in its place would give another value. Where nothing that the definition
-//! states decides, the documents say what they say. Where something does, the call is as the definition states, provided that
-//! somebody states every choice that decides it: REAL#127.5 to SINT with `rounding = "half-to-even"` is 128, which is outside,
-//! and what becomes of it neither IronPLC nor such a definition says.
+//! A choice *decides* a call if another choice in its place would give another value. Where no choice of the definition
+//! decides, the documents apply. Where one does, the result is stated only if every choice that decides it is stated by the
+//! definition or by a document: REAL#127.5 to SINT with `rounding = "half-to-even"` is 128, which is out of range, and
+//! neither IronPLC nor such a definition states the result.
 
 use super::{Call, Rules};
 use crate::signature::Operation;
@@ -32,7 +32,7 @@ const KEYS: [Key; 5] = [
 ];
 
 impl Call<'_> {
-    /// The basis of the call in a dialect with this definition and these choices, which are its own.
+    /// Returns the basis of the call in a dialect with this definition; `choices` are those of the dialect.
     pub(super) fn stated(
         self,
         operand: &Value,
@@ -52,7 +52,7 @@ impl Call<'_> {
         first.stated_by(definition).filter(|_| is_said)
     }
 
-    /// Whether something that the definition states decides what the call gives.
+    /// Returns whether a choice of the definition decides the result of the call.
     pub(super) fn is_overridden(
         self,
         operand: &Value,
@@ -63,7 +63,7 @@ impl Call<'_> {
             .any(|key| key.stated_by(definition).is_some() && self.is_decided_by(key, operand, choices))
     }
 
-    /// Whether another choice would give another value.
+    /// Returns whether another choice would change the result.
     fn is_decided_by(self, key: Key, operand: &Value, choices: &ConversionChoices) -> bool {
         let operands = std::slice::from_ref(operand);
         let own = value(self.signature, operands, choices);
@@ -72,8 +72,9 @@ impl Call<'_> {
             .any(|other| value(self.signature, operands, other) != own)
     }
 
-    /// Whether a definition that makes this choice says something about the function: it speaks of `<SRC>_TO_<DST>`, and of what
-    /// its base's documents know. Whether a bit string gets the bits of a real or its number is another question.
+    /// Returns whether a definition that makes this choice applies to the function: it applies to `<SRC>_TO_<DST>` and to
+    /// the functions that the documents of its base have. It does not decide whether a bit string gets the bits of a real
+    /// or its number.
     fn speaks(self, key: Key) -> bool {
         let is_pair =
             self.signature.operation == Operation::Convert && !self.signature.function.starts_with("TO_");
@@ -93,7 +94,7 @@ impl Call<'_> {
         }
     }
 
-    /// Whether the documents of the base make this choice.
+    /// Returns whether the documents of the base make this choice.
     fn documents(self, key: Key) -> bool {
         match key {
             Key::Rounding => self.rules != Rules::Plcnext,
@@ -103,7 +104,7 @@ impl Call<'_> {
     }
 }
 
-/// The number 1 of a real type.
+/// Returns the number 1 of a real type.
 fn one(ty: ElementaryType) -> Value {
     let bits = match ty {
         ElementaryType::Real => u64::from(1.0_f32.to_bits()),
@@ -113,7 +114,7 @@ fn one(ty: ElementaryType) -> Value {
 }
 
 impl Key {
-    /// The basis of what a definition states, if it makes this choice.
+    /// Returns the basis of the definition's statement, if the definition makes this choice.
     fn stated_by(self, definition: &'static Definition) -> Option<&'static str> {
         match self {
             Key::Rounding => definition.rounding.as_ref().map(|stated| &*stated.basis),
@@ -124,7 +125,7 @@ impl Key {
         }
     }
 
-    /// These choices with each of the others in the place of this one. Of the numbers of digits a few stand for all.
+    /// Returns the choices with every alternative for this key; a few numbers of digits represent all.
     fn others(self, choices: ConversionChoices) -> Vec<ConversionChoices> {
         let all: Vec<ConversionChoices> = match self {
             Key::Rounding => [

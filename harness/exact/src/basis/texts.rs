@@ -1,4 +1,4 @@
-//! Which texts the ForgeIEC page speaks of: those that certainly spell a number, and those that certainly do not.
+//! Classifies texts by the ForgeIEC page: those that certainly spell a number, and those that certainly do not.
 //!
 //! The page says that STRING_TO_INT and STRING_TO_REAL read a number, and give 0 "on parse failure". It does not say what a number
 //! looks like. So only what everybody would call a number is one here, and only what nobody would is none; all between is open:
@@ -8,7 +8,7 @@ use super::{MATIEC_TEXTS, NAMING};
 use crate::integer;
 use stickler_types::ElementaryType;
 
-/// The basis of reading a STRING as an integer or a real in `matiec`.
+/// Returns the basis of reading a STRING as an integer or a real in `matiec`.
 pub(super) fn basis(units: &[u16], to: ElementaryType) -> Option<&'static str> {
     let text: Option<Vec<u8>> = units
         .iter()
@@ -27,7 +27,8 @@ pub(super) fn basis(units: &[u16], to: ElementaryType) -> Option<&'static str> {
     }
 }
 
-/// A whole number as a person writes it, perhaps behind a minus, in the range of the type. `-0` is none.
+/// Returns whether the text is a whole number in plain notation, with an optional minus, in the range of the type. `-0` is
+/// not.
 fn is_plain_integer(text: &[u8], to: ElementaryType) -> bool {
     // No integer type has more digits.
     const MAX_DIGITS: usize = 20;
@@ -41,9 +42,9 @@ fn is_plain_integer(text: &[u8], to: ElementaryType) -> bool {
     integer::holds(to, if negative { -magnitude } else { magnitude })
 }
 
-/// A number with a point and a fraction as a person writes it, perhaps behind a minus, with no more digits than every number of
-/// the type has: 6 for REAL, 15 for LREAL. Those digits mean one number of the type and no other. `-0.0` is none, for whether zero
-/// has a sign no page says.
+/// Returns whether the text is a number with a point and a fraction in plain notation, with an optional minus, and no more
+/// digits than every number of the type has: 6 for REAL, 15 for LREAL. Such digits identify one number of the type. `-0.0`
+/// is excluded, because no page says whether zero has a sign.
 fn is_plain_real(text: &[u8], to: ElementaryType) -> bool {
     // Ten to the power of this, and of less, is a normal number of either type.
     const MAX_PLACES: usize = 30;
@@ -65,7 +66,7 @@ fn is_plain_real(text: &[u8], to: ElementaryType) -> bool {
     last - first < significant
 }
 
-/// Decimal digits, the first of them not 0 unless it is the only one.
+/// Returns whether these are decimal digits without a leading zero; `0` alone is allowed.
 fn is_plain_whole(digits: &[u8]) -> bool {
     match digits {
         [b'0'] => true,
@@ -81,8 +82,8 @@ fn sign(text: &[u8]) -> (bool, &[u8]) {
     }
 }
 
-/// A text without any digit, or one that begins with a letter; but no typed literal (`INT#5`), and for a real none of the words
-/// that some systems read (`inf`, `nan`), with or without a sign or blanks.
+/// Returns whether the text has no digit, or begins with a letter; `false` for a typed literal (`INT#5`), and for a real
+/// also for the words that some systems read (`inf`, `nan`), with or without a sign or blanks.
 fn is_no_number(text: &[u8], to: ElementaryType) -> bool {
     let has_digits = text.iter().any(u8::is_ascii_digit);
     let begins_with_letter = text.first().is_some_and(u8::is_ascii_alphabetic);

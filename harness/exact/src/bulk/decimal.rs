@@ -1,14 +1,14 @@
-//! Binary-coded decimal, by tables that are counted out digit by digit, as an odometer turns.
+//! Binary-coded decimal, by tables that are filled by counting digit by digit, like an odometer.
 
 use super::each;
 use super::integer::Narrow;
 use std::sync::LazyLock;
 use stickler_types::ElementaryType;
 
-/// How many numbers four digits write.
+/// The number of values that four decimal digits can spell.
 const FOUR_DIGITS: usize = 10_000;
 
-/// The four digits of each number below 10 000.
+/// The binary-coded decimal digits of each number below 10 000.
 static DIGITS: LazyLock<Box<[u16; FOUR_DIGITS]>> = LazyLock::new(|| {
     let mut table = Box::new([0; FOUR_DIGITS]);
     let mut odometer = 0_u16;
@@ -19,7 +19,7 @@ static DIGITS: LazyLock<Box<[u16; FOUR_DIGITS]>> = LazyLock::new(|| {
     table
 });
 
-/// The odometer one further: a wheel that shows 9 goes back to 0 and takes the next one with it.
+/// Returns the odometer increased by one: a digit that is 9 becomes 0 and carries into the next.
 fn turned(odometer: u16) -> u16 {
     let (mut next, mut wheel) = (odometer, 0);
     while wheel < 16 && (next >> wheel) & 0xF == 9 {
@@ -29,7 +29,7 @@ fn turned(odometer: u16) -> u16 {
     if wheel < 16 { next + (1 << wheel) } else { 0 }
 }
 
-/// The number that the digits spell, modulo 2^n; a digit above 9 counts with its value.
+/// Computes the number that the digits spell, modulo 2^n; a digit above 9 counts with its value.
 ///
 /// Basis: forgeiec-conversion-functions: BCD encoding.
 pub fn number(operands: &[u64], results: &mut [u64], to: ElementaryType) {
@@ -42,7 +42,7 @@ pub fn number(operands: &[u64], results: &mut [u64], to: ElementaryType) {
     });
 }
 
-/// The number that any four digits spell.
+/// The number that each combination of four binary-coded digits spells.
 static NUMBERS: LazyLock<Box<[u32]>> = LazyLock::new(|| {
     (0..=u16::MAX)
         .map(|digits| {
@@ -52,7 +52,7 @@ static NUMBERS: LazyLock<Box<[u32]>> = LazyLock::new(|| {
         .collect()
 });
 
-/// As many of the number's decimal digits as the target holds: the number modulo 10^n, -1 being 99.
+/// Computes the decimal digits of each number modulo 10^n, where n is the number of digits of the target; -1 gives 99.
 pub fn digits(operands: &[u64], results: &mut [u64], from: ElementaryType, to: ElementaryType) {
     // The number of groups is a constant in each of these loops.
     match to.bits() {
@@ -63,7 +63,7 @@ pub fn digits(operands: &[u64], results: &mut [u64], from: ElementaryType, to: E
     }
 }
 
-/// The digits of `GROUPS` times four, of which `mask` keeps those that the target holds.
+/// Computes the digits in `GROUPS` groups of four; `mask` keeps those that the target holds.
 fn grouped<const GROUPS: u32>(operands: &[u64], results: &mut [u64], from: ElementaryType, mask: u64) {
     let table = &**DIGITS;
     if !from.is_signed() {

@@ -1,10 +1,10 @@
-//! Integers, bit strings, BOOL and characters among each other.
+//! Conversions among integers, bit strings, BOOL and characters.
 
 use super::each;
 use stickler_types::ElementaryType;
 
-/// Brings a number modulo 2^64 to the raw form of a type: the low bits, read with the weight of the highest
-/// negative where the type is signed.
+/// Reduction of a number modulo 2^64 to the raw form of a type: keeps the low bits, and extends the sign where the type is
+/// signed.
 #[derive(Clone, Copy)]
 pub struct Narrow {
     mask: u64,
@@ -12,7 +12,7 @@ pub struct Narrow {
 }
 
 impl Narrow {
-    /// For an integer, a bit string, BOOL or a character.
+    /// Returns the reduction for an integer, a bit string, BOOL or a character.
     #[must_use]
     pub const fn to(ty: ElementaryType) -> Narrow {
         // A text has no bits, and never comes here.
@@ -23,7 +23,7 @@ impl Narrow {
         }
     }
 
-    /// The raw form.
+    /// Returns the raw form.
     #[inline(always)]
     #[must_use]
     pub const fn of(self, bits: u64) -> u64 {
@@ -32,13 +32,13 @@ impl Narrow {
     }
 }
 
-/// The number modulo 2^n.
+/// Computes each number modulo 2^n.
 pub fn modulo(operands: &[u64], results: &mut [u64], to: ElementaryType) {
     let narrow = Narrow::to(to);
     each(operands, results, |operand| narrow.of(operand));
 }
 
-/// A character as CHAR, `?` where CHAR does not have it.
+/// Converts characters to CHAR, with `?` for a character that CHAR does not have.
 pub fn replaced(operands: &[u64], results: &mut [u64]) {
     each(operands, results, |operand| match u8::try_from(operand) {
         Ok(narrow) => narrow.into(),
@@ -46,7 +46,7 @@ pub fn replaced(operands: &[u64], results: &mut [u64]) {
     });
 }
 
-/// Whether the number is not zero.
+/// Computes whether each number is not zero.
 pub fn truth(operands: &[u64], results: &mut [u64]) {
     each(operands, results, |operand| u64::from(operand != 0));
 }

@@ -1,4 +1,4 @@
-//! Numbers as durations, dates and times of day.
+//! Conversions of numbers to durations, dates and times of day.
 //!
 //! A duration and a time of day count in milliseconds, a date and a date with a time in seconds since 1970-01-01.
 //! Basis: forgeiec-conversion-functions: The naming pattern (`DINT_TO_TIME` "interprets as ms"); all but TIME is
@@ -8,10 +8,10 @@ use super::each;
 use super::real::Parts;
 use stickler_types::{ElementaryType, Family, Rounding};
 
-/// Nanoseconds of a day.
+/// The nanoseconds of a day.
 const DAY: i64 = 86_400_000_000_000;
 
-/// Nanoseconds of the unit in which numbers count for a type.
+/// Returns the nanoseconds of the unit in which numbers count values of a type.
 const fn unit(ty: ElementaryType) -> u64 {
     match ty.family() {
         Family::Date | Family::DateAndTime => 1_000_000_000,
@@ -19,7 +19,7 @@ const fn unit(ty: ElementaryType) -> u64 {
     }
 }
 
-/// Whole units, modulo 2^64 nanoseconds.
+/// Converts numbers of whole units, modulo 2^64 nanoseconds.
 pub fn units(operands: &[u64], results: &mut [u64], to: ElementaryType) {
     let unit = unit(to);
     match to.family() {
@@ -31,7 +31,7 @@ pub fn units(operands: &[u64], results: &mut [u64], to: ElementaryType) {
     }
 }
 
-/// The same of a REAL, rounded to the nearest nanosecond, ties to even; what is not finite gives 0.
+/// Converts REAL numbers of units, rounded to the nearest nanosecond, ties to even; NaN and the infinities give 0.
 pub fn real_units(operands: &[u64], results: &mut [u64], to: ElementaryType) {
     let unit = unit(to);
     each(operands, results, |operand| {
@@ -44,7 +44,7 @@ pub fn real_units(operands: &[u64], results: &mut [u64], to: ElementaryType) {
     });
 }
 
-/// Nanoseconds as the type holds them: a date is the day that they lie in, a time of day the part behind it.
+/// Returns nanoseconds as the type holds them: only the day for a date, only the time since midnight for a time of day.
 #[inline(always)]
 fn held(nanoseconds: u64, to: ElementaryType) -> u64 {
     let number = nanoseconds.cast_signed();

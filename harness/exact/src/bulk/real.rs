@@ -1,10 +1,10 @@
-//! REAL: its parts taken out of its bits and put into others, rounded at most once, without floating point.
+//! Conversions from and to REAL and to LREAL: decodes and encodes the bits with integers, and rounds at most once.
 
 use super::each;
 use super::integer::Narrow;
 use stickler_types::{ElementaryType, OutOfRange, Rounding};
 
-/// Which of the reals a result is.
+/// The real type of a result.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RealResult {
     /// REAL.
@@ -13,25 +13,25 @@ pub enum RealResult {
     Double,
 }
 
-/// The quiet NaN of REAL and of LREAL.
+/// The raw form of the quiet NaN of REAL.
 const SINGLE_NAN: u64 = 0x7FC0_0000;
 const DOUBLE_NAN: u64 = 0x7FF8_0000_0000_0000;
 
-/// What a REAL's bits say: `significand * 2^exponent`, unless it is not finite.
+/// The decoded bits of a REAL: `significand * 2^exponent`, unless it is not finite.
 #[derive(Clone, Copy)]
 pub struct Parts {
-    /// Its sign.
+    /// Whether the sign bit is set.
     pub negative: bool,
-    /// Below 2^24.
+    /// The significand, below 2^24.
     pub significand: u64,
-    /// From -149 to 104.
+    /// The exponent, from -149 to 104.
     pub exponent: i32,
-    /// Neither infinite nor NaN; otherwise the significand says which, being 0 for an infinity.
+    /// Whether the value is finite; otherwise the significand is 0 for an infinity, and not 0 for a NaN.
     pub finite: bool,
 }
 
 impl Parts {
-    /// Takes them out of a REAL's raw form.
+    /// Decodes the raw form of a REAL.
     #[inline(always)]
     #[must_use]
     pub const fn of(raw: u64) -> Parts {
@@ -48,7 +48,7 @@ impl Parts {
         }
     }
 
-    /// The magnitude multiplied by a factor below 2^30 and rounded to an integer, modulo 2^64.
+    /// Returns the magnitude multiplied by a factor below 2^30 and rounded to an integer, modulo 2^64.
     #[inline(always)]
     #[must_use]
     pub const fn magnitude(self, factor: u64, rounding: Rounding) -> u64 {
@@ -73,7 +73,7 @@ impl Parts {
         whole + up as u64
     }
 
-    /// A magnitude with the sign of the number, modulo 2^64.
+    /// Returns a magnitude with the sign of the number, modulo 2^64.
     #[inline(always)]
     #[must_use]
     pub const fn signed(self, magnitude: u64) -> u64 {
@@ -85,13 +85,13 @@ impl Parts {
     }
 }
 
-/// Whether the number is not zero, as NaN is not.
+/// Computes whether each number is not zero; NaN is not zero.
 pub fn truth(operands: &[u64], results: &mut [u64]) {
     // All but the sign.
     each(operands, results, |operand| u64::from(operand & 0x7FFF_FFFF != 0));
 }
 
-/// REAL as it is.
+/// Copies each REAL, with every NaN made the quiet one.
 pub fn same(operands: &[u64], results: &mut [u64]) {
     each(operands, results, |operand| {
         let parts = Parts::of(operand);
@@ -103,7 +103,7 @@ pub fn same(operands: &[u64], results: &mut [u64]) {
     });
 }
 
-/// REAL as LREAL, which holds every REAL.
+/// Converts each REAL to LREAL, which holds every REAL.
 pub fn lengthened(operands: &[u64], results: &mut [u64]) {
     each(operands, results, |operand| {
         let parts = Parts::of(operand);
@@ -117,7 +117,7 @@ pub fn lengthened(operands: &[u64], results: &mut [u64]) {
     });
 }
 
-/// The LREAL of a significand that has at most 53 bits and is not 0.
+/// Returns the LREAL of a significand that has at most 53 bits and is not 0.
 #[inline(always)]
 const fn composed(significand: u64, exponent: i32, fraction_bits: u32) -> u64 {
     let leading = 63 - significand.leading_zeros();
@@ -127,10 +127,10 @@ const fn composed(significand: u64, exponent: i32, fraction_bits: u32) -> u64 {
     (biased << fraction_bits) + aligned
 }
 
-/// The real next to a number of at most 33 bits, ties to even.
+/// Converts each number of at most 33 bits to the nearest real, ties to even.
 ///
-/// Neighbours mostly have their leading bit at the same place. Where all of a stretch have, the shifts are the same
-/// for all, which is several times quicker than to look for the bit in each.
+/// Successive operands mostly have their leading bit at the same place. A run in which all have it uses the same shifts for
+/// all, which is several times faster than finding the bit of each.
 pub fn nearest(operands: &[u64], results: &mut [u64], result: RealResult) {
     const STRETCH: usize = 64;
     for (operands, results) in operands.chunks(STRETCH).zip(results.chunks_mut(STRETCH)) {
@@ -155,7 +155,8 @@ pub fn nearest(operands: &[u64], results: &mut [u64], result: RealResult) {
     }
 }
 
-/// How many zeros stand before the leading bit of every magnitude; `None` where that differs, or one of them is 0.
+/// Returns the number of zeros before the leading bit, if it is the same for every magnitude; `None` if it differs or one
+/// of the magnitudes is 0.
 #[inline(always)]
 fn common_leading_zeros(operands: &[u64]) -> Option<u32> {
     let first = sign_and_magnitude(*operands.first()?).1;
@@ -166,7 +167,8 @@ fn common_leading_zeros(operands: &[u64]) -> Option<u32> {
     (first != 0 && differing.leading_zeros() > zeros).then_some(zeros)
 }
 
-/// A signed integer's raw form is two's complement; an unsigned one of 32 bits never looks negative.
+/// Returns sign and magnitude of a raw form. That of a signed integer is two's complement; an unsigned one of 32 bits is
+/// never negative.
 #[inline(always)]
 const fn sign_and_magnitude(raw: u64) -> (u64, u64) {
     (raw >> 63, raw.cast_signed().unsigned_abs())
@@ -188,7 +190,7 @@ const fn nearest_double(magnitude: u64) -> u64 {
     }
 }
 
-/// The REAL next to a number whose leading bit is at that place, with at least one zero before it.
+/// Returns the REAL nearest to a number with `zeros` zeros before its leading bit, at least one.
 #[inline(always)]
 const fn single_with(magnitude: u64, zeros: u32) -> u64 {
     // The leading bit next to the top, 24 bits to keep, 39 to round away: half of what those can say is added, less
@@ -199,14 +201,14 @@ const fn single_with(magnitude: u64, zeros: u32) -> u64 {
     (((126 + 63 - zeros) as u64) << 23) + rounded
 }
 
-/// The LREAL of a number whose leading bit is at that place, with at least eleven zeros before it.
+/// Returns the LREAL of a number with `zeros` zeros before its leading bit, at least eleven.
 #[inline(always)]
 const fn double_with(magnitude: u64, zeros: u32) -> u64 {
     // The leading bit, which is not written, adds one to the exponent.
     (((1022 + 63 - zeros) as u64) << 52) + (magnitude << (zeros - 11))
 }
 
-/// REAL as an integer or bit string.
+/// Converts REAL to an integer or bit string.
 pub fn integral(
     operands: &[u64],
     results: &mut [u64],
@@ -226,7 +228,7 @@ pub fn integral(
     one_loop_for_each!(Truncate HalfToEven HalfAwayFromZero Up Down);
 }
 
-/// Modulo 2^n; what is not finite gives 0.
+/// Converts REAL to an integer modulo 2^n; NaN and the infinities give 0.
 #[inline(always)]
 fn wrapped(operands: &[u64], results: &mut [u64], to: ElementaryType, rounding: Rounding) {
     let narrow = Narrow::to(to);
@@ -240,7 +242,7 @@ fn wrapped(operands: &[u64], results: &mut [u64], to: ElementaryType, rounding: 
     });
 }
 
-/// The nearest that the type has; NaN gives 0.
+/// Converts REAL to the nearest value that the type has; NaN gives 0.
 fn saturated(operands: &[u64], results: &mut [u64], to: ElementaryType, rounding: Rounding) {
     let (least, greatest) = to.integer_range().unwrap_or((0, 0));
     each(operands, results, |operand| {

@@ -1,11 +1,11 @@
-//! The quick form held to the exact one: at the boundaries of every source, and on scattered operands.
+//! Compares the fast form with the exact one: at the boundaries of every source, and on scattered operands.
 
 use super::Bulk;
 use crate::{Operation, Signature, choices_of, functions, signatures, value};
 use std::collections::HashSet;
 use stickler_types::{ConversionChoices, DialectName, ElementaryType, OutOfRange, Rounding, Value};
 
-/// Every signature that has a quick form, each once whatever its name.
+/// Returns every signature that has a fast form, each once whatever its name.
 fn quick_signatures() -> Vec<Signature> {
     let mut seen = HashSet::new();
     let dialect = DialectName::IronplcEd3;
@@ -17,7 +17,7 @@ fn quick_signatures() -> Vec<Signature> {
         .collect()
 }
 
-/// Each way in which numbers are converted.
+/// Returns every combination of the choices that affect the conversion of numbers.
 fn all_choices() -> impl Iterator<Item = ConversionChoices> {
     use Rounding::{HalfAwayFromZero, HalfToEven, Truncate};
     [Truncate, HalfToEven, HalfAwayFromZero]
@@ -32,7 +32,7 @@ fn all_choices() -> impl Iterator<Item = ConversionChoices> {
         })
 }
 
-/// Bits around each power of two and of ten, around each exponent of REAL, and scattered ones.
+/// Returns bit patterns around each power of two and of ten, around each exponent of REAL, and scattered ones.
 fn operands(ty: ElementaryType) -> Vec<u64> {
     let mut bits: Vec<i64> = (0..=32)
         .map(|n| 1 << n)

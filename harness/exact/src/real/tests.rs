@@ -1,4 +1,4 @@
-//! The quick machine arithmetic held against fractions of any size, and against the definition of the formats.
+//! Compares the arithmetic on machine integers with fractions of any size, and with the definition of the formats.
 
 use super::*;
 use ElementaryType::{Lreal, Real as Single};
@@ -9,7 +9,7 @@ use stickler_types::SplitMix64;
 
 type Fraction = Ratio<BigInt>;
 
-/// Raw forms around each boundary of the format, and scattered ones.
+/// Returns raw forms around each boundary of the format, and scattered ones.
 fn raw_forms(ty: ElementaryType) -> impl Iterator<Item = u64> {
     let shift = if ty == Single { 23 } else { 52 };
     let exponents = 1_u64 << (ty.bits() - 1 - shift);
@@ -31,8 +31,8 @@ fn raw_forms(ty: ElementaryType) -> impl Iterator<Item = u64> {
     positive.flat_map(move |raw| [raw, raw | sign])
 }
 
-/// The number of a finite raw form, by the definition of IEC 60559: for a biased exponent above 0
-/// `(-1)^sign * 2^(biased - bias) * (1 + fraction / 2^p)`, and for 0 `(-1)^sign * 2^(1 - bias) * fraction / 2^p`.
+/// Returns the number of a finite raw form, by the definition of IEC 60559: for a biased exponent above 0 `(-1)^sign *
+/// 2^(biased - bias) * (1 + fraction / 2^p)`, and for 0 `(-1)^sign * 2^(1 - bias) * fraction / 2^p`.
 fn by_definition(raw: u64, ty: ElementaryType) -> Option<Fraction> {
     let (fraction_bits, exponent_bits) = if ty == Single { (23, 8) } else { (52, 11) };
     let bias = (1 << (exponent_bits - 1)) - 1;
@@ -100,7 +100,7 @@ fn bits_are_taken_apart_by_definition_and_put_together_again() {
     );
 }
 
-/// The raw form that the definition asks for, found by bisection over all positive raw forms.
+/// Returns the raw form that the definition requires, found by bisection over all positive raw forms.
 fn by_search(magnitude: &Fraction, ty: ElementaryType) -> u64 {
     let (mut least, mut beyond) = (0, infinite(false, ty));
     while beyond - least > 1 {

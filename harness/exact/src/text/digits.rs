@@ -1,4 +1,4 @@
-//! The decimal digits of real numbers: the fewest that read back, or a given number of them, from exact integers.
+//! Decimal digits of real numbers: the fewest that read back, or a given number of them, by exact integers.
 
 use crate::quotient;
 use num_bigint::BigUint;
@@ -23,7 +23,7 @@ struct Fraction {
 }
 
 impl Fraction {
-    /// `significand * 2^exponent`.
+    /// Returns `significand * 2^exponent` as a fraction.
     fn binary(significand: u64, exponent: i32) -> Fraction {
         Fraction {
             numerator: BigUint::from(significand) << u32::try_from(exponent).unwrap_or(0),
@@ -31,7 +31,7 @@ impl Fraction {
         }
     }
 
-    /// The same times 10^places.
+    /// Returns the fraction multiplied by 10^places.
     fn scaled(&self, places: i32) -> Fraction {
         let power = BigUint::from(10_u32).pow(places.unsigned_abs());
         if places < 0 {
@@ -47,13 +47,13 @@ impl Fraction {
         }
     }
 
-    /// The greatest integer not above it, and whether there is a rest.
+    /// Returns the greatest integer that is not above the fraction, and whether there is a rest.
     fn floor(&self) -> (BigUint, bool) {
         let (below, rest) = self.numerator.div_rem(&self.denominator);
         (below, !rest.is_zero())
     }
 
-    /// The power of ten of its first digit.
+    /// Returns the power of ten of the first digit.
     fn decimal_exponent(&self) -> i32 {
         let bits = |n: &BigUint| i64::try_from(n.bits()).unwrap_or(i64::MAX);
         // The logarithm to base 2 is above this, by less than two; 30103 / 100000 is that of 2 to base 10, rounded up.
@@ -66,10 +66,10 @@ impl Fraction {
     }
 }
 
-/// The fewest digits that read back to the positive finite number `significand * 2^exponent` of the type; of several such with
-/// equally few digits those nearest to it, and of two equally near ones the greater.
+/// Returns the fewest digits that read back to the positive finite number `significand * 2^exponent` of the type; among
+/// equally few digits those nearest to the number, and of two equally near ones the greater.
 ///
-/// `is_lowest_of_binade` says that the number below it is only half as far away as the one above.
+/// `is_lowest_of_binade` tells that the next smaller number is only half as far away as the next greater one.
 ///
 /// Basis: stickler-design: §4 (canonical spelling), which leaves the nearness open.
 pub(super) fn shortest(
@@ -101,7 +101,7 @@ pub(super) fn shortest(
     decimal(&found.unwrap_or(interval.number.floor).to_string(), -places)
 }
 
-/// A bound, scaled so that the digits in question are whole: `floor`, or more than it by less than 1.
+/// A bound, scaled so that the digits in question are whole: equal to `floor`, or greater by less than 1.
 #[derive(Clone, Copy)]
 struct Bound {
     floor: u64,
@@ -118,7 +118,7 @@ impl Bound {
         }
     }
 
-    /// How an integer lies to the bound.
+    /// Compares an integer with the bound.
     fn order(self, integer: u64) -> Ordering {
         match integer.cmp(&self.floor) {
             Ordering::Equal if self.has_rest => Ordering::Less,
@@ -127,17 +127,18 @@ impl Bound {
     }
 }
 
-/// A number and the bounds within which everything reads back to it.
+/// A number, and the bounds of the interval in which every number reads back to it.
 struct Interval {
     least: Bound,
     number: Bound,
     greatest: Bound,
-    /// Whether the bounds belong to it.
+    /// Whether the bounds belong to the interval.
     closed: bool,
 }
 
 impl Interval {
-    /// The multiple of an even `step` that lies within the bounds and nearest to the number, of two equally near ones the greater.
+    /// Returns the multiple of an even `step` that lies within the bounds and nearest to the number; of two equally near
+    /// ones the greater.
     ///
     /// If any multiple lies within, so does the next one below the number or the next one above.
     fn nearest_multiple(&self, step: u64) -> Option<u64> {
@@ -167,8 +168,8 @@ impl Interval {
     }
 }
 
-/// The positive number `significand * 2^exponent` with so many significant digits, at least one, rounded half to even; zeros at
-/// the end are dropped.
+/// Returns the positive number `significand * 2^exponent` with `count` significant digits, at least one, rounded half to
+/// even, without zeros at the end.
 pub(super) fn significant(significand: u64, exponent: i32, count: u8) -> Decimal {
     let number = Fraction::binary(significand, exponent);
     let places = i32::from(count.max(1)) - 1 - number.decimal_exponent();
@@ -177,7 +178,7 @@ pub(super) fn significant(significand: u64, exponent: i32, count: u8) -> Decimal
     decimal(&rounded.to_string(), -places)
 }
 
-/// The positive number with these decimal digits times 10^`exponent`.
+/// Returns the positive number with these decimal digits times 10^`exponent`.
 fn decimal(written: &str, exponent: i32) -> Decimal {
     let digits: Vec<u8> = written
         .trim_end_matches('0')

@@ -1,4 +1,4 @@
-//! Literals taken apart into their digits. Nothing here knows a limit: what does not fit, the reader decides.
+//! Splits literals into their digits. No limits apply here: the caller decides what fits.
 //!
 //! Basis: iec-61131-3: Tables 5, 8 and 9 (numeric, duration, date and time literals).
 
@@ -15,7 +15,7 @@ pub(super) struct Digits<'t> {
 }
 
 impl<'t> Digits<'t> {
-    /// The value of each digit, the highest first.
+    /// Returns the value of each digit, the highest first.
     pub(super) fn values(self) -> impl DoubleEndedIterator<Item = u8> + 't {
         let digits = self.spelling.iter().filter(|&&byte| byte != b'_');
         // Every other byte was found to be a digit.
@@ -24,7 +24,7 @@ impl<'t> Digits<'t> {
             .map(|digit| digit as u8)
     }
 
-    /// The number that decimal digits spell, or the greatest of 64 bits where it is greater.
+    /// Returns the number that decimal digits spell, or the greatest of 64 bits if it is greater.
     pub(super) fn saturated(self) -> i64 {
         self.values().fold(0_i64, |number, digit| {
             number.saturating_mul(10).saturating_add(digit.into())
@@ -41,7 +41,7 @@ impl<'t> Scanner<'t> {
         self.rest.is_empty()
     }
 
-    /// Reads one of these bytes and tells which, if it stands here.
+    /// Reads one of these bytes and returns it, if it is next.
     pub(super) fn any_of(&mut self, bytes: &[u8]) -> Option<u8> {
         let (&first, rest) = self.rest.split_first()?;
         if !bytes.contains(&first) {
@@ -51,7 +51,7 @@ impl<'t> Scanner<'t> {
         Some(first)
     }
 
-    /// Reads these bytes, letters in any case, if they stand here.
+    /// Reads these bytes, letters in any case, if they are next.
     pub(super) fn word(&mut self, word: &str) -> Option<()> {
         let (here, rest) = self.rest.split_at_checked(word.len())?;
         if !here.eq_ignore_ascii_case(word.as_bytes()) {
@@ -61,7 +61,7 @@ impl<'t> Scanner<'t> {
         Some(())
     }
 
-    /// Reads all letters that stand here.
+    /// Reads all letters that are next.
     pub(super) fn letters(&mut self) -> &'t [u8] {
         let length = self
             .rest
@@ -73,7 +73,7 @@ impl<'t> Scanner<'t> {
         letters
     }
 
-    /// Reads as many digits of a base as stand here, at least one; a single underscore may stand between two.
+    /// Reads as many digits of a base as possible, at least one; a single underscore may stand between two.
     pub(super) fn digits(&mut self, base: u32) -> Option<Digits<'t>> {
         let is_digit = |at: usize| {
             let byte = self.rest.get(at);
@@ -92,7 +92,7 @@ impl<'t> Scanner<'t> {
         Some(Digits { spelling })
     }
 
-    /// Reads a minus, and tells whether there was one, or a plus.
+    /// Reads an optional plus or minus; returns whether it was a minus.
     pub(super) fn sign(&mut self) -> bool {
         self.any_of(b"+-") == Some(b'-')
     }
@@ -107,7 +107,7 @@ pub(super) struct Integer<'t> {
 }
 
 impl<'t> Integer<'t> {
-    /// Reads the longest integer that stands here.
+    /// Reads the longest integer at the current position.
     pub(super) fn read(scanner: &mut Scanner<'t>) -> Option<Integer<'t>> {
         for (prefix, base) in [("16#", 16), ("8#", 8), ("2#", 2)] {
             let mut behind = *scanner;
@@ -146,7 +146,7 @@ pub(super) struct Decimal<'t> {
 }
 
 impl<'t> Decimal<'t> {
-    /// Reads the longest real number that stands here.
+    /// Reads the longest real number at the current position.
     pub(super) fn read(scanner: &mut Scanner<'t>) -> Option<Decimal<'t>> {
         let mut behind = *scanner;
         let negative = behind.sign();

@@ -1,4 +1,4 @@
-//! Texts read as values.
+//! Conversions of texts to values.
 
 use super::literal::{Decimal, Digits, Integer, Scanner};
 use crate::calendar;
@@ -6,9 +6,10 @@ use crate::{integer, quotient, real};
 use num_bigint::BigUint;
 use stickler_types::{ConversionChoices, ElementaryType, Family, TextReading};
 
-/// The raw form of the value that a text spells in a type that is neither a text nor a character; 0 where it spells none.
+/// Returns the raw form of the value that a text spells in a type that is neither a text nor a character; 0 if it spells
+/// none.
 ///
-/// Blanks around it are left out. Then it may be:
+/// Blanks around the text are ignored. The rest may be:
 ///
 /// | type | text |
 /// |---|---|
@@ -48,7 +49,7 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
     value.unwrap_or(0)
 }
 
-/// The text without the blanks at either end.
+/// Returns the text without the blanks at either end.
 fn trimmed(mut text: &[u8]) -> &[u8] {
     while let [b' ', rest @ ..] | [rest @ .., b' '] = text {
         text = rest;
@@ -56,13 +57,13 @@ fn trimmed(mut text: &[u8]) -> &[u8] {
     text
 }
 
-/// What a reader makes of the text, if it reads it to the end.
+/// Returns the value that `read` reads, if it consumes the text to its end.
 fn whole<'t>(scanner: &mut Scanner<'t>, read: impl Fn(&mut Scanner<'t>) -> Option<u64>) -> Option<u64> {
     let value = read(scanner)?;
     scanner.is_at_end().then_some(value)
 }
 
-/// The same of a number, which may also be the text's beginning where that is chosen.
+/// Returns the number that `read` reads: from the whole text, or from its beginning where the choices allow that.
 fn number<'t>(
     scanner: &mut Scanner<'t>,
     choices: &ConversionChoices,
@@ -74,7 +75,7 @@ fn number<'t>(
     }
 }
 
-/// The scanner behind the prefix of the type, if there is one.
+/// Skips the prefix of the type, if there is one.
 fn behind_prefix<'s, 't>(
     scanner: &'s mut Scanner<'t>,
     text: &'t [u8],
@@ -89,7 +90,7 @@ fn behind_prefix<'s, 't>(
     scanner
 }
 
-/// The integer modulo 2^n of the type.
+/// Returns the integer modulo 2^n of the type.
 fn residue(integer: Integer<'_>, to: ElementaryType) -> u64 {
     // What is left out by the overflow is a multiple of 2^64, and so of 2^n.
     let low = integer.digits.values().fold(0_u64, |number, digit| {
@@ -121,7 +122,7 @@ fn real_number(scanner: &mut Scanner<'_>, to: ElementaryType) -> Option<u64> {
     Decimal::read(scanner).map(|decimal| rounded(decimal, to))
 }
 
-/// The raw form nearest to a decimal number, ties to even, once.
+/// Returns the raw form nearest to a decimal number, ties to even, rounded once.
 fn rounded(decimal: Decimal<'_>, to: ElementaryType) -> u64 {
     // Beyond this power of ten all is infinity or zero.
     const FAR: i64 = 400;
@@ -169,8 +170,8 @@ const UNITS: [(&str, u64); 7] = [
     ("ns", 1),
 ];
 
-/// A duration literal without its prefix: `1d2h3.5s`, `-25h_15m`. Units from the greatest to the least, a fraction only in the
-/// last; what is below a nanosecond is cut off.
+/// Reads a duration literal without its prefix: `1d2h3.5s`, `-25h_15m`. Units go from the greatest to the least, and only
+/// the last may have a fraction; fractions of a nanosecond are dropped.
 fn duration(scanner: &mut Scanner<'_>) -> Option<u64> {
     let negative = scanner.sign();
     let mut total = BigUint::ZERO;
@@ -201,20 +202,20 @@ fn duration(scanner: &mut Scanner<'_>) -> Option<u64> {
     Some(nanoseconds.cast_unsigned())
 }
 
-/// The number that decimal digits spell.
+/// Returns the number that decimal digits spell.
 fn natural(digits: Digits<'_>) -> BigUint {
     let values: Vec<u8> = digits.values().collect();
     BigUint::from_radix_be(&values, 10).unwrap_or_default()
 }
 
-/// The whole part of `0.digits * unit`.
+/// Returns the whole part of `0.digits * unit`.
 fn part(digits: Digits<'_>, unit: u64) -> BigUint {
     // No more than some thousands, or the text would not have fitted.
     let count = digits.values().count() as u32;
     natural(digits) * unit / BigUint::from(10_u32).pow(count)
 }
 
-/// The days since 1970 of `2024-02-29`.
+/// Reads a date such as `2024-02-29`; returns the days since 1970.
 fn date(scanner: &mut Scanner<'_>) -> Option<i64> {
     let year = field(scanner, 0, 99_999)?;
     scanner.any_of(b"-")?;
@@ -224,7 +225,7 @@ fn date(scanner: &mut Scanner<'_>) -> Option<i64> {
     Some(calendar::days_since_1970(year, month, day))
 }
 
-/// The nanoseconds since midnight of `12:34:56.789`, those below one cut off.
+/// Reads a time of day such as `12:34:56.789`; returns the nanoseconds since midnight, without their fraction.
 fn time_of_day(scanner: &mut Scanner<'_>) -> Option<i64> {
     let hour = field(scanner, 0, 23)?;
     scanner.any_of(b":")?;
@@ -244,13 +245,13 @@ fn date_and_time(scanner: &mut Scanner<'_>) -> Option<u64> {
     nanoseconds(days, time_of_day(scanner)?)
 }
 
-/// A number from `least` to `greatest`, in any number of digits.
+/// Reads a number from `least` to `greatest`, in any number of digits.
 fn field(scanner: &mut Scanner<'_>, least: i64, greatest: i64) -> Option<i64> {
     let number = scanner.digits(10)?.saturated();
     (least..=greatest).contains(&number).then_some(number)
 }
 
-/// The raw form of a time on a day, if 64 bits hold it.
+/// Returns the raw form of a time on a day, if 64 bits hold it.
 fn nanoseconds(days: i64, time: i64) -> Option<u64> {
     let nanoseconds = i128::from(days) * 86_400_000_000_000 + i128::from(time);
     i64::try_from(nanoseconds).ok().map(i64::cast_unsigned)

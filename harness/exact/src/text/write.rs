@@ -1,4 +1,4 @@
-//! Values written as texts.
+//! Conversions of values to texts.
 
 use super::digits::{self, Decimal};
 use crate::calendar;
@@ -6,7 +6,7 @@ use crate::integer;
 use crate::real::{self, Real};
 use stickler_types::{BitStringText, ConversionChoices, ElementaryType, Family, RealText};
 
-/// The text of a value that is neither a text nor a character, in ASCII characters.
+/// Returns the text of a value that is neither a text nor a character, in ASCII characters.
 ///
 /// | type | text |
 /// |---|---|
@@ -44,7 +44,7 @@ fn bit_string(raw: u64, from: ElementaryType, form: BitStringText) -> String {
     }
 }
 
-/// What stands in front of a date or time of day.
+/// Returns the prefix of a date or time of day, such as `D#`.
 const fn prefix(ty: ElementaryType) -> &'static str {
     match ty {
         ElementaryType::Date => "D#",
@@ -56,7 +56,7 @@ const fn prefix(ty: ElementaryType) -> &'static str {
     }
 }
 
-/// `1500ms`, `-1.5ms`, `0.000001ms`.
+/// Formats milliseconds: `1500ms`, `-1.5ms`, `0.000001ms`.
 fn milliseconds(nanoseconds: i128) -> String {
     let sign = if nanoseconds < 0 { "-" } else { "" };
     let magnitude = nanoseconds.unsigned_abs();
@@ -64,7 +64,7 @@ fn milliseconds(nanoseconds: i128) -> String {
     format!("{sign}{}{fraction}ms", magnitude / 1_000_000)
 }
 
-/// `2024-02-29`, the day on which a moment lies.
+/// Formats the day on which a moment lies: `2024-02-29`.
 fn date(nanoseconds: i128) -> String {
     // Some hundred thousand days.
     let days = nanoseconds.div_euclid(86_400_000_000_000) as i64;
@@ -72,7 +72,7 @@ fn date(nanoseconds: i128) -> String {
     format!("{year:04}-{month:02}-{day:02}")
 }
 
-/// `12:34:56`, `12:34:56.789`, the time since midnight.
+/// Formats the time since midnight: `12:34:56`, `12:34:56.789`.
 fn time_of_day(nanoseconds: i128) -> String {
     let time = nanoseconds.rem_euclid(86_400_000_000_000).unsigned_abs();
     let seconds = time / 1_000_000_000;
@@ -81,7 +81,7 @@ fn time_of_day(nanoseconds: i128) -> String {
     format!("{hours:02}:{minutes:02}:{:02}{fraction}", seconds % 60)
 }
 
-/// A point and so many digits without the zeros at the end; nothing for zero.
+/// Formats a fraction of `digits` digits behind a point, without the zeros at the end; returns an empty text for zero.
 fn fraction(number: u128, digits: usize) -> String {
     if number == 0 {
         return String::new();
@@ -118,7 +118,7 @@ fn real(raw: u64, from: ElementaryType, form: RealText) -> String {
     }
 }
 
-/// With a point always, and with an exponent below 1E-4 and from 1E16.
+/// Formats a number in the canonical spelling: always with a point, and with an exponent below 1E-4 and from 1E16.
 fn canonical(decimal: &Decimal) -> String {
     if (-4..16).contains(&decimal.exponent) {
         let plain = plain(decimal);
@@ -132,7 +132,7 @@ fn canonical(decimal: &Decimal) -> String {
     }
 }
 
-/// As `%.{count}g` of C does: with an exponent below 1E-4 and from 10^count.
+/// Formats a number as `%.{count}g` of C does: with an exponent below 1E-4 and from 10^count.
 fn as_printf_does(decimal: &Decimal, count: u8) -> String {
     if (-4..i32::from(count.max(1))).contains(&decimal.exponent) {
         return plain(decimal);
@@ -146,7 +146,7 @@ fn as_printf_does(decimal: &Decimal, count: u8) -> String {
     )
 }
 
-/// All digits without an exponent, and a point only where digits follow it.
+/// Formats all digits without an exponent, and with a point only where digits follow it.
 fn plain(decimal: &Decimal) -> String {
     let digits = written(&decimal.digits);
     let Ok(whole) = usize::try_from(decimal.exponent + 1) else {

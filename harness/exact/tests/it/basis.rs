@@ -1,4 +1,4 @@
-//! What the suite asserts, dialect by dialect, and what it leaves open.
+//! Tests which results the suite asserts in each dialect, and which it leaves open.
 
 use stickler_exact::{expected, functions, signatures};
 use stickler_types::{DialectName, ElementaryType, Value};
@@ -16,7 +16,7 @@ const OPEN: Option<&str> = None;
 /// The bases of a call in `ironplc-ed3`, `matiec` and `plcnext`.
 type Bases = [Option<&'static str>; 3];
 
-/// The same for all three of a type that matiec does not have.
+/// The bases of a call that is open in all three dialects, for a type that matiec does not have.
 const EVERYWHERE_OPEN: Bases = [OPEN; 3];
 const ONLY_MATIEC_NAMING: Bases = [OPEN, NAMING, OPEN];
 
@@ -190,7 +190,7 @@ fn the_three_dialects_of_ironplc_agree() {
     }
 }
 
-/// Some value that every type has, other than zero.
+/// Returns some value of a type, other than zero.
 fn some_value(ty: ElementaryType) -> Value {
     match ty {
         ElementaryType::String | ElementaryType::Wstring => Value::text(ty, vec![u16::from(b'1')]),

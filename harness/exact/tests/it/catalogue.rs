@@ -1,10 +1,11 @@
-//! The catalogue as a whole: how many functions there are, and that each name means what it says.
+//! Tests of the whole catalogue: the number of functions, and that each name means what it says.
 
 use std::collections::HashSet;
 use stickler_exact::{Operation, Signature, functions, signatures};
 use stickler_types::{DialectName, ElementaryType};
 
-/// How many of each kind there are with 15 number types, two texts, and so many forms of each moment and so many characters.
+/// Returns the number of functions of a dialect with 15 number types, two texts, `forms` forms of each duration and date
+/// type, and `characters` character types.
 fn counted(forms: usize, characters: usize) -> usize {
     let numbers = 15 * 14;
     // Durations, dates, times of day, and dates with a time, each with every number, in both directions.

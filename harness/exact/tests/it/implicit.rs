@@ -1,4 +1,4 @@
-//! Holds [`implicit`] to the widening tables of the conformance cases: both state what the same documents say.
+//! Compares [`implicit`] with the widening tables of the conformance cases: both state the rules of the same documents.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -22,7 +22,7 @@ const FILES: [&str; 11] = [
 
 type Cell = (ElementaryType, ElementaryType, DialectName);
 
-/// Every cell of the tables, with the file it stands in and its word.
+/// Returns every cell of the tables, with its file and its word.
 fn cells() -> HashMap<Cell, (&'static str, MatrixWord)> {
     let mut cells = HashMap::new();
     for file in FILES {

@@ -1,4 +1,4 @@
-//! Exact arithmetic from the outside, in one program: each of its own would be linked once more.
+//! Tests of the crate's public functions, in one test program to save linking time.
 
 mod basis;
 mod catalogue;

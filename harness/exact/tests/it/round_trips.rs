@@ -1,4 +1,5 @@
-//! What is written reads back, what the literals of the types crate read is read the same, and no text is too long.
+//! Tests that written texts read back, that the literals of the types crate are read alike, and that texts keep their
+//! limit.
 
 use stickler_exact::{choices_of, signatures, value};
 use stickler_types::{
@@ -17,7 +18,7 @@ fn string(text: &str) -> Value {
     Value::text(ElementaryType::String, text.bytes().map(u16::from).collect())
 }
 
-/// Raw forms of a type that is no text: its limits, powers of two, and scattered ones of any size.
+/// Returns raw forms of a type that is not a text: its limits, powers of two, and scattered ones of any size.
 fn raw_forms(ty: ElementaryType) -> Vec<u64> {
     const DAY: i64 = 86_400_000_000_000;
     let powers = (0..64).flat_map(|bit| [1 << bit, (1_u64 << bit).wrapping_neg(), (1 << bit) - 1]);
@@ -86,7 +87,7 @@ fn what_is_written_is_the_canonical_literal_but_for_the_prefix() {
     }
 }
 
-/// Texts put together from pieces of literals, most of them none.
+/// Returns texts composed from pieces of literals; most of them are not literals.
 fn concoctions() -> impl Iterator<Item = String> {
     const PIECES: [&str; 40] = [
         "1", "2", "0", "9", "-", "+", ".", "e", "E", "16#", "2#", "8#", "_", " ", ":", "ms", "s", "h", "d",
@@ -101,7 +102,7 @@ fn concoctions() -> impl Iterator<Item = String> {
     })
 }
 
-/// What the readers of literals make of a text without its blanks; they stand in another crate and know other limits.
+/// Returns the value of a text without its blanks by the literal parsers of the types crate, which have other limits.
 fn by_literals(text: &str, ty: ElementaryType) -> Value {
     let text = text.trim_matches(' ');
     let parsed = |text: &str| Value::parse(&format!("{ty}#{text}")).unwrap_or(Value::plain(ty, 0));

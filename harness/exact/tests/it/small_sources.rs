@@ -1,16 +1,17 @@
-//! Every value of every type of at most 16 bits through every function, held against the simplest possible computation.
+//! Converts every value of every type of at most 16 bits by every function, and compares with the simplest possible
+//! computation.
 
 use stickler_exact::{Operation, Signature, choices_of, functions, signatures, value};
 use stickler_types::{DialectName, ElementaryType, Family, Value};
 
 const DIALECT: DialectName = DialectName::IronplcEd3;
 
-/// The number that a source of at most 16 bits stands for.
+/// Returns the number that a source of at most 16 bits represents.
 fn number(raw: u64) -> i64 {
     raw.cast_signed()
 }
 
-/// The raw form of a number in an integer, bit string or character, by adding or taking off 2^n until it fits.
+/// Returns the raw form of a number in an integer, bit string or character, by adding or subtracting 2^n until it fits.
 fn wrapped(mut number: i64, to: ElementaryType) -> u64 {
     let modulus = 1_i64.checked_shl(to.bits()).filter(|_| to.bits() < 64);
     let Some(modulus) = modulus else {
@@ -27,7 +28,8 @@ fn wrapped(mut number: i64, to: ElementaryType) -> u64 {
     number.cast_unsigned()
 }
 
-/// The raw form of a number that needs no rounding, by doubling it until its highest bit is where the format has it.
+/// Returns the raw form of a number that needs no rounding, by doubling it until its highest bit is where the format has
+/// it.
 fn as_real(number: i64, to: ElementaryType) -> u64 {
     let (fraction_bits, bias, sign_bit) = match to {
         ElementaryType::Real => (23, 127, 31),
@@ -44,7 +46,7 @@ fn as_real(number: i64, to: ElementaryType) -> u64 {
     u64::from(number < 0) << sign_bit | exponent << fraction_bits | (significand - (1 << fraction_bits))
 }
 
-/// What a conversion of a number gives, none of the types a text.
+/// Returns the result of a conversion of a number between types that are not texts.
 fn simple(number: i64, to: ElementaryType) -> u64 {
     const DAY: i64 = 86_400_000_000_000;
     match to.family() {
@@ -68,8 +70,8 @@ fn simple(number: i64, to: ElementaryType) -> u64 {
     }
 }
 
-/// Decimal digits of a number, as many as a bit string has; of a negative one those of the first number that is not, when 1
-/// and as many zeros as there are digits is added.
+/// Returns the decimal digits of a number modulo 10^n, where n is the number of digits of the bit string; adds 10^n to a
+/// negative number until it is not negative.
 fn as_bcd(mut number: i64, to: ElementaryType) -> u64 {
     let digits = to.bits() as usize / 4;
     while number < 0 {
@@ -79,7 +81,7 @@ fn as_bcd(mut number: i64, to: ElementaryType) -> u64 {
     u64::from_str_radix(&written[written.len() - digits..], 16).unwrap()
 }
 
-/// What hexadecimal digits spell when they are read as decimal ones, each with its value.
+/// Returns the number that hexadecimal digits spell when read as decimal ones, each with its value.
 fn from_bcd(raw: u64) -> i64 {
     format!("{raw:X}").chars().fold(0, |number, digit| {
         number * 10 + i64::from(digit.to_digit(16).unwrap())

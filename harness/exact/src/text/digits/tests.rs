@@ -1,10 +1,10 @@
-//! Digits held against the definition: that they read back, that no fewer do, and that none as few lie nearer.
+//! Checks digits against the definition: that they read back, that fewer do not, and that no other equally few lie nearer.
 
 use super::*;
 use crate::real::{self, Real};
 use ElementaryType::{Lreal, Real as Single};
 
-/// Raw forms of positive finite numbers around each power of two, and scattered ones.
+/// Returns raw forms of positive finite numbers around each power of two, and scattered ones.
 fn raw_forms(ty: ElementaryType) -> Vec<u64> {
     let (shift, exponents) = if ty == Single { (23, 255) } else { (52, 2047) };
     let mut state = 0x0123_4567_89AB_CDEF_u64;
@@ -38,7 +38,7 @@ fn shortest_of(raw: u64, ty: ElementaryType) -> Decimal {
     shortest(significand, exponent, real::is_lowest_of_binade(raw, ty), ty)
 }
 
-/// `number * 10^exponent` as numerator and denominator.
+/// Returns `number * 10^exponent` as numerator and denominator.
 fn decimal_fraction(number: u64, exponent: i32) -> (BigUint, BigUint) {
     let power = BigUint::from(10_u32).pow(exponent.unsigned_abs());
     if exponent < 0 {
@@ -53,7 +53,7 @@ fn read_back(number: u64, exponent: i32, ty: ElementaryType) -> u64 {
     quotient::nearest(false, &numerator, &denominator, ty)
 }
 
-/// The digits as one whole number, and the power of ten that it is to be multiplied with.
+/// Returns the digits as one whole number, and the power of ten to multiply it with.
 fn joined(decimal: &Decimal) -> (u64, i32) {
     let number = decimal
         .digits
@@ -62,7 +62,7 @@ fn joined(decimal: &Decimal) -> (u64, i32) {
     (number, decimal.exponent + 1 - decimal.digits.len() as i32)
 }
 
-/// How far `number * 10^exponent` is from a real number, all numbers multiplied with the same.
+/// Returns the distance of `number * 10^exponent` from a real number, multiplied by the product of both denominators.
 fn distance(number: u64, exponent: i32, raw: u64, ty: ElementaryType) -> BigUint {
     let (significand, binary_exponent) = parts(raw, ty);
     let exact = Fraction::binary(significand, binary_exponent);

@@ -1,4 +1,4 @@
-//! What the tests of single values share.
+//! Helpers for the tests of single values.
 
 use stickler_exact::{Signature, expected, signatures, value};
 use stickler_types::{ConversionChoices, DialectName, Value};
@@ -8,7 +8,7 @@ pub fn literal(text: &str) -> Value {
     Value::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"))
 }
 
-/// The signature of a function that takes an operand of this type; the first, where it gives several types.
+/// Returns the signature of a function that takes an operand of this type; the first if it has several result types.
 pub fn taking(function: &str, operand: &Value, dialect: DialectName) -> Signature {
     signatures(function, dialect)
         .into_iter()
@@ -27,7 +27,7 @@ pub fn check(dialect: DialectName, rows: &[(&str, &str, &str)]) {
     }
 }
 
-/// The same by choices that no dialect makes.
+/// Checks calls by choices that no dialect makes: function, operand and result, both as typed literals.
 #[track_caller]
 pub fn check_by(choices: ConversionChoices, rows: &[(&str, &str, &str)]) {
     for (function, operand, result) in rows {

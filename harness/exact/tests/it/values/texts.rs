@@ -1,4 +1,4 @@
-//! Values as texts and texts as values, worked out by hand.
+//! Conversions of values to texts and of texts to values, computed by hand.
 
 use super::common::{check, check_by};
 use stickler_exact::choices_of;
