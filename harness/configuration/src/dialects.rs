@@ -1,4 +1,4 @@
-//! The tables `[dialects.NAME]`.
+//! Reads the tables `[dialects.NAME]`.
 
 use crate::near::{advice, list};
 use crate::override_tables::{conversions, flags, implicit};
@@ -9,23 +9,23 @@ use stickler_types::{BuiltIn, Definition, DialectName, Stated};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Every key of such a table.
+/// The keys of a table `[dialects.NAME]`.
 const KEYS: [&str; 6] = ["extends", "about", "source", "implicit", "flags", "conversions"];
 
-/// A name may be so long.
+/// The greatest length of a dialect's name.
 const MAX_NAME_LEN: usize = 64;
 
-/// One dialect, while it is read.
+/// A dialect whose table is being read.
 pub(crate) struct Draft<'d> {
     pub(crate) definition: Definition,
-    /// What stands behind a key in the basis of what it overrides.
+    /// The source that the file cites for the overrides; it is appended to their bases.
     pub(crate) source: Option<String>,
-    /// Tells a place in the file for people.
+    /// Formats a position in the file for messages.
     pub(crate) written: &'d dyn Fn(&Range<usize>) -> String,
 }
 
 impl Draft<'_> {
-    /// What the file states at a place, with its basis.
+    /// Returns a statement that the file makes at a position, with its basis.
     pub(crate) fn stated<T>(&self, value: T, key: &str, at: &Range<usize>) -> Stated<T> {
         let place = (self.written)(at);
         let behind = self.source.as_ref().map(|source| format!("; {source}"));
@@ -37,17 +37,17 @@ impl Draft<'_> {
     }
 }
 
-/// A table of the file, by its name.
+/// A table of the file, with its name.
 struct Entry<'v, 'i> {
     name: &'v str,
     span: Range<usize>,
     keys: &'v DeTable<'i>,
 }
 
-/// The definitions of a table `[dialects]`, in the order of the file.
+/// Returns the definitions of a table `[dialects]`, in the order of the file.
 ///
 /// # Errors
-/// What is wrong with the first that is wrong.
+/// The first mistake.
 pub(crate) fn definitions(
     dialects: &DeTable<'_>,
     written: &dyn Fn(&Range<usize>) -> String,
@@ -98,7 +98,7 @@ pub(crate) fn definitions(
     Ok(read.into_iter().flatten().zip(spans).collect())
 }
 
-/// Refuses a name that would mean something else on the command line, in a filter or in a case's key.
+/// Checks that a name means nothing else on the command line, in a filter or in the key of a case.
 fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
     let plain = |character: char| character.is_ascii_alphanumeric() || "-_.".contains(character);
     let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic())
@@ -124,10 +124,10 @@ fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
     }
 }
 
-/// What a dialect extends.
+/// The dialect that another one extends.
 enum Base {
     BuiltIn(BuiltIn),
-    /// Another one of the file, by its place among them; where this one says so.
+    /// A dialect of the file, by its index, and the position of the key `extends`.
     Defined(usize, Range<usize>),
 }
 
@@ -171,7 +171,7 @@ fn in_a_circle(entry: &Entry<'_, '_>, at: &Range<usize>) -> Mistake {
     Mistake::at(at.clone(), message)
 }
 
-/// Reads one table, which overrides what `start` says.
+/// Reads one table, whose overrides are added to the definition `start`.
 fn definition(
     entry: &Entry<'_, '_>,
     start: Definition,
@@ -207,7 +207,7 @@ fn definition(
     Ok(draft.definition)
 }
 
-/// What another definition says, as if this one said it.
+/// Returns the definition of the extended dialect under the name of the extending one.
 fn taken_over(
     other: &Definition,
     entry: &Entry<'_, '_>,
@@ -240,7 +240,7 @@ fn taken_over(
     }
 }
 
-/// A text for people, which stands on terminals and in reports.
+/// Reads a text for people, which terminals and reports show.
 fn words(key: &str, value: &Spanned<DeValue<'_>>) -> Result<String, Mistake> {
     let words = text(key, value)?;
     match words.chars().any(char::is_control) {

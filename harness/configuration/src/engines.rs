@@ -1,4 +1,4 @@
-//! The tables `[engines.NAME]`.
+//! Reads the tables `[engines.NAME]`.
 
 use crate::near::list;
 use crate::table::{Mistake, read, table, text};
@@ -12,47 +12,47 @@ use toml::de::{DeTable, DeValue};
 /// An engine that `stickler.toml` names.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// Where it is named, such as `stickler.toml:4`.
+    /// The file and line of its table, such as `stickler.toml:4`.
     pub written: String,
-    /// What it is.
+    /// The kind of the engine, with its settings.
     pub kind: Kind,
 }
 
-/// What an engine of `stickler.toml` is.
+/// The kind of an engine of `stickler.toml`.
 #[derive(Clone, Debug)]
 pub enum Kind {
-    /// A compiler with an adapter, and where its programs are.
+    /// A compiler with a built-in adapter.
     Compiler {
         /// The compiler.
         compiler: Compiler,
-        /// What the file says about its places.
+        /// The paths of the compiler's programs that the file states.
         places: DependencyPaths,
     },
     /// A program that speaks the wire protocol.
     Command {
-        /// Its command line, as it is written.
+        /// The command line, unchanged.
         line: String,
     },
-    /// A compiler that is described by data.
+    /// A compiler whose adapter is described by data.
     Described(Box<Description>),
 }
 
-/// The name of the engine that is always there.
+/// The name of the built-in engine.
 const REFERENCE: &str = "reference";
 
-/// Where the tables of a file stand.
+/// The position of the file's tables, for paths and messages.
 #[derive(Clone, Copy)]
 pub(crate) struct Place<'p> {
     /// The folder of the file, to which relative paths are relative.
     pub(crate) folder: &'p Path,
-    /// Tells a place in the file for people.
+    /// Formats a position in the file for messages.
     pub(crate) written: &'p dyn Fn(&Range<usize>) -> String,
 }
 
-/// The entry of one engine.
+/// Reads the entry of one engine.
 ///
 /// # Errors
-/// What is wrong with its name or its table.
+/// A mistake in its name or its table.
 pub(crate) fn entry(
     name: &Spanned<impl AsRef<str>>,
     value: &Spanned<DeValue<'_>>,
@@ -78,7 +78,7 @@ pub(crate) fn entry(
     Ok((name.to_owned(), Entry { written, kind }))
 }
 
-/// Refuses a name that would mean something else on the command line, or could not be the name of a file.
+/// Checks that a name means nothing else on the command line, and that it can be the name of a file.
 fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
     let wrong = |message: String| Err(Mistake::at(span.clone(), message));
     if name == REFERENCE {
@@ -95,7 +95,7 @@ fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
     Ok(())
 }
 
-/// The compiler whose adapter the engine has: by its key `adapter`, or by the engine's own name.
+/// Returns the compiler whose adapter the engine uses: the one that its key `adapter` or else its own name states.
 fn compiler(name: &str, keys: &DeTable<'_>) -> Result<Option<Compiler>, Mistake> {
     let Some(value) = keys.get("adapter") else {
         return Ok(Compiler::from_name(name));
@@ -111,7 +111,7 @@ fn compiler(name: &str, keys: &DeTable<'_>) -> Result<Option<Compiler>, Mistake>
     Compiler::from_name(adapter).map(Some).ok_or_else(unknown)
 }
 
-/// What a table says about the places of a compiler.
+/// Reads the paths of a compiler's programs from its table.
 fn places(
     name: &str,
     compiler: Compiler,
@@ -153,7 +153,7 @@ struct CommandKeys {
     command: String,
 }
 
-/// A compiler that is described by data.
+/// Reads the description of a compiler.
 fn description(name: &str, keys: &DeTable<'_>, span: Range<usize>) -> Result<Description, Mistake> {
     let whose = format!("of `[engines.{name}]`");
     // These two would have made it another kind of engine.

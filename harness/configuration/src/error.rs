@@ -1,20 +1,20 @@
-//! What can be wrong with `stickler.toml`.
+//! Errors in reading `stickler.toml`.
 
 use std::io;
 use std::path::PathBuf;
 
-/// A file that cannot be used.
+/// The error of a configuration file that cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum ConfigurationError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error("cannot read {}", path.display())]
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         source: io::Error,
     },
-    /// What is written in it is wrong.
+    /// The contents of the file are wrong.
     #[error("{}:{line}:{column}: {message}", path.display())]
     Mistake {
         /// The file.
@@ -23,7 +23,7 @@ pub enum ConfigurationError {
         line: usize,
         /// The column, from 1, in Unicode scalar values.
         column: usize,
-        /// What is wrong and what to do, as a sentence without its full stop.
+        /// A description of the mistake and of what to do, as a sentence without its full stop.
         message: String,
     },
 }

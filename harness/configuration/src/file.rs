@@ -1,4 +1,4 @@
-//! The file: where it is, and what stands in it.
+//! Finds and reads `stickler.toml`.
 
 use crate::dialects::definitions;
 use crate::engines::{Entry, Place, entry};
@@ -13,13 +13,13 @@ use stickler_types::DialectName;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// What the file is called.
+/// The name of the configuration file.
 pub const FILE_NAME: &str = "stickler.toml";
 
-/// Every key at the top of the file.
+/// The keys at the top level of the file.
 const KEYS: [&str; 2] = ["engines", "dialects"];
 
-/// What `stickler.toml` says; empty where there is none.
+/// The contents of `stickler.toml`; empty if there is no such file.
 #[derive(Clone, Debug, Default)]
 pub struct Configuration {
     path: Option<PathBuf>,
@@ -28,11 +28,11 @@ pub struct Configuration {
 }
 
 impl Configuration {
-    /// Reads the file of `folder`, or that of the nearest folder above it which has one. Its dialects are
-    /// [defined](DialectName::define) for the whole process; a file that is read again defines none a second time.
+    /// Reads the file in `folder`, or in the nearest folder above it that has one. Its dialects are
+    /// [defined](DialectName::define) for the whole process; reading the file again does not define them a second time.
     ///
     /// # Errors
-    /// [`ConfigurationError`] where there is one that cannot be used.
+    /// [`ConfigurationError`] if a file exists that cannot be used.
     pub fn find(folder: &Path) -> Result<Configuration, ConfigurationError> {
         // A link to a file counts; a folder of that name is somebody else's.
         let found = folder
@@ -49,15 +49,15 @@ impl Configuration {
         }
     }
 
-    /// Reads a file, and defines its dialects.
+    /// Reads a file and defines its dialects.
     ///
     /// # Errors
-    /// [`ConfigurationError`] where it cannot be used.
+    /// [`ConfigurationError`] if the file cannot be used.
     pub fn read(path: &Path) -> Result<Configuration, ConfigurationError> {
         Configuration::read_as(path, path)
     }
 
-    /// Reads a file that is called `shown` in messages.
+    /// Reads a file that messages call `shown`.
     fn read_as(path: &Path, shown: &Path) -> Result<Configuration, ConfigurationError> {
         let unreadable = |source: io::Error| ConfigurationError::Unreadable {
             path: shown.to_owned(),
@@ -82,37 +82,37 @@ impl Configuration {
         })
     }
 
-    /// The file, as an absolute path; `None` where there is none.
+    /// Returns the absolute path of the file; `None` if there is none.
     #[must_use]
     pub fn path(&self) -> Option<&Path> {
         self.path.as_deref()
     }
 
-    /// The folder of the file, in which the commands of its engines are started; `None` where there is none.
+    /// Returns the folder of the file, in which the commands of its engines are started; `None` if there is no file.
     #[must_use]
     pub fn folder(&self) -> Option<&Path> {
         self.path.as_deref().and_then(Path::parent)
     }
 
-    /// The engine of this name, if the file names it.
+    /// Returns the engine of this name, if the file has it.
     #[must_use]
     pub fn engine(&self, name: &str) -> Option<&Entry> {
         self.engines.get(name)
     }
 
-    /// The dialects that the file defines, in its order.
+    /// Returns the dialects that the file defines, in its order.
     #[must_use]
     pub fn dialects(&self) -> &[DialectName] {
         &self.dialects
     }
 
-    /// Every engine that the file names, in the order of their names.
+    /// Returns the engines of the file, in the order of their names.
     pub fn engines(&self) -> impl Iterator<Item = (&str, &Entry)> {
         self.engines.iter().map(|(name, entry)| (name.as_str(), entry))
     }
 }
 
-/// What a text says: the engines, and the dialects, which are defined before engines can name them.
+/// Parses the text of a file; defines its dialects before it reads the engines, which may name them.
 fn contents(
     text: &str,
     folder: &Path,
@@ -156,7 +156,7 @@ fn dialects(value: &Spanned<DeValue<'_>>, place: Place<'_>) -> Result<Vec<Dialec
     definitions.into_iter().map(define).collect()
 }
 
-/// Line and column of a place in a text, from 1; the column in Unicode scalar values.
+/// Returns the line and column of a byte offset in a text, from 1; the column in Unicode scalar values.
 fn position(text: &str, at: usize) -> (usize, usize) {
     let before = text.get(..at).unwrap_or(text);
     let line = before.matches('\n').count() + 1;

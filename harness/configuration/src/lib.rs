@@ -1,12 +1,11 @@
-//! `stickler.toml`: which engines there are besides those that Stickler knows, and where their programs are; which dialects there
-//! are besides those of documented systems.
+//! Reads `stickler.toml`: additional engines, the paths of their programs, and user-defined dialects.
 //!
-//! The file stands in the working directory or in a folder above, as those of other tools do, so that a compiler's
-//! repository names its compiler once. Each mistake in it is told with its line, and a word that is nearly one of those
-//! that are known with that one.
+//! The file is found in the working directory or in a folder above, like those of other tools, so that a compiler's
+//! repository configures its compiler once. Each mistake is reported with its line, and a misspelled word with the known
+//! word that is most similar.
 //!
-//! *Architecture invariant.* This crate reads and checks the file; what a description or a place means is decided where
-//! engines are made, and what a dialect overrides means, where the rules are.
+//! *Architecture invariant.* This crate reads and checks the file. The engines crate decides what a description or a path
+//! means, and the crates with the rules decide what an override of a dialect means.
 #![forbid(unsafe_code)]
 
 mod dialects;

@@ -1,9 +1,9 @@
-//! The word that somebody meant.
+//! Suggestions for misspelled words, and lists of words for messages.
 
-/// How many letters of a word may be wrong for it to be taken for another.
+/// The greatest edit distance at which a word is taken for a misspelling of another.
 const NEAR: usize = 2;
 
-/// The one of `words` that is nearest to `word`, if one is near.
+/// Returns the most similar of `words`, if one is similar enough to `word`.
 #[must_use]
 pub fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Option<&'w str> {
     let lower = word.to_lowercase();
@@ -16,7 +16,7 @@ pub fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Opti
         .map(|(_, known)| known)
 }
 
-/// Words in a list, each between backquotes: `a`, `b` and `c`.
+/// Formats a list of words, each between backquotes: `a`, `b` and `c`.
 #[must_use]
 pub fn list<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
     let mut words: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
@@ -27,7 +27,7 @@ pub fn list<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
     }
 }
 
-/// What to do about a word that is none of `words`: use the one that it nearly is, or one of them.
+/// Returns a suggestion for an unknown word: the most similar of `words`, or all of them.
 pub(crate) fn advice(word: &str, words: &[&str]) -> String {
     match nearest(word, words.iter().copied()) {
         Some(known) => format!("did you mean `{known}`?"),

@@ -1,4 +1,4 @@
-//! What a table `[dialects.NAME]` overrides: `implicit`, `flags` and `conversions`.
+//! Reads the overrides of a table `[dialects.NAME]`: `implicit`, `flags` and `conversions`.
 
 use crate::dialects::Draft;
 use crate::near::{advice, list};
@@ -12,7 +12,7 @@ use stickler_types::{
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The keys of `conversions`.
+/// The keys of the table `conversions`.
 const CONVERSIONS: [&str; 5] = [
     "rounding",
     "out-of-range",
@@ -21,16 +21,16 @@ const CONVERSIONS: [&str; 5] = [
     "bit-string-text",
 ];
 
-/// What may be said of a pair of different types.
+/// The words that an override may state for a pair of different types.
 const WORDS: [MatrixWord; 3] = [MatrixWord::Yes, MatrixWord::No, MatrixWord::Open];
 
-/// So many significant digits may be asked for; more than 17 a real number of 64 bits does not have.
+/// The permitted numbers of significant digits; a real number of 64 bits never needs more than 17.
 const DIGITS: std::ops::RangeInclusive<u8> = 1..=40;
 
 /// Reads `[dialects.NAME.flags]`.
 ///
 /// # Errors
-/// A flag that there is not, or a value that is neither true nor false.
+/// An unknown flag, or a value that is neither true nor false.
 pub(crate) fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mistake> {
     for (key, value) in keys.iter() {
         let word = key.get_ref().as_ref();
@@ -59,7 +59,7 @@ pub(crate) fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mis
     Ok(())
 }
 
-/// What another definition says of types that this one takes away, it says of nothing.
+/// Removes the inherited statements about types that the dialect does not have.
 fn without_third_edition(draft: &mut Draft<'_>) {
     let has = |ty: ElementaryType| !ty.is_third_edition();
     draft
@@ -68,8 +68,8 @@ fn without_third_edition(draft: &mut Draft<'_>) {
         .retain(|(from, to), _| has(*from) && has(*to));
 }
 
-/// The flag is another word for cells of the matrix.
-/// Basis: ironplc-type-conversions: Cross-family widening ("an integer type of strictly greater bit width").
+/// Applies the flag for cross-family widening to the cells of the matrix that it decides. Basis: ironplc-type-conversions:
+/// Cross-family widening ("an integer type of strictly greater bit width").
 fn cross_family(on: bool, at: &Range<usize>, draft: &mut Draft<'_>) {
     let cell = if on { MatrixWord::Yes } else { MatrixWord::No };
     for from in ElementaryType::ALL.into_iter().filter(|ty| ty.is_bit_string()) {
@@ -85,7 +85,7 @@ fn cross_family(on: bool, at: &Range<usize>, draft: &mut Draft<'_>) {
 /// Reads `[dialects.NAME.conversions]`.
 ///
 /// # Errors
-/// A choice that there is not, or another word for one.
+/// An unknown choice, or an unknown word for one.
 pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mistake> {
     for (key, value) in keys.iter() {
         let (name, at) = (key.get_ref().as_ref(), &key.span());
@@ -137,7 +137,7 @@ fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealText, Mista
     }
 }
 
-/// The one of `all` that a value names.
+/// Returns the option of `all` that a value names.
 fn one_of<T: Copy>(
     key: &str,
     value: &Spanned<DeValue<'_>>,
@@ -158,7 +158,8 @@ fn one_of<T: Copy>(
 /// Reads `[dialects.NAME.implicit]`: `"FROM.TO" = "yes"`, with or without the quotes.
 ///
 /// # Errors
-/// A type that there is not, or that the dialect does not have; a cell that says nothing; another word for one.
+/// An unknown type, a type that the dialect does not have, a pair that cannot be overridden or is stated twice, or an
+/// unknown word.
 pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mistake> {
     let mut read = BTreeSet::new();
     for (key, value) in keys.iter() {
@@ -187,7 +188,7 @@ pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), 
     Ok(())
 }
 
-/// A pair can be written with and without quotes, and TOML takes the two for different keys.
+/// Checks that a pair is stated once; it can be written with and without quotes, which are different keys to TOML.
 fn once(read: &mut BTreeSet<Pair>, pair: Pair, at: &Range<usize>) -> Result<(), Mistake> {
     if read.insert(pair) {
         return Ok(());
@@ -196,7 +197,7 @@ fn once(read: &mut BTreeSet<Pair>, pair: Pair, at: &Range<usize>) -> Result<(), 
     Err(Mistake::at(at.clone(), message))
 }
 
-/// The type of a value, and of its target.
+/// The type of a value, and that of its target.
 type Pair = (ElementaryType, ElementaryType);
 
 fn cell(
@@ -224,7 +225,7 @@ fn cell(
     Ok((from, to))
 }
 
-/// A type that the dialect has.
+/// Returns the elementary type of a name, if the dialect has it.
 fn elementary(name: &str, at: &Range<usize>, draft: &Draft<'_>) -> Result<ElementaryType, Mistake> {
     let types = ElementaryType::ALL.map(ElementaryType::name);
     let found = ElementaryType::ALL.into_iter().find(|ty| ty.name() == name);
@@ -257,7 +258,7 @@ fn has_third_edition(draft: &Draft<'_>) -> bool {
         .unwrap_or_else(base)
 }
 
-/// Whether a conversion function for the pair exists; the dialect that is asked has all types.
+/// Returns whether a conversion function for the pair exists, in a dialect that has all types.
 fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
     !stickler_exact::signatures(&format!("{from}_TO_{to}"), DialectName::IronplcEd3).is_empty()
 }

@@ -1,4 +1,4 @@
-//! Tables of a TOML document, of which each key and each value knows where it stands.
+//! Tables of a TOML document whose keys and values have positions.
 
 use crate::near::advice;
 use serde::de::{DeserializeOwned, IntoDeserializer};
@@ -6,7 +6,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// What is wrong, and where in the text, in bytes.
+/// A mistake, with its position in the text in bytes.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Mistake {
     pub(crate) span: Range<usize>,
@@ -14,7 +14,7 @@ pub(crate) struct Mistake {
 }
 
 impl Mistake {
-    /// What is wrong at a place.
+    /// Returns a mistake at a position.
     pub(crate) fn at(span: Range<usize>, message: impl Into<String>) -> Mistake {
         Mistake {
             span,
@@ -22,17 +22,17 @@ impl Mistake {
         }
     }
 
-    /// A key that is none of those that are known, in what `whose` names.
+    /// Returns the mistake of an unknown key of a table; `whose` describes the table.
     pub(crate) fn unknown_key(span: Range<usize>, key: &str, whose: &str, known: &[&str]) -> Mistake {
         let message = format!("unknown key `{key}` {whose}; {}", advice(key, known));
         Mistake::at(span, message)
     }
 }
 
-/// The table that a value is.
+/// Returns a value as a table.
 ///
 /// # Errors
-/// Where it is none.
+/// A mistake, if the value is not a table.
 pub(crate) fn table<'v, 'i>(name: &str, value: &'v Spanned<DeValue<'i>>) -> Result<&'v DeTable<'i>, Mistake> {
     value.get_ref().as_table().ok_or_else(|| {
         let found = value.get_ref().type_str();
@@ -43,10 +43,10 @@ pub(crate) fn table<'v, 'i>(name: &str, value: &'v Spanned<DeValue<'i>>) -> Resu
     })
 }
 
-/// The text that a value is.
+/// Returns a value as a text.
 ///
 /// # Errors
-/// Where it is none.
+/// A mistake, if the value is not a text.
 pub(crate) fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Result<&'v str, Mistake> {
     value.get_ref().as_str().ok_or_else(|| {
         let found = value.get_ref().type_str();
@@ -57,10 +57,11 @@ pub(crate) fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Result<&'v
     })
 }
 
-/// A table as `T`, whose keys `whose` names in messages; `further` are keys that stand in such a table as well, for advice.
+/// Deserializes a table as `T`; `whose` describes the table in messages, and `further` are keys that it may also have, for
+/// suggestions.
 ///
 /// # Errors
-/// Where `T` finds something wrong with it.
+/// The first mistake that the deserialization of `T` finds.
 pub(crate) fn read<T: DeserializeOwned>(
     table: &DeTable<'_>,
     span: Range<usize>,
@@ -71,7 +72,8 @@ pub(crate) fn read<T: DeserializeOwned>(
     T::deserialize(spanned.into_deserializer()).map_err(|error| mistake(&error, span, whose, further))
 }
 
-/// The first line of what a deserialiser says, where it says that something is wrong.
+/// Converts the error of a deserializer to a mistake at its position, with its lines joined; an unknown key gets a
+/// suggestion.
 pub(crate) fn mistake(
     error: &toml::de::Error,
     otherwise: Range<usize>,
@@ -89,7 +91,7 @@ pub(crate) fn mistake(
     }
 }
 
-/// The key that a message of serde says is unknown, and those that it says are known.
+/// Returns the unknown key that a message of serde reports, and the keys that it lists as known.
 ///
 /// Basis: serde: `de::Error::unknown_field`.
 fn unknown_field(message: &str) -> Option<(&str, Vec<&str>)> {

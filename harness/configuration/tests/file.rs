@@ -1,4 +1,4 @@
-//! Files as people write them, and the mistakes that they make.
+//! Tests of files as people write them, and of the messages about mistakes in them.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use stickler_types::{
     TextReading,
 };
 
-/// The configuration in a folder of its own that has this text.
+/// Returns the configuration of a temporary folder whose file has this text.
 fn read(text: &str) -> Result<Configuration, String> {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("stickler.toml"), text).unwrap();
@@ -171,7 +171,7 @@ fn a_compiler_can_be_described() {
     assert!(matches!(kind, Some(Kind::Described(_))), "{kind:?}");
 }
 
-/// The definition of the only dialect of a file.
+/// Returns the definition of the only dialect of a file.
 fn defined(text: &str) -> &'static Definition {
     let configuration = read(text).unwrap();
     assert_eq!(configuration.dialects().len(), 1);
