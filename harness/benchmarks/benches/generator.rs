@@ -1,4 +1,4 @@
-//! How quickly programs are made, written and evaluated: programs and bytes of text a second.
+//! Measures how quickly programs are generated, written and evaluated: in programs and bytes of text per second.
 
 use arbitrary::Unstructured;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
@@ -8,10 +8,10 @@ use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
 
-/// So many programs are made in turn, of all dialects and sizes.
+/// The number of programs that are generated in turn, of all dialects and sizes.
 const PROGRAMS: u64 = 200;
 
-/// The bytes of a seed: programs of every size.
+/// Returns the bytes of a seed, which yield programs of every size.
 fn bytes(seed: u64) -> Vec<u8> {
     stickler_generate::random::bytes(seed, (seed * 7 % 3000) as usize)
 }

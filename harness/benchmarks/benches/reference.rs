@@ -1,5 +1,5 @@
-//! How fast the reference is. The aims stand in section 9 of the design: 100 MB/s through lexer and parser, 10 µs for
-//! a small case end to end, 2^32 conversions of an integer source in 10 s on two cores (4.6 ns each on one).
+//! Measures the speed of the reference. Section 9 of the design states the aims: 100 MB/s through lexer and parser, 10 µs
+//! for a small case end to end, 2^32 conversions of an integer source in 10 s on two cores (4.6 ns each on one).
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -10,7 +10,7 @@ use stickler_types::{DialectName, Observation, Outcome, RunRequest};
 
 const DIALECT: DialectName = DialectName::IronplcEd3;
 
-/// A case of a widening table: it runs where the one type widens to the other, and is rejected where it does not.
+/// Returns a case of a widening table: it runs if the one type widens to the other, and is rejected otherwise.
 fn case(from: &str, into: &str) -> String {
     format!(
         "PROGRAM main
@@ -24,7 +24,7 @@ END_PROGRAM
     )
 }
 
-/// A function as people write them, to be repeated under many names.
+/// A typical function, repeated under many names.
 const FUNCTION: &str = "
 (* Limits a value and counts how often it had to. *)
 FUNCTION Clamp_@ : REAL
@@ -61,7 +61,7 @@ fn large_source() -> String {
         .collect()
 }
 
-/// What one small case costs end to end.
+/// Runs one small case end to end.
 fn execute(source: &str, observe: &[Observation]) -> Outcome {
     let request = RunRequest::once(DIALECT, black_box(source), observe);
     run(&request, Limits::default()).expect("`into` is a variable")
@@ -117,7 +117,7 @@ fn steps(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// The conversion of a function that takes one type.
+/// Returns the conversion of a function that takes one type.
 fn conversion(name: &str) -> Conversion {
     let function = function(name, &Dialect::of(DIALECT)).expect("the catalogue has the function");
     let Parameter::Exactly(from) = function.parameter else {
@@ -127,7 +127,7 @@ fn conversion(name: &str) -> Conversion {
 }
 
 fn conversions(criterion: &mut Criterion) {
-    /// As many as stay in the nearest cache, as the blocks of a sweep do.
+    /// The number of operands that fit the nearest cache, like the blocks of a sweep.
     const OPERANDS: u64 = 1 << 10;
     let mut group = criterion.benchmark_group("conversions");
     group.throughput(Throughput::Elements(OPERANDS)).sample_size(10);

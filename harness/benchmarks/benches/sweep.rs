@@ -1,5 +1,5 @@
-//! How quickly inputs are swept, one function for each family of rules, on one thread. The aim of section 9 of the design
-//! is 2^32 inputs of an integer source in 10 s on two cores, the comparison included: 4.6 ns for each on one.
+//! Measures how quickly inputs are swept, one function for each family of rules, on one thread. The aim of section 9 of the
+//! design is 2^32 inputs of an integer source in 10 s on two cores, including the comparison: 4.6 ns for each on one.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -24,10 +24,10 @@ const FUNCTIONS: [(&str, &str); 13] = [
     ("REAL to BOOL", "REAL_TO_BOOL"),
 ];
 
-/// As many as a sweep converts before it compares.
+/// The number of inputs that a sweep converts before it compares.
 const BLOCK: usize = 1024;
 
-/// So many blocks, spread over all 32 bits.
+/// The number of blocks, spread over all 32 bits.
 const BLOCKS: u64 = 1024;
 
 fn families(criterion: &mut Criterion) {

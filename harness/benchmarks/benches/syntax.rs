@@ -1,5 +1,5 @@
-//! How fast the syntax half is, on ten megabytes of each of three kinds of text. The aim of section 9 of the design is
-//! 100 MB/s through lexer and parser on one core, for the usual text.
+//! Measures the speed of lexer and parser, on ten megabytes of each of three kinds of text. The aim of section 9 of the
+//! design is 100 MB/s through lexer and parser on one core, for the usual text.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -11,7 +11,7 @@ use stickler_types::DialectName;
 
 const LENGTH: usize = 10_000_000;
 
-/// A function block as people write them.
+/// A typical function block.
 const USUAL: &str = "
 (* Keeps the mean of the last samples, and drives the motor by it. *)
 FUNCTION_BLOCK Motor
@@ -40,10 +40,10 @@ END_VAR
 END_FUNCTION_BLOCK
 ";
 
-/// A program without a space that could be left out: the worst case, two tokens every three bytes; no aim is set for it.
+/// A program without a space that could be omitted: the worst case, two tokens every three bytes; no aim is set for it.
 const DENSE: &str = "PROGRAM p x:=a+b*c-d[i];y:=(x+1)*2;f(a,b);END_PROGRAM\n";
 
-/// Mostly a comment.
+/// A text that is mostly a comment.
 const COMMENTED: &str = "(* A long comment, as generators and careful people write them above a program that is
    short: who wrote it, when, by which document, and what it must never do. *)\nPROGRAM p x := 1; END_PROGRAM\n";
 

@@ -1,4 +1,5 @@
-//! How many inputs a second each target judges, without libFuzzer: `cargo bench -p stickler-benchmarks --bench targets -- parse`.
+//! Measures how many inputs per second each fuzz target judges, without libFuzzer: `cargo bench -p stickler-benchmarks
+//! --bench targets -- parse`.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -30,7 +31,7 @@ fn corpora(criterion: &mut Criterion) {
     }
 }
 
-/// The contents of the files in a folder.
+/// Returns the contents of the files in a folder.
 fn inputs(folder: &Path) -> io::Result<Vec<Vec<u8>>> {
     fs::read_dir(folder)?.map(|file| fs::read(file?.path())).collect()
 }
