@@ -1,13 +1,13 @@
-//! The texts of what was expected and what was got, as they are shown beside each other.
+//! Prepares the expected and the actual text of a case for a comparison side by side.
 
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_run::{CaseEvent, Fact, Grade};
 use stickler_types::Diagnostic;
 
-/// Returns what was expected of a case and what was got, for a comparison line by line.
+/// Returns the expected and the actual text of a case, for a comparison line by line.
 ///
-/// Where codes do not count, a diagnostic on a line that is expected is what was expected, in whatever words: both texts then
-/// have the line of the expectation, with the compiler's words behind it. All other facts stay as they are.
+/// Where codes are not compared, a diagnostic on an expected line counts as the expected one: both texts then have the line
+/// of the expectation, followed by the compiler's words. All other facts stay as they are.
 pub(crate) fn texts(case: &CaseEvent, strict: Grade) -> (String, String) {
     let met = match strict {
         Grade::Code => BTreeMap::new(),
@@ -26,16 +26,16 @@ pub(crate) fn texts(case: &CaseEvent, strict: Grade) -> (String, String) {
     (expected, got)
 }
 
-/// A line on which something is wrong, as is expected.
+/// The expected diagnostics of one line of the program, and an actual one on it.
 struct Met<'f> {
-    /// What is expected on it.
+    /// The diagnostics that are expected on the line.
     expected: Vec<&'f Fact>,
-    /// The first that the compiler tells of it.
+    /// The first diagnostic that the compiler gives on the line.
     told: &'f Diagnostic,
 }
 
 impl Met<'_> {
-    /// Returns an expected fact with the compiler's words behind it: its code, where it has one, and its message.
+    /// Formats an expected fact followed by the compiler's words: its code, where it has one, and its message.
     fn written(&self, expected: &Fact) -> String {
         let words = self.told.code.iter().chain([&self.told.message]);
         let words: Vec<&str> = words
@@ -49,7 +49,7 @@ impl Met<'_> {
     }
 }
 
-/// Returns the lines that are expected and told.
+/// Returns the lines on which a diagnostic is both expected and given.
 fn met<'f>(expected: &'f [Fact], got: &'f [Fact]) -> BTreeMap<u32, Met<'f>> {
     let mut awaited: BTreeMap<u32, Vec<&Fact>> = BTreeMap::new();
     for fact in expected {
@@ -66,7 +66,7 @@ fn met<'f>(expected: &'f [Fact], got: &'f [Fact]) -> BTreeMap<u32, Met<'f>> {
     met
 }
 
-/// Returns the text of facts, in which other lines stand for each diagnostic that names a line of the program.
+/// Formats facts, with each diagnostic that names a line of the program replaced by the lines that `anew` returns.
 fn rewritten(facts: &[Fact], mut anew: impl FnMut(&Fact, u32) -> Vec<String>) -> String {
     let lines = facts.iter().flat_map(|fact| match fact.diagnostic() {
         Some(Diagnostic { line: Some(line), .. }) => anew(fact, *line),

@@ -1,7 +1,7 @@
-//! Two runs held against each other: what a later version of a compiler does better, worse, or otherwise.
+//! Compares two runs: what a later version of a compiler does better, worse, or differently.
 //!
-//! Both are read as streams. Of the older run a few words a case are kept, of the newer one only what differs, so that
-//! memory stays small however many cases there are.
+//! Both runs are read as streams. A few words are kept of each case of the older run, and of the newer run only the
+//! differences, so that memory stays small however many cases there are.
 
 mod json;
 mod older_case;
@@ -20,20 +20,22 @@ use std::collections::{BTreeMap, HashMap};
 use std::io::BufRead;
 use stickler_run::{CaseEvent, Event, Header, Verdict};
 
-/// How many changes of each kind are kept with all their texts. The rest is kept by name; the logs have them all.
+/// The maximum number of changes of each kind that are kept with their texts. Further ones are kept by name; the logs have
+/// all texts.
 pub const MAX_DETAILED: usize = 1000;
 
-/// How a case changed, the gravest first.
+/// The kind of change of a case; the gravest comes first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
-    /// The engine died or hung, and did not before.
+    /// The engine crashed or gave no answer in time, and did not before.
     Crashed,
-    /// What a document says was done, and no longer is.
+    /// The engine no longer does what a document states.
     Broken,
-    /// What a document says is done, and was not.
+    /// The engine now does what a document states.
     Fixed,
-    /// Something else is done, which is neither: another wrong value, another value where none is asserted.
+    /// The engine does something else, neither better nor worse: another wrong value, or another value where none is
+    /// asserted.
     Otherwise,
 }
 
@@ -42,37 +44,37 @@ impl Kind {
     pub const ALL: [Kind; 4] = [Kind::Crashed, Kind::Broken, Kind::Fixed, Kind::Otherwise];
 }
 
-/// A case that both runs have and that did not come out alike.
+/// A case of both runs with different results.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Change {
-    /// How it changed.
+    /// The kind of change.
     pub kind: Kind,
-    /// The case's id.
+    /// The id of the case.
     pub id: String,
-    /// Its dialect.
+    /// The dialect of the case.
     pub dialect: String,
-    /// The engine, by its name in the newer run.
+    /// The name of the engine in the newer run.
     pub engine: String,
-    /// What came of it in the older run, whatever a baseline expects.
+    /// The verdict in the older run, as if there were no baseline.
     pub old: Verdict,
-    /// What came of it in the newer run.
+    /// The verdict in the newer run, as if there were no baseline.
     pub new: Verdict,
-    /// Something else is expected than in the older run: the suite changed, and perhaps the engine did not.
+    /// Whether the expectation differs from that in the older run: the suite changed, and perhaps the engine did not.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub expectation_changed: bool,
-    /// What was said; only of the first [`MAX_DETAILED`] of each kind.
+    /// The texts of the change; `None` beyond the first [`MAX_DETAILED`] of each kind.
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "texts")]
     pub detail: Option<Box<Detail>>,
 }
 
-/// What was said of a case that did not come out alike. Texts have one fact a line.
+/// The texts of a case with different results, with one fact per line.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Detail {
-    /// What is expected in the newer run; `None` where neither log tells, as of a case that only records.
+    /// The expectation in the newer run; `None` where neither log contains it, as for a case that only records.
     pub expected: Option<String>,
-    /// What the older run got and recorded; `None` where it did what was expected then, and something else is expected now.
+    /// The result and the observations in the older run; `None` where the engine met an expectation that has changed since.
     pub old: Option<String>,
-    /// What the newer run got and recorded.
+    /// The result and the observations in the newer run.
     pub new: String,
     /// The command that runs the case again.
     pub rerun: String,
@@ -80,84 +82,84 @@ pub struct Detail {
     pub case: CaseEvent,
 }
 
-/// A case that only one of the runs has.
+/// A case that only one of the runs contains.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
 pub struct UnmatchedCase {
-    /// The case's id.
+    /// The id of the case.
     pub id: String,
-    /// Its dialect.
+    /// The dialect of the case.
     pub dialect: String,
-    /// The engine, by its name in the run that has the case.
+    /// The name of the engine in the run that contains the case.
     pub engine: String,
-    /// What came of it.
+    /// The verdict, as if there were no baseline.
     pub verdict: Verdict,
 }
 
-/// Two runs held against each other.
+/// The comparison of two runs.
 #[derive(Debug)]
 pub struct Comparison {
-    /// How the older run began.
+    /// The header of the older run.
     pub old: Header,
-    /// How the newer run began.
+    /// The header of the newer run.
     pub new: Header,
-    /// The engines that are compared: the name in the older run, and in the newer one.
+    /// The engines that are compared, each by its name in the older run and in the newer one.
     pub engines: Vec<(String, String)>,
-    /// What did not come out alike, in the order of the newer run.
+    /// The cases with different results, in the order of the newer run.
     pub changes: Vec<Change>,
-    /// The cases that only the newer run has, in its order.
+    /// The cases that only the newer run contains, in its order.
     pub added: Vec<UnmatchedCase>,
-    /// The cases that only the older run has, sorted.
+    /// The cases that only the older run contains, sorted.
     pub gone: Vec<UnmatchedCase>,
-    /// How many cases came out alike.
+    /// The number of cases with equal results.
     pub same: u64,
 }
 
-/// What keeps two runs from being compared.
+/// An error that prevents the comparison of two runs.
 #[derive(Debug, thiserror::Error)]
 pub enum ComparisonError {
-    /// The older run cannot be read, or is not whole.
+    /// The older run cannot be read, or is incomplete.
     #[error("the older run cannot be compared")]
     Old(#[source] RunError),
-    /// The newer run cannot be read, or is not whole.
+    /// The newer run cannot be read, or is incomplete.
     #[error("the newer run cannot be compared")]
     New(#[source] RunError),
     /// No engine took part in both.
     #[error("no engine took part in both runs: in the older one there is {old}, in the newer one {new}")]
     NoEngine {
-        /// The engines of the older run, in a list.
+        /// The list of the older run's engines.
         old: String,
-        /// Those of the newer run.
+        /// The list of the newer run's engines.
         new: String,
     },
-    /// They are different parts of divided runs, so most cases of the one cannot be in the other.
+    /// The runs are different parts of divided runs, so that they share few cases.
     #[error(
         "the older run is {old} and the newer one {new}; `stickler merge` makes a whole of the parts of a run"
     )]
     Parts {
-        /// Which part the older run is.
+        /// The description of the older run's part.
         old: String,
-        /// Which part the newer run is.
+        /// The description of the newer run's part.
         new: String,
     },
 }
 
-/// A run that cannot be compared.
+/// The reason why a run cannot be compared.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
-    /// Its log cannot be read.
+    /// The event log cannot be read.
     #[error(transparent)]
     Log(#[from] LogError),
-    /// Its log tells of a part of it.
+    /// The event log does not cover the whole run.
     #[error("{0}")]
     Truncated(Completeness),
 }
 
 impl Comparison {
-    /// Compares two runs. An engine is compared with the one of its name; where each run has a single one, these two are
-    /// compared, whatever their names.
+    /// Compares two runs. Engines are matched by name; where each run has a single engine, these two are compared, whatever
+    /// their names.
     ///
     /// # Errors
-    /// [`ComparisonError`] where one of the runs is not whole, or they have nothing in common.
+    /// [`ComparisonError`] where one of the runs is incomplete, or they have no engine in common.
     pub fn of(
         mut old: Reader<impl BufRead>,
         mut new: Reader<impl BufRead>,
@@ -177,12 +179,12 @@ impl Comparison {
         Ok(matching.finish())
     }
 
-    /// The changes of one kind.
+    /// Returns the changes of one kind.
     pub fn of_kind(&self, kind: Kind) -> impl Iterator<Item = &Change> {
         self.changes.iter().filter(move |change| change.kind == kind)
     }
 
-    /// Whether the engine does worse anywhere.
+    /// Returns whether any case is worse in the newer run.
     pub fn is_worse(&self) -> bool {
         self.changes
             .iter()
@@ -197,10 +199,10 @@ fn whole(reader: &Reader<impl BufRead>) -> Result<(), RunError> {
     }
 }
 
-/// A comparison while the runs are read: first the whole of the older one, then the newer one.
+/// The state of a comparison while the runs are read: first the whole of the older one, then the newer one.
 struct Matching {
     found: Comparison,
-    /// By engine, as it is called in the newer run; then by the case's key, `id@dialect`.
+    /// The cases of the older run, by the engine's name in the newer run, then by the case's key, `id@dialect`.
     known: HashMap<String, HashMap<String, OlderCase>>,
     detailed: BTreeMap<Kind, usize>,
 }
@@ -314,7 +316,7 @@ fn key(case: &CaseEvent) -> String {
     format!("{}@{}", case.id, case.dialect)
 }
 
-/// Which engine of the one run is compared with which of the other.
+/// Pairs the engines of the older run with those of the newer one: by name, or the only ones of both runs whatever their names.
 fn pairs(old: &Header, new: &Header) -> Result<Vec<(String, String)>, ComparisonError> {
     if let ([old], [new]) = (&old.engines[..], &new.engines[..]) {
         return Ok(vec![(old.name.clone(), new.name.clone())]);
@@ -338,7 +340,7 @@ fn pairs(old: &Header, new: &Header) -> Result<Vec<(String, String)>, Comparison
     Ok(pairs)
 }
 
-/// A detail as other programs want it: what was expected, and what each run got.
+/// Serializes the expected text and the text of each run's result, for other programs.
 fn texts<S: Serializer>(detail: &Option<Box<Detail>>, serializer: S) -> Result<S::Ok, S::Error> {
     #[derive(Serialize)]
     struct Texts<'a> {

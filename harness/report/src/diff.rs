@@ -1,4 +1,4 @@
-//! Expected beside got, line by line: one comparison that every format shows in its own way.
+//! Compares expected and actual texts line by line; every format shows the same comparison in its own way.
 
 use similar::algorithms::{Capture, Replace, myers};
 use similar::{DiffOp, DiffTag, group_diff_ops};
@@ -6,37 +6,36 @@ use std::fmt::Write;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
-/// How long a comparison may take before it falls back to a coarser one. Texts come from foreign engines and may be
-/// of any size.
+/// The time after which a comparison falls back to a coarser one. Texts come from foreign engines and may be of any size.
 const TIMEOUT: Duration = Duration::from_millis(200);
 
-/// How many equal lines stand around a difference.
+/// The number of equal lines that are kept around a difference.
 const CONTEXT: usize = 3;
 
-/// One line of a comparison.
+/// A line of a comparison.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct DiffLine {
-    /// On which side it stands.
+    /// The text that the line comes from.
     pub side: Side,
-    /// Its pieces; `true` marks a piece that differs from the line it is compared with. Without the end of line.
+    /// The pieces of the line, without its end; `true` marks a piece that differs from the line it is compared with.
     pub pieces: Vec<(bool, String)>,
 }
 
-/// Where a line of a comparison comes from.
+/// The text that a line of a comparison comes from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Side {
-    /// Both texts have it.
+    /// Both texts contain the line.
     Both,
-    /// Only the expected text has it.
+    /// Only the expected text contains the line.
     Expected,
-    /// Only the engine's text has it.
+    /// Only the engine's text contains the line.
     Got,
-    /// Equal lines were left out here; it has no pieces.
+    /// Equal lines were left out here; such a line has no pieces.
     Gap,
 }
 
 impl Side {
-    /// The character that stands before such a line.
+    /// Returns the character that is printed before a line of this side.
     pub const fn sign(self) -> char {
         match self {
             Side::Both | Side::Gap => ' ',
@@ -85,7 +84,7 @@ fn compare(expected: &[&str], got: &[&str]) -> Vec<DiffOp> {
     }
 }
 
-/// Splits a text into its lines, without their ends. Whether the last line ends, too, makes no difference.
+/// Splits a text into its lines, without their ends. An end of the last line makes no difference.
 fn split_lines(text: &str) -> Vec<&str> {
     match text.strip_suffix('\n').unwrap_or(text) {
         "" if text.is_empty() => Vec::new(),
@@ -93,13 +92,13 @@ fn split_lines(text: &str) -> Vec<&str> {
     }
 }
 
-/// A line in one piece, of which nothing is marked.
+/// Creates a line in one piece, without marks.
 fn plain(side: Side, line: &str) -> DiffLine {
     let pieces = std::iter::once((false, line));
     DiffLine::new(side, pieces)
 }
 
-/// Lines that others stand in place of. The words that differ are marked, unless most of them do.
+/// Returns the lines of a replacement. The words that differ are marked, unless most of them do.
 fn replaced(expected: &[&str], got: &[&str]) -> Vec<DiffLine> {
     let (old, new) = (Words::of(expected), Words::of(got));
     let operations = compare(&old.words, &new.words);
@@ -124,10 +123,10 @@ fn replaced(expected: &[&str], got: &[&str]) -> Vec<DiffLine> {
     lines
 }
 
-/// The words of some lines and the white space between them, in their order.
+/// The words of several lines and the white space between them, in their order.
 struct Words<'t> {
     words: Vec<&'t str>,
-    /// Where each line ends in `words`.
+    /// The end of each line, as an index into `words`.
     ends: Vec<usize>,
 }
 
@@ -148,7 +147,8 @@ impl<'t> Words<'t> {
         Words { words, ends }
     }
 
-    /// Puts the lines together again, each word marked as `differs` says. Neighbours that are marked alike are one piece.
+    /// Joins the words into lines again, each word marked as `differs` states. Neighbouring words with the same mark become
+    /// one piece.
     fn lines(&self, side: Side, differs: &[bool]) -> Vec<DiffLine> {
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
         let ranges = starts.zip(&self.ends).map(|(start, &end)| start..end);
@@ -162,7 +162,7 @@ impl<'t> Words<'t> {
 }
 
 impl DiffLine {
-    /// A line of these pieces, without the end of line. Empty pieces are left out.
+    /// Creates a line of these pieces, without the end of line. Empty pieces are left out.
     fn new<'t>(side: Side, words: impl Iterator<Item = (bool, &'t str)>) -> DiffLine {
         let mut pieces: Vec<(bool, String)> = Vec::new();
         for (differs, word) in words {
@@ -179,7 +179,7 @@ impl DiffLine {
     }
 }
 
-/// The comparison as plain text, a sign before each line: `-` expected, `+` got.
+/// Formats the comparison as plain text, with a sign before each line: `-` expected, `+` got.
 pub fn text(expected: &str, got: &str) -> String {
     let mut text = String::new();
     for line in lines(expected, got) {

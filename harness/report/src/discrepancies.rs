@@ -1,8 +1,9 @@
-//! `discrepancies/ENGINE/NN-….md`: what an engine does otherwise than documents say, one page a cluster of cases, each ready
-//! to be pasted into a tracker: the smallest program, the compiler's own command, what must come and why, what came.
+//! `discrepancies/ENGINE/NN-….md`: the deviations of an engine from documents, one page for each cluster of cases. Each page
+//! can be pasted into a tracker: the smallest program, the compiler's own command, the expected result and its basis, the
+//! actual result.
 //!
-//! A cluster is the cases of one case file and claim with one symptom. Of each only its smallest program is kept, so that
-//! memory does not grow with the number of cases.
+//! A cluster holds the cases of one case file and claim with one symptom. Only the smallest program of a cluster is kept, so
+//! that memory does not grow with the number of cases.
 
 mod normalize;
 mod page;
@@ -19,42 +20,42 @@ use std::path::{Path, PathBuf};
 use stickler_run::{CaseEvent, Event, Grade, Verdict};
 use symptom::Symptom;
 
-/// What the folder is called in a folder of reports.
+/// The name of the pages' folder in a folder of reports.
 pub(crate) const NAME: &str = "discrepancies";
 
-/// How many clusters of one engine are kept; cases that belong to none of them are counted.
+/// The maximum number of clusters of one engine; cases that belong to no kept cluster are counted.
 const MAX_CLUSTERS: usize = 300;
 
-/// Gathers the clusters of a run.
+/// The clusters of a run, gathered until their pages are written.
 pub(crate) struct Discrepancies {
     folder: PathBuf,
     engines: BTreeMap<String, Engine>,
 }
 
-/// What one engine does otherwise.
+/// The deviations of one engine.
 #[derive(Default)]
 struct Engine {
-    /// How exact its rejections had to be.
+    /// The worst grade of a rejection by the engine that still passed.
     strict: Grade,
     clusters: BTreeMap<Key, Cluster>,
-    /// How many cases belong to clusters that are not kept.
+    /// The number of cases that belong to no kept cluster.
     left_out: u64,
 }
 
-/// What cases of a cluster have in common.
+/// The common properties of the cases of a cluster.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Key {
     basis: String,
-    /// The ids of a case file begin alike.
+    /// The beginning that the ids of the case file's cases share.
     file: String,
     symptom: Symptom,
 }
 
-/// Cases that most probably fail for one reason.
+/// A cluster of cases that most probably fail for one reason.
 struct Cluster {
     /// The case with the smallest program.
     smallest: CaseEvent,
-    /// How many cases there are, by probe and dialect.
+    /// The number of cases, by probe and dialect.
     cases: BTreeMap<(String, String), u64>,
 }
 
@@ -75,8 +76,7 @@ impl Discrepancies {
     /// Adds one event.
     pub(crate) fn take(&mut self, event: &Event) {
         match event {
-            // A case with a program is one that did not come out as expected; what an engine says it cannot do contradicts
-            // nothing.
+            // Only a case that did not come out as expected has a program; an unsupported case contradicts no document.
             Event::Case(case) if case.program.is_some() && case.actual_verdict() != Verdict::Unsupported => {
                 self.take_case(case);
             }
@@ -112,10 +112,10 @@ impl Discrepancies {
         }
     }
 
-    /// Writes the pages. A run that was cut short has none.
+    /// Writes the pages. A run that was cut short gets none.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where that fails.
+    /// [`ReportError::Write`] where a page cannot be written.
     pub(crate) fn finish(self, overview: &Overview) -> Result<(), ReportError> {
         let (Some(header), Some(_)) = (&overview.header, &overview.footer) else {
             return Ok(());
@@ -125,7 +125,7 @@ impl Discrepancies {
             let folder = self.folder.join(file_name(name));
             fs::create_dir_all(&folder).map_err(ReportError::writing(&folder))?;
             let about = header.engines.iter().find(|engine| engine.name == *name);
-            // What most cases show comes first.
+            // The cluster with the most cases comes first.
             let mut clusters: Vec<(&Key, &Cluster)> = engine.clusters.iter().collect();
             clusters.sort_by_key(|(_, cluster)| std::cmp::Reverse(cluster.number()));
             let mut index = page::index(name, about, clusters.len(), engine.left_out);
@@ -158,15 +158,15 @@ fn write(path: PathBuf, text: &str) -> Result<(), ReportError> {
     file.commit()
 }
 
-/// `03-bit-access-outside-short-line-of-P4025.md`
+/// Returns the name of a page's file, such as `03-bit-access-outside-short-line-of-P4025.md`.
 fn page_name(number: usize, key: &Key) -> String {
     let mut name = file_name(&format!("{}-{}", key.file, key.symptom.word()));
     name.truncate(80);
     format!("{number:02}-{name}.md")
 }
 
-/// A name that every file system takes: what is no letter, digit, line or point becomes a line, and so does a point at the
-/// beginning, which would hide the file or lead elsewhere.
+/// Returns a name that every file system accepts: a character other than a letter, digit, hyphen or dot becomes a hyphen,
+/// and so does a dot at the beginning, which would hide the file or lead elsewhere.
 fn file_name(name: &str) -> String {
     let safe = |(at, character): (usize, char)| match character {
         'a'..='z' | 'A'..='Z' | '0'..='9' | '-' | '_' => character,
@@ -176,7 +176,7 @@ fn file_name(name: &str) -> String {
     name.char_indices().map(safe).collect()
 }
 
-/// Removes the pages of all engines, and the folders that are empty then. What somebody else put there stays.
+/// Removes the pages of all engines, and the folders that are empty then. Other files in the folders stay.
 fn remove_pages(folder: &Path) -> Result<(), ReportError> {
     for engine in entries(folder) {
         for page in entries(&engine) {
@@ -197,7 +197,7 @@ fn remove_pages(folder: &Path) -> Result<(), ReportError> {
     Ok(())
 }
 
-/// What is in a folder; nothing where there is none.
+/// Returns the paths in a folder; none where there is no such folder.
 fn entries(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     entries.map(|entry| entry.path()).collect()

@@ -1,9 +1,9 @@
-//! `junit.xml`: the run for continuous integration. The first test suite is the claims, one test a claim; where case files
-//! are broken, the next is those, and where entries of baselines are out of date, the next is those; then comes one test suite an
-//! engine, dialect and area: a test for each case that did not pass, and for each probe one for all of its cases that did. The
-//! cases of a probe that an engine does not support are one test too, which is skipped.
+//! `junit.xml`: the run for continuous integration. The first test suite holds one test for each claim. Where case files are
+//! broken, a test suite for them follows, and where entries of baselines are out of date, one for those. Then comes one test
+//! suite for each engine, dialect and area: a test for each case that did not pass, and for each probe one test for all of
+//! its cases that did. The cases of a probe that an engine does not support also share one test, which is skipped.
 //!
-//! The document is quick-junit's, which knows what XML and JUnit's readers take.
+//! The document is built with quick-junit, which writes XML that JUnit's readers accept.
 
 mod case;
 mod suite;
@@ -25,7 +25,7 @@ use stickler_run::{CaseEvent, EngineHeader, Event, Verdict};
 use suite::{Kind, Problem, Suite, Test};
 use tally::Tally;
 
-/// Gathers the run: test suites are apart in the file, and their cases are not in the stream of events.
+/// The tests of a run, gathered because the file separates test suites whose cases alternate in the stream of events.
 pub(crate) struct Junit {
     file: PendingFile,
     suites: BTreeMap<String, Suite>,
@@ -33,7 +33,7 @@ pub(crate) struct Junit {
     engines: Vec<EngineHeader>,
 }
 
-/// The cases of a group that are one test.
+/// The counts of those cases of a group that share a test.
 #[derive(Default)]
 struct GroupTally {
     passed: Tally,
@@ -41,10 +41,10 @@ struct GroupTally {
 }
 
 impl Junit {
-    /// Makes the file.
+    /// Creates the file.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where it cannot be made.
+    /// [`ReportError::Write`] where the file cannot be created.
     pub(crate) fn create(path: PathBuf) -> Result<Junit, ReportError> {
         Ok(Junit {
             file: PendingFile::create(path)?,
@@ -80,7 +80,7 @@ impl Junit {
         }
     }
 
-    /// Adds the tests that stand for several cases: one for each probe and dialect, also where its cases are of several groups.
+    /// Adds the tests that cover several cases: one for each probe and dialect, even where its cases are of several groups.
     fn add_tallies(&mut self, groups: &Groups) {
         let mut tallies: Vec<(&Group, GroupTally)> = Vec::new();
         let mut places = HashMap::new();
@@ -110,10 +110,10 @@ impl Junit {
         }
     }
 
-    /// Writes the document; a run that was cut short has none.
+    /// Writes the document; a run that was cut short gets none.
     ///
     /// # Errors
-    /// [`ReportError::Write`] where that fails.
+    /// [`ReportError::Write`] where the file cannot be written.
     pub(crate) fn finish(mut self, overview: &Overview, groups: &Groups) -> Result<(), ReportError> {
         let Some(footer) = &overview.footer else {
             return Ok(());
@@ -134,7 +134,7 @@ impl Junit {
     }
 }
 
-/// The name of the test suite of an engine, a dialect and an area.
+/// Returns the name of the test suite of an engine, a dialect and an area.
 fn suite_name(engine: &str, dialect: &str, area: &str) -> String {
     format!("{engine}.{dialect}.{area}")
 }
@@ -143,7 +143,7 @@ fn suite_of(suites: &mut BTreeMap<String, Suite>, name: String) -> &mut Suite {
     suites.entry(name).or_insert_with_key(|name| Suite::new(name))
 }
 
-/// The claims as a test suite. One that fails only where a baseline expects it is skipped, as its cases are.
+/// Returns the test suite of claims. A claim that fails only where a baseline expects it is skipped, as its cases are.
 fn claims(overview: &Overview) -> Suite {
     let mut suite = Suite::new("claims");
     for claim in overview.claims.iter() {
@@ -174,7 +174,7 @@ fn claims(overview: &Overview) -> Suite {
     suite
 }
 
-/// The mistakes in case files as a test suite, where there are any: a CI service must not show a clean run.
+/// Returns the test suite of the mistakes in case files, where there are any: a CI service must not show a clean run.
 fn broken_files(overview: &Overview) -> Option<Suite> {
     let broken = overview.header.as_ref().map(|header| &header.broken_files)?;
     let mut suite = (!broken.is_empty()).then(|| Suite::new("case-files"))?;
@@ -194,7 +194,7 @@ fn broken_files(overview: &Overview) -> Option<Suite> {
     Some(suite)
 }
 
-/// The entries of baselines that are out of date as a test suite, where there are any: each of them fails.
+/// Returns the test suite of the baseline entries that are out of date, where there are any: each of them fails.
 fn outdated_entries(overview: &Overview) -> Option<Suite> {
     let mut suite = overview.outdated().next().map(|_| Suite::new("baselines"))?;
     for entry in overview.outdated() {

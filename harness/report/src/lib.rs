@@ -2,21 +2,22 @@
 //!
 //! | module | file | for |
 //! |---|---|---|
-//! | [`events`] | `events.jsonl` | the stream itself, line by line while the run goes on; the only file that a run leaves which was cut short |
+//! | [`events`] | `events.jsonl` | the stream itself, written while the run goes on; the only file that a run leaves when it is cut short |
 //! | `results` | `results.json` | programs |
 //! | `junit` | `junit.xml` | CI services |
 //! | [`summary`] | `summary.md` | a CI step summary, a pull request |
 //! | `badge` | `badge.json` | the first page of a compiler's project |
-//! | `discrepancies` | `discrepancies/ENGINE/*.md` | those who write a compiler |
-//! | [`terminal`] | (the terminal) | whoever started the run |
-//! | [`comparison`] | (the terminal) | whoever wants to know what became of an older run |
+//! | `discrepancies` | `discrepancies/ENGINE/*.md` | the authors of a compiler |
+//! | [`terminal`] | (the terminal) | the person who started the run |
+//! | [`comparison`] | (the terminal) | a person who compares a run with an older one |
 //!
 //! A format is a module of its own that takes [`Event`](stickler_run::Event)s by an exhaustive match, or a view of the
 //! [`Overview`] that such a match gathers; a new format is a new module and a line in [`Reports`]. HTML (`html`) and SARIF
 //! (`sarif`) will come here as such modules.
 //!
 //! *Architecture invariants.* No format has facts of its own: what is not in an event is in no report. [`claims`] is the
-//! one place that counts claims, and [`observations`] the one that compares what was recorded. Nothing here runs, schedules or judges a case, or knows how an event came about.
+//! one place that counts claims, and [`observations`] the one that compares observations. Nothing here runs, schedules or
+//! judges a case, or knows how an event came about.
 #![forbid(unsafe_code)]
 
 mod badge;

@@ -1,20 +1,20 @@
-//! What engines do where no document says what they must: recorded, never judged, and compared here.
+//! Compares what engines do where no document states what they must do. Observations are recorded, never judged.
 
 use std::collections::{BTreeMap, HashMap};
 use stickler_run::CaseEvent;
 
-/// How much of a value is kept.
+/// The maximum number of characters that are kept of a value.
 const MAX_KEPT_CHARACTERS: usize = 300;
 
-/// Everything that was recorded in a run, in a few bytes each.
+/// The observations of a run, in a few bytes each.
 #[derive(Debug, Default)]
 pub struct Observations {
     words: Words,
-    /// By the case's id and what was observed of it, in the order of both.
+    /// The observations, by the id of the case and the observed variable, in the order of both.
     seen: BTreeMap<(String, u32), Vec<Seen>>,
 }
 
-/// What one engine did with a case in one dialect.
+/// The result of a case on one engine in one dialect.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Seen {
     engine: u32,
@@ -22,7 +22,7 @@ struct Seen {
     value: u32,
 }
 
-/// Words, each kept once; a number stands for it.
+/// A table of words that keeps each word once, under a number.
 #[derive(Debug, Default)]
 struct Words {
     numbers: HashMap<String, u32>,
@@ -34,7 +34,7 @@ impl Words {
         if let Some(number) = self.numbers.get(word) {
             return *number;
         }
-        // A run has fewer events than that.
+        // A run has fewer events than `u32` has values.
         let number = u32::try_from(self.words.len()).unwrap_or(u32::MAX);
         self.words.push(word.to_owned());
         self.numbers.insert(word.to_owned(), number);
@@ -46,21 +46,22 @@ impl Words {
     }
 }
 
-/// Cases of one probe on which engines part alike: who does as whom is the same for all of them.
+/// Cases of one probe on which the engines form the same groups by their results.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Disagreement<'o> {
-    /// The id of the first of them.
+    /// The id of the first case.
     pub id: &'o str,
-    /// What was observed: a variable, `acceptance`, or `fault`.
+    /// The observed variable, or `acceptance`, or `fault`.
     pub name: &'o str,
-    /// Each value of the first case with those who gave it: an engine, with its dialects where it gave several values.
+    /// Each value of the first case with the engines that gave it; an engine that gave several values is named with its
+    /// dialects.
     pub values: Vec<(&'o str, Vec<String>)>,
-    /// How many cases part like the first.
+    /// The number of cases on which the engines form these groups.
     pub cases: u64,
 }
 
 impl Observations {
-    /// Adds what was recorded of one case.
+    /// Adds the observations of a case.
     pub fn take(&mut self, case: &CaseEvent) {
         for observed in &case.observations {
             let name = self.words.number(&observed.name);
@@ -77,7 +78,7 @@ impl Observations {
         }
     }
 
-    /// Where engines do not do the same, in the order of ids. `engines` is the order in which they are named.
+    /// Returns the disagreements between engines, in the order of ids. `engines` is the order in which engines are named.
     pub fn disagreements(&self, engines: &[&str]) -> Vec<Disagreement<'_>> {
         let mut disagreements: Vec<Disagreement<'_>> = Vec::new();
         let mut places: HashMap<(&str, u32, Vec<Vec<String>>), usize> = HashMap::new();
@@ -103,7 +104,8 @@ impl Observations {
         disagreements
     }
 
-    /// Whether two engines part: in a dialect that both speak, or, where they share none, in all that they gave.
+    /// Returns whether two engines disagree: in a dialect that both support, or, where they share none, in all of their
+    /// values.
     fn disagree(&self, seen: &[Seen]) -> bool {
         seen.iter().any(|one| {
             seen.iter()
@@ -112,7 +114,7 @@ impl Observations {
         })
     }
 
-    /// The values, each with those who gave it; the value of the first engine first.
+    /// Returns each value with the engines that gave it; the value of the first engine comes first.
     fn values(&self, seen: &[Seen], engines: &[&str]) -> Vec<(&str, Vec<String>)> {
         let mut values: Vec<(&str, Vec<String>)> = Vec::new();
         for engine in engines {
@@ -139,7 +141,7 @@ impl Observations {
     }
 }
 
-/// Whether two answers of different engines are at odds.
+/// Returns whether two results of different engines contradict each other.
 fn differ(seen: &[Seen], one: &Seen, other: &Seen) -> bool {
     if one.value == other.value {
         return false;
@@ -154,7 +156,7 @@ fn differ(seen: &[Seen], one: &Seen, other: &Seen) -> bool {
     !share_a_dialect && !share_a_value
 }
 
-/// The probe of a table that a case comes from, or the case itself.
+/// Returns the part of an id that the cases of a table's probe share, or the whole id where the case comes from no table.
 pub(crate) fn probe(id: &str) -> &str {
     id.split_once('(').map_or(id, |(probe, _)| probe)
 }

@@ -1,4 +1,4 @@
-//! What a person wants to see of a run at a glance, gathered once for the terminal and the Markdown summary.
+//! The overview of a run for people, gathered once for the terminal and the Markdown summary.
 
 use crate::claims::Claims;
 use crate::engine;
@@ -7,31 +7,32 @@ use crate::text::clip_facts;
 use std::collections::BTreeMap;
 use stickler_run::{CaseEvent, EngineHeader, Event, Footer, Header, OutdatedEntry, Totals};
 
-/// How many failing cases are kept whole. The rest is counted; the event log has them all.
+/// The maximum number of failing cases that are kept whole. The rest is counted; the event log has them all.
 pub const MAX_KEPT_FAILURES: usize = 500;
 
-/// How much of their texts is kept.
+/// The maximum number of lines that are kept of each text of a failing case.
 const MAX_KEPT_LINES: usize = 100;
+/// The maximum number of characters that are kept of each line of a failing case.
 const MAX_KEPT_CHARACTERS: usize = 1000;
 
-/// A run, added up.
+/// The overview of a run: its totals, claims, failures and observations.
 #[derive(Debug, Default)]
 pub struct Overview {
-    /// How the run began; `None` before its header.
+    /// The header of the run; `None` before it came.
     pub header: Option<Header>,
-    /// The claims and how they stand.
+    /// The claims of the run and their results.
     pub claims: Claims,
-    /// Totals by engine, dialect and area.
+    /// The verdict counts by engine, dialect and area.
     pub totals: BTreeMap<String, BTreeMap<String, BTreeMap<String, Totals>>>,
     /// The first [`MAX_KEPT_FAILURES`] cases that did not come out as expected.
     pub failures: Vec<CaseEvent>,
-    /// How many did not come out as expected.
+    /// The number of all cases that did not come out as expected.
     pub failed: u64,
-    /// How many values and acceptances were recorded where no document says what they must be.
+    /// The number of values and acceptances that were recorded where no document states what they must be.
     pub observations: u64,
-    /// What was recorded, where several engines took part; alone, nobody differs.
+    /// The observations, where several engines took part; a single engine has none to disagree with.
     pub observed: Observations,
-    /// How the run ended; `None` where it was cut short.
+    /// The footer of the run; `None` where the run was cut short.
     pub footer: Option<Footer>,
 }
 
@@ -62,7 +63,7 @@ impl Overview {
         }
     }
 
-    /// The names of the engines, in the order of the run.
+    /// Returns the names of the engines, in the order of the run.
     pub fn engines(&self) -> Vec<&str> {
         let engines = self.header.iter().flat_map(|header| &header.engines);
         engines.map(|engine| engine.name.as_str()).collect()
@@ -73,13 +74,13 @@ impl Overview {
         engine::of(&self.header.as_ref()?.engines, case)
     }
 
-    /// The entries of baselines that are out of date; a run with any of them is not as expected.
+    /// Returns the entries of baselines that are out of date; a run with any of them is not as expected.
     pub fn outdated(&self) -> impl Iterator<Item = &OutdatedEntry> {
         let baselines = self.header.iter().flat_map(|header| &header.baselines);
         baselines.flat_map(|baseline| &baseline.outdated)
     }
 
-    /// Every area of the run, sorted.
+    /// Returns every area of the run, sorted.
     pub fn areas(&self) -> Vec<&str> {
         let mut areas: Vec<&str> = self
             .totals
@@ -93,7 +94,7 @@ impl Overview {
         areas
     }
 
-    /// The sum over everything.
+    /// Returns the verdict counts of the whole run.
     pub fn sum(&self) -> Totals {
         let mut sum = Totals::default();
         for totals in self
@@ -108,7 +109,8 @@ impl Overview {
     }
 }
 
-/// The entry of a key, made where it is missing. Unlike the map's own `entry`, it copies the key only then.
+/// Returns the entry of a key, and creates it where it is missing. Unlike the map's own `entry`, it copies the key only
+/// then.
 pub(crate) fn entry<'m, V: Default>(map: &'m mut BTreeMap<String, V>, key: &str) -> &'m mut V {
     if !map.contains_key(key) {
         map.insert(key.to_owned(), V::default());
@@ -116,7 +118,7 @@ pub(crate) fn entry<'m, V: Default>(map: &'m mut BTreeMap<String, V>, key: &str)
     map.get_mut(key).expect("it is there or was just put there")
 }
 
-/// The case, with no more of its texts than any view shows: a foreign engine may say anything at any length.
+/// Copies a case with no more of its texts than any view shows, since the texts of a foreign engine may have any length.
 pub(crate) fn kept(case: &CaseEvent) -> CaseEvent {
     CaseEvent {
         expected: clip_facts(&case.expected, MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),

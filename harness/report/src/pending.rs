@@ -1,12 +1,12 @@
-//! A file that appears whole or not at all.
+//! A file that appears under its name only when it is complete.
 
 use crate::ReportError;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// A file that is written under a temporary name and takes its own name when it is complete. Where it is dropped
-/// before, nothing is left of it.
+/// A file that is written under a temporary name and renamed when it is complete. Dropping it before removes the temporary
+/// file.
 pub(crate) struct PendingFile {
     path: PathBuf,
     temporary: PathBuf,
@@ -14,8 +14,8 @@ pub(crate) struct PendingFile {
 }
 
 impl PendingFile {
-    /// Makes the temporary file beside `path`, and removes what an earlier run left at `path`: the files of a
-    /// folder all tell of one run.
+    /// Creates the temporary file beside `path`, and removes the file of an earlier run at `path`, since the files of a
+    /// folder all belong to one run.
     ///
     /// # Errors
     /// [`ReportError::Write`] where the folder or the file cannot be written.
@@ -39,12 +39,12 @@ impl PendingFile {
         }
     }
 
-    /// The name that the file will have.
+    /// Returns the name that the file will have.
     pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Gives the complete file its name.
+    /// Renames the complete file to its own name.
     ///
     /// # Errors
     /// [`ReportError::Write`] where the last bytes cannot be written or the file cannot be renamed.
@@ -70,7 +70,7 @@ impl Write for PendingFile {
 
 impl Drop for PendingFile {
     fn drop(&mut self) {
-        // After a commit the temporary name no longer exists; an error here changes nothing for anyone.
+        // After a commit the temporary name no longer exists, and nobody could act on another error here.
         let _ = fs::remove_file(&self.temporary);
     }
 }

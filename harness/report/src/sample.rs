@@ -1,4 +1,4 @@
-//! A small run for the tests of this crate, and what they look at.
+//! A small run for the tests of this crate, and helpers to build and inspect its parts.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,7 +9,7 @@ use stickler_run::{
 };
 use stickler_types::{Diagnostic, Value};
 
-/// The fact that a variable has a value, given as a typed literal.
+/// Returns the fact that a variable has a value, given as a typed literal.
 pub(crate) fn value(name: &str, literal: &str) -> Fact {
     Fact::Value {
         name: name.to_owned(),
@@ -17,7 +17,7 @@ pub(crate) fn value(name: &str, literal: &str) -> Fact {
     }
 }
 
-/// An expected diagnostic.
+/// Returns an expected diagnostic.
 pub(crate) fn error(line: u32, code: &str) -> Fact {
     Fact::Diagnostic(Diagnostic {
         line: Some(line),
@@ -26,7 +26,7 @@ pub(crate) fn error(line: u32, code: &str) -> Fact {
     })
 }
 
-/// A diagnostic of an engine; line 0 is none, and so is an empty code.
+/// Returns a diagnostic of an engine; line 0 stands for none, and so does an empty code.
 pub(crate) fn told(line: u32, code: &str, message: &str) -> Fact {
     Fact::Diagnostic(Diagnostic {
         line: (line > 0).then_some(line),
@@ -36,17 +36,17 @@ pub(crate) fn told(line: u32, code: &str, message: &str) -> Fact {
     })
 }
 
-/// The lines of a rendered source.
+/// Returns the fact that a source is rendered, with these lines.
 pub(crate) fn rendered(lines: &[&str]) -> Fact {
     Fact::Rendered {
         lines: lines.iter().map(|&line| line.to_owned()).collect(),
     }
 }
 
-/// A case with this id and verdict.
+/// Returns a case with this id and verdict.
 pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
     let right = value("into", "INT#-128");
-    // As of a case of a run: what passes says no more.
+    // In the events of a run, a case that passes has no expected and actual facts.
     let (line, expected, got) = match verdict {
         Verdict::Pass => (None, Vec::new(), Vec::new()),
         Verdict::Xpass => (Some(7), vec![right.clone()], vec![right]),
@@ -74,7 +74,7 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
     }
 }
 
-/// A case that asserts nothing but that the program is accepted.
+/// Returns a case that asserts nothing but that the program is accepted.
 pub(crate) fn open_case(id: &str) -> CaseEvent {
     CaseEvent {
         open: true,
@@ -86,7 +86,7 @@ pub(crate) fn open_case(id: &str) -> CaseEvent {
     }
 }
 
-/// A whole run: two passes, one open case, one failure.
+/// Returns a whole run: two passes, one open case, one failure.
 pub(crate) fn run() -> Vec<Event> {
     run_of(vec![
         case("first", Verdict::Pass),
@@ -96,8 +96,8 @@ pub(crate) fn run() -> Vec<Event> {
     ])
 }
 
-/// A run of an unexpected pass and an expected failure, with a baseline of which one entry is out of date; and the note of
-/// both cases.
+/// Returns a run of an unexpected pass and an expected failure, with a baseline of which one entry is out of date; and the
+/// note on both cases.
 pub(crate) fn run_with_baseline() -> (Vec<Event>, BaselineNote) {
     let note = BaselineNote {
         at: "b/reference.toml:7".to_owned(),
@@ -129,13 +129,13 @@ pub(crate) fn run_with_baseline() -> (Vec<Event>, BaselineNote) {
     (events, note)
 }
 
-/// What every report shows of the one case of [`run_by_line`].
+/// The lines that every report shows for the one case of [`run_by_line`].
 pub(crate) const BY_LINE: [&str; 2] = [
     "  line 6: error P4001, told as no number",
     "- line 9: error P4007",
 ];
 
-/// A run of one case whose rejection was judged by lines, and does not name both.
+/// Returns a run of one case whose rejection was judged by lines, and does not name both.
 pub(crate) fn run_by_line() -> Vec<Event> {
     let mut events = run_of(vec![CaseEvent {
         expected: vec![error(6, "P4001"), error(9, "P4007")],
@@ -148,7 +148,7 @@ pub(crate) fn run_by_line() -> Vec<Event> {
     events
 }
 
-/// A whole run of these cases on several engines.
+/// Returns a whole run of these cases on several engines.
 pub(crate) fn run_on(engines: &[&str], cases: Vec<CaseEvent>) -> Vec<Event> {
     let mut events = run_of(cases);
     if let Some(Event::Header(header)) = events.first_mut() {
@@ -163,7 +163,7 @@ pub(crate) fn run_on(engines: &[&str], cases: Vec<CaseEvent>) -> Vec<Event> {
     events
 }
 
-/// A whole run of these cases.
+/// Returns a whole run of these cases.
 pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
     let mut totals = Totals::default();
     cases.iter().for_each(|case| totals.count(case.verdict));
@@ -203,7 +203,7 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
     events
 }
 
-/// The names of what is in a folder, sorted.
+/// Returns the names of the entries of a folder, sorted.
 pub(crate) fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("the folder");
     let mut names: Vec<String> = entries

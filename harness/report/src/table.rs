@@ -1,17 +1,17 @@
-//! A table of plain text whose columns are as wide as they must be.
+//! A table of plain text whose columns are as wide as their widest cells.
 
 use anstyle::Style;
 use std::fmt::Display;
 use std::io::{self, Write};
 
-/// How a cell stands in its column.
+/// The alignment of a cell in its column.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Align {
     Left,
     Right,
 }
 
-/// One cell.
+/// A cell of a table.
 #[derive(Clone, Debug)]
 pub(crate) struct Cell {
     text: String,
@@ -20,7 +20,7 @@ pub(crate) struct Cell {
 }
 
 impl Cell {
-    /// Text at the left.
+    /// Creates a cell with text, aligned left.
     pub(crate) fn left(text: impl Display) -> Cell {
         Cell {
             text: text.to_string(),
@@ -29,12 +29,12 @@ impl Cell {
         }
     }
 
-    /// A number, at the right.
+    /// Creates a cell with a number, aligned right.
     pub(crate) fn plain(text: impl Display) -> Cell {
         Cell::styled(text, Style::new())
     }
 
-    /// A number in a style, at the right.
+    /// Creates a cell with a number in a style, aligned right.
     pub(crate) fn styled(text: impl Display, style: Style) -> Cell {
         Cell {
             text: text.to_string(),
@@ -48,14 +48,14 @@ impl Cell {
     }
 }
 
-/// A head and rows; a row may be shorter than the head.
+/// A table: a head and rows; a row may be shorter than the head.
 pub(crate) struct Table {
     head: Vec<Cell>,
     rows: Vec<Vec<Cell>>,
 }
 
 impl Table {
-    /// A table without rows.
+    /// Creates a table without rows.
     pub(crate) fn new(head: Vec<Cell>) -> Table {
         Table {
             head,
@@ -63,7 +63,7 @@ impl Table {
         }
     }
 
-    /// Adds a column.
+    /// Adds a column with this head.
     pub(crate) fn head(&mut self, cell: Cell) {
         self.head.push(cell);
     }
@@ -76,7 +76,7 @@ impl Table {
     /// Writes the table, the head in bold.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Returns the error of writing to `out`.
     pub(crate) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let lines = || std::iter::once(&self.head).chain(&self.rows);
         let columns = lines().map(Vec::len).max().unwrap_or(0);

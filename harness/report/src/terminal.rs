@@ -1,7 +1,7 @@
-//! The summary on the terminal.
+//! Writes the summary of a run on the terminal.
 //!
-//! What matters most stands last, where the eye is when the run ends: first the cases that are not as expected, then
-//! the claims, then the totals, then one line that says how it went. It is written with ANSI styles; the caller's
+//! The most important part comes last, where the reader looks when the run ends: first the cases that are not as expected,
+//! then the claims, then the totals, then one line with the result. The summary is written with ANSI styles; the caller's
 //! stream strips them where they do not belong.
 
 mod claims;
@@ -21,23 +21,23 @@ pub(crate) const DIM: Style = Style::new().dimmed();
 pub(crate) const GOOD: Style = AnsiColor::Green.on_default();
 pub(crate) const BAD: Style = AnsiColor::Red.on_default();
 
-/// How many failures are shown whole.
+/// The maximum number of failures that are shown whole.
 const MAX_SHOWN_FAILURES: usize = 40;
 
-/// How many entries of baselines that are out of date are named.
+/// The maximum number of baseline entries out of date that are named.
 const MAX_SHOWN_OUTDATED: usize = 20;
 
-/// What the summary needs to know beside the run.
+/// The facts that the summary needs besides the run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Surroundings<'a> {
-    /// The folder of the reports, where there is one.
+    /// The path of the folder of reports, where there is one.
     pub reports: Option<&'a str>,
 }
 
 /// Writes the summary of a run.
 ///
 /// # Errors
-/// Those of `out`.
+/// Returns the error of writing to `out`.
 pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
     write_failures(out, overview, around)?;
     claims::write(out, overview)?;
@@ -173,7 +173,7 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
     }
 }
 
-/// Where the pages are that can be sent to those who write a compiler, where there are any.
+/// Writes the path of the pages that can be sent to the authors of a compiler, where there are any.
 fn write_discrepancies(out: &mut dyn Write, overview: &Overview, folder: &str) -> io::Result<()> {
     let failed: u64 = overview.claims.iter().map(|claim| claim.standing.failed).sum();
     if failed == 0 {
@@ -186,7 +186,7 @@ fn write_discrepancies(out: &mut dyn Write, overview: &Overview, folder: &str) -
     )
 }
 
-/// How much of what was recorded differs between the engines.
+/// Writes the number of observations in which the engines disagree.
 fn write_disagreements(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
     let disagreements = overview.observed.disagreements(&overview.engines());
     let cases: u64 = disagreements.iter().map(|disagreement| disagreement.cases).sum();
@@ -213,13 +213,13 @@ fn write_outdated(out: &mut dyn Write, overview: &Overview) -> io::Result<usize>
     Ok(number)
 }
 
-/// An engine by its name and version, and how it was judged where that was not by code and line.
+/// Formats an engine's name and version, and how it was judged where that was not by code and line.
 fn engine(header: &EngineHeader) -> String {
     let named = format!("{} {}", header.name, header.version);
     format!("{}{}", visible(named.trim_end()), judged(header.strict))
 }
 
-/// The numbers of those verdicts beside `pass` that are as expected, or of those that are not.
+/// Formats the counts of those verdicts beside `pass` that are as expected, or of those that are not.
 fn kinds(totals: &Totals, as_expected: bool) -> String {
     let kinds: Vec<String> = Verdict::ALL
         .into_iter()

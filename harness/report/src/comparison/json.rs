@@ -1,11 +1,11 @@
-//! A comparison as one JSON object, for other programs.
+//! Writes a comparison as one JSON object, for other programs.
 
 use super::{Change, Comparison, Kind, UnmatchedCase};
 use serde::Serialize;
 use std::io::{self, Write};
 use stickler_run::Header;
 
-/// The version of this format.
+/// The version of the JSON format.
 const FORMAT: u32 = 1;
 
 #[derive(Serialize)]
@@ -20,14 +20,14 @@ struct Document<'c> {
     gone: &'c [UnmatchedCase],
 }
 
-/// An engine by its name in each run.
+/// The name of an engine in each run.
 #[derive(Serialize)]
 struct Pair<'c> {
     old: &'c str,
     new: &'c str,
 }
 
-/// How many cases there are of each kind.
+/// The number of cases of each kind of change.
 #[derive(Serialize)]
 struct Counts {
     crashed: usize,
@@ -39,11 +39,11 @@ struct Counts {
     same: u64,
 }
 
-/// Writes the object and a line feed. All changes are in it, the first [`MAX_DETAILED`](super::MAX_DETAILED) of each kind with
-/// what was expected and what came.
+/// Writes the object and a line feed. All changes are in it, the first [`MAX_DETAILED`](super::MAX_DETAILED) of each kind
+/// with their expected and actual texts.
 ///
 /// # Errors
-/// Those of `out`.
+/// Returns the error of writing to `out`.
 pub fn write_json(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
     let count = |kind| comparison.of_kind(kind).count();
     let document = Document {

@@ -1,18 +1,19 @@
-//! What is kept of a case of the older run until the newer one comes to it.
+//! Keeps a case of the older run in little memory until the newer run comes to it.
 
 use super::Kind;
 use crate::text::clip;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_run::{CaseEvent, Fact, Verdict};
 
-/// How much is kept of what an engine said that did not do what was expected.
+/// The maximum number of lines that are kept of the results of a case that did not pass.
 const MAX_KEPT_LINES: usize = 20;
+/// The maximum number of characters that are kept of each line of the results of a case that did not pass.
 const MAX_KEPT_CHARACTERS: usize = 200;
 
-/// A case of the older run: its verdict, and fingerprints of what was expected and of what came. That an engine did what
-/// was expected needs no text; of the others texts are kept, in part.
+/// A case of the older run: its verdict, and fingerprints of the expected and the actual facts. Texts are kept, in part,
+/// only where the engine did not do what was expected.
 pub(super) struct OlderCase {
-    /// What came of it.
+    /// The verdict in the older run, as if there were no baseline.
     pub(super) verdict: Verdict,
     expectation: u32,
     said: u64,
@@ -21,23 +22,23 @@ pub(super) struct OlderCase {
 
 /// The texts of a case that did not simply pass.
 struct Texts {
-    /// What was expected; empty where the log does not say it.
+    /// The text of the expected facts; empty where the log does not contain them.
     expected: String,
     said: String,
 }
 
-/// What a verdict says of an engine, whatever a baseline expects.
+/// The behavior of an engine that a verdict shows, whatever a baseline expects.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Behavior {
     Right,
     Wrong,
-    /// It died or hung.
+    /// The engine crashed or gave no answer in time.
     Dead,
     Unsupported,
 }
 
 impl OlderCase {
-    /// What is kept of a case.
+    /// Extracts the parts of a case that the comparison needs.
     pub(super) fn of(case: &CaseEvent) -> OlderCase {
         let said = said(case, None);
         let tells_more = case.actual_verdict() != Verdict::Pass || !case.observations.is_empty();
@@ -54,12 +55,12 @@ impl OlderCase {
         }
     }
 
-    /// Whether something else is expected now.
+    /// Returns whether the expectation changed.
     pub(super) fn expects_otherwise(&self, case: &CaseEvent) -> bool {
         self.expectation != case.expectation
     }
 
-    /// Returns how the case changed in the newer run; `None` where it came out alike. What an engine says while it dies need not
+    /// Returns how the case changed in the newer run; `None` where both results are alike. The message of a crash need not
     /// be the same twice.
     pub(super) fn change(&self, case: &CaseEvent) -> Option<Kind> {
         match (behavior(self.verdict), behavior(case.actual_verdict())) {
@@ -67,14 +68,15 @@ impl OlderCase {
             (_, Behavior::Dead) => Some(Kind::Crashed),
             (Behavior::Right, Behavior::Wrong | Behavior::Unsupported) => Some(Kind::Broken),
             (_, Behavior::Right) if behavior(self.verdict) != Behavior::Right => Some(Kind::Fixed),
-            // Where the suite expects something else of an engine that still does what is expected, the suite changed.
+            // Where the expectation changed and the engine meets both, the suite changed and not the engine.
             (Behavior::Right, Behavior::Right) if self.expects_otherwise(case) => None,
             (before, now) if before == now && self.said == fingerprint(&said(case, None)) => None,
             _ => Some(Kind::Otherwise),
         }
     }
 
-    /// Returns what is expected of the case now, from the run whose log says it: a log does not of a case that passed.
+    /// Returns the text of the current expectation, from the run whose log contains it: a log does not for a case that
+    /// passed.
     pub(super) fn expected_now(&self, case: &CaseEvent) -> Option<String> {
         let then = self.texts.as_ref().map(|texts| &texts.expected);
         let told = match case.expected.is_empty() {
@@ -84,11 +86,11 @@ impl OlderCase {
         told.filter(|text| !text.is_empty())
     }
 
-    /// Returns what the engine said then, as far as it is known, by what is expected now.
+    /// Returns the text of the older result, as far as it is known. `expected` is the text of the current expectation.
     pub(super) fn said(self, expected: Option<&str>, expectation_changed: bool) -> Option<String> {
         match self.texts {
             Some(texts) => Some(texts.said),
-            // It did what was expected, and that has not changed.
+            // The engine met the expectation, which has not changed.
             None => expected.filter(|_| !expectation_changed).map(str::to_owned),
         }
     }
@@ -103,8 +105,8 @@ fn behavior(verdict: Verdict) -> Behavior {
     }
 }
 
-/// Returns what an engine did, one fact a line: what it got, and what was recorded and not judged. What it got is what was
-/// expected where the log does not say it.
+/// Returns the result of a case, one fact a line: the actual facts and the observations. Where the log contains no actual
+/// facts, they are the expected ones.
 pub(super) fn said(case: &CaseEvent, expected: Option<&str>) -> String {
     let got = match case.got.is_empty() {
         true => expected.unwrap_or_default().to_owned(),
@@ -119,7 +121,7 @@ pub(super) fn said(case: &CaseEvent, expected: Option<&str>) -> String {
     facts.join("\n")
 }
 
-/// The same in one process, which is all that a comparison needs.
+/// Returns a fingerprint of a text, which is equal for equal texts only within one process.
 fn fingerprint(text: &str) -> u64 {
     let mut hasher = DefaultHasher::new();
     text.hash(&mut hasher);

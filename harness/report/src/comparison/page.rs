@@ -1,4 +1,4 @@
-//! A comparison on the terminal: what is worse, case by case; what is not, in numbers; and one line that says how it went.
+//! Writes a comparison on the terminal: what is worse, case by case; all else in numbers; and one line with the result.
 
 use super::{Change, Comparison, Detail, Kind, UnmatchedCase};
 use crate::observations::probe;
@@ -10,13 +10,13 @@ use std::io::{self, Write};
 use stickler_run::{Header, Totals, Verdict};
 use stickler_types::counted;
 
-/// How many groups of one kind are shown.
+/// The maximum number of groups of one kind that are shown.
 const MAX_SHOWN: usize = 20;
 
 /// Writes the comparison.
 ///
 /// # Errors
-/// Those of `out`.
+/// Returns the error of writing to `out`.
 pub fn write(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
     write_runs(out, comparison)?;
     let several = comparison.engines.len() > 1;
@@ -71,7 +71,7 @@ fn version(header: &Header, name: &str) -> String {
     visible(format!("{name} {version}").trim_end())
 }
 
-/// The cases of one probe in one dialect that changed alike.
+/// A group of cases of one probe in one dialect that changed alike.
 struct Group<'c> {
     probe: &'c str,
     changes: Vec<&'c Change>,
@@ -117,7 +117,7 @@ fn word(kind: Kind) -> &'static str {
     }
 }
 
-/// `BROKEN 12 cases of widening/integer::assignment in ironplc-ed2: pass → fail`
+/// Writes the first line of a group: `BROKEN 12 cases of widening/integer::assignment in ironplc-ed2: pass → fail`
 fn write_head(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Result<()> {
     let Some(first) = group.changes.first() else {
         return Ok(());
@@ -174,7 +174,7 @@ fn write_texts(out: &mut dyn Write, change: &Change, detail: &Detail) -> io::Res
     write_difference(out, ("old", then), ("new", &detail.new))
 }
 
-/// One line, and what became of the first case in a second one.
+/// Writes a group in one line, and the results of its first case in a second one.
 fn write_line(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Result<()> {
     write_head(out, group, several)?;
     let Some(first) = group
@@ -211,7 +211,7 @@ fn write_rest(out: &mut dyn Write, kind: Kind, groups: &[Group<'_>]) -> io::Resu
     }
 }
 
-/// `5 cases are new: 4 pass, 1 fail`
+/// Writes the number of cases that only one run has: `5 cases are new: 4 pass, 1 fail`
 fn write_unmatched(out: &mut dyn Write, word: &str, cases: &[UnmatchedCase]) -> io::Result<()> {
     if cases.is_empty() {
         return Ok(());

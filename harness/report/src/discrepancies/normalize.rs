@@ -1,12 +1,12 @@
-//! What is left of what a compiler says when what differs from program to program is left out.
+//! Normalizes a compiler message: drops names, numbers and quoted text so that messages of equal causes compare equal.
 
 use stickler_types::ElementaryType;
 
-/// How many words of a message tell one kind of crash or rejection from another.
+/// The number of words that are kept of a message.
 const WORDS: usize = 20;
 
-/// The first words of a message, without what changes from program to program: what has a digit in it, the names of elementary
-/// types, and what stands in quotes or brackets.
+/// Returns the first words of a message, without the parts that change from program to program: words with a digit, the
+/// names of elementary data types, and text in quotes or brackets.
 pub(super) fn normalize_message(message: &str) -> String {
     let first = message.lines().next().unwrap_or_default();
     let plain = without_quoted(first);
@@ -18,21 +18,22 @@ pub(super) fn normalize_message(message: &str) -> String {
         .to_owned()
 }
 
-/// Whether a word has a digit or is the name of an elementary type; `time` and `date` are words like others.
+/// Returns whether a word has a digit or is the name of an elementary data type in capitals; `time` and `date` are ordinary
+/// words.
 fn is_of_the_program(word: &str) -> bool {
     let name = word.trim_matches(|end: char| !end.is_ascii_alphanumeric());
     let is_type = ElementaryType::from_name(name).is_some_and(|ty| ty.name() == name);
     is_type || word.contains(|character: char| character.is_ascii_digit())
 }
 
-/// A text without what stands in quotes or brackets, and without the space in front of it.
+/// Removes text in quotes or brackets, and the space in front of it.
 fn without_quoted(text: &str) -> String {
     let mut plain = String::with_capacity(text.len());
-    // What has to come for each that is open, the innermost last.
+    // The closing characters of the open quotes and brackets, the innermost last.
     let mut open: Vec<char> = Vec::new();
     let mut before = ' ';
     for character in text.chars() {
-        // Within or behind a word it is an apostrophe.
+        // Within or after a word the character is an apostrophe.
         let closing = closing(character).filter(|end| *end != character || !before.is_alphanumeric());
         match (open.last(), closing) {
             (Some(end), _) if character == *end => _ = open.pop(),
@@ -49,7 +50,7 @@ fn without_quoted(text: &str) -> String {
     plain
 }
 
-/// What ends what begins like this.
+/// Returns the character that closes this quote or bracket.
 const fn closing(opening: char) -> Option<char> {
     match opening {
         '(' => Some(')'),

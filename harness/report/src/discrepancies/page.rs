@@ -1,4 +1,4 @@
-//! One page, and the list of an engine's pages.
+//! Writes the page of a cluster, and the list of an engine's pages.
 
 use super::{Cluster, Key};
 use crate::engine;
@@ -8,7 +8,7 @@ use std::fmt::Write;
 use stickler_run::{EngineHeader, Fact, Grade, PROGRAM};
 use stickler_types::{counted, grouped};
 
-/// How the list of an engine's pages begins.
+/// Returns the beginning of the list of an engine's pages.
 pub(super) fn index(name: &str, about: Option<&EngineHeader>, pages: usize, left_out: u64) -> String {
     let mut text = format!(
         "# What {} does otherwise than documents say\n\n",
@@ -32,7 +32,7 @@ pub(super) fn index(name: &str, about: Option<&EngineHeader>, pages: usize, left
     text
 }
 
-/// The line about one page.
+/// Returns the line for one page in the list of pages.
 pub(super) fn entry(file: &str, key: &Key, cluster: &Cluster) -> String {
     format!(
         "| {} | [{}: {}]({file}) | {} |\n",
@@ -43,7 +43,7 @@ pub(super) fn entry(file: &str, key: &Key, cluster: &Cluster) -> String {
     )
 }
 
-/// The page of a cluster.
+/// Returns the page of a cluster.
 pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster: &Cluster) -> String {
     let case = &cluster.smallest;
     let mut text = format!(
@@ -84,7 +84,7 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster:
     text
 }
 
-/// What does not count in a rejection.
+/// Returns the sentence about the parts of a diagnostic that were not compared.
 const fn not_compared(strict: Grade) -> &'static str {
     match strict {
         Grade::Code => "",
@@ -93,7 +93,7 @@ const fn not_compared(strict: Grade) -> &'static str {
     }
 }
 
-/// How many cases show the same, and which.
+/// Adds the number of cases in the cluster, and their probes and dialects.
 fn others(text: &mut String, cluster: &Cluster) {
     let number = cluster.number();
     if number == 1 {
@@ -112,7 +112,7 @@ fn called(name: &str, about: Option<&EngineHeader>) -> String {
     inline(format!("{name} {version}").trim_end())
 }
 
-/// A sentence and a block of code that nothing in it can leave.
+/// Adds a sentence and a code block, with a fence that the code cannot close.
 fn block(text: &mut String, before: &str, language: &str, code: &str) {
     let fence = fence(code);
     let code = code.trim_end_matches('\n');

@@ -1,47 +1,50 @@
-//! What an engine does otherwise than expected, in a word, from what was expected and what came.
+//! Classifies the deviation of an engine in a case by a symptom, from the expected and the actual facts.
 
 use super::normalize::normalize_message;
 use std::fmt;
 use stickler_run::{CaseEvent, Fact, Grade, Verdict};
 use stickler_types::{Diagnostic, Fault};
 
-/// A symptom; cases of one rule with the same symptom most probably have one cause. Its words are those of findings.
+/// A symptom; cases of one rule with the same symptom most probably have one cause. The words of the symptoms are those of
+/// findings.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) enum Symptom {
-    /// It died, with these words.
+    /// The engine crashed; holds its normalized message.
     Crash(String),
-    /// It gave no answer in time.
+    /// The engine gave no answer in time.
     Hang,
-    /// It answered nonsense.
+    /// The engine gave an invalid answer.
     Error,
-    /// It rejects what must be accepted, with this code, or for this reason; empty where it tells neither.
+    /// The engine rejects a program that must be accepted; holds its code or normalized message, or nothing where it gave
+    /// neither.
     Rejected(String),
-    /// It accepts what must be rejected with this code; empty where any will do.
+    /// The engine accepts a program that must be rejected; holds the expected code, or nothing where any will do.
     NotRejected(String),
-    /// It rejects for another reason than this code, which must come.
+    /// The engine rejects the program for another reason; holds the expected code.
     OtherCode(String),
-    /// It finds what this code means, and names another place.
+    /// The engine reports the mistake on another line; holds the expected code.
     OtherLine(String),
-    /// It finds some of what is wrong, and not this.
+    /// The engine reports some of the mistakes; holds the code of a missing one.
     Incomplete(String),
-    /// It finds all that is wrong, and this too, which is not.
+    /// The engine reports all mistakes and another one; holds the code or normalized message of the latter.
     Surplus(String),
-    /// It stops with this fault where it must not, or must with another one.
+    /// The engine stops with a fault where it must stop with none or with another one; holds the actual fault.
     Fault(String),
-    /// It stops with this fault as it must, and names another line, or none.
+    /// The engine stops with the expected fault, but names another line or none; holds the fault.
     FaultLine(String),
-    /// It goes on where the program must stop with this fault.
+    /// The engine continues where the program must stop with a fault; holds the expected fault.
     NotFaulted(String),
-    /// A value is wrong.
+    /// The engine computes a wrong value.
     Value,
-    /// A value is not told.
+    /// The engine does not give a value.
     Missing,
-    /// Its normalised source is another.
+    /// The engine renders another text.
     Text,
 }
 
 impl Symptom {
-    /// The symptom of a case that did not come out as expected, on an engine whose rejections had to be so exact.
+    /// Returns the symptom of a case that did not come out as expected. `strict` is the worst grade of a rejection that
+    /// still passed.
     pub(super) fn of(case: &CaseEvent, strict: Grade) -> Symptom {
         let CaseEvent { expected, got, .. } = case;
         match case.actual_verdict() {
@@ -54,7 +57,7 @@ impl Symptom {
         match (rejects(expected), rejects(got)) {
             (true, true) => rejection(&diagnostics(expected), &diagnostics(got), strict),
             (true, false) => Symptom::NotRejected(first_reason(expected)),
-            // The program may be rejected, and what is said names a line where nothing is wrong.
+            // The program may be rejected, but a diagnostic names a line without a mistake.
             (false, true) if expected.contains(&Fact::AcceptedOrRejected) => {
                 Symptom::Surplus(first_reason(got))
             }
@@ -67,7 +70,7 @@ impl Symptom {
         }
     }
 
-    /// A word for the name of a file.
+    /// Returns the symptom as a part of a file name.
     pub(super) fn word(&self) -> String {
         let (word, about) = self.words();
         match about {
@@ -76,10 +79,10 @@ impl Symptom {
         }
     }
 
-    /// The word, and what it is about.
+    /// Returns the word of the symptom, and the code, message or fault that it holds.
     fn words(&self) -> (&'static str, &str) {
         match self {
-            // Its words would fill the name of the file.
+            // The message of a crash would fill the name of the file.
             Symptom::Crash(_) => ("crash", ""),
             Symptom::Hang => ("hang", ""),
             Symptom::Error => ("error", ""),
@@ -98,7 +101,7 @@ impl Symptom {
         }
     }
 
-    /// Whether it is about where, and by which codes, a program is rejected.
+    /// Returns whether the symptom concerns the lines and codes of a rejection.
     pub(super) const fn is_of_a_rejection(&self) -> bool {
         matches!(
             self,
@@ -136,7 +139,7 @@ impl fmt::Display for Symptom {
     }
 }
 
-/// What a sentence is about, in brackets behind it.
+/// Formats a code, message or fault in brackets, for the end of a sentence; empty where there is none.
 fn behind(words: &str) -> String {
     if words.is_empty() {
         String::new()
@@ -159,7 +162,7 @@ fn diagnostics(facts: &[Fact]) -> Vec<&Diagnostic> {
     facts.iter().filter_map(Fact::diagnostic).collect()
 }
 
-/// The words of an engine that died.
+/// Returns the normalized message of a crash.
 fn crash(got: &[Fact]) -> String {
     let reason = got.iter().find_map(|fact| match fact {
         Fact::Crashed { reason } => Some(normalize_message(reason)),
@@ -168,7 +171,7 @@ fn crash(got: &[Fact]) -> String {
     reason.unwrap_or_default()
 }
 
-/// The code of a diagnostic; of a compiler without codes the gist of its message.
+/// Returns the code of a diagnostic; without a code, the normalized message.
 fn reason(diagnostic: &Diagnostic) -> String {
     match &diagnostic.code {
         Some(code) => code.clone(),
@@ -181,10 +184,10 @@ fn first_reason(facts: &[Fact]) -> String {
     first.map(reason).unwrap_or_default()
 }
 
-/// What is wrong with a rejection of what must be rejected, by as much of it as was compared.
+/// Returns the symptom of an expected rejection, by those parts of the diagnostics that were compared.
 fn rejection(expected: &[&Diagnostic], got: &[&Diagnostic], strict: Grade) -> Symptom {
     let (missing, extra) = unmet(expected, got, strict);
-    // Where the place does not count, only a line on which nothing is wrong is too much.
+    // Where lines are not compared, only a diagnostic on a line without a mistake is wrong.
     let Some(first) = missing.first().filter(|_| strict != Grade::Rejected) else {
         return Symptom::Surplus(extra.first().map(|first| reason(first)).unwrap_or_default());
     };
@@ -200,8 +203,8 @@ fn rejection(expected: &[&Diagnostic], got: &[&Diagnostic], strict: Grade) -> Sy
     }
 }
 
-/// What is expected and did not come, and what came and is not expected. By the code each counts; by the line all that are on
-/// one count once.
+/// Returns the expected diagnostics that did not come, and the actual ones that are not expected. Where codes are compared,
+/// each diagnostic counts; otherwise any diagnostic on a line meets all on that line.
 fn unmet<'t>(
     expected: &[&'t Diagnostic],
     got: &[&'t Diagnostic],
@@ -224,7 +227,7 @@ fn unmet<'t>(
     (missing, extra)
 }
 
-/// The fault among these facts, with the line on which it stops the program.
+/// Returns the fault among these facts, with its line.
 fn fault_of(facts: &[Fact]) -> Option<(Fault, Option<u32>)> {
     facts.iter().find_map(|fact| match fact {
         Fact::Fault { fault, line } => Some((*fault, *line)),
@@ -241,7 +244,7 @@ fn fault(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
     }
 }
 
-/// A fault that is right but for its line, where the line counts.
+/// Returns the symptom of the expected fault on another line, where lines are compared.
 fn fault_line(expected: &[Fact], got: &[Fact], strict: Grade) -> Option<Symptom> {
     let ((fault, wanted), (_, told)) = (fault_of(expected)?, fault_of(got)?);
     (strict != Grade::Rejected && wanted != told).then(|| Symptom::FaultLine(fault.to_string()))
@@ -279,7 +282,7 @@ mod tests {
         Symptom::of(&case, strict)
     }
 
-    /// Checks the words for what came where this must come.
+    /// Checks the words of the symptoms for these actual facts, where `expected` is expected.
     fn are<const N: usize>(expected: &[Fact], rows: [(&[Fact], &str); N]) {
         for (got, word) in rows {
             assert_eq!(

@@ -1,4 +1,4 @@
-//! Pages of a small run.
+//! Tests of the pages of a small run.
 
 use super::Discrepancies;
 use crate::overview::Overview;

@@ -1,4 +1,4 @@
-//! The lines of a log: what each kind of them holds, and how events become lines and lines events.
+//! The lines of a log: the content of each kind, and the conversion between events and lines.
 
 use crate::LogError;
 use crate::groups::{Group, GroupNumber};
@@ -12,9 +12,9 @@ use stickler_run::{BaselineNote, CaseEvent, Event, Fact, Footer, Header, Observe
 pub(super) enum Frame<'r> {
     /// The first line.
     Header(Cow<'r, Header>),
-    /// What the cases of a group have in common, before the first of them.
+    /// The common properties of the cases of a group, before the first of them.
     Group(GroupRecord<'r>),
-    /// The last line of a run that was not cut short.
+    /// The last line of a complete run.
     Footer(Cow<'r, Footer>),
 }
 
@@ -25,13 +25,13 @@ pub(super) struct GroupRecord<'r> {
     group: Cow<'r, Group>,
 }
 
-/// A line about a case. What is missing is empty or unknown.
+/// A line about a case. Properties that the line leaves out are empty or unknown.
 #[derive(Serialize, Deserialize)]
 pub(super) struct CaseRecord<'r> {
     #[serde(rename = "type")]
     verdict: Verdict,
     group: GroupNumber,
-    /// What stands behind the group's id in the id of the case.
+    /// The arguments of the probe in the id of the case.
     #[serde(default, skip_serializing_if = "str::is_empty")]
     case: Cow<'r, str>,
     duration_us: u64,
@@ -100,21 +100,21 @@ impl<'r> CaseRecord<'r> {
     }
 }
 
-/// What the first key of a line says.
+/// The first key of a line, which names its kind.
 #[derive(Deserialize)]
 struct Tag<'r> {
     #[serde(rename = "type", borrow)]
     kind: Cow<'r, str>,
 }
 
-/// Turns lines into events.
+/// A decoder that turns lines into events.
 #[derive(Default)]
 pub(super) struct Decoder {
     groups: Vec<Group>,
 }
 
 impl Decoder {
-    /// Returns the event of a line; `None` where the line says what a group has in common. `number` is that of the line.
+    /// Returns the event of a line; `None` where the line describes a group. `number` is the number of the line.
     ///
     /// # Errors
     /// [`LogError::Line`] where the line is none of a log; [`LogError::Group`] where the group of a case is unknown, or the

@@ -1,4 +1,4 @@
-//! A case as a test of JUnit.
+//! The JUnit test of a case that did not pass.
 
 use super::suite::{Kind, Problem, Test};
 use crate::text::noted;
@@ -12,7 +12,7 @@ pub(super) fn test<'c>(case: &'c CaseEvent, engine: Option<&EngineHeader>) -> Te
         kind,
         type_name: case.verdict.as_str(),
         message: match &case.baseline {
-            // A test that is skipped is shown with its message and no more.
+            // A reader shows nothing but the message of a skipped test.
             Some(note) => format!("{message} ({}): {}", note.reason, case.title),
             None => format!("{message}: {}", case.title),
         },
@@ -39,7 +39,7 @@ fn observations(case: &CaseEvent) -> String {
     text
 }
 
-/// Returns what JUnit calls a verdict, with what is said of it; `None` of a pass.
+/// Returns the JUnit kind of a verdict, with its message; `None` for a pass.
 pub(super) fn kind(verdict: Verdict) -> Option<(Kind, &'static str)> {
     match verdict {
         Verdict::Pass => None,

@@ -1,54 +1,54 @@
-//! Test suites in the terms of JUnit, as quick-junit has them.
+//! JUnit's test suites and tests, built with quick-junit.
 
 use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
 use std::time::Duration;
 
-/// One test suite, which knows the time of its tests.
+/// A test suite, which adds up the time of its tests.
 pub(super) struct Suite {
     suite: TestSuite,
     time: Duration,
 }
 
-/// One test.
+/// A test of a test suite.
 #[derive(Default)]
 pub(super) struct Test<'a> {
-    /// Its name within the suite.
+    /// The name of the test within its suite.
     pub(super) name: &'a str,
-    /// How long it took.
+    /// The duration of the test, in microseconds.
     pub(super) microseconds: u64,
-    /// Why it did not simply pass.
+    /// The failure, error or skip of the test; `None` where it passed.
     pub(super) problem: Option<Problem<'a>>,
-    /// What it says beside that.
+    /// The output of the test, besides its problem.
     pub(super) output: String,
-    /// Numbers by which programs know more of it.
+    /// Named numbers about the test, for programs.
     pub(super) properties: Vec<(&'static str, u64)>,
 }
 
-/// Why a test did not simply pass.
+/// A failure, an error or a skip of a test.
 pub(super) struct Problem<'a> {
-    /// What JUnit calls it.
+    /// The kind of problem in JUnit's terms.
     pub(super) kind: Kind,
-    /// What Stickler calls it.
+    /// The kind of problem in Stickler's terms.
     pub(super) type_name: &'a str,
-    /// One line; line ends and tabs in it become spaces, as a reader of the attribute would have them.
+    /// The message, on one line; line ends and tabs in it become spaces, as XML readers normalize the attribute.
     pub(super) message: String,
-    /// All that is to be said.
+    /// The full text of the problem.
     pub(super) text: String,
 }
 
-/// What JUnit calls a test that did not simply pass.
+/// The JUnit kind of a test that did not simply pass.
 #[derive(Clone, Copy)]
 pub(super) enum Kind {
-    /// It gave the wrong answer.
+    /// The test gave a wrong result.
     Failure,
-    /// It gave no answer.
+    /// The test gave no result.
     Error,
-    /// It counts neither way.
+    /// The test was skipped, and counts neither way.
     Skipped,
 }
 
 impl Suite {
-    /// A test suite without tests.
+    /// Creates a test suite without tests.
     pub(super) fn new(name: &str) -> Suite {
         Suite {
             suite: TestSuite::new(name),
@@ -74,7 +74,7 @@ impl Suite {
         self.suite.add_test_case(case);
     }
 
-    /// The whole suite.
+    /// Returns the quick-junit suite, with its total time.
     pub(super) fn finish(mut self) -> TestSuite {
         self.suite.set_time(self.time);
         self.suite

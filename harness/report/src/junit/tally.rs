@@ -1,4 +1,4 @@
-//! Cases of a probe that are one test of JUnit.
+//! The JUnit test of several cases of a probe with one verdict.
 
 use super::case::kind;
 use super::suite::{Problem, Test};
@@ -6,18 +6,18 @@ use crate::groups::Group;
 use stickler_run::{CaseEvent, Fact, Verdict};
 use stickler_types::counted;
 
-/// Cases with one verdict, counted.
+/// The number of cases with one verdict, and the sums of their observations and times.
 #[derive(Default)]
 pub(super) struct Tally {
     cases: u64,
     observations: u64,
     microseconds: u64,
-    /// What was got of the first of them; empty where they passed.
+    /// The text of the first case's actual facts; empty where the cases passed.
     got: String,
 }
 
 impl Tally {
-    /// Counts one case more.
+    /// Adds a case.
     pub(super) fn take(&mut self, case: &CaseEvent) {
         self.add(Tally {
             cases: 1,
@@ -30,7 +30,7 @@ impl Tally {
         });
     }
 
-    /// Adds those of another tally.
+    /// Adds the cases of another tally.
     pub(super) fn add(&mut self, other: Tally) {
         if self.cases == 0 {
             self.got = other.got;

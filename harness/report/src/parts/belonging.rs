@@ -1,15 +1,15 @@
-//! Whether parts belong to one run, and which of them are not there.
+//! Checks whether parts belong to one run, and finds the missing ones.
 
 use stickler_run::{EngineHeader, Header};
 use stickler_workers::Shard;
 
-/// How many missing parts are named one by one.
+/// The maximum number of missing parts that are named one by one.
 const MAX_NAMED: usize = 20;
 
-/// Which part of a run this is.
+/// Returns the part of a run that a header describes.
 ///
 /// # Errors
-/// What stands behind its name where it is none.
+/// Returns the rest of a sentence about the part where its header describes none.
 pub(super) fn shard(header: &Header) -> Result<Shard, String> {
     match &header.shard {
         None => Err("is a whole run, and no part of one".to_owned()),
@@ -17,7 +17,8 @@ pub(super) fn shard(header: &Header) -> Result<Shard, String> {
     }
 }
 
-/// What one part has otherwise than another, each with the number of parts, in words; `None` where they are of one run.
+/// Describes the first difference between two parts, each given with the number of parts; `None` where they belong to one
+/// run.
 pub(super) fn difference(
     (one, parts): (&Header, u32),
     (other, other_parts): (&Header, u32),
@@ -42,7 +43,7 @@ pub(super) fn difference(
         })
 }
 
-/// What stickler.toml defines; how many cases each part leaves out is its own affair.
+/// Returns the definitions of custom dialects without the numbers of dropped cases, which may differ from part to part.
 fn rules(header: &Header) -> Vec<(&str, &str, &[String])> {
     let defined = header.defined.iter();
     defined
@@ -71,7 +72,7 @@ fn list(words: &[String]) -> String {
     }
 }
 
-/// Names the parts of so many that are not there.
+/// Describes the missing parts of so many.
 pub(super) fn absent(there: &[u32], count: u32, missing: &mut Vec<String>) {
     let mut absent = (1..=count).filter(|part| !there.contains(part));
     for part in absent.by_ref().take(MAX_NAMED) {

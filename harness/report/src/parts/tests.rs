@@ -1,4 +1,4 @@
-//! Parts of a small run, whole and broken.
+//! Tests of merging the parts of a small run, whole and broken.
 
 use super::{Part, merge};
 use crate::events::{Reader, log_of};
@@ -7,7 +7,7 @@ use std::io;
 use stickler_run::{Event, Verdict};
 use stickler_workers::Shard;
 
-/// The events of a whole run of some cases in two files.
+/// Returns the events of a whole run of some cases in two files.
 fn whole() -> Vec<Event> {
     let mut cases = Vec::new();
     for (file, names) in [("a", 0..20), ("b", 20..40)] {
@@ -21,7 +21,7 @@ fn whole() -> Vec<Event> {
     sample::run_of(cases)
 }
 
-/// Part `index` of `count` of that run.
+/// Returns the events of part `index` of `count` of that run.
 fn part(index: u32, count: u32) -> Vec<Event> {
     let shard = Shard::new(index, count).expect("a part");
     let cases = whole().into_iter().filter_map(|event| match event {

@@ -1,4 +1,5 @@
-//! The cases that passed, and what was observed, by probe: arguments are keys, and dialects that have the same cases share them.
+//! The cases that passed, and the observations, by probe: arguments are keys, and dialects that have the same cases share
+//! them.
 
 use super::List;
 use crate::groups::{Group, GroupNumber, Groups};
@@ -7,13 +8,13 @@ use serde::ser::{SerializeMap, Serializer};
 use std::collections::{BTreeMap, HashMap};
 use stickler_run::{CaseEvent, Fact, Grade, Verdict};
 
-/// Gathers, by group, the cases that passed and what was observed of any.
+/// The cases that passed, and the observations of all cases, by group.
 #[derive(Default)]
 pub(super) struct Passed {
     groups: Vec<GroupCases>,
 }
 
-/// The cases of one group; each by its arguments.
+/// The cases of one group, each by its arguments.
 #[derive(Default)]
 struct GroupCases {
     durations_us: Entries<u64>,
@@ -21,7 +22,7 @@ struct GroupCases {
     observed: BTreeMap<String, Entries<String>>,
 }
 
-/// What is known of cases by their arguments, in the order of the run.
+/// Values of cases by their arguments, in the order of the run.
 type Entries<T> = Vec<(Box<str>, T)>;
 
 impl Passed {
@@ -44,10 +45,10 @@ impl Passed {
         }
     }
 
-    /// Returns the list of what passed.
+    /// Returns the list of cases that passed.
     ///
     /// # Errors
-    /// Those of serde_json.
+    /// Returns the error of serde_json.
     pub(super) fn list(&self, groups: &Groups) -> serde_json::Result<List> {
         let mut list = List::default();
         for probe in probes(groups.all()) {
@@ -73,7 +74,8 @@ impl Passed {
         Ok(list)
     }
 
-    /// Returns what the cases got whose expectation and observations do not say it, by arguments and dialect.
+    /// Returns the actual facts of those cases whose expectation and observations do not imply them, by arguments and
+    /// dialect.
     fn got<'a>(
         &'a self,
         shared: &Shared<'a, u64>,
@@ -96,10 +98,10 @@ impl Passed {
         all
     }
 
-    /// Returns the list of what was observed.
+    /// Returns the list of observations.
     ///
     /// # Errors
-    /// Those of serde_json.
+    /// Returns the error of serde_json.
     pub(super) fn observations(&self, groups: &Groups) -> serde_json::Result<List> {
         let mut list = List::default();
         for probe in probes(groups.all()) {
@@ -124,14 +126,14 @@ impl Passed {
     }
 }
 
-/// Groups that differ in nothing but the dialect.
+/// The groups that differ in nothing but the dialect.
 struct Probe<'g> {
-    /// The first of them.
+    /// The first of the groups, which stands for all but their dialects.
     group: &'g Group,
     members: Vec<GroupNumber>,
 }
 
-/// Puts groups together that differ in nothing but the dialect, in the order of the run.
+/// Joins groups that differ in nothing but the dialect, in the order of the run.
 fn probes(groups: &[Group]) -> Vec<Probe<'_>> {
     let mut places: HashMap<Group, usize> = HashMap::new();
     let mut probes: Vec<Probe<'_>> = Vec::new();
@@ -152,7 +154,7 @@ fn probes(groups: &[Group]) -> Vec<Probe<'_>> {
     probes
 }
 
-/// Cases that the same groups have, each with what is known of it in each of these.
+/// The cases that several groups share, each with its value in each of these groups.
 struct Shared<'a, T> {
     members: Vec<GroupNumber>,
     cases: Vec<(&'a str, Vec<&'a T>)>,
@@ -165,7 +167,7 @@ impl<T> Shared<'_, T> {
     }
 }
 
-/// Puts the entries of several groups together by their arguments, and those that the same groups have into one list.
+/// Joins the entries of several groups by their arguments, and makes one list of those that occur in the same groups.
 fn shared<'a, T: 'a>(
     members: &[GroupNumber],
     of: impl Fn(&GroupNumber) -> Option<&'a Entries<T>>,
@@ -195,7 +197,7 @@ fn shared<'a, T: 'a>(
     lists
 }
 
-/// An object with a key for the arguments of each case.
+/// A JSON object with a key for the arguments of each case.
 struct Cases<'a, T>(&'a [(&'a str, Vec<&'a T>)]);
 
 impl<T: Serialize> Serialize for Cases<'_, T> {

@@ -1,10 +1,10 @@
-//! The claims: what each section of each document says, and how the engines stand to it.
+//! Writes the claims as Markdown: each section of each document, and the results of the engines.
 
 use super::{Page, inline};
 use crate::claims::{Row, Standing};
 use crate::overview::Overview;
 
-/// Writes one table: with a single engine its numbers, with several an engine a column.
+/// Writes one table: for a single engine with its numbers, for several with one column per engine.
 pub(super) fn write(overview: &Overview, page: &mut Page) {
     page.add("\n## Claims\n\n");
     page.add("A claim is a section of a document. *Open*: the document does not say what must happen, ");
@@ -17,8 +17,8 @@ pub(super) fn write(overview: &Overview, page: &mut Page) {
     }
 }
 
-/// What a row begins with: a mark where an engine does not meet the claim, the document and the section. `None` where the row
-/// is not shown: a section without a name is the whole document, which has a row already.
+/// Returns the first cells of a row: a mark where an engine does not meet the claim, the document and the section. `None`
+/// where the row is not shown: a section without a name is the whole document, which has a row already.
 fn name(row: &Row<'_>) -> Option<String> {
     let section = match (row.sum, row.section) {
         (true, _) => "*all*".to_owned(),
@@ -29,7 +29,7 @@ fn name(row: &Row<'_>) -> Option<String> {
     Some(format!("| {mark} | {} | {section} |", inline(row.source)))
 }
 
-/// Engines as columns, claims as rows.
+/// Writes a table with engines as columns and claims as rows.
 fn of_several_engines(rows: &[Row<'_>], engines: &[&str], page: &mut Page) {
     page.add("| | document | section |");
     engines
@@ -49,7 +49,7 @@ fn of_several_engines(rows: &[Row<'_>], engines: &[&str], page: &mut Page) {
     page.add("\nn/m: n of m cases came out as the document says. -: the engine has no case of this claim.\n");
 }
 
-/// How an engine stands to a claim, in a few words.
+/// Formats an engine's results for a claim in a few words.
 fn cell(standing: Standing) -> String {
     let Standing {
         passed,

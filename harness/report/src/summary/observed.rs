@@ -1,14 +1,14 @@
-//! What engines do where no document says what they must, side by side.
+//! Writes the observations as Markdown: the disagreements between engines where no document states what they must do.
 
 use super::{Page, code, inline};
 use crate::observations::{Disagreement, probe};
 use crate::overview::Overview;
 use stickler_types::counted;
 
-/// How many disagreements are shown.
+/// The maximum number of disagreements that are shown.
 const MAX_SHOWN: usize = 100;
 
-/// Writes a line for each way in which engines part.
+/// Writes a line for each disagreement between engines.
 pub(super) fn write(overview: &Overview, page: &mut Page) {
     let engines = overview.engines();
     let disagreements = overview.observed.disagreements(&engines);
@@ -30,7 +30,8 @@ pub(super) fn write(overview: &Overview, page: &mut Page) {
     }
 }
 
-/// ``- `conversion/real::recorded(REAL,INT,2.5)`, `into`: INT#2 by ironplc and reference, INT#3 by matiec``
+/// Formats a disagreement: ``- `conversion/real::recorded(REAL,INT,2.5)`, `into`: INT#2 by ironplc and reference, INT#3 by
+/// matiec``
 fn line(disagreement: &Disagreement<'_>) -> String {
     let values: Vec<String> = disagreement
         .values
@@ -58,7 +59,7 @@ fn line(disagreement: &Disagreement<'_>) -> String {
     )
 }
 
-/// `a`, `a and b`, `a, b and c`.
+/// Joins names as a list in prose: `a`, `a and b`, `a, b and c`.
 fn listed(names: &[String]) -> String {
     match names {
         [] => String::new(),

@@ -1,4 +1,4 @@
-//! The claims on the terminal: each document, and those of its sections that an engine does not meet.
+//! Writes the claims on the terminal: each document, and those of its sections that an engine does not meet.
 
 use super::{BAD, DIM};
 use crate::claims::{Row, Standing};
@@ -7,10 +7,10 @@ use crate::table::{Cell, Table};
 use crate::text::{shortened, visible};
 use std::io::{self, Write};
 
-/// Writes one table: with a single engine its numbers, with several an engine a column.
+/// Writes one table: for a single engine with its numbers, for several with one column per engine.
 ///
 /// # Errors
-/// Those of `out`.
+/// Returns the error of writing to `out`.
 pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
     let engines = overview.engines();
     let rows = overview.claims.rows(&engines);
@@ -20,7 +20,7 @@ pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
     }
 }
 
-/// What stands before the numbers of a row; `None` where the row is not shown: sections are if an engine does not meet them.
+/// Returns the first cell of a row; `None` where the row is not shown, such as a section that every engine meets.
 fn name(row: &Row<'_>) -> Option<String> {
     match row.sum {
         true => Some(format!("  {}", row.source)),
@@ -31,7 +31,7 @@ fn name(row: &Row<'_>) -> Option<String> {
     }
 }
 
-/// Engines as columns, claims as rows.
+/// Writes a table with engines as columns and claims as rows.
 fn of_several_engines(out: &mut dyn Write, rows: &[Row<'_>], engines: &[&str]) -> io::Result<()> {
     let mut table = Table::new(vec![Cell::left("Claims")]);
     engines
@@ -50,7 +50,7 @@ fn of_several_engines(out: &mut dyn Write, rows: &[Row<'_>], engines: &[&str]) -
     )
 }
 
-/// How an engine stands to a claim, in a word.
+/// Formats an engine's results for a claim in one cell.
 fn standing_cell(standing: Standing) -> Cell {
     let Standing { passed, failed, .. } = standing;
     match (passed + failed, failed) {

@@ -1,4 +1,4 @@
-//! One case that is not as expected, with all that is needed to look into it.
+//! Writes a case that is not as expected on the terminal, with everything that is needed to investigate it.
 
 use super::{BAD, BOLD, DIM, GOOD};
 use crate::diff::{self, DiffLine, Side};
@@ -11,14 +11,15 @@ use stickler_run::{CaseEvent, EngineHeader, Verdict};
 const BAD_PIECE: Style = AnsiColor::Red.on_default().bold().underline();
 const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
 
-/// How much of each text is shown.
+/// The maximum number of lines that are shown of each text.
 const MAX_SHOWN_LINES: usize = 40;
+/// The maximum number of characters that are shown of each line.
 const MAX_SHOWN_CHARACTERS: usize = 400;
 
 /// Writes one case that is not as expected, and how to run it again.
 ///
 /// # Errors
-/// Those of `out`.
+/// Returns the error of writing to `out`.
 pub fn write(
     out: &mut dyn Write,
     case: &CaseEvent,
@@ -40,7 +41,7 @@ pub fn write(
     if let Some(note) = &case.baseline {
         writeln!(out, "     {DIM}baseline{DIM:#} {}", noted(note))?;
     }
-    // A pass differs in nothing, also where it is not expected.
+    // A pass has no difference to show, even where it is not expected.
     if case.verdict != Verdict::Xpass {
         let (expected, got) = compared::texts(case, engine::strictness(engine));
         write_difference(out, ("expected", &expected), ("got", &got))?;
@@ -52,7 +53,7 @@ pub fn write(
     )
 }
 
-/// Two texts, each with the word for it: one-line texts stand under each other, longer ones as a diff that shows both.
+/// Writes two texts with their labels: one-line texts below each other, longer ones as a diff.
 pub(crate) fn write_difference(
     out: &mut dyn Write,
     (before, expected): (&str, &str),
