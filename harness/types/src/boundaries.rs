@@ -6,8 +6,8 @@
 //! | an engine that must be asked for each value | [`neighbourhoods`] with [`Detail::Coarse`] | some thousands |
 //! | exact arithmetic in this process | [`neighbourhoods`] with [`Detail::Fine`] | some ten thousands |
 //!
-//! Lists that depend on the function that is called, on both types of a pair or on what a random program can bear stand with their
-//! users; where they need the boundaries of one type, they take them from here.
+//! A list that depends on the called function, on both types of a pair or on the needs of a random program is kept by its
+//! user, which takes the boundaries of one type from here.
 
 mod listed;
 mod neighbours;

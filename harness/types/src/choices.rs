@@ -8,22 +8,23 @@ use crate::Definition;
 use crate::words::words;
 
 words! {
-    /// What a matrix, a document or a definition says of one pair of types: of the value, and of the target.
+    /// The answer of a matrix, a document or a definition for one pair of types: the type of the value, and that of the
+    /// target.
     MatrixWord {
-        /// Accepted. In a matrix of implicit conversion: a value of the one type stands wherever the other is expected, and becomes
-        /// what the conversion function `<FROM>_TO_<TO>` gives.
+        /// Accepted. In a matrix of implicit conversion: a value of the one type may be used wherever the other is
+        /// expected, and is converted as by the function `<FROM>_TO_<TO>`.
         Yes = "yes",
         /// The two types are the same; treated like `yes`.
         Same = "=",
         /// Rejected.
         No = "no",
-        /// No document says; what happens is recorded.
+        /// No document decides; the result is recorded without an expectation.
         Open = "open",
     }
 }
 
 words! {
-    /// How a real number becomes an integer.
+    /// The rounding of a real number to an integer.
     Rounding {
         /// The fraction is dropped (IEC 60559, roundTowardZero).
         Truncate = "truncate",
@@ -49,10 +50,10 @@ impl Rounding {
 }
 
 words! {
-    /// What a real number becomes that, once it is rounded, lies outside the integer or bit string that it is converted to.
+    /// The result for a real number that, once rounded, lies outside the integer or bit string that it is converted to.
     ///
-    /// It matters for every function from a real to an integer or bit string, TRUNC and ROUND among them, and for nothing else:
-    /// integers among each other, texts, durations and dates always wrap.
+    /// The choice applies to every function from a real to an integer or bit string, including TRUNC and ROUND, and to
+    /// nothing else: conversions among integers, of texts, and of durations and dates always wrap.
     OutOfRange {
         /// The exact integer modulo 2^n of the target; NaN and the infinities give 0.
         Wrap = "wrap",
@@ -62,62 +63,62 @@ words! {
 }
 
 words! {
-    /// How much of a text must be a number, where an integer, a bit string or a real is read from it.
+    /// The part of a text that must be a number, where an integer, a bit string or a real is read from it.
     ///
     /// BOOL, durations and dates are always read from the whole text.
     TextReading {
-        /// All of it, blanks at either end aside; otherwise the result is 0.
+        /// The whole text, except blanks at either end; otherwise the result is 0.
         WholeText = "whole-text",
-        /// The longest part at its beginning, blanks in front aside, that is a number: `12abc` gives 12; 0 where there is none.
+        /// The longest number at the beginning of the text, after any blanks: `12abc` gives 12; 0 if there is none.
         LeadingNumber = "leading-number",
     }
 }
 
 words! {
-    /// How a bit string is written as text.
+    /// The form in which a bit string is written as text.
     BitStringText {
         /// All digits of the type in upper case: `16#00FF`.
         FullWidth = "full-width",
-        /// No zeros in front, and lower case: `16#ff`, `16#0`.
+        /// No leading zeros, and lower case: `16#ff`, `16#0`.
         Shortest = "shortest",
     }
 }
 
-/// Which digits a real number has as text.
+/// The digits in which a real number is written as text.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum RealText {
     /// `shortest`: the canonical spelling, which has the fewest digits that read back to the same bits and always a point: `0.1`,
     /// `1.0E16`.
     Shortest,
-    /// The exact value rounded to that many significant digits, ties to even, as C's `printf` writes it with `%.{n}g`: trailing
-    /// zeros dropped, with an exponent below 1E-4 and from that many digits on (`0.5`, `1e+20`). 0 counts as 1. A number that is
-    /// not finite keeps the word that [`RealText::Shortest`] has for it, so that it reads back.
+    /// The exact value rounded to this number of significant digits, ties to even, as C's `printf` writes it with `%.{n}g`:
+    /// without trailing zeros, and with an exponent below 1E-4 and from 10^n on (`0.5`, `1e+20`). 0 counts as 1. A number
+    /// that is not finite keeps the word that [`RealText::Shortest`] has for it, so that it reads back.
     SignificantDigits(u8),
 }
 
-/// Everything that a conversion depends on besides its types and its operand: one option of each choice.
+/// The choices of a dialect on which a conversion depends besides its types and its operand.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct ConversionChoices {
-    /// How a conversion function that is neither TRUNC nor ROUND or its kin makes an integer of a real number.
+    /// The rounding of conversion functions from a real number to an integer, except TRUNC, ROUND and their variants.
     pub rounding: Rounding,
-    /// What a real number becomes whose integer the target does not hold.
+    /// The result for a real number whose integer the target cannot hold.
     pub out_of_range: OutOfRange,
-    /// How much of a text must be a number.
+    /// The part of a text that must be a number.
     pub text_reading: TextReading,
-    /// Which digits REAL and LREAL have as text.
+    /// The digits in which REAL and LREAL are written as text.
     pub real_text: RealText,
-    /// How BYTE, WORD, DWORD and LWORD are written as text.
+    /// The form in which BYTE, WORD, DWORD and LWORD are written as text.
     pub bit_string_text: BitStringText,
 }
 
 impl ConversionChoices {
-    /// Returns these choices with another rounding.
+    /// Returns a copy with another rounding.
     #[must_use]
     pub const fn with_rounding(self, rounding: Rounding) -> ConversionChoices {
         ConversionChoices { rounding, ..self }
     }
 
-    /// Returns these choices with those that a definition states in their place.
+    /// Returns a copy in which the choices that a definition states replace the present ones.
     #[must_use]
     pub fn overridden(self, definition: &Definition) -> ConversionChoices {
         fn stated<T: Copy>(stated: &Option<crate::Stated<T>>, otherwise: T) -> T {

@@ -1,7 +1,7 @@
 //! The registry of diagnostic codes.
 //!
-//! What is said about a code stands in its Markdown file, such as `harness/types/codes/P4035.md`; the table lists the codes.
-//! `harness/types/README.md` tells how a code is added.
+//! The description of each code is a Markdown file, such as `harness/types/codes/P4035.md`; the table lists the codes.
+//! `harness/types/README.md` explains how to add a code.
 
 mod page;
 mod table;
@@ -44,7 +44,7 @@ impl Code {
         self.page().summary
     }
 
-    /// Returns what the code means, in a few sentences on one line.
+    /// Returns the meaning of the code in a few sentences on one line.
     pub fn explanation(self) -> &'static str {
         &self.page().explanation
     }
@@ -60,17 +60,17 @@ impl Code {
         self.page().dialect
     }
 
-    /// Returns, in words, how such a program is put right.
+    /// Returns a description of how to correct such a program.
     pub fn fix(self) -> &'static str {
         &self.page().fix
     }
 
-    /// Returns the [example](Code::example) put right, where it can be.
+    /// Returns the corrected [example](Code::example), if it can be corrected.
     pub fn repaired(self) -> Option<&'static str> {
         self.page().repaired
     }
 
-    /// Returns whether the code says that a construct is not enabled, which suppresses every other diagnostic about that
+    /// Returns whether the code reports a construct that is not enabled, which suppresses every other diagnostic about that
     /// construct.
     ///
     /// Basis: stickler-design: §4.

@@ -1,7 +1,6 @@
-//! What a definition of a dialect may override of the one that it extends, and in which words.
+//! Definitions of dialects in `stickler.toml`: the overrides of a dialect that extends another one, and their keywords.
 //!
-//! These are the words of `stickler.toml`. What they mean is said where the rules are: by the reference on its side, and by exact
-//! arithmetic on the other, each for itself.
+//! The meaning of an override is implemented twice, independently: by the reference and by exact arithmetic.
 
 use crate::words::words;
 use crate::{
@@ -9,49 +8,50 @@ use crate::{
 };
 use std::collections::BTreeMap;
 
-/// A dialect that is another one with some rules overridden.
+/// A user-defined dialect: another dialect with some rules overridden.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Definition {
-    /// Its name.
+    /// The name of the dialect.
     pub name: String,
-    /// The dialect by which it goes wherever it says nothing else.
+    /// The dialect of a documented system whose rules apply where the definition states nothing.
     pub base: BuiltIn,
-    /// What it is, for people.
+    /// A description of the dialect, for people.
     pub about: Option<String>,
-    /// Where it is defined, such as `stickler.toml:3`.
+    /// The file and line of the definition, such as `stickler.toml:3`.
     pub place: String,
-    /// Which pairs of types, of the value and of the target, convert implicitly, and which do not.
+    /// The pairs of types, of the value and of the target, for which the definition states whether they convert implicitly.
     pub implicit: BTreeMap<(ElementaryType, ElementaryType), Stated<MatrixWord>>,
-    /// What the language has and has not.
+    /// The language features that the definition enables or disables.
     pub flags: BTreeMap<Flag, Stated<bool>>,
-    /// How an integer is made of a real number.
+    /// The rounding of real numbers to integers.
     pub rounding: Option<Stated<Rounding>>,
-    /// What becomes of a real number that lies outside the integer.
+    /// The result for a real number that lies outside the integer.
     pub out_of_range: Option<Stated<OutOfRange>>,
-    /// How much of a text must be a number.
+    /// The part of a text that must be a number.
     pub text_reading: Option<Stated<TextReading>>,
-    /// Which digits a real number has as text.
+    /// The digits in which a real number is written as text.
     pub real_text: Option<Stated<RealText>>,
-    /// How a bit string is written as text.
+    /// The form in which a bit string is written as text.
     pub bit_string_text: Option<Stated<BitStringText>>,
 }
 
-/// Something that a definition states.
+/// A statement of a definition, with its basis.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Stated<T> {
-    /// What.
+    /// The stated value.
     pub value: T,
-    /// The basis of an expectation that follows from it, as cases write one: `mine: rounding (stickler.toml:9)`.
+    /// The basis of an expectation that follows from the statement, in the form of a case file: `mine: rounding
+    /// (stickler.toml:9)`.
     pub basis: String,
 }
 
-/// A name under which no dialect can be defined, because another is called so.
+/// The error of a name under which no dialect can be defined, because another dialect has it.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("there is a dialect `{0}` already")]
 pub struct TakenName(pub String);
 
 impl Definition {
-    /// A dialect that overrides nothing.
+    /// Returns a definition that overrides nothing.
     pub fn new(name: &str, base: BuiltIn, place: &str) -> Definition {
         Definition {
             name: name.to_owned(),
@@ -68,12 +68,12 @@ impl Definition {
         }
     }
 
-    /// Whether it states this of what the language has; `None` where it says nothing.
+    /// Returns the stated value of a flag; `None` if the definition does not state it.
     pub fn flag(&self, flag: Flag) -> Option<bool> {
         self.flags.get(&flag).map(|stated| stated.value)
     }
 
-    /// What it overrides, each in the words of `stickler.toml`: `implicit INT.BOOL = yes`.
+    /// Returns the overrides in the notation of `stickler.toml`: `implicit INT.BOOL = yes`.
     pub fn overrides(&self) -> Vec<String> {
         // The flag stands for these.
         let cross_family = self
@@ -111,14 +111,14 @@ impl Definition {
         cells.chain(flags).chain(choices.into_iter().flatten()).collect()
     }
 
-    /// What it states of a pair of types; `None` where it says nothing.
+    /// Returns the statement about a pair of types; `None` if there is none.
     pub fn implicit(&self, from: ElementaryType, to: ElementaryType) -> Option<&Stated<MatrixWord>> {
         self.implicit.get(&(from, to))
     }
 }
 
 words! {
-    /// What a language has or has not, under the names of options where the documents name one.
+    /// A language feature that a dialect has or lacks, named like the compiler option where the documents name one.
     Flag {
         /// A bit string converts implicitly to every strictly wider integer, or to none.
         /// Basis: ironplc-type-conversions: Cross-family widening.

@@ -1,4 +1,4 @@
-//! The names of the dialects; what a dialect means is the reference's affair.
+//! The names of the dialects; the reference and exact arithmetic implement their rules.
 
 use crate::definition::{Definition, TakenName};
 use std::cmp::Ordering;
@@ -7,8 +7,8 @@ use std::hash::{Hash, Hasher};
 use std::str::FromStr;
 use std::sync::{PoisonError, RwLock};
 
-/// A named set of language rules: of one documented system, or of a dialect that was defined as another one with some rules
-/// overridden.
+/// A named set of language rules: those of one documented system, or of a user-defined dialect that overrides some rules of
+/// another.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum DialectName {
     /// IronPLC as documented, with the second edition of the standard.
@@ -21,13 +21,13 @@ pub enum DialectName {
     Matiec,
     /// PLCnext Engineer, as the page and the table on its implicit conversions document it.
     Plcnext,
-    /// A dialect that was defined after this program was built; it goes by its [base](DialectName::base) wherever its
-    /// definition does not say otherwise.
+    /// A user-defined dialect, from `stickler.toml`; it follows its [base](DialectName::base) wherever its definition does
+    /// not state otherwise.
     Defined(DefinedDialect),
 }
 
-/// The dialects of documented systems, which every other one extends. Rules that no definition overrides are told apart by
-/// these.
+/// A dialect of a documented system, which every user-defined dialect extends. Rules that a definition cannot override
+/// depend on it alone.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum BuiltIn {
     /// [`DialectName::IronplcEd2`].
@@ -42,20 +42,20 @@ pub enum BuiltIn {
     Plcnext,
 }
 
-/// A dialect that was [defined](DialectName::define). Those that were defined earlier are less.
+/// A [defined](DialectName::define) dialect. Dialects that were defined earlier compare as less.
 #[derive(Clone, Copy)]
 pub struct DefinedDialect {
-    /// How many were defined before.
+    /// The number of dialects that were defined before this one.
     index: usize,
     definition: &'static Definition,
 }
 
-/// The dialects that were defined, in their order. They live as long as the process: a name is copied into every case.
+/// The defined dialects, in their order. They live as long as the process, because a name is copied into every case.
 static DEFINED: RwLock<Vec<DefinedDialect>> = RwLock::new(Vec::new());
 
 impl DialectName {
-    /// Every dialect of a documented system, in the order of the declaration, which is the order in which reports name them.
-    /// Those that were [defined](DialectName::defined) are not among them.
+    /// The dialects of documented systems, in the order of the declaration, in which reports name them. User-defined
+    /// dialects ([`DialectName::defined`]) are not included.
     pub const ALL: [DialectName; 5] = [
         DialectName::IronplcEd2,
         DialectName::IronplcEd3,
@@ -64,7 +64,7 @@ impl DialectName {
         DialectName::Plcnext,
     ];
 
-    /// The name as it is written everywhere, such as `ironplc-ed2`.
+    /// Returns the name of the dialect, such as `ironplc-ed2`.
     pub const fn as_str(self) -> &'static str {
         match self {
             DialectName::IronplcEd2 => "ironplc-ed2",
@@ -76,7 +76,7 @@ impl DialectName {
         }
     }
 
-    /// The dialect of a documented system that this one is, or goes by where its definition says nothing else.
+    /// Returns the dialect of a documented system that this one is, or that it finally extends.
     pub const fn base(self) -> BuiltIn {
         match self {
             DialectName::IronplcEd2 => BuiltIn::IronplcEd2,
@@ -88,7 +88,7 @@ impl DialectName {
         }
     }
 
-    /// What was said when the dialect was defined; `None` for one of a documented system.
+    /// Returns the definition of a user-defined dialect; `None` for a dialect of a documented system.
     pub const fn definition(self) -> Option<&'static Definition> {
         match self {
             DialectName::Defined(defined) => Some(defined.definition),
@@ -96,10 +96,10 @@ impl DialectName {
         }
     }
 
-    /// Defines a dialect, for as long as the process lives. What is defined again in the same way stays what it is.
+    /// Defines a dialect for the lifetime of the process. Defining the same dialect again changes nothing.
     ///
     /// # Errors
-    /// [`TakenName`] where a dialect is called so already; names that differ in case only are taken for one.
+    /// [`TakenName`] if another dialect has the name; names that differ only in case count as the same.
     pub fn define(definition: Definition) -> Result<DialectName, TakenName> {
         let mut defined = DEFINED.write().unwrap_or_else(PoisonError::into_inner);
         if let Some(same) = defined.iter().find(|other| *other.definition == definition) {
@@ -121,7 +121,7 @@ impl DialectName {
         Ok(DialectName::Defined(dialect))
     }
 
-    /// Every dialect that was defined, in the order of the definitions.
+    /// Returns every user-defined dialect, in the order of the definitions.
     pub fn defined() -> Vec<DialectName> {
         let defined = DEFINED.read().unwrap_or_else(PoisonError::into_inner);
         defined.iter().copied().map(DialectName::Defined).collect()
@@ -129,7 +129,7 @@ impl DialectName {
 }
 
 impl BuiltIn {
-    /// The name of the dialect.
+    /// Returns the name of the dialect.
     pub const fn name(self) -> DialectName {
         match self {
             BuiltIn::IronplcEd2 => DialectName::IronplcEd2,
@@ -179,12 +179,12 @@ impl fmt::Display for DialectName {
     }
 }
 
-/// A text that names no [`DialectName`].
+/// The error of a text that names no [`DialectName`].
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("unknown dialect `{0}`; the dialects are {known}", known = known())]
 pub struct UnknownDialect(pub String);
 
-/// The names of the dialects, those that were defined among them, in words; of hundreds the first few.
+/// Returns a list of the dialects' names for a message, including user-defined ones; only the first few if there are many.
 fn known() -> String {
     const MAX_NAMES: usize = 12;
     let all = DialectName::ALL.into_iter().chain(DialectName::defined());
@@ -202,7 +202,7 @@ fn known() -> String {
 impl FromStr for DialectName {
     type Err = UnknownDialect;
 
-    /// Reads exactly what [`DialectName::as_str`] gives.
+    /// Parses exactly the names that [`DialectName::as_str`] returns.
     fn from_str(text: &str) -> Result<DialectName, UnknownDialect> {
         let named = |dialect: &DialectName| dialect.as_str() == text;
         DialectName::ALL

@@ -77,7 +77,7 @@ pub enum ElementaryType {
     Wchar,
 }
 
-/// What kind of values a type holds; types of one family differ in width or range only.
+/// The kind of values that a type holds; types of one family differ only in width or range.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Family {
     /// `BOOL`.
@@ -106,7 +106,7 @@ pub enum Family {
 
 use ElementaryType as E;
 
-/// One row of the table of elementary types.
+/// A row of the table of elementary types.
 struct Row {
     name: &'static str,
     bits: u32,
@@ -132,7 +132,7 @@ const fn later(name: &'static str, bits: u32, family: Family) -> Row {
     }
 }
 
-/// The one table of elementary types, in the order of the declaration.
+/// The table of elementary types, in the order of the declaration.
 const TABLE: [Row; 27] = [
     row("BOOL", 1, Family::Boolean),
     row("SINT", 8, Family::Signed),
@@ -199,14 +199,14 @@ impl ElementaryType {
         &TABLE[self as usize]
     }
 
-    /// The keyword in upper case, the short one where there are two: `INT`, `TOD`, `DT`.
+    /// Returns the keyword in upper case, the short one where there are two: `INT`, `TOD`, `DT`.
     pub const fn name(self) -> &'static str {
         self.row().name
     }
 
-    /// The type that a keyword names, in any case; `TIME_OF_DAY` and its like are read too.
+    /// Returns the type that a keyword names, in any case; long keywords such as `TIME_OF_DAY` are accepted too.
     ///
-    /// The prefixes `T`, `LT`, `D` and `LD` are no keywords: see [`ElementaryType::from_literal_prefix`].
+    /// The prefixes `T`, `LT`, `D` and `LD` are not keywords: see [`ElementaryType::from_literal_prefix`].
     pub fn from_name(name: &str) -> Option<ElementaryType> {
         // The parser asks this of every identifier: length and first letter turn nearly all others away.
         let first = name.as_bytes().first()?.to_ascii_uppercase();
@@ -247,7 +247,7 @@ impl ElementaryType {
             .map(|&(_, ty)| ty)
     }
 
-    /// The type that the prefix of a typed literal names: its keyword, or `T`, `LT`, `D`, `LD`; in any case.
+    /// Returns the type that the prefix of a typed literal names: its keyword, or `T`, `LT`, `D`, `LD`; in any case.
     ///
     /// Basis: iec-61131-3: Tables 8 and 9 (duration, date and time of day literals).
     pub fn from_literal_prefix(prefix: &str) -> Option<ElementaryType> {
@@ -260,47 +260,47 @@ impl ElementaryType {
         }
     }
 
-    /// How many bits a value has: 1 for `BOOL`, 8 for `CHAR`, 64 for every duration and date, 0 for the texts.
+    /// Returns the number of bits of a value: 1 for `BOOL`, 8 for `CHAR`, 64 for every duration and date, 0 for the texts.
     pub const fn bits(self) -> u32 {
         self.row().bits
     }
 
-    /// The family that the type belongs to.
+    /// Returns the family that the type belongs to.
     pub const fn family(self) -> Family {
         self.row().family
     }
 
-    /// Whether this is a signed or unsigned integer, `ANY_INT` of the standard.
+    /// Returns whether the type is a signed or unsigned integer, `ANY_INT` of the standard.
     pub const fn is_integer(self) -> bool {
         matches!(self.family(), Family::Signed | Family::Unsigned)
     }
 
-    /// Whether this is `SINT`, `INT`, `DINT` or `LINT`.
+    /// Returns whether the type is `SINT`, `INT`, `DINT` or `LINT`.
     pub const fn is_signed(self) -> bool {
         matches!(self.family(), Family::Signed)
     }
 
-    /// Whether this is `USINT`, `UINT`, `UDINT` or `ULINT`; bit strings are no integers.
+    /// Returns whether the type is `USINT`, `UINT`, `UDINT` or `ULINT`; bit strings are not integers.
     pub const fn is_unsigned(self) -> bool {
         matches!(self.family(), Family::Unsigned)
     }
 
-    /// Whether this is `BYTE`, `WORD`, `DWORD` or `LWORD`; unlike `ANY_BIT` of the standard, without `BOOL`.
+    /// Returns whether the type is `BYTE`, `WORD`, `DWORD` or `LWORD`; unlike `ANY_BIT` of the standard, without `BOOL`.
     pub const fn is_bit_string(self) -> bool {
         matches!(self.family(), Family::BitString)
     }
 
-    /// Whether this is `REAL` or `LREAL`.
+    /// Returns whether the type is `REAL` or `LREAL`.
     pub const fn is_real(self) -> bool {
         matches!(self.family(), Family::Real)
     }
 
-    /// Whether this is `TIME` or `LTIME`.
+    /// Returns whether the type is `TIME` or `LTIME`.
     pub const fn is_duration(self) -> bool {
         matches!(self.family(), Family::Duration)
     }
 
-    /// Whether this is a date, a time of day, or both together, short or long: `ANY_DATE` of the standard.
+    /// Returns whether the type is a date, a time of day, or both together, short or long: `ANY_DATE` of the standard.
     pub const fn is_date_or_time(self) -> bool {
         matches!(
             self.family(),
@@ -308,24 +308,25 @@ impl ElementaryType {
         )
     }
 
-    /// Whether this is `STRING` or `WSTRING`.
+    /// Returns whether the type is `STRING` or `WSTRING`.
     pub const fn is_text(self) -> bool {
         matches!(self.family(), Family::Text)
     }
 
-    /// Whether this is `CHAR` or `WCHAR`.
+    /// Returns whether the type is `CHAR` or `WCHAR`.
     pub const fn is_character(self) -> bool {
         matches!(self.family(), Family::Character)
     }
 
-    /// Whether only the third edition of the standard has this type.
+    /// Returns whether only the third edition of the standard has the type.
     ///
     /// Basis: iec-61131-3: Annex B of the third edition lists the types that it added.
     pub const fn is_third_edition(self) -> bool {
         self.row().third_edition
     }
 
-    /// The long form of a duration, date or time of day: `TIME` → `LTIME`, `DATE` → `LDATE` …; nothing for any other type.
+    /// Returns the long form of a short duration, date or time of day: `TIME` → `LTIME`, `DATE` → `LDATE` …; `None` for any
+    /// other type.
     pub const fn long_form(self) -> Option<ElementaryType> {
         match self {
             E::Time => Some(E::Ltime),
@@ -336,7 +337,8 @@ impl ElementaryType {
         }
     }
 
-    /// The least and greatest value of an integer or bit string, and of `BOOL` (0 and 1); nothing for any other type.
+    /// Returns the least and greatest value of an integer or bit string, and of `BOOL` (0 and 1); `None` for any other
+    /// type.
     ///
     /// Basis: iec-61131-3: Table 10 and its notes.
     pub const fn integer_range(self) -> Option<(i128, i128)> {
@@ -348,9 +350,10 @@ impl ElementaryType {
         }
     }
 
-    /// The raw form of a number modulo 2^bits: what an integer, bit string or `BOOL` keeps of it.
+    /// Returns the raw form of a number modulo 2^bits of an integer, bit string or `BOOL`.
     ///
-    /// Of a number for `BOOL` that is its lowest bit. Other types keep as many low bits as they have, without a meaning.
+    /// For `BOOL` that is the lowest bit of the number. For other types, the result has their number of low bits and no
+    /// meaning.
     pub const fn wrap(self, value: i128) -> u64 {
         let spare = match self.bits() {
             0 => return 0,
@@ -363,9 +366,11 @@ impl ElementaryType {
         }
     }
 
-    /// The number that the raw form of an integer, bit string or `BOOL` stands for: the inverse of [`ElementaryType::wrap`].
+    /// Returns the number that the raw form of an integer, bit string or `BOOL` represents: the inverse of
+    /// [`ElementaryType::wrap`].
     ///
-    /// Durations and dates give their nanoseconds, characters their code unit; of reals and texts it has no meaning.
+    /// Durations and dates give their nanoseconds, characters their code unit; for reals and texts the result has no
+    /// meaning.
     pub const fn integer_value(self, raw: u64) -> i128 {
         match self.family() {
             Family::Signed | Family::Duration | Family::Date | Family::DateAndTime => raw as i64 as i128,

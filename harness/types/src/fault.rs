@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// Why an execution stopped before its end.
+/// The reason why an execution stopped before its end.
 ///
 /// Basis: Stickler's wire protocol; the standard leaves run-time errors to the implementer.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -14,7 +14,7 @@ pub enum Fault {
     SubscriptRange,
     /// A value outside the limits of the subrange that was to hold it.
     Subrange,
-    /// The program did not come to an end within the permitted number of steps.
+    /// The program did not end within the permitted number of steps.
     StepLimit,
 }
 
@@ -27,7 +27,7 @@ impl Fault {
         Fault::StepLimit,
     ];
 
-    /// The word by which cases and the wire protocol name the fault, such as `division-by-zero`.
+    /// Returns the word by which cases and the wire protocol name the fault, such as `division-by-zero`.
     pub const fn as_str(self) -> &'static str {
         match self {
             Fault::DivisionByZero => "division-by-zero",
@@ -44,7 +44,7 @@ impl fmt::Display for Fault {
     }
 }
 
-/// A word that names no [`Fault`].
+/// The error of a word that names no [`Fault`].
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
     "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange` and `step-limit`"
@@ -54,7 +54,7 @@ pub struct UnknownFault(pub String);
 impl FromStr for Fault {
     type Err = UnknownFault;
 
-    /// Reads exactly what [`Fault::as_str`] gives.
+    /// Parses exactly the words that [`Fault::as_str`] returns.
     fn from_str(text: &str) -> Result<Fault, UnknownFault> {
         Fault::ALL
             .into_iter()

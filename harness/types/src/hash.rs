@@ -21,14 +21,14 @@ impl Fnv1a {
         hash
     }
 
-    /// Takes in more bytes: two parts give the same hash as both together.
+    /// Hashes more bytes: two parts give the same hash as both together.
     pub fn write(&mut self, bytes: impl AsRef<[u8]>) {
         for &byte in bytes.as_ref() {
             self.step(u64::from(byte));
         }
     }
 
-    /// Takes in a part and the fact that it ends here, so that `ab`, `c` differs from `a`, `bc`.
+    /// Hashes a part and its end, so that `ab`, `c` differs from `a`, `bc`.
     pub fn write_part(&mut self, bytes: impl AsRef<[u8]>) {
         self.write(bytes);
         // No byte is 256.

@@ -1,7 +1,7 @@
-//! Elementary data types, typed values, IEC literals, dialect names, diagnostic codes, and what is asked of an engine and
-//! answered.
+//! Elementary data types, typed values, IEC literals, dialect names, diagnostic codes, and the requests and outcomes that
+//! the harness and the engines exchange.
 //!
-//! Every other crate uses this one. It knows neither the syntax of Structured Text beyond a literal, nor cases.
+//! Every other crate uses this one. It does not know cases, nor the syntax of Structured Text beyond literals.
 //!
 //! | what | where |
 //! |---|---|

@@ -1,8 +1,8 @@
-//! Readers and canonical writers of the standard's literals: what stands behind the `#` of a typed literal.
+//! Parsers and canonical writers of the standard's literals: of the part after the `#` of a typed literal.
 //!
-//! All readers take time linear in the length of their text, never panic, and set no limit to that length. All writers give the
-//! one canonical spelling; each reader reads what the writer of the same file writes. Offsets in errors count bytes from the
-//! start of the text that the reader was given.
+//! All parsers take time linear in the length of their text, never panic, and set no limit to that length. All writers
+//! produce the one canonical spelling; each parser reads what the writer of the same file produces. Offsets in errors count
+//! bytes from the start of the parsed text.
 
 pub mod date;
 pub mod duration;

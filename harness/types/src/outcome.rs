@@ -1,13 +1,14 @@
-//! What is answered: what an engine did with a program.
+//! The answers of engines: the outcome of a request.
 
 use crate::{Code, Fault, Value};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// A value under the name by which it was asked for (`q`, `a[1]`, `q@3`; see [`Observation::key`](crate::Observation::key)).
+/// A value with the name under which it was requested (`q`, `a[1]`, `q@3`; see
+/// [`Observation::key`](crate::Observation::key)).
 pub type NamedValue = (String, Value);
 
-/// What an engine did with a program. Crashing is not rejecting (design, section 2, rule 3).
+/// The outcome of a request to an engine. Crashing is not rejecting (design, section 2, rule 3).
 #[derive(Clone, PartialEq, Debug)]
 pub enum Outcome {
     /// The program was accepted; nothing was executed.
@@ -19,47 +20,47 @@ pub enum Outcome {
     },
     /// The program was rejected.
     Rejected {
-        /// Why, sorted by line, column, code.
+        /// The diagnostics, sorted by line, column and code.
         diagnostics: Vec<Diagnostic>,
     },
     /// The program was accepted and stopped at a run-time fault.
     Faulted {
-        /// What kind of fault.
+        /// The kind of fault.
         fault: Fault,
-        /// The line (from 1), where the engine tells it.
+        /// The line (from 1), if the engine reports it.
         line: Option<u32>,
         /// The values observed so far.
         values: Vec<NamedValue>,
     },
-    /// The program as normalised source.
+    /// The program was rendered as normalised source.
     Rendered {
         /// The whole source.
         text: String,
     },
-    /// The engine cannot answer this request, and says so.
+    /// The engine does not support this request, and reports that.
     Unsupported {
-        /// Why, as a fragment.
+        /// The reason, as a fragment.
         reason: String,
     },
     /// The engine died, or panicked.
     Crashed {
-        /// What is known about it, as a fragment.
+        /// The known circumstances, as a fragment.
         reason: String,
     },
     /// The engine did not answer in time.
     TimedOut {
-        /// How long it was waited for, in milliseconds.
+        /// The time that the harness waited, in milliseconds.
         after_ms: u64,
     },
-    /// The engine did not understand the request, or answered nonsense.
+    /// The engine did not understand the request, or its answer is not valid.
     Error {
-        /// What went wrong, as a fragment.
+        /// A description of the error, as a fragment.
         message: String,
     },
 }
 
 impl Outcome {
-    /// Writes a time limit as messages have it: `300 ms`, `60 s`, `1.5 s`.
+    /// Formats a time limit for messages: `300 ms`, `60 s`, `1.5 s`.
     #[must_use]
     pub fn limit(milliseconds: u64) -> String {
         match (milliseconds / 1000, milliseconds % 1000) {
@@ -94,8 +95,8 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// Something that an engine finds wrong with a program. Only the message is sure to be there in a foreign engine's answer; the
-/// reference always gives a code of the registry and the whole place.
+/// A diagnostic that an engine reports for a program. A foreign engine may report only the message; the reference always
+/// reports a registered code and the whole span.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Diagnostic {
@@ -110,24 +111,24 @@ pub struct Diagnostic {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
     pub column: Option<u32>,
-    /// The line on which it ends.
+    /// The line on which the span ends, from 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
     pub end_line: Option<u32>,
-    /// The column after its last character.
+    /// The column after the last character of the span.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
     pub end_column: Option<u32>,
-    /// What is wrong, for a person.
+    /// A description of the problem, for a person.
     #[serde(default)]
     pub message: String,
-    /// Text that replaces exactly the span and makes the program acceptable.
+    /// A text that replaces exactly the span and makes the program acceptable.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub suggestion: Option<String>,
 }
 
 impl Diagnostic {
-    /// Returns the code, if it is one of the registry.
+    /// Returns the code, if the registry has it.
     #[must_use]
     pub fn registered_code(&self) -> Option<Code> {
         self.code.as_deref()?.parse().ok()
@@ -135,7 +136,7 @@ impl Diagnostic {
 }
 
 impl fmt::Display for Diagnostic {
-    /// Writes `P4035 on line 6, column 13: …`, leaving out what is not known; `error` stands in for a missing code.
+    /// Writes `P4035 on line 6, column 13: …` without the unknown parts; `error` stands in for a missing code.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.code.as_deref().unwrap_or("error"))?;
         if let Some(line) = self.line {

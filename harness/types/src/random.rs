@@ -24,13 +24,14 @@ impl SplitMix64 {
         SplitMix64 { state: mixed(seed) }
     }
 
-    /// Returns the number at a place without drawing those before it; what [`draw`](SplitMix64::draw) gives next is at place 1.
+    /// Returns the number at a place without drawing those before it; the next number that [`draw`](SplitMix64::draw)
+    /// returns has place 1.
     #[must_use]
     pub const fn at(self, place: u64) -> u64 {
         mixed(self.state.wrapping_add(place.wrapping_mul(STEP)))
     }
 
-    /// Returns a sequence of its own for each place.
+    /// Returns a separate sequence for each place.
     #[must_use]
     pub const fn split(self, place: u64) -> SplitMix64 {
         SplitMix64::separate(self.at(place))
@@ -42,7 +43,7 @@ impl SplitMix64 {
         mixed(self.state)
     }
 
-    /// Returns so many bytes: the numbers of the sequence, the low byte first.
+    /// Returns `length` bytes: the numbers of the sequence, the low byte first.
     #[must_use]
     pub fn bytes(self, length: usize) -> Vec<u8> {
         let mut bytes: Vec<u8> = self

@@ -1,4 +1,4 @@
-//! What is asked: a program to run, what happens to it from outside, and what to observe of it.
+//! Requests to engines: a program, its inputs and settings, and the variables to observe.
 
 use crate::{DialectName, Value};
 use std::fmt;
@@ -11,9 +11,9 @@ pub struct RunRequest<'a> {
     pub dialect: DialectName,
     /// The whole source text.
     pub source: &'a str,
-    /// How many scans to run; 0 runs the start-up only.
+    /// The number of scans to run; 0 runs only the start-up.
     pub scans: u32,
-    /// The variables whose values are wanted.
+    /// The variables whose values are requested.
     pub observe: &'a [Observation],
     /// Simulated time since the start, by scan; ascending.
     pub clock: &'a [ClockSetting],
@@ -22,7 +22,7 @@ pub struct RunRequest<'a> {
 }
 
 impl<'a> RunRequest<'a> {
-    /// Builds the request for a program that runs one scan, to which nothing happens from outside.
+    /// Builds the request for a program that runs one scan, without settings and clock.
     #[must_use]
     pub const fn once(dialect: DialectName, source: &'a str, observe: &'a [Observation]) -> RunRequest<'a> {
         RunRequest {
@@ -35,7 +35,7 @@ impl<'a> RunRequest<'a> {
         }
     }
 
-    /// Tells whether an engine must be able to run several scans, set variables or observe in between to answer this.
+    /// Returns whether an engine must support several scans, settings or observations between scans to answer the request.
     #[must_use]
     pub fn needs_scans(&self) -> bool {
         self.scans != 1
@@ -45,16 +45,16 @@ impl<'a> RunRequest<'a> {
     }
 }
 
-/// A variable whose value is wanted.
+/// A variable whose value is requested.
 ///
 /// The names are shared, because the many cases of one table observe the same variables.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct Observation {
     /// The variable, or a path to an elementary value: `a[1]`, `rec.field[2].x`.
     pub name: Arc<str>,
-    /// The name of its type (`INT`, `STRING`, `COLOR`), for engines that must be told; empty where nobody said.
+    /// The name of the variable's type (`INT`, `STRING`, `COLOR`), for engines that need it; empty if unknown.
     pub type_name: Arc<str>,
-    /// The scan, counted from 1, after which the value is read, 0 standing for the start; `None` is after the last.
+    /// The scan, counted from 1, after which the value is read; 0 for the start, `None` for the last scan.
     pub after: Option<u32>,
 }
 
@@ -69,7 +69,7 @@ impl Observation {
         }
     }
 
-    /// Returns the name under which the value comes back.
+    /// Returns the key under which the engine returns the value.
     #[must_use]
     pub fn key(&self) -> ObservationKey<'_> {
         ObservationKey {
@@ -79,17 +79,17 @@ impl Observation {
     }
 }
 
-/// The name under which an observed value comes back: `q`, or `q@3` where it is read after the third scan.
+/// The key under which an engine returns an observed value: `q`, or `q@3` if it is read after the third scan.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ObservationKey<'a> {
     /// The variable or path.
     pub name: &'a str,
-    /// The scan after which the value is read; `None` is after the last.
+    /// The scan after which the value is read; `None` for the last scan.
     pub after: Option<u32>,
 }
 
 impl ObservationKey<'_> {
-    /// Tells whether `text` is what `Display` writes, without writing it.
+    /// Returns whether `text` equals the output of `Display`, without producing it.
     #[must_use]
     pub fn is(&self, text: &str) -> bool {
         match (self.after, text.strip_prefix(self.name)) {
@@ -130,7 +130,7 @@ pub struct ClockSetting {
 }
 
 impl ClockSetting {
-    /// Builds the setting from a time literal; `None` where the value is neither a `TIME` nor an `LTIME`.
+    /// Builds the setting from a time literal; `None` if the value is neither a `TIME` nor an `LTIME`.
     #[must_use]
     pub fn at(before: u32, time: &Value) -> Option<ClockSetting> {
         match time {

@@ -1,4 +1,4 @@
-//! Typed values: how they are read, written and compared.
+//! Typed values: how they are parsed, written and compared.
 
 use crate::elementary::{ElementaryType, Family};
 use crate::literal::{self, LiteralError};
@@ -14,16 +14,16 @@ use std::fmt;
 pub enum Value {
     /// A value of any elementary type except the texts.
     Plain {
-        /// Its type, which is neither `STRING` nor `WSTRING`.
+        /// The type, which is neither `STRING` nor `WSTRING`.
         ty: ElementaryType,
-        /// Its raw form: see [`ElementaryType`].
+        /// The raw form of the value: see [`ElementaryType`].
         raw: u64,
     },
     /// A character string.
     Text {
         /// `STRING` or `WSTRING`.
         ty: ElementaryType,
-        /// Its code units, of a `STRING` none above 16#FF.
+        /// The code units; those of a `STRING` are at most 16#FF.
         units: Vec<u16>,
     },
     /// A value of an enumeration.
@@ -36,17 +36,17 @@ pub enum Value {
 }
 
 impl Value {
-    /// A value of any elementary type except the texts, from its raw form.
+    /// Returns a value of any elementary type except the texts, from its raw form.
     pub const fn plain(ty: ElementaryType, raw: u64) -> Value {
         Value::Plain { ty, raw }
     }
 
-    /// A character string, from `STRING` or `WSTRING` and its code units.
+    /// Returns a character string, from `STRING` or `WSTRING` and its code units.
     pub const fn text(ty: ElementaryType, units: Vec<u16>) -> Value {
         Value::Text { ty, units }
     }
 
-    /// A value of an enumeration, from the names of both.
+    /// Returns a value of an enumeration, from the names of both.
     pub fn enumerated(type_name: impl Into<String>, value_name: impl Into<String>) -> Value {
         Value::Enumerated {
             type_name: type_name.into(),
@@ -54,7 +54,7 @@ impl Value {
         }
     }
 
-    /// The keyword of the type, or the name of the enumeration.
+    /// Returns the keyword of the type, or the name of the enumeration.
     pub fn type_name(&self) -> &str {
         match self {
             Value::Plain { ty, .. } | Value::Text { ty, .. } => ty.name(),
@@ -62,8 +62,8 @@ impl Value {
         }
     }
 
-    /// Returns the canonical literal without its type: `-5`, `16#00FF`, `'a$'b'`, `RED`. For values of types whose literals must
-    /// have a prefix (durations, dates) it is no literal of the language.
+    /// Returns the canonical literal without its type: `-5`, `16#00FF`, `'a$'b'`, `RED`. For types whose literals must have
+    /// a prefix (durations, dates) the result is not a literal of the language.
     pub fn without_type(&self) -> String {
         let typed = self.to_string();
         // The canonical spelling always has a type, and no name of a type has a `#`.
@@ -71,8 +71,8 @@ impl Value {
         typed[start..].to_owned()
     }
 
-    /// Returns the literal that a program writes for the value in a place of its type: without the type, or with it for durations,
-    /// dates and enumerations.
+    /// Returns the literal that a program writes for the value where its type is expected: without the type, or with it for
+    /// durations, dates and enumerations.
     pub fn literal(&self) -> String {
         match self {
             Value::Plain { ty, .. } if ty.is_duration() || ty.is_date_or_time() => self.to_string(),
@@ -81,11 +81,11 @@ impl Value {
         }
     }
 
-    /// Reads a typed literal in any spelling that the standard has: `INT#-5`, `word#16#ff`, `T#1d2h`, `BOOL#TRUE`,
+    /// Parses a typed literal in any spelling that the standard allows: `INT#-5`, `word#16#ff`, `T#1d2h`, `BOOL#TRUE`,
     /// `STRING#'a$'b'`, `COLOR#RED`.
     ///
-    /// A prefix that names no elementary type names an enumeration. `REAL` and `LREAL` have `NaN`, `Infinity` and `-Infinity`
-    /// besides, in any case. Nothing may stand before or behind the literal, blanks included.
+    /// A prefix that names no elementary type names an enumeration. `REAL` and `LREAL` also have `NaN`, `Infinity` and
+    /// `-Infinity`, in any case. The text must contain nothing but the literal, not even blanks.
     ///
     /// # Errors
     /// A [`LiteralError`] with its offset in `literal`; `Overflow` where the type has no such value.
@@ -110,7 +110,7 @@ impl Value {
     }
 }
 
-/// The raw form of a plain literal whose prefix has been taken off.
+/// Returns the raw form of a plain literal without its prefix.
 fn plain_of_type(rest: &str, ty: ElementaryType) -> Result<u64, LiteralError> {
     match ty.family() {
         Family::Boolean => boolean(rest),
@@ -134,7 +134,7 @@ fn plain_of_type(rest: &str, ty: ElementaryType) -> Result<u64, LiteralError> {
     }
 }
 
-/// Reads `0`, `1`, `FALSE` or `TRUE`.
+/// Parses `0`, `1`, `FALSE` or `TRUE`.
 fn boolean(rest: &str) -> Result<u64, LiteralError> {
     if rest.eq_ignore_ascii_case("TRUE") || rest == "1" {
         Ok(1)
@@ -147,7 +147,7 @@ fn boolean(rest: &str) -> Result<u64, LiteralError> {
     }
 }
 
-/// The raw form of a number, if it is within the range of the type.
+/// Returns the raw form of a number, if it is within the range of the type.
 fn ranged(value: Result<i128, LiteralError>, ty: ElementaryType) -> Result<u64, LiteralError> {
     let out_of_range = LiteralError::overflow(0, ty.name());
     match value {
@@ -162,7 +162,7 @@ fn fits(value: i128, ty: ElementaryType) -> bool {
         .is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
 }
 
-/// The raw form of a real that is no number, or no finite one, by the words that Stickler has for them.
+/// Returns the raw form of a NaN or an infinity, if the text is one of Stickler's words for them.
 fn not_finite(rest: &str, ty: ElementaryType) -> Option<u64> {
     let (single, double) = match rest {
         _ if rest.eq_ignore_ascii_case("NaN") => (f32::NAN, f64::NAN),
@@ -177,7 +177,7 @@ fn not_finite(rest: &str, ty: ElementaryType) -> Option<u64> {
     })
 }
 
-/// The code units of a text or character, whose quotes must be those of the type.
+/// Returns the code units of a text or character, whose quotes must be those of the type.
 fn text_of_type(rest: &str, ty: ElementaryType) -> Result<Vec<u16>, LiteralError> {
     let (quote, expected) = if is_wide(ty) {
         ('"', "a double quote")
@@ -194,7 +194,7 @@ const fn is_wide(ty: ElementaryType) -> bool {
     matches!(ty, ElementaryType::Wstring | ElementaryType::Wchar)
 }
 
-/// Reads a value of an enumeration, where `behind` is the offset of `value_name`.
+/// Parses a value of an enumeration, where `behind` is the offset of `value_name`.
 fn enumerated(type_name: &str, value_name: &str, behind: usize) -> Result<Value, LiteralError> {
     if !is_identifier(type_name) {
         return Err(LiteralError::malformed(0, "the name of a type"));

@@ -1,4 +1,4 @@
-//! Enumerations whose variants are words that people write.
+//! Enumerations whose variants are spelled as words in files and on the command line.
 
 /// Declares an enumeration and the word of each variant.
 macro_rules! words {

@@ -1,9 +1,9 @@
-//! Paragraphs in lines that fit a terminal.
+//! Wraps paragraphs into lines that fit a terminal.
 
 /// The width of a line, in characters.
 const WIDTH: usize = 80;
 
-/// Breaks a paragraph into lines of at most 80 characters, but for words that are longer.
+/// Breaks a paragraph into lines of at most 80 characters, except for longer words.
 #[must_use]
 pub fn wrap(paragraph: &str) -> String {
     let mut text = String::with_capacity(paragraph.len() + 1);

@@ -1,8 +1,8 @@
-//! Values together with the literals that programs write for them.
+//! Values together with the literals that spell them in programs.
 
 use crate::{ElementaryType, LiteralError, Value};
 
-/// A value together with the literal that a program writes for it in a place of its type.
+/// A value with the literal that a program writes for it where its type is expected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrittenValue {
     /// The literal without its type, or with it where the type has no other.
@@ -20,10 +20,10 @@ impl WrittenValue {
         }
     }
 
-    /// Parses what `literal`, which may lack its type, stands for in a variable of type `ty`; keeps the literal as it is spelled.
+    /// Parses `literal`, which may lack its type, as a value of the type `ty`; keeps the literal as it is spelled.
     ///
     /// # Errors
-    /// A [`LiteralError`] where the type has no such literal.
+    /// A [`LiteralError`] if the type has no such literal.
     pub fn parse(ty: ElementaryType, literal: &str) -> Result<WrittenValue, LiteralError> {
         let value = match literal.split_once('#') {
             Some((prefix, _)) if ElementaryType::from_literal_prefix(prefix) == Some(ty) => {

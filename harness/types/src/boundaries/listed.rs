@@ -41,8 +41,8 @@ pub fn other_than(ty: ElementaryType, value: Option<&Value>) -> Option<WrittenVa
         .find(|other| Some(&other.value) != value)
 }
 
-/// The limits and one inside them, 0, 1, -1, each power of two and one beside it; of signed types also what lies beside the
-/// limits of the narrower ones, and two numbers that reals cannot hold.
+/// Returns the limits and one inside them, 0, 1, -1, each power of two and one beside it; for signed types also the numbers
+/// beside the limits of the narrower ones, and two numbers that reals cannot hold.
 fn integers(ty: ElementaryType) -> Vec<i128> {
     let Some((least, greatest)) = ty.integer_range() else {
         return Vec::new();
@@ -63,7 +63,7 @@ fn integers(ty: ElementaryType) -> Vec<i128> {
     numbers
 }
 
-/// Literals that both real types read, if each in its own way: 2^24+1 is no REAL, and 2^53+1 no LREAL.
+/// The literals that both real types accept, each with its own rounding: 2^24+1 is not a REAL, and 2^53+1 not an LREAL.
 const REALS: &[&str] = &[
     "0.0",
     "-0.0",
@@ -101,8 +101,8 @@ const REALS: &[&str] = &[
     "18446744073709551616.0",
 ];
 
-/// The literals above, and the numbers at the ends of the type: the smallest, the largest subnormal, the smallest normal, the
-/// largest but one and the largest finite, of both signs, and the neighbours of 1.
+/// Returns the values of [`REALS`], and the numbers at the ends of the type: the smallest, the largest subnormal, the
+/// smallest normal, the largest but one and the largest finite, of both signs, and the neighbours of 1.
 fn reals(ty: ElementaryType) -> Vec<WrittenValue> {
     let mut values: Vec<_> = REALS
         .iter()
@@ -119,7 +119,7 @@ fn reals(ty: ElementaryType) -> Vec<WrittenValue> {
     values
 }
 
-/// The short lists of the other types. A TIME has the ends of what 32 bits of milliseconds hold, and one beyond.
+/// Returns the short lists of the other types. A TIME has the limits of 32 bits of milliseconds, and one value beyond.
 fn short_list(ty: ElementaryType) -> &'static [&'static str] {
     use ElementaryType as E;
     match ty {

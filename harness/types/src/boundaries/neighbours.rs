@@ -3,17 +3,17 @@
 use crate::{ElementaryType, Family};
 use std::collections::BTreeSet;
 
-/// How many neighbours a boundary value has.
+/// The number of neighbours that are added to each boundary value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Detail {
-    /// Many: some ten thousand values of a type, which take no time within one process.
+    /// Many neighbours: some ten thousand values of a type, for computation within one process.
     Fine,
-    /// The nearest: some thousand values of a type, for an engine that has to be asked for each.
+    /// The nearest neighbours: some thousand values of a type, for an engine that must be asked for each.
     Coarse,
 }
 
 impl Detail {
-    /// How far the neighbourhood of an integer reaches to either side.
+    /// Returns how far the neighbourhood of an integer reaches to either side.
     const fn integers(self) -> i128 {
         match self {
             Detail::Fine => 64,
@@ -21,7 +21,7 @@ impl Detail {
         }
     }
 
-    /// How many representable numbers on either side of a real one belong to its neighbourhood.
+    /// Returns the number of representable numbers on either side of a real one that belong to its neighbourhood.
     const fn reals(self) -> u64 {
         match self {
             Detail::Fine => 8,
@@ -29,7 +29,7 @@ impl Detail {
         }
     }
 
-    /// Up to which number each half is a boundary of its own.
+    /// Returns the number up to which each half is a boundary of its own.
     const fn halves(self) -> u128 {
         match self {
             Detail::Fine => 2_048,
@@ -37,7 +37,7 @@ impl Detail {
         }
     }
 
-    /// The step from one power of two to the next, where no integer is near.
+    /// Returns the step from one power of two to the next, where no integer is near.
     const fn powers(self) -> usize {
         match self {
             Detail::Fine => 1,
@@ -67,7 +67,8 @@ pub fn neighbourhoods(ty: ElementaryType, detail: Detail) -> Vec<u64> {
     raws.into_iter().collect()
 }
 
-/// Around zero, the powers of two (the limits of every type among them) and of ten (where decimal digits run out).
+/// Returns the numbers around zero, the powers of two (which include the limits of every type) and the powers of ten (where
+/// decimal digits run out).
 fn integers(ty: ElementaryType, detail: Detail) -> BTreeSet<u64> {
     let powers_of_two = (0..=64).map(|n| 1_i128 << n);
     let powers_of_ten = (1..=19).map(|n| 10_i128.pow(n));
@@ -84,8 +85,8 @@ fn integers(ty: ElementaryType, detail: Detail) -> BTreeSet<u64> {
         .collect()
 }
 
-/// Around zero, the powers of two, small halves, the limits of the integers and halves beside them, the largest finite
-/// number, the infinity, and NaNs of each kind; and the same with a minus.
+/// Returns the numbers around zero, the powers of two, small halves, the limits of the integers and halves beside them, the
+/// largest finite number, the infinity, and NaNs of each kind; and all of them with a minus.
 fn reals(ty: ElementaryType, detail: Detail) -> BTreeSet<u64> {
     let format = Format::of(ty);
     let mut raws = BTreeSet::new();
@@ -118,7 +119,7 @@ fn reals(ty: ElementaryType, detail: Detail) -> BTreeSet<u64> {
     raws
 }
 
-/// Where the parts of a real type's bits stand.
+/// The position of the parts of a real type's bits.
 struct Format {
     fraction_bits: u32,
     bias: u64,
@@ -145,7 +146,7 @@ impl Format {
         (2 * self.bias + 1) << self.fraction_bits
     }
 
-    /// So many halves, what does not fit the fraction cut off.
+    /// Returns the raw form of `count` halves; bits that the fraction cannot hold are dropped.
     fn halves(&self, count: u128) -> u64 {
         let Some(highest) = count.checked_ilog2() else {
             return 0;
@@ -160,8 +161,8 @@ impl Format {
     }
 }
 
-/// Nanoseconds around: zero, the units, days, the turns of telling years and their leap days, the limits of the integers
-/// in nanoseconds, milliseconds and seconds, and the limits of 64 bits.
+/// Returns the nanoseconds around zero, the units, days, the beginnings of selected years and their leap days, the limits
+/// of the integers in nanoseconds, milliseconds and seconds, and the limits of 64 bits.
 fn moments() -> impl Iterator<Item = i64> {
     let units = [0, 1_000, 1_000_000, SECOND, 60 * SECOND, 3_600 * SECOND, DAY];
     let limits = [7, 8, 15, 16, 31, 32, 63].map(|bits| 1_i128 << bits);
@@ -175,7 +176,7 @@ fn moments() -> impl Iterator<Item = i64> {
         .filter_map(|nanoseconds| i64::try_from(nanoseconds).ok())
 }
 
-/// Distances at which a fraction of a unit, a second or a day comes out differently.
+/// Distances from a boundary at which a fraction of a unit, a second or a day converts differently.
 const NEAR: [i128; 14] = [
     0,
     1,
@@ -193,12 +194,13 @@ const NEAR: [i128; 14] = [
     DAY,
 ];
 
-/// The first and the last that 64 bits reach, centuries with and without a leap day, and those that counters end in.
+/// The first and the last year that 64 bits reach, centuries with and without a leap day, and the years in which counters
+/// overflow.
 const YEARS: [i128; 14] = [
     1678, 1700, 1900, 1969, 1970, 1972, 1999, 2000, 2024, 2038, 2100, 2106, 2200, 2262,
 ];
 
-/// The beginnings of 1 January and of the sixtieth day of those years, in nanoseconds since 1970.
+/// Returns the beginnings of 1 January and of the sixtieth day of [`YEARS`], in nanoseconds since 1970.
 fn turns_of_days() -> impl Iterator<Item = i128> {
     let leap_days = |year: i128| {
         let before = year - 1;
@@ -210,7 +212,7 @@ fn turns_of_days() -> impl Iterator<Item = i128> {
     })
 }
 
-/// The day that a moment lies in, where 64 bits hold its beginning; otherwise the next.
+/// Returns the beginning of the day on which a moment lies, if 64 bits hold it; otherwise that of the next day.
 fn whole_day(nanoseconds: i64) -> i64 {
     let day = DAY as i64;
     let behind_midnight = nanoseconds.rem_euclid(day);

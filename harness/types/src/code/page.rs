@@ -1,8 +1,8 @@
-//! The Markdown page of a diagnostic code, taken apart.
+//! Parses the Markdown page of a diagnostic code.
 
 use crate::dialect_name::DialectName;
 
-/// What a page says about its code.
+/// The contents of the page of a diagnostic code.
 pub(super) struct Page {
     pub summary: &'static str,
     pub explanation: String,
@@ -16,11 +16,11 @@ pub(super) struct Page {
 /// The line above the example of a code that the reference never gives.
 const GIVEN_ELSEWHERE: &str = "Only other compilers give this code.";
 
-/// Takes a page apart: heading, summary, explanation, dialect and example, fix and repaired example, as
+/// Parses a page: heading, summary, explanation, dialect and example, fix and repaired example, as
 /// `harness/types/README.md` describes them.
 ///
 /// # Errors
-/// The first part that is missing or written differently.
+/// A message about the first part that is missing or has another form.
 pub(super) fn parse(code: &str, name: &str, text: &'static str) -> Result<Page, String> {
     let rest = text
         .strip_prefix(&format!("# {code} {name}\n\n"))
@@ -57,7 +57,7 @@ pub(super) fn parse(code: &str, name: &str, text: &'static str) -> Result<Page, 
     })
 }
 
-/// Splits at `end`.
+/// Splits the text at `end`.
 fn part(text: &'static str, end: &str, expected: &str) -> Result<(&'static str, &'static str), String> {
     text.split_once(end)
         .filter(|(part, _)| !part.is_empty() && !part.contains("```"))
@@ -69,13 +69,13 @@ fn part(text: &'static str, end: &str, expected: &str) -> Result<(&'static str, 
         })
 }
 
-/// Splits behind the fence that closes a program, and returns the program with its last line break.
+/// Splits the text after the fence that closes a program; returns the program with its last line break, and the rest.
 fn program(text: &'static str) -> Result<(&'static str, &'static str), String> {
     let end = text.find("\n```\n").ok_or("a program is not closed with ```")?;
     Ok((&text[..=end], &text[end + "\n```\n".len()..]))
 }
 
-/// Reads the line above an example.
+/// Parses the line above an example.
 fn dialect(given: &str) -> Result<Option<DialectName>, String> {
     if given == GIVEN_ELSEWHERE {
         return Ok(None);

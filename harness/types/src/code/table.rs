@@ -1,6 +1,6 @@
 //! The diagnostic codes: their numbers, their names and the page of each in `harness/types/codes`.
 
-/// Makes the enumeration of the codes and the list of their entries from one line a code.
+/// Generates the enumeration of the codes and the list of their entries from one line for each code.
 macro_rules! codes {
     ($($code:ident $name:ident,)*) => {
         /// A kind of diagnostic, in the order of the codes.
@@ -28,7 +28,7 @@ macro_rules! codes {
     };
 }
 
-/// One line of the table.
+/// One line of the table of codes.
 pub(super) struct Entry {
     /// The number, such as `P4035`.
     pub code: &'static str,

@@ -44,7 +44,7 @@ pub fn time_of_day(text: &str) -> Result<i64, LiteralError> {
 /// Reads a date and time of day, such as `2024-02-29-12:34:56.5`, into nanoseconds from 1970-01-01-00:00:00.
 ///
 /// # Errors
-/// As [`date`] and [`time_of_day`]; the range is 1677-09-21-00:12:43.145224192 to 2262-04-11-23:47:16.854775807.
+/// Those of [`date`] and [`time_of_day`]; the range is 1677-09-21-00:12:43.145224192 to 2262-04-11-23:47:16.854775807.
 ///
 /// Basis: iec-61131-3: Table 9 (date and time literals); stickler-design: the raw form of a date and time.
 pub fn date_and_time(text: &str) -> Result<i64, LiteralError> {
@@ -56,13 +56,13 @@ pub fn date_and_time(text: &str) -> Result<i64, LiteralError> {
     instant(day, time)
 }
 
-/// The nanoseconds from the epoch to a time on a day that is counted from the epoch.
+/// Returns the nanoseconds from the epoch to a time on a day that is counted from the epoch.
 fn instant(day: i64, time: i64) -> Result<i64, LiteralError> {
     i64::try_from(i128::from(day) * i128::from(DAY) + i128::from(time))
         .map_err(|_| LiteralError::overflow(0, "a date"))
 }
 
-/// A text that is being read field by field.
+/// A text that is parsed field by field.
 struct Fields<'t> {
     bytes: &'t [u8],
     at: usize,
@@ -76,7 +76,7 @@ impl<'t> Fields<'t> {
         }
     }
 
-    /// The days from the epoch to a date.
+    /// Parses a date; returns the days since the epoch.
     fn date(&mut self) -> Result<i64, LiteralError> {
         // Any greater year is far outside the range; this bound keeps the arithmetic on days small.
         let year = self.number(0, 99_999, "a date")?;
@@ -87,7 +87,7 @@ impl<'t> Fields<'t> {
         Ok(days_from_civil(year, month, day))
     }
 
-    /// The nanoseconds from midnight to a time of day.
+    /// Parses a time of day; returns the nanoseconds since midnight.
     fn time(&mut self) -> Result<i64, LiteralError> {
         let hour = self.number(0, 23, "the hours of a day")?;
         self.mark(b':', "`:` and the minute")?;
@@ -104,7 +104,7 @@ impl<'t> Fields<'t> {
         Ok(whole + fraction_of(digits, SECOND.unsigned_abs()).cast_signed())
     }
 
-    /// A whole number from `least` to `greatest`, which is less than a million.
+    /// Parses a whole number from `least` to `greatest`, which is less than a million.
     fn number(&mut self, least: i64, greatest: i64, range: &'static str) -> Result<i64, LiteralError> {
         let digits = digits_at(self.bytes, self.at)?;
         let value = digits
@@ -145,7 +145,7 @@ fn days_in_month(year: i64, month: i64) -> i64 {
     }
 }
 
-/// The days from 1970-01-01 to a date.
+/// Returns the days from 1970-01-01 to a date.
 ///
 /// The year is taken to begin in March, so that the leap day is its last, and 400 years, which are always 146 097 days, are one
 /// era. Day 719 468 of the count from 0000-03-01 is the epoch.
@@ -158,7 +158,7 @@ fn days_from_civil(year: i64, month: i64, day: i64) -> i64 {
     era * 146_097 + day_of_era - 719_468
 }
 
-/// Year, month and day that lie so many days after 1970-01-01: the inverse of [`days_from_civil`].
+/// Returns year, month and day of the date that lies `days` days after 1970-01-01: the inverse of [`days_from_civil`].
 fn civil_from_days(days: i64) -> (i64, i64, i64) {
     let days = days + 719_468;
     let (era, day_of_era) = (days.div_euclid(146_097), days.rem_euclid(146_097));
@@ -170,7 +170,7 @@ fn civil_from_days(days: i64) -> (i64, i64, i64) {
     (era * 400 + year_of_era + i64::from(month <= 2), month, day)
 }
 
-/// Writes the day that a date, or a date and time, lies in: `2024-02-29`.
+/// Writes the day on which a date, or a date and time, lies: `2024-02-29`.
 ///
 /// Basis: stickler-design: §4.
 pub fn write_date(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Result {
@@ -180,7 +180,7 @@ pub fn write_date(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Result {
 
 /// Writes the nanoseconds since midnight as a time of day: `12:34:56`, `12:34:56.789`.
 ///
-/// What is no time of day is taken modulo a day.
+/// A number outside the range of a time of day is taken modulo a day.
 ///
 /// Basis: stickler-design: §4.
 pub fn write_time_of_day(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Result {

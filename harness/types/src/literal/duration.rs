@@ -59,9 +59,9 @@ struct Part {
     /// The amount, cut off toward zero, and saturated far beyond what a duration can hold.
     nanoseconds: u128,
     has_fraction: bool,
-    /// The units that may still follow.
+    /// The units that may still follow this part.
     lesser: &'static [(&'static str, u64)],
-    /// The offset behind the unit.
+    /// The offset after the unit.
     end: usize,
 }
 
@@ -100,7 +100,7 @@ impl Part {
     }
 }
 
-/// The decimal digits, with underscores between them, that must stand at `at`.
+/// Returns the decimal digits, with underscores between them, that must be present at `at`.
 pub(super) fn digits_at(bytes: &[u8], at: usize) -> Result<&[u8], LiteralError> {
     let rest = &bytes[at..];
     match digit_run(rest, 10) {
@@ -109,7 +109,8 @@ pub(super) fn digits_at(bytes: &[u8], at: usize) -> Result<&[u8], LiteralError> 
     }
 }
 
-/// The decimal fraction with these digits of `unit`, cut off to a whole number; exact for any number of digits.
+/// Returns the decimal fraction with these digits of `unit`, rounded down to a whole number; exact for any number of
+/// digits.
 ///
 /// Horner's rule from the last digit, on whole numbers: ⌊(n + x) / 10⌋ = ⌊(n + ⌊x⌋) / 10⌋ for a whole n, so that cutting off at
 /// each step loses nothing.
@@ -136,7 +137,7 @@ pub fn write_nanoseconds(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Re
     write!(out, "{nanoseconds}ns")
 }
 
-/// Writes `.` and `fraction` as that many decimal digits without trailing zeros; nothing where it is zero.
+/// Writes `.` and `fraction` as `digits` decimal digits without trailing zeros; writes nothing if the fraction is zero.
 pub(super) fn write_fraction(out: &mut impl fmt::Write, mut fraction: u64, mut digits: usize) -> fmt::Result {
     if fraction == 0 {
         return Ok(());

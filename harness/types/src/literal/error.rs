@@ -1,6 +1,6 @@
-//! What can be wrong with a literal.
+//! The errors of literals.
 
-/// Why a text is no literal of the type that was asked for.
+/// The reason why a text is not a literal of the requested type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum LiteralError {
     /// The text does not follow the grammar of the literal.
@@ -8,7 +8,7 @@ pub enum LiteralError {
     Malformed {
         /// The byte offset at which reading stopped.
         at: usize,
-        /// What could have stood there.
+        /// The text that was expected there.
         expected: &'static str,
     },
     /// The literal is well formed, but its type has no such value.
@@ -16,10 +16,10 @@ pub enum LiteralError {
     Overflow {
         /// The byte offset at which the value begins.
         at: usize,
-        /// What the value had to fit.
+        /// The range that the value had to fit.
         range: &'static str,
     },
-    /// A `$` in a character string begins no escape of the standard's.
+    /// A `$` in a character string begins no escape sequence of the standard.
     #[error("unknown escape at byte {at}")]
     Escape {
         /// The byte offset of the `$`.
@@ -42,7 +42,7 @@ impl LiteralError {
         LiteralError::Overflow { at, range }
     }
 
-    /// The byte offset at which the literal is wrong.
+    /// Returns the byte offset of the error in the literal.
     pub const fn offset(&self) -> usize {
         match *self {
             LiteralError::Malformed { at, .. }
@@ -52,7 +52,7 @@ impl LiteralError {
         }
     }
 
-    /// The same error in a text which has `by` more bytes in front.
+    /// Returns the same error for a text that has `by` more bytes in front.
     #[must_use]
     pub const fn shifted(self, by: usize) -> LiteralError {
         match self {

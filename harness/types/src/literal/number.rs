@@ -43,7 +43,7 @@ pub fn integer(text: &str) -> Result<i128, LiteralError> {
     value.ok_or(LiteralError::overflow(0, "128 bits"))
 }
 
-/// The value of digits, where `at` is the offset of the first of them in the text to be reported.
+/// Returns the value of digits, where `at` is the offset of the first digit, for errors.
 fn digits_of_base(digits: &[u8], base: u32, at: usize) -> Result<u128, LiteralError> {
     // Nineteen decimal digits always fit 64 bits, and nearly every literal is that short and has no underscore.
     if base == 10 && (1..=19).contains(&digits.len()) && digits.iter().all(u8::is_ascii_digit) {
@@ -79,7 +79,7 @@ fn digit_name(base: u32) -> &'static str {
     }
 }
 
-/// How many bytes at the start of `bytes` are digits of `base`, with single underscores between them.
+/// Returns the number of bytes at the start of `bytes` that are digits of `base`, with single underscores between them.
 pub(super) fn digit_run(bytes: &[u8], base: u32) -> usize {
     let mut end = 0;
     loop {

@@ -42,12 +42,13 @@ pub fn real(text: &str, ty: ElementaryType) -> Result<u64, LiteralError> {
     }
 }
 
-/// The length from which a real is condensed before the standard library reads it.
+/// The length from which a real literal is condensed before the standard library parses it.
 ///
-/// Its reader takes no exponent beyond some hundred thousand as it stands, which matters only where as many zeros make up for it.
+/// The parser of the standard library limits exponents to some hundred thousand, which matters only for a literal with as
+/// many zeros to compensate.
 const LONG_REAL: usize = 10_000;
 
-/// The same number, well formed as it is, as `0.` with no zero behind it, and the exponent that goes with that.
+/// Rewrites a well-formed number as `0.` without zeros after the point, and an adjusted exponent.
 fn condensed(text: &str) -> String {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let exponent = integer(exponent).unwrap_or(if exponent.starts_with('-') {
@@ -71,7 +72,7 @@ fn condensed(text: &str) -> String {
     format!("{sign}0.{significant}E{exponent}")
 }
 
-/// Whether the bytes follow the grammar of a real number.
+/// Checks that the bytes follow the grammar of a real number.
 fn check_real(bytes: &[u8]) -> Result<(), LiteralError> {
     let mut at = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
     at = digits_at(bytes, at)?;
@@ -91,7 +92,7 @@ fn check_real(bytes: &[u8]) -> Result<(), LiteralError> {
     }
 }
 
-/// The offset behind the decimal digits that must stand at `at`.
+/// Returns the offset after the decimal digits that must be present at `at`.
 fn digits_at(bytes: &[u8], at: usize) -> Result<usize, LiteralError> {
     match digit_run(&bytes[at..], 10) {
         0 => Err(LiteralError::malformed(at, "a digit")),
@@ -101,8 +102,8 @@ fn digits_at(bytes: &[u8], at: usize) -> Result<usize, LiteralError> {
 
 /// Writes the canonical spelling of a raw `REAL`, or else `LREAL`: `0.1`, `-0.0`, `1.0E16`, `NaN`, `-Infinity`.
 ///
-/// These are the fewest decimal digits that read back to the same bits, always with a point, and with an exponent below 1E-4
-/// and from 1E16. A NaN has no sign and no payload.
+/// The result has the fewest decimal digits that read back to the same bits, always a point, and an exponent below 1E-4 and
+/// from 1E16. A NaN has no sign and no payload.
 ///
 /// Basis: stickler-design: §4.
 pub fn write_real(out: &mut impl fmt::Write, raw: u64, ty: ElementaryType) -> fmt::Result {
@@ -117,7 +118,7 @@ pub fn write_real(out: &mut impl fmt::Write, raw: u64, ty: ElementaryType) -> fm
     }
 }
 
-/// Writes `digits`, whose kind and sign are those of `value`.
+/// Writes `digits` with the type and the sign of `value`.
 fn write_digits(
     out: &mut impl fmt::Write,
     value: f64,

@@ -3,12 +3,13 @@
 use super::LiteralError;
 use std::fmt;
 
-/// Reads a character string with its quotes into its code units.
+/// Parses a character string, with its quotes, into its code units.
 ///
-/// In single quotes stand single-byte characters: each character of the source is one unit, which must not be greater than
-/// 16#FF, and `$` with two hexadecimal digits is one too. In double quotes stand double-byte characters: the units are UTF-16,
-/// and `$` takes four digits. Both know `$$`, `$'`, `$"`, and in either case `$L` and `$N` (16#0A), `$P` (16#0C), `$R` (16#0D)
-/// and `$T` (16#09). The standard has `$'` in single and `$"` in double quotes only; both are read in both.
+/// A string in single quotes has single-byte characters: each character of the source is one unit, which must not be
+/// greater than 16#FF, and `$` with two hexadecimal digits is one too. A string in double quotes has double-byte
+/// characters: the units are UTF-16, and `$` takes four digits. Both accept `$$`, `$'`, `$"`, and in either case `$L` and
+/// `$N` (16#0A), `$P` (16#0C), `$R` (16#0D) and `$T` (16#09). The standard allows `$'` only in single and `$"` only in
+/// double quotes; this parser accepts both in both.
 ///
 /// # Errors
 /// `Malformed` where a quote is missing, or stands inside without its `$`, or where there is a control character;
@@ -49,7 +50,7 @@ pub fn text(quoted: &str) -> Result<Vec<u16>, LiteralError> {
     Err(LiteralError::malformed(quoted.len(), "the closing quote"))
 }
 
-/// The unit that the bytes behind a `$` stand for, and how many of them do.
+/// Returns the unit that the bytes after a `$` represent, and their number.
 fn escape(bytes: &[u8], wide: bool) -> Option<(u16, usize)> {
     let unit = match bytes.first()? {
         b'$' => b'$',
@@ -67,7 +68,7 @@ fn escape(bytes: &[u8], wide: bool) -> Option<(u16, usize)> {
     Some((u16::from(unit), 1))
 }
 
-/// The number that at most four hexadecimal digits, and nothing else, spell.
+/// Returns the number that one to four hexadecimal digits spell; `None` for any other text.
 fn hexadecimal(digits: &[u8]) -> Option<u16> {
     digits.iter().try_fold(0_u16, |value, &byte| {
         let digit = char::from(byte).to_digit(16)?;

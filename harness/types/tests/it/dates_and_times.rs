@@ -15,7 +15,7 @@ fn written(write: impl Fn(&mut String, i64) -> fmt::Result, nanoseconds: i64) ->
     out
 }
 
-/// The day after a date, by the rule of the calendar as it is taught.
+/// Returns the day after a date, by the rules of the Gregorian calendar.
 fn next((year, month, day): (i64, usize, i64)) -> (i64, usize, i64) {
     let leap = if year % 100 == 0 {
         year % 400 == 0

@@ -1,4 +1,4 @@
-//! The table of elementary types: names, ranges, raw forms.
+//! Tests of the table of elementary types: names, ranges, raw forms.
 
 use stickler_types::ElementaryType as E;
 

@@ -1,4 +1,4 @@
-//! Types and values from the outside, in one program: each of its own would be linked once more.
+//! Tests of the crate's public types and values, in one test program to save linking time.
 
 mod dates_and_times;
 mod elementary_types;

@@ -1,4 +1,4 @@
-//! Values as typed literals: what is read, what is written, what is equal.
+//! Tests of values as typed literals: parsing, writing and equality.
 
 use stickler_types::{ElementaryType as E, Family, LiteralError, Value};
 
@@ -6,7 +6,7 @@ fn parsed(literal: &str) -> Value {
     Value::parse(literal).unwrap_or_else(|error| panic!("{literal}: {error}"))
 }
 
-/// Raw forms at and around the limits of a type.
+/// Returns raw forms at and around the limits of a type.
 fn boundaries(ty: E) -> Vec<u64> {
     const DAY: i64 = 86_400_000_000_000;
     let signed = |values: &[i64]| values.iter().map(|value| value.cast_unsigned()).collect();
