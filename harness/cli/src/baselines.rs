@@ -1,4 +1,4 @@
-//! Where baselines are, and reading them.
+//! Finds and reads baselines.
 
 use anyhow::{Context, bail};
 use std::fs;
@@ -6,17 +6,17 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use stickler_run::Baseline;
 
-/// Returns the path of the baseline of an engine for which no file is named. `root` is the folder in which `reports/` stands.
+/// Returns the default path of an engine's baseline. `root` is the folder that contains `reports/`.
 pub fn place(root: &Path, engine: &str) -> PathBuf {
     root.join("reports")
         .join("baselines")
         .join(Baseline::file_name(engine))
 }
 
-/// The text of a file and the baseline that it is; `None` where there is no file.
+/// Reads the text of a file and the baseline in it; `None` where there is no file.
 ///
 /// # Errors
-/// A file that cannot be read, or a mistake in it, with its line.
+/// A file that cannot be read, or that has a mistake; the error names its line.
 pub fn read(path: &Path) -> anyhow::Result<Option<(String, Baseline)>> {
     let shown = path.display().to_string();
     let text = match fs::read_to_string(path) {
@@ -29,12 +29,12 @@ pub fn read(path: &Path) -> anyhow::Result<Option<(String, Baseline)>> {
     Ok(Some((text, baseline)))
 }
 
-/// The baselines of these engines: the files that are named, and for every other engine its file in `reports/baselines`,
+/// Loads the baselines of the given engines: the named files, and for every other engine its file in `reports/baselines`,
 /// where there is one.
 ///
 /// # Errors
-/// A file that cannot be read or has a mistake; one that is named and about no engine of the run, or about the same as
-/// another; one that stands where that of another engine is sought.
+/// A file that cannot be read or has a mistake; a named file about no engine of the run, or about the same engine as
+/// another; a default file that is about another engine than its name says.
 pub fn load(named: &[PathBuf], root: &Path, engines: &[&str]) -> anyhow::Result<Vec<Baseline>> {
     let mut baselines: Vec<Baseline> = Vec::new();
     for path in named {
@@ -72,7 +72,7 @@ pub fn load(named: &[PathBuf], root: &Path, engines: &[&str]) -> anyhow::Result<
 }
 
 /// # Errors
-/// Returns an error where the file says that it is about another engine than this.
+/// A baseline that is about another engine.
 pub fn check_engine(baseline: &Baseline, engine: &str) -> anyhow::Result<()> {
     if baseline.engine != engine {
         bail!(

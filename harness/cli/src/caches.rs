@@ -1,4 +1,4 @@
-//! What engines answered in earlier runs, for those of which it can be known that they still answer the same.
+//! The caches of engines' answers from earlier runs, for engines whose fingerprint shows that they have not changed.
 
 use crate::output;
 use std::io::{self, Write};
@@ -7,7 +7,7 @@ use stickler_cache::Cache;
 use stickler_engines::Engine;
 use stickler_run::AnswerStore;
 
-/// The cache of each engine of a run, in their order.
+/// The caches of the engines of a run, in the order of the engines.
 pub struct Caches {
     caches: Vec<Option<Cache>>,
 }
@@ -18,7 +18,7 @@ impl Caches {
         Caches { caches: Vec::new() }
     }
 
-    /// Opens the caches in a folder, of the engines that have a fingerprint.
+    /// Opens the caches in a folder, for the engines that have a fingerprint.
     pub fn open(folder: &Path, engines: &[&dyn Engine]) -> Caches {
         let cache = |engine: &&dyn Engine| {
             let fingerprint = engine.fingerprint()?;
@@ -27,7 +27,7 @@ impl Caches {
         let caches = Caches {
             caches: engines.iter().map(cache).collect(),
         };
-        caches.tell();
+        caches.report_problems();
         caches
     }
 
@@ -40,18 +40,18 @@ impl Caches {
     }
 
     /// Writes the problems of the caches to stderr, each once.
-    pub fn tell(&self) {
+    pub fn report_problems(&self) {
         for note in self.caches.iter().flatten().flat_map(Cache::notes) {
             output::note(note);
         }
     }
 }
 
-/// Writes how many of the results of a run come from the cache.
+/// Writes the number of a run's results that come from the cache; nothing where it is 0.
 ///
 /// # Errors
 /// Those of `out`.
-pub fn tell_from_cache(out: &mut dyn Write, from_cache: u64, cases: u64) -> io::Result<()> {
+pub fn write_from_cache(out: &mut dyn Write, from_cache: u64, cases: u64) -> io::Result<()> {
     match from_cache {
         0 => Ok(()),
         _ => writeln!(

@@ -1,4 +1,4 @@
-//! Where the cases are, and what is wrong with them.
+//! Finds the folder of cases, loads the cases, and reports mistakes in their files.
 
 use crate::arguments::SelectionArguments;
 use crate::engines;
@@ -14,23 +14,24 @@ use stickler_suite::{Case, FileKind, Suite};
 use stickler_types::DialectName;
 use stickler_workers::Shard;
 
-/// The name of the folder that is looked for.
+/// The name of the folder of cases.
 const NAME: &str = "conformance-cases";
 
-/// A folder of cases, found or named.
+/// A folder of cases, found by a search or named on the command line.
 pub struct CaseFolder {
-    /// The folder itself.
+    /// The path of the folder of cases.
     pub path: PathBuf,
-    /// The folder in which `reports/` stands by default: beside a folder that was found here or above, otherwise here.
+    /// The folder that contains `reports/` by default: the parent of a folder of cases that was found in the current folder or
+    /// above, otherwise the current folder.
     pub root: PathBuf,
 }
 
 impl CaseFolder {
-    /// The folder that was named, or else `conformance-cases` in the current folder or the nearest above it, or else above
-    /// the program: whoever tests a compiler stands in its repository, and the program in a clone of this one.
+    /// Finds the folder of cases: the one that was named, or else `conformance-cases` in the current folder or the nearest above
+    /// it, or else above the program, which serves a tester in the repository of a compiler.
     ///
     /// # Errors
-    /// Where it is no folder, or none is found.
+    /// A name that is no folder, or no folder found.
     pub fn locate(named: Option<&Path>) -> anyhow::Result<CaseFolder> {
         match named {
             Some(path) if path.is_dir() => Ok(CaseFolder {
@@ -48,7 +49,7 @@ impl CaseFolder {
     }
 
     /// # Errors
-    /// Where neither place has the cases.
+    /// No folder of cases in either place.
     fn search(here: &Path, program: Option<&Path>) -> anyhow::Result<CaseFolder> {
         let above = |start: &Path| {
             start
@@ -57,14 +58,14 @@ impl CaseFolder {
                 .map(Path::to_owned)
         };
         if let Some(root) = above(here) {
-            // Paths are shown, so a short one is better.
+            // Paths are shown to the user, so a short one is better.
             let root = if root == here { PathBuf::new() } else { root };
             return Ok(CaseFolder {
                 path: root.join(NAME),
                 root,
             });
         }
-        // What a run leaves belongs to whoever calls it, not to the clone in which the program was built.
+        // Reports belong to the current folder, not to the clone in which the program was built.
         match program.and_then(above) {
             Some(clone) => Ok(CaseFolder {
                 path: clone.join(NAME),
@@ -76,16 +77,16 @@ impl CaseFolder {
         }
     }
 
-    /// Reads all cases, and says on stderr what is wrong with their files. Of the dialects that stickler.toml defines, those have
-    /// cases that are among these: a run of which nobody says anything is the same everywhere.
+    /// Reads all cases, and reports mistakes in their files on stderr. Of the dialects that stickler.toml defines, only the given
+    /// ones get cases, so that a run without arguments is the same everywhere.
     pub fn load_with(&self, dialects: impl IntoIterator<Item = DialectName>) -> Suite {
         let suite = Suite::load_with(&self.path, &defined(dialects));
         report_mistakes(&suite);
         suite
     }
 
-    /// Reads the files in which a case may stand that the filters select, and says on stderr what is wrong with these files. Where
-    /// nothing is selected of them, all files are read.
+    /// Reads the files that may contain a case that the filters select, and reports mistakes in them on stderr. Reads all files
+    /// where the filters select no case of these.
     pub fn load_selected(&self, plan: &Plan, dialects: impl IntoIterator<Item = DialectName>) -> Suite {
         let defined = defined(dialects);
         let named: Vec<(&Filter, Option<&str>)> = plan
@@ -99,7 +100,7 @@ impl CaseFolder {
                 None => filter.may_fit_file(id, kind),
             })
         };
-        // A baseline is held against all cases: an entry that fits none is out of date.
+        // A baseline is compared with all cases: an entry that matches none is out of date.
         let some = (!named.is_empty() && plan.baselines.is_empty())
             .then(|| Suite::load_files(&self.path, &defined, is_wanted))
             .filter(|suite| !select(plan, &suite.cases).is_empty());
@@ -115,11 +116,11 @@ impl CaseFolder {
         is_program.then_some(id)
     }
 
-    /// Reads the cases for a plan: with those of the dialects of stickler.toml that it names, or that a filter of it has at its end,
-    /// but for the selected ones of which nobody says what must happen. It says how many these are.
+    /// Loads the cases for a plan, including those of the dialects of stickler.toml that the plan or the end of a filter names.
+    /// Leaves out the selected inherited cases whose result an override may change, and reports their number on stderr.
     ///
     /// # Errors
-    /// Where the reference cannot be asked.
+    /// A session of the reference that cannot be opened.
     pub fn load_for(&self, plan: &Plan) -> anyhow::Result<Loaded> {
         let in_filters = plan.filters.iter().filter_map(Filter::dialect);
         let named: Vec<DialectName> = plan.dialects.iter().copied().chain(in_filters).collect();
@@ -134,7 +135,7 @@ impl CaseFolder {
     }
 }
 
-/// Writes to stderr what is wrong with the files that were read.
+/// Reports the mistakes in the files that were read on stderr.
 fn report_mistakes(suite: &Suite) {
     for error in &suite.errors {
         output::error(&anyhow::anyhow!("{error}"));
@@ -148,17 +149,17 @@ fn report_mistakes(suite: &Suite) {
     }
 }
 
-/// The cases that a plan is about.
+/// The cases that were loaded for a plan.
 pub struct Loaded {
     /// The suite, with the cases that the plan does not select.
     pub suite: Suite,
-    /// The dialects of stickler.toml among those of the cases, as reports describe them.
+    /// The dialects of stickler.toml that have cases, as reports describe them.
     pub defined: Vec<DefinedHeader>,
     /// The inherited cases that were left out, because an override of their dialect may change their result.
     pub left_out: Vec<Case>,
 }
 
-/// Returns the dialects that stickler.toml defines, each once.
+/// Returns those of the dialects that stickler.toml defines, each once.
 fn defined(dialects: impl IntoIterator<Item = DialectName>) -> Vec<DialectName> {
     let defined = dialects
         .into_iter()
@@ -185,7 +186,7 @@ fn note_left_out(left_out: &[Case]) {
     }
 }
 
-/// Returns the exit code of a command that read broken case files, or none.
+/// Returns [`Exit::Usage`] where case files have mistakes, otherwise [`Exit::AsExpected`].
 pub fn exit_of(suite: &Suite) -> Exit {
     if suite.errors.is_empty() {
         Exit::AsExpected
@@ -194,7 +195,7 @@ pub fn exit_of(suite: &Suite) -> Exit {
     }
 }
 
-/// Says that the filters left no case, and gives the exit code for it.
+/// Reports on stderr that the filters select no case, and returns the exit code for that.
 pub fn nothing_selected(suite: &Suite) -> Exit {
     let is_beside = |dialect: &DialectName| suite.cases.iter().all(|case| case.dialect != *dialect);
     let unless_named = match DialectName::defined().iter().any(is_beside) {
@@ -212,7 +213,7 @@ pub fn nothing_selected(suite: &Suite) -> Exit {
     Exit::NothingTested.worst(exit_of(suite))
 }
 
-/// The plan that selects the cases which were asked for.
+/// Returns the plan that selects the requested cases.
 pub fn plan(selection: &SelectionArguments, shard: Option<Shard>) -> Plan {
     Plan {
         filters: selection
@@ -227,7 +228,7 @@ pub fn plan(selection: &SelectionArguments, shard: Option<Shard>) -> Plan {
     }
 }
 
-/// The options by which another command reads the same cases, and the same stickler.toml.
+/// Returns the options with which another command reads the same cases and the same stickler.toml.
 pub fn places(cases: Option<&Path>) -> String {
     let named = [("--cases", cases), ("--config", engines::config_file())];
     let option = |(name, path): (&str, Option<&Path>)| {

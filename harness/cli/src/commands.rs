@@ -1,4 +1,4 @@
-//! One module a command.
+//! The commands of `stickler`, one module for each.
 
 mod bless;
 mod check;
@@ -26,7 +26,7 @@ use crate::arguments::{Arguments, Command, RunArguments};
 use crate::exit::Exit;
 use std::io::Write;
 
-/// Does what the command line says; results go to `out`.
+/// Executes the command of the command line, writes its results to `out`, and returns its exit code.
 ///
 /// # Errors
 /// The error that kept the command from its work.

@@ -1,4 +1,4 @@
-//! Engines by the names that people give them on the command line.
+//! Finds and starts engines by their names on the command line.
 
 use crate::arguments::Arguments;
 use crate::exit::{NoSuchEngine, SpeaksNone};
@@ -15,14 +15,14 @@ use stickler_engines::{
 };
 use stickler_types::DialectName;
 
-/// The name of the engine that is always there.
+/// The name of the reference, the engine that is always present.
 pub const REFERENCE: &str = "reference";
 
 /// The prefix before the command line of an engine that is a process.
 pub const COMMAND: &str = "cmd:";
 
-/// Changes a command line to accept any word for a dialect: the file says which there are, and a wrong word would hide the
-/// arguments behind it.
+/// Changes a command line to accept any word for a dialect: the dialects of the file are not yet known, and a rejected word
+/// would hide the arguments behind it.
 fn with_any_dialect(command: clap::Command) -> clap::Command {
     let any = |argument: clap::Arg| match argument.get_id().as_str() {
         "dialect" => argument.value_parser(clap::value_parser!(OsString)),
@@ -34,8 +34,8 @@ fn with_any_dialect(command: clap::Command) -> clap::Command {
 /// The file that `--config` names.
 static FILE: OnceLock<PathBuf> = OnceLock::new();
 
-/// Reads `stickler.toml`, or the file that the command line names, before the command line itself is read: it may name dialects
-/// which that file defines.
+/// Reads `stickler.toml`, or the file that the command line names, before the command line itself is parsed, which may name
+/// dialects that the file defines.
 ///
 /// # Errors
 /// A [`ConfigurationError`](stickler_configuration::ConfigurationError) where the file cannot be used.
@@ -45,7 +45,7 @@ pub fn configure() -> anyhow::Result<()> {
         let _ = FILE.set(file);
     }
     match (FILE.get(), env::current_dir()) {
-        // Without a working directory there is none to read, and what needs it will say so.
+        // Without a working directory there is no file to read; a command that needs the directory reports that.
         (None, Err(_)) => Ok(()),
         _ => configuration().map(|_| ()),
     }
@@ -70,7 +70,7 @@ pub fn config_file() -> Option<&'static Path> {
 /// Reads `stickler.toml`, or the file that `--config` names.
 ///
 /// # Errors
-/// A [`ConfigurationError`](stickler_configuration::ConfigurationError) where it cannot be used; no working directory.
+/// A [`ConfigurationError`](stickler_configuration::ConfigurationError) where the file cannot be used; no working directory.
 pub fn configuration() -> anyhow::Result<Configuration> {
     Ok(match FILE.get() {
         Some(file) => Configuration::read(file)?,
@@ -78,12 +78,12 @@ pub fn configuration() -> anyhow::Result<Configuration> {
     })
 }
 
-/// Returns the engine of this name: `reference`, one that `stickler.toml` names, a compiler for which there is an adapter, or
+/// Returns the engine of a name: `reference`, one that `stickler.toml` names, a compiler for which there is an adapter, or
 /// `cmd:COMMAND LINE` for a program that speaks the wire protocol.
 ///
 /// # Errors
-/// [`NoSuchEngine`] where nothing is called so; an [`EngineError`] where the compiler is not on this machine, or the program
-/// cannot be started or says no `hello`; a file `stickler.toml` that cannot be used.
+/// [`NoSuchEngine`] where no engine has the name; an [`EngineError`] where the compiler is not on this machine, or the program
+/// cannot be started or does not answer `hello`; a file `stickler.toml` that cannot be used.
 pub fn by_name(name: &str) -> anyhow::Result<Box<dyn Engine>> {
     distinct(name, &[], &configuration()?)
 }
@@ -92,7 +92,7 @@ pub fn by_name(name: &str) -> anyhow::Result<Box<dyn Engine>> {
 pub struct NamedEngine {
     /// The engine.
     pub engine: Box<dyn Engine>,
-    /// The argument of `--engine` by which it was asked for.
+    /// The argument of `--engine` that names it.
     pub asked_for: String,
 }
 
@@ -103,11 +103,11 @@ impl NamedEngine {
     }
 }
 
-/// Returns the engines of these names, each once; the reference where none is named. No two of them have the same identity:
-/// where one calls itself as another does, it gets a number, as in `my-compiler-2`.
+/// Returns the engines of the given names, each once; the reference where none is named. No two of them have the same name in
+/// reports: an engine that calls itself as another does gets a number, as in `my-compiler-2`.
 ///
 /// # Errors
-/// Those of [`by_name`], for the first name that has one.
+/// The error of [`by_name`] for the first name that has one.
 pub fn by_names(names: &[String]) -> anyhow::Result<Vec<NamedEngine>> {
     let reference = [REFERENCE.to_owned()];
     let names = if names.is_empty() { &reference[..] } else { names };
@@ -133,10 +133,10 @@ pub fn by_names(names: &[String]) -> anyhow::Result<Vec<NamedEngine>> {
     Ok(engines)
 }
 
-/// Returns those of the dialects that an engine speaks.
+/// Returns the requested dialects that an engine speaks.
 ///
 /// # Errors
-/// [`SpeaksNone`] where it speaks none of them.
+/// [`SpeaksNone`] where the engine speaks none of the dialects.
 pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<DialectName>> {
     let speaks = |dialect: &DialectName| identity.speaks(*dialect);
     let spoken: Vec<DialectName> = asked.iter().copied().filter(speaks).collect();
@@ -155,7 +155,7 @@ pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<
     Ok(spoken)
 }
 
-/// Returns the engine of this name, under an identity that none of the others has.
+/// Returns the engine of a name, under an identity whose name is not taken.
 fn distinct(name: &str, taken: &[&str], configuration: &Configuration) -> anyhow::Result<Box<dyn Engine>> {
     if let Some(line) = name.strip_prefix(COMMAND) {
         let engine = ProcessEngine::start(line, ProcessLimits::default())?;
@@ -169,7 +169,7 @@ fn distinct(name: &str, taken: &[&str], configuration: &Configuration) -> anyhow
     Ok(sought.engine?)
 }
 
-/// Looks for an engine that has a name of its own, to be called `called`; `None` where nothing has the name.
+/// Searches for the engine of a name other than `cmd:…`, to be called `called`; `None` where no engine has the name.
 pub fn seek(name: &str, called: &str, configuration: &Configuration) -> Option<CompilerSearch> {
     if name == REFERENCE {
         return Some(CompilerSearch {
@@ -188,14 +188,14 @@ pub fn seek(name: &str, called: &str, configuration: &Configuration) -> Option<C
     })
 }
 
-/// Starts the program of a command line in the folder of the file that names it.
+/// Starts the program of a command line in the folder of the configuration file.
 fn start(line: &str, called: &str, configuration: &Configuration) -> Result<Box<dyn Engine>, EngineError> {
     let folder = configuration.folder().unwrap_or(Path::new(""));
     let engine = ProcessEngine::start_in(folder, line, ProcessLimits::default())?;
     Ok(Box::new(engine.named(called.to_owned())))
 }
 
-/// Makes an engine of a description; also returns which of its programs were found.
+/// Makes an engine from a description of stickler.toml; also returns which of its programs were found.
 fn described(called: &str, description: &Description, configuration: &Configuration) -> CompilerSearch {
     let folder = configuration.folder().unwrap_or(Path::new(""));
     let engine = DescribedEngine::start(called, description.clone(), folder);
@@ -217,7 +217,7 @@ pub fn names(configuration: &Configuration) -> Vec<&str> {
     names
 }
 
-/// Returns the error that no engine has this name.
+/// Returns the error that no engine has the name, with the most similar name and the list of all.
 pub fn no_such(name: &str, configuration: &Configuration) -> NoSuchEngine {
     let names = names(configuration);
     NoSuchEngine {

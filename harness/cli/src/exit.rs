@@ -1,4 +1,4 @@
-//! The exit codes of `stickler`: one list, which the code and the help text use, and to which a test holds the manual.
+//! The exit codes of `stickler`: one list for the code and the help text; a test checks the manual against it.
 
 use std::fmt;
 use std::process::ExitCode;
@@ -8,23 +8,24 @@ use stickler_run::{RunError, Totals, Verdict};
 
 /// The exit codes of the commands.
 ///
-/// Where several apply, [`Exit::worst`] decides: what kept a command from doing its work outranks what the work
-/// found, so that a pipeline never takes a half-read suite for a verdict on a compiler.
+/// Where several apply, [`Exit::worst`] decides: an error that kept a command from its work outranks the findings of the
+/// work, so that a pipeline never takes a half-read suite for a verdict on a compiler.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Exit {
-    /// All is as expected.
+    /// All results are as expected.
     AsExpected,
-    /// An engine did not do what a case expects, or an entry of its baseline is out of date; `check`, `eval` and `render`: the program is rejected or faults;
+    /// A result of an engine is not as expected, or an entry of its baseline is out of date; `check`, `eval` and `render`: the
+    /// program is rejected or faults;
     /// `matrix`: a cell differs; `conversions`: a value contradicts a document; `lint`: a finding;
-    /// `engine --validate`: the adapter keeps to the protocol and its compiler is wrong.
+    /// `engine --validate`: the adapter follows the protocol, but its compiler is wrong.
     Failures,
-    /// The command line, a case file, or a file or folder that was named cannot be used.
+    /// The command line, a case file, or a named file or folder cannot be used.
     Usage,
-    /// An engine could not be run at all; `engines`: one that was named cannot be; `engine --validate`: the adapter is broken.
+    /// An engine could not be run at all; `engines`: a named engine cannot be run; `engine --validate`: the adapter is broken.
     EngineNotRun,
-    /// The filters left no case, or the engines support none of those that they left.
+    /// The filters select no case, or the engines support none of the selected cases.
     NothingTested,
-    /// Stopped by Ctrl-C; the event log lacks its footer.
+    /// The command was stopped by Ctrl-C; the event log lacks its footer.
     Interrupted,
 }
 
@@ -39,7 +40,7 @@ impl Exit {
         Exit::Interrupted,
     ];
 
-    /// The number that the process ends with.
+    /// Returns the number with which the process ends.
     ///
     /// Basis: section 5 of the design; 130 is what shells give a process that SIGINT ended.
     pub const fn number(self) -> u8 {
@@ -53,7 +54,7 @@ impl Exit {
         }
     }
 
-    /// One line for the help text.
+    /// Returns the explanation in one line, for the help text.
     pub const fn meaning(self) -> &'static str {
         match self {
             Exit::AsExpected => "all is as expected",
@@ -65,7 +66,7 @@ impl Exit {
         }
     }
 
-    /// Returns the one of two that the process reports: 130 over 3 over 2 over 4 over 1 over 0.
+    /// Returns the one of two exit codes that the process reports: 130 over 3 over 2 over 4 over 1 over 0.
     pub fn worst(self, other: Exit) -> Exit {
         if self.rank() >= other.rank() { self } else { other }
     }
@@ -88,21 +89,21 @@ impl From<Exit> for ExitCode {
     }
 }
 
-/// The exit code of a run by what came of its cases, and by whether an entry of a baseline is out of date.
+/// Returns the exit code of a run from the totals of its verdicts, and from whether an entry of a baseline is out of date.
 pub fn of_totals(totals: &Totals, outdated: bool) -> Exit {
     if totals.unexpected() > 0 || outdated {
         return Exit::Failures;
     }
-    // The last line of the page says so too. A pipeline must not take it for a compiler that does all that it must.
+    // The last line of the page reports that too. A pipeline must not take such a run for that of a conforming compiler.
     if totals.of(Verdict::Unsupported) == totals.all() {
         return Exit::NothingTested;
     }
     Exit::AsExpected
 }
 
-/// The exit code of an error that ended a command.
+/// Returns the exit code of an error that ended a command.
 ///
-/// Every other error is [`Exit::Usage`]: a file that cannot be read, a folder that cannot be written.
+/// Any error without an exit code of its own gives [`Exit::Usage`]: a file that cannot be read, a folder that cannot be written.
 pub fn of_error(error: &anyhow::Error) -> Exit {
     match error.downcast_ref::<RunError>() {
         Some(RunError::NoCaseSelected) => Exit::NothingTested,
@@ -113,7 +114,7 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
     }
 }
 
-/// A name that no engine has.
+/// The error for a name that no engine has.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
     "there is no engine `{name}`{}; there are {known}, and there is `cmd:COMMAND LINE` for any program that speaks the wire \
@@ -121,27 +122,27 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
     meant.as_ref().map(|meant| format!("; did you mean `{meant}`?")).unwrap_or_default()
 )]
 pub struct NoSuchEngine {
-    /// The name.
+    /// The unknown name.
     pub name: String,
-    /// The name of an engine that is nearly the same.
+    /// The most similar name of an engine, if any is similar.
     pub meant: Option<String>,
     /// The names of all engines, in a list.
     pub known: String,
 }
 
-/// An engine that speaks none of the dialects at hand.
+/// The error for an engine that speaks none of the requested dialects.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("engine {engine} speaks none of {asked}; it says that it speaks: {spoken}")]
 pub struct SpeaksNone {
     /// The name of the engine.
     pub engine: String,
-    /// The dialects at hand, in a list.
+    /// The requested dialects, in a list.
     pub asked: String,
     /// The dialects that the engine speaks, in a list.
     pub spoken: String,
 }
 
-/// The list of exit codes as `--help` shows it.
+/// The list of exit codes; its `Display` is the text that `--help` shows.
 pub struct Listing;
 
 impl fmt::Display for Listing {

@@ -1,5 +1,5 @@
-//! Ctrl-C, and the signal that ends a process: the first stops a run in an orderly way, the second ends it at once. Neither
-//! leaves an engine behind.
+//! Handles Ctrl-C and SIGTERM: the first signal stops a run in an orderly way, the second ends it at once. Both end the engines
+//! too.
 
 use crate::exit::Exit;
 use anyhow::Context;
@@ -14,17 +14,17 @@ static ORDERLY: AtomicBool = AtomicBool::new(false);
 /// The cancellation that Ctrl-C requests.
 static STOP: Cancellation = Cancellation::new();
 
-/// Whether the handler is set; it is set once in the life of the process.
+/// Whether the signal handler is set; it is set once in the life of the process.
 static LISTENING: OnceLock<()> = OnceLock::new();
 
-/// Whether the first Ctrl-C also ends what the engines have under way.
+/// Whether the first Ctrl-C also ends the requests that the engines are working on.
 static ENDS_ENGINES: AtomicBool = AtomicBool::new(false);
 
-/// Returns the cancellation that Ctrl-C requests from now on. Ctrl-C also ends what the engines have under way, for one may
-/// take minutes over many programs; what they answer after that is meaningless.
+/// Returns the cancellation that Ctrl-C requests from now on. Ctrl-C also ends the requests that the engines are working on, each
+/// of which may take minutes for many programs; answers after that are meaningless.
 ///
 /// # Errors
-/// Where the system lets no handler be set.
+/// A system that does not allow a signal handler to be set.
 pub fn cancellation_ending_engines() -> anyhow::Result<&'static Cancellation> {
     ENDS_ENGINES.store(true, Ordering::Relaxed);
     cancellation()
@@ -33,17 +33,17 @@ pub fn cancellation_ending_engines() -> anyhow::Result<&'static Cancellation> {
 /// Returns the cancellation that Ctrl-C requests from now on.
 ///
 /// # Errors
-/// Where the system lets no handler be set.
+/// A system that does not allow a signal handler to be set.
 pub fn cancellation() -> anyhow::Result<&'static Cancellation> {
     listen()?;
     ORDERLY.store(true, Ordering::Relaxed);
     Ok(&STOP)
 }
 
-/// Lets Ctrl-C end the process at once from now on, and the processes of its engines, which would not notice it themselves.
+/// Makes Ctrl-C end the process at once from now on, with the processes of its engines, which do not receive the signal.
 ///
 /// # Errors
-/// Where the system lets no handler be set.
+/// A system that does not allow a signal handler to be set.
 pub fn at_once() -> anyhow::Result<()> {
     listen()
 }
@@ -66,7 +66,7 @@ fn listen() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Says that the signal came through: an engine may take its whole time limit for the request that it works on.
+/// Reports the signal on stderr: an engine may take its whole time limit for its current request.
 fn report(ends_engines: bool) {
     let when = match ends_engines {
         true => "stopping",
@@ -75,7 +75,7 @@ fn report(ends_engines: bool) {
     let mut stderr = anstream::stderr();
     // A terminal shows `^C`, and perhaps a bar, on the line where the cursor stands.
     let start = if stderr.is_terminal() { "\n" } else { "" };
-    // Where nobody can be told, the work still stops.
+    // The work stops even where stderr cannot be written.
     let _ = writeln!(stderr, "{start}{when}; Ctrl-C again ends at once");
 }
 

@@ -28,15 +28,15 @@ use std::process::ExitCode;
 #[cfg(unix)]
 use std::sync::Arc;
 
-/// Lets a file that must not grow any more (`ulimit -f`) be an ordinary error instead of a signal that ends the process.
+/// Makes a file that must not grow any more (`ulimit -f`) an ordinary error instead of a signal that ends the process.
 #[cfg(unix)]
 fn ignore_file_size_signal() {
     let whether_it_came = Arc::default();
-    // Where no handler can be set all is as it was.
+    // Where no handler can be set, the signal ends the process as before.
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, whether_it_came);
 }
 
-/// Does nothing, for other systems have no such signal.
+/// Does nothing on systems that have no such signal.
 #[cfg(not(unix))]
 fn ignore_file_size_signal() {}
 
@@ -47,7 +47,7 @@ fn main() -> ExitCode {
     let arguments = match (Arguments::try_parse(), configured) {
         (Ok(arguments), Ok(())) => arguments,
         (Err(usage), Ok(())) => usage.exit(),
-        // Help is no less needed then.
+        // Help is shown even where stickler.toml cannot be used.
         (Err(usage), Err(_)) if !usage.use_stderr() => usage.exit(),
         (_, Err(error)) => {
             output::error(&error);
@@ -62,7 +62,7 @@ fn main() -> ExitCode {
     match result {
         Ok(exit) => exit.into(),
         Err(error) => {
-            // What was found so far stands before what went wrong; nothing can be done where both streams fail.
+            // Results so far are written before the error; nothing can be done where both streams fail.
             let _ = out.flush();
             output::error(&error);
             exit::of_error(&error).into()

@@ -1,4 +1,4 @@
-//! The two streams: results on stdout, all else on stderr; colours only where they belong.
+//! The two output streams: results on stdout, all else on stderr; colours only where the stream is a terminal.
 
 use anstyle::{AnsiColor, Style};
 use std::fmt::Display;
@@ -7,9 +7,9 @@ use std::io::{self, BufWriter, Write};
 const ERROR: Style = AnsiColor::Red.on_default().bold();
 const NOTE: Style = Style::new().bold();
 
-/// Standard output, gathered into large pieces, its styles stripped where it is no terminal or `NO_COLOR` is set.
-/// Once nobody reads on, as in `stickler list | head`, what is written is dropped: the command still ends with the
-/// exit code that it has earned, for a pipe must not turn a failed run into a green one.
+/// Returns the buffered standard output, which strips styles where it is no terminal or `NO_COLOR` is set. After its reader has
+/// gone, as in `stickler list | head`, it drops what is written: the command still ends with the exit code of its result, for
+/// a pipe must not turn a failed run into a green one.
 pub fn stdout() -> impl Write {
     BufWriter::with_capacity(
         1 << 16,
@@ -57,7 +57,7 @@ impl<W: Write> Write for WhileRead<W> {
     }
 }
 
-/// Standard error, its styles stripped as those of [`stdout`] are.
+/// Returns standard error, which strips styles as [`stdout`] does.
 pub fn stderr() -> impl Write {
     anstream::stderr()
 }
@@ -69,8 +69,8 @@ pub fn error(error: &anyhow::Error) {
     let _ = writeln!(anstream::stderr(), "{ERROR}error:{ERROR:#} {}", causes.join(": "));
 }
 
-/// Writes something worth knowing to stderr.
+/// Writes a note to stderr.
 pub fn note(text: impl Display) {
-    // As above.
+    // A closed stderr is no reason to fail.
     let _ = writeln!(anstream::stderr(), "{NOTE}note:{NOTE:#} {text}");
 }

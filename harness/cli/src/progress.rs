@@ -1,15 +1,15 @@
-//! The bar that shows how far a run is, on stderr and only where that is a terminal.
+//! The progress bar of a run or sweep, on stderr and only where that is a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
 
-/// The bar that shows how far a run is.
+/// The progress bar of a run or sweep.
 pub struct Progress {
     bar: ProgressBar,
 }
 
 impl Progress {
-    /// Makes a bar for so many cases or inputs, which shows nothing where stderr is no terminal.
+    /// Makes a bar for a number of cases or inputs, which shows nothing where stderr is no terminal.
     pub fn new(cases: u64) -> Progress {
         let bar = ProgressBar::new(cases);
         // The template is a constant; if it were wrong, the bar would look plain.
@@ -20,7 +20,7 @@ impl Progress {
         Progress { bar }
     }
 
-    /// Counts one case more; `failed` of all so far were not as expected.
+    /// Counts one more case; `failed` is the number of all cases so far that were not as expected.
     pub fn advance(&self, failed: u64) {
         self.bar.inc(1);
         if failed > 0 && self.bar.position().is_multiple_of(64) {
@@ -28,7 +28,7 @@ impl Progress {
         }
     }
 
-    /// Sets how many are done, and how many of them were not as expected.
+    /// Sets the number of inputs that are done, and the number of those that were not as expected.
     pub fn reach(&self, done: u64, failed: u64) {
         self.bar.set_position(done);
         if failed > 0 {

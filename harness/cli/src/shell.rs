@@ -1,11 +1,11 @@
-//! Commands that can be pasted into a shell.
+//! Formats commands that can be pasted into a shell.
 
 use std::env;
 pub use stickler_engines::shell_quote as quote;
 
-/// Returns how the reader calls `stickler`: one who came by `cargo run` has no `stickler` to call.
+/// Returns the words by which the user calls this program: `stickler`, or the command of `cargo run` under which it runs.
 pub fn program() -> &'static str {
-    // Cargo tells the programs that it runs where their manifest is.
+    // Cargo sets an environment variable with the place of the manifest for the programs that it runs.
     let by_cargo = env::var_os("CARGO_MANIFEST_DIR").is_some_and(|folder| !folder.is_empty());
     match (by_cargo, cfg!(debug_assertions)) {
         (false, _) => "stickler",
@@ -14,7 +14,7 @@ pub fn program() -> &'static str {
     }
 }
 
-/// The command line of this process, to be pasted again.
+/// Returns the command line of this process, quoted for a shell.
 pub fn command_line() -> String {
     let arguments: Vec<String> = env::args_os()
         .skip(1)

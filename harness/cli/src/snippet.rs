@@ -1,18 +1,18 @@
-//! Diagnostics with the lines that they are about, as compilers show them.
+//! Writes diagnostics with the source lines to which they point, as compilers do.
 
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Patch, Renderer, Report, Snippet};
 use std::io::{self, Write};
 use std::ops::Range;
 use stickler_types::Diagnostic;
 
-/// How many diagnostics are shown; a broken file has more than anyone reads.
-const MOST: usize = 200;
+/// The maximum number of diagnostics that are shown; a broken file has more than anyone reads.
+const MAX_DIAGNOSTICS: usize = 200;
 
-/// Lines longer than this are not shown.
-const LONGEST_LINE: usize = 400;
+/// The maximum length of a line that is shown, in bytes.
+const MAX_LINE_LEN: usize = 400;
 
-/// How many lines of a place are shown.
-const MOST_LINES: usize = 6;
+/// The maximum number of lines of a diagnostic's place that is shown.
+const MAX_EXCERPT_LINES: usize = 6;
 
 /// Writes the diagnostics of a text; `path` is the name to show for it.
 ///
@@ -21,13 +21,13 @@ const MOST_LINES: usize = 6;
 pub fn write(diagnostics: &[Diagnostic], text: &str, path: &str, out: &mut dyn Write) -> io::Result<()> {
     let lines: Vec<&str> = text.split('\n').collect();
     let renderer = Renderer::styled();
-    for diagnostic in diagnostics.iter().take(MOST) {
+    for diagnostic in diagnostics.iter().take(MAX_DIAGNOSTICS) {
         let groups = groups(diagnostic, &lines, path);
         writeln!(out, "{}\n", renderer.render(Report::from(&groups[..])))?;
     }
     let number = diagnostics.len();
-    if number > MOST {
-        writeln!(out, "... and {} more diagnostics\n", number - MOST)?;
+    if number > MAX_DIAGNOSTICS {
+        writeln!(out, "... and {} more diagnostics\n", number - MAX_DIAGNOSTICS)?;
     }
     let first = diagnostics.first().and_then(|first| first.code.as_deref());
     let code = first.unwrap_or("P4035");
@@ -70,19 +70,19 @@ fn groups<'a>(diagnostic: &'a Diagnostic, lines: &[&str], path: &'a str) -> Vec<
     groups
 }
 
-/// The lines of a diagnostic, and where in them its place is.
+/// The source lines of a diagnostic, and the place in them to which it points.
 struct Excerpt {
     text: String,
     span: Range<usize>,
 }
 
 impl Excerpt {
-    /// `None` where the place is not in the text, or its lines are too many or too long to be shown.
+    /// Returns the excerpt of a diagnostic; `None` where its place is not in the text, or its lines are too many or too long.
     fn of(diagnostic: &Diagnostic, lines: &[&str]) -> Option<Excerpt> {
         let first = (diagnostic.line? as usize).checked_sub(1)?;
         let last = (diagnostic.end_line? as usize).checked_sub(1)?.max(first);
         let shown = lines.get(first..=last)?;
-        if shown.len() > MOST_LINES || shown.iter().any(|line| line.len() > LONGEST_LINE) {
+        if shown.len() > MAX_EXCERPT_LINES || shown.iter().any(|line| line.len() > MAX_LINE_LEN) {
             return None;
         }
         let text = shown.join("\n");
@@ -96,7 +96,7 @@ impl Excerpt {
     }
 }
 
-/// Columns count Unicode scalar values from 1; a column behind the line is its end.
+/// Returns the byte offset of a column, which counts Unicode scalar values from 1; a column behind the line is its end.
 fn byte_of_column(line: &str, column: u32) -> usize {
     let index = (column as usize).saturating_sub(1);
     line.char_indices()

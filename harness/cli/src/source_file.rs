@@ -1,14 +1,14 @@
-//! A source file as bytes: whatever stands in it, it is read.
+//! Reads source files as bytes, whatever their encoding.
 
 use anyhow::Context;
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The bytes of a file, or of stdin where the path is `-`, and the name to show for it.
+/// Reads the bytes of a file, or of stdin where the path is `-`; also returns the name to show for it.
 ///
 /// # Errors
-/// A file that cannot be read, or that is no text.
+/// A file or stdin that cannot be read.
 pub fn read(path: &Path) -> anyhow::Result<(Vec<u8>, String)> {
     if path.as_os_str() == "-" {
         let mut bytes = Vec::new();

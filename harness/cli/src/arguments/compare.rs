@@ -17,7 +17,7 @@ pub struct CompareArguments {
     pub json: bool,
 }
 
-/// What the help of `compare` ends with.
+/// The examples at the end of the help of `compare`.
 pub const COMPARE_EXAMPLES: &str = "\
 Examples:
   stickler run --engine ironplc --report reports/before

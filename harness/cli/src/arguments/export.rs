@@ -80,7 +80,7 @@ fn kinds() -> impl TypedValueParser<Value = ExtraCases> {
     })
 }
 
-/// What the help of `export` ends with.
+/// The examples at the end of the help of `export`.
 pub const EXPORT_EXAMPLES: &str = "\
 Examples:
   stickler export --dialect ironplc-ed3 --sample 256 pages
@@ -91,7 +91,7 @@ Examples:
 Each page is a program that fills an array `results`. Create a program in your editor, paste the page, let it run, copy
 the array, and give it to `stickler import`. What is left out is counted by the reason.";
 
-/// What the help of `import` ends with.
+/// The examples at the end of the help of `import`.
 pub const IMPORT_EXAMPLES: &str = "\
 Examples:
   stickler import pages/copied.txt --engine-name codesys --engine-version 3.5.20

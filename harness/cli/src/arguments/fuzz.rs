@@ -117,7 +117,7 @@ pub(super) fn time(text: &str) -> Result<Duration, String> {
     Ok(Duration::from_millis(all))
 }
 
-/// What the help of `fuzz` ends with.
+/// The examples at the end of the help of `fuzz`.
 pub const FUZZ_EXAMPLES: &str = "\
 Examples:
   stickler fuzz                                     the reference, for a minute
@@ -128,7 +128,7 @@ Examples:
   stickler fuzz --replay reports/findings/FINDING   is it still there?
   stickler fuzz --replay crash-1f3a --target parse  one input of libFuzzer";
 
-/// What the help of `promote` ends with.
+/// The examples at the end of the help of `promote`.
 pub const PROMOTE_EXAMPLES: &str = "\
 Examples:
   stickler promote my-compiler-value-int-3f2a91c0
@@ -136,7 +136,7 @@ Examples:
       --name mod-of-a-negative-dividend --basis 'stickler-design: §8' \\
       --title 'MOD has the sign of its dividend'";
 
-/// What the help of `merge` ends with.
+/// The examples at the end of the help of `merge`.
 pub const MERGE_EXAMPLES: &str = "\
 Examples:
   stickler run --shard 1/3 --report part-1          one of three machines

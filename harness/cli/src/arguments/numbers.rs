@@ -1,4 +1,4 @@
-//! Whole numbers on the command line, and what is said where something else was written.
+//! Parses whole numbers on the command line, with messages for other texts.
 
 use std::num::IntErrorKind;
 

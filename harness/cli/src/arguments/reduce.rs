@@ -36,7 +36,7 @@ pub struct ReduceArguments {
     pub hang: Option<Duration>,
 }
 
-/// What the help of `reduce` ends with.
+/// The examples at the end of the help of `reduce`.
 pub const REDUCE_EXAMPLES: &str = "\
 Examples:
   stickler reduce motor.st --engine 'cmd:my-adapter'

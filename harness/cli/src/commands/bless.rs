@@ -1,4 +1,4 @@
-//! `stickler bless`: baselines rewritten from what a run found.
+//! `stickler bless`: rewrites baselines from the results of a run.
 
 use crate::arguments::BlessArguments;
 use crate::case_folder::CaseFolder;
@@ -15,13 +15,13 @@ use stickler_run::{Baseline, Blessing, Change, ChangeKind, EngineRun, Event, Ver
 use stickler_suite::Suite;
 use stickler_types::{DialectName, counted};
 
-/// How many changes of a baseline are shown one by one.
-const SHOWN_CHANGES: usize = 40;
+/// The maximum number of changes of a baseline that are shown one by one.
+const MAX_CHANGES: usize = 40;
 
 /// Rewrites the baselines of the engines of a run.
 ///
 /// # Errors
-/// A report that cannot be read or tells of no whole run, an engine that is not in it, case files with mistakes, a baseline
+/// A report that cannot be read or is of no complete run, an engine that is not in it, case files with mistakes, a baseline
 /// with a mistake, or one that cannot be written.
 pub fn execute(arguments: &BlessArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
@@ -49,10 +49,10 @@ pub fn execute(arguments: &BlessArguments, out: &mut dyn Write) -> anyhow::Resul
     Ok(Exit::AsExpected)
 }
 
-/// A run as its log tells it: its day, and each engine.
+/// The date of a run and the results of each of its engines, from its event log.
 type Runs = (Date, Vec<EngineRun>);
 
-/// The dialects of stickler.toml that take part, and what the log tells of the run.
+/// Reads the event log of a run; returns the dialects of stickler.toml that take part, and the run.
 fn read(report: &Path) -> anyhow::Result<(Vec<DialectName>, Runs)> {
     let log = match report.extension() {
         Some(extension) if extension == "jsonl" => report.to_owned(),
@@ -81,7 +81,7 @@ fn read(report: &Path) -> anyhow::Result<(Vec<DialectName>, Runs)> {
     Ok((dialects, (day, runs)))
 }
 
-/// The engines that are meant.
+/// Selects the engines of a run whose baselines are to be rewritten.
 fn chosen((day, mut runs): Runs, names: &[String]) -> anyhow::Result<Runs> {
     let engines: Vec<String> = runs.iter().map(|run| run.engine().name.clone()).collect();
     if let Some(name) = names.iter().find(|name| !engines.contains(name)) {
@@ -152,12 +152,12 @@ fn show(blessing: &Blessing, out: &mut dyn Write) -> std::io::Result<()> {
         verdicts,
         case,
         why,
-    } in blessing.changes.iter().take(SHOWN_CHANGES)
+    } in blessing.changes.iter().take(MAX_CHANGES)
     {
         let verdict = Verdict::any_of(verdicts);
         writeln!(out, "  {} {verdict} {case}  {why}", sign(*kind))?;
     }
-    match blessing.changes.len().saturating_sub(SHOWN_CHANGES) {
+    match blessing.changes.len().saturating_sub(MAX_CHANGES) {
         0 => Ok(()),
         rest => writeln!(out, "  ... and {rest} more"),
     }
@@ -171,7 +171,7 @@ const fn sign(kind: ChangeKind) -> char {
     }
 }
 
-/// How many entries changed in which way, such as `3 added, 1 removed`.
+/// Returns the number of entries for each kind of change, such as `3 added, 1 removed`.
 fn summary(blessing: &Blessing) -> String {
     let kinds = [
         (ChangeKind::Added, "added"),
@@ -193,7 +193,7 @@ fn summary(blessing: &Blessing) -> String {
         .join(", ")
 }
 
-/// Writes the file whole or not at all: it holds what people wrote.
+/// Writes the file atomically, since it holds reasons that people wrote.
 fn write(path: &Path, text: &str) -> std::io::Result<()> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder)?;

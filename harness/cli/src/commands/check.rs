@@ -1,4 +1,4 @@
-//! `stickler check`: what the reference finds wrong with one file.
+//! `stickler check`: the diagnostics of the reference for one file.
 
 use crate::arguments::CheckArguments;
 use crate::exit::Exit;
@@ -7,7 +7,7 @@ use std::io::{self, Write};
 use stickler_engines::protocol::Reply;
 use stickler_types::{Diagnostic, Outcome};
 
-/// Shows the diagnostics; a program without any gets one line that says so.
+/// Shows the diagnostics of a program, or one line where there are none.
 ///
 /// # Errors
 /// A file that cannot be read.
@@ -28,7 +28,7 @@ pub fn execute(arguments: &CheckArguments, out: &mut dyn Write) -> anyhow::Resul
     Ok(exit)
 }
 
-/// The reply of the wire protocol.
+/// Writes the diagnostics as a reply of the wire protocol.
 fn write_json(diagnostics: Vec<Diagnostic>, out: &mut dyn Write) -> io::Result<()> {
     let outcome = if diagnostics.is_empty() {
         Outcome::Accepted

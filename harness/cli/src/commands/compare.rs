@@ -1,4 +1,4 @@
-//! `stickler compare`: two runs of a compiler, held against each other.
+//! `stickler compare`: the differences between two runs of a compiler.
 
 use crate::arguments::CompareArguments;
 use crate::exit::Exit;
@@ -10,7 +10,7 @@ use stickler_report::Comparison;
 use stickler_report::comparison::{self, ComparisonError};
 use stickler_report::events::{self, Reader};
 
-/// Shows what was fixed, what broke, what crashes, and which cases are new or gone.
+/// Shows the cases that were fixed, that broke, that crash, and that are new or gone.
 ///
 /// # Errors
 /// A log that cannot be read or was cut short; runs that have no engine in common.
@@ -38,7 +38,7 @@ pub fn execute(arguments: &CompareArguments, out: &mut dyn Write) -> anyhow::Res
     Ok(exit(&comparison))
 }
 
-/// The log of a run, and where it is.
+/// Opens the event log of a run; returns its path and its reader.
 fn open(path: &Path) -> anyhow::Result<(PathBuf, Reader<BufReader<File>>)> {
     let path = events::locate(path);
     let reader = Reader::open(&path).with_context(|| path.display().to_string())?;

@@ -1,4 +1,4 @@
-//! `stickler conversions`: what one conversion function does, dialects side by side.
+//! `stickler conversions`: the results of one conversion function, dialects side by side.
 
 use crate::arguments::ConversionsArguments;
 use crate::engines::{self, NamedEngine, REFERENCE};
@@ -10,8 +10,8 @@ use stickler_conversions::{FunctionDialects, all_functions, find_function};
 use stickler_exact::Signature;
 use stickler_types::DialectName;
 
-/// Shows what a function gives for boundary values, or for the values that were named; lists the functions where none is
-/// named. Each value comes from a program that runs on an engine, and is held against what the documents say.
+/// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
+/// Each result comes from a program that runs on an engine, and is compared with the documents.
 ///
 /// # Errors
 /// A name that is no conversion function, a value that does not fit, an engine that cannot be run.

@@ -1,4 +1,4 @@
-//! `stickler engine`: an engine over the wire protocol; with `--validate`, whether an adapter keeps to it.
+//! `stickler engine`: serves an engine over the wire protocol; with `--validate`, checks whether an adapter follows the protocol.
 
 use crate::arguments::EngineArguments;
 use crate::exit::Exit;
@@ -14,17 +14,17 @@ use stickler_engines::{Check, CheckVerdict, ProcessLimits, Validation, protocol}
 const BOLD: Style = Style::new().bold();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 
-/// Answers requests on stdin until `bye` or its end, or asks an adapter the questions of the smoke set.
+/// Answers requests on stdin until `bye` or its end, or validates an adapter by the requests of the smoke set.
 ///
 /// # Errors
-/// Where stdin or stdout fails; an adapter that cannot be started.
+/// A stdin or stdout that fails; an adapter that cannot be started.
 pub fn execute(arguments: &EngineArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     if !arguments.validate.is_empty() {
         return validate(&arguments.validate, out);
     }
     interrupt::at_once()?;
     let engine = engines::by_name(arguments.engine.as_deref().unwrap_or(engines::REFERENCE))?;
-    // The server flushes each reply, so it gets the stream itself and not the gathering one.
+    // The server flushes each reply, so it gets the stream itself and not the buffered one.
     protocol::serve(engine.as_ref(), io::stdin().lock(), io::stdout().lock())
         .context("the conversation broke off")?;
     Ok(Exit::AsExpected)
@@ -37,7 +37,7 @@ fn validate(words: &[String], out: &mut dyn Write) -> anyhow::Result<Exit> {
         [name] if engines::names(&configuration).contains(&name.as_str()) => {
             match configuration.engine(name).map(|entry| &entry.kind) {
                 Some(Kind::Command { line }) => (configuration.folder(), line.clone()),
-                // What speaks no protocol of its own is served by this program.
+                // An engine that is no process of its own is served by this program.
                 _ => (None, served(name, &configuration)?),
             }
         }
@@ -48,7 +48,7 @@ fn validate(words: &[String], out: &mut dyn Write) -> anyhow::Result<Exit> {
     Ok(exit(&validation))
 }
 
-/// The command line by which this program serves an engine.
+/// Returns the command line by which this program serves an engine.
 fn served(name: &str, configuration: &Configuration) -> anyhow::Result<String> {
     let program = env::current_exe().context("this program does not know where it is")?;
     let mut words = vec![program.to_string_lossy().into_owned()];
@@ -59,7 +59,7 @@ fn served(name: &str, configuration: &Configuration) -> anyhow::Result<String> {
     Ok(command_line(&words))
 }
 
-/// The words as one line that is split into them again. One word alone is a line already, as behind `cmd:`.
+/// Joins words into a command line that splits into the same words; one word alone is a command line already, as after `cmd:`.
 fn command_line(words: &[String]) -> String {
     match words {
         [line] => line.strip_prefix(engines::COMMAND).unwrap_or(line).to_owned(),
@@ -107,7 +107,7 @@ fn write_check(check: &Check, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// How many characters of a line are shown: enough to send most requests again.
+/// The maximum number of characters of a line that are shown: enough to repeat most requests.
 const MAX_LINE_LEN: usize = 2000;
 
 fn excerpt(line: &str) -> String {

@@ -1,4 +1,4 @@
-//! `stickler engines`: which engines there are, where each was found, what it can do, and what is missing.
+//! `stickler engines`: lists the engines: where each was found, its abilities, and what is missing.
 
 use crate::arguments::EnginesArguments;
 use crate::exit::Exit;
@@ -13,8 +13,8 @@ use stickler_workers::WorkerPool;
 
 const BOLD: Style = Style::new().bold();
 
-/// Lists the engines that have names of their own, or those that were named. Compilers that are not on this machine are no
-/// failure where nobody named them.
+/// Lists the engines that need no command line, or the named ones. A compiler that is not on this machine is a failure only
+/// where it was named.
 ///
 /// # Errors
 /// A name that no engine has; a `stickler.toml` that cannot be used.
@@ -39,7 +39,7 @@ pub fn execute(arguments: &EnginesArguments, out: &mut dyn Write) -> anyhow::Res
     })
 }
 
-/// Looks for all at once: each asks a compiler for its version, and some of them take a second to answer.
+/// Searches for all engines at once: each asks a compiler for its version, and some compilers take a second to answer.
 fn seek_all<'n>(names: &[&'n str], configuration: &'n Configuration) -> anyhow::Result<Vec<Listed<'n>>> {
     WorkerPool::new(names.len()).map(
         names.iter(),
@@ -58,14 +58,14 @@ struct Listed<'n> {
     name: &'n str,
     /// Whether the engine can be used.
     here: bool,
-    /// The adapter of Stickler's own that it has.
+    /// Stickler's own adapter by which the engine runs, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     adapter: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     version: Option<String>,
     dialects: Vec<&'static str>,
     abilities: Vec<String>,
-    /// The grade at which its rejections are judged.
+    /// The grade at which the engine's rejections are judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     grade: Option<&'static str>,
     /// The place at which `stickler.toml` names the engine.
@@ -75,12 +75,12 @@ struct Listed<'n> {
     /// The reason for which the engine cannot be used.
     #[serde(skip_serializing_if = "Option::is_none")]
     problem: Option<String>,
-    /// The address of its project.
+    /// The address of the engine's project.
     #[serde(skip_serializing_if = "Option::is_none")]
     project: Option<&'n str>,
 }
 
-/// A program or folder of an engine.
+/// The place of a program or folder of an engine.
 #[derive(Serialize)]
 struct FoundPlace {
     key: &'static str,
@@ -133,7 +133,7 @@ impl<'n> Listed<'n> {
     }
 }
 
-/// Returns what is missing, without the name that stands above it.
+/// Returns the message of an error without the engine's name, which stands above it.
 fn problem(error: &EngineError) -> String {
     match error {
         EngineError::NotStarted { reason, .. } => reason.clone(),
@@ -146,8 +146,8 @@ fn write_json(engine: &Listed<'_>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out)
 }
 
-/// The width of the column of labels.
-const LABEL: usize = 10;
+/// The width of the column of labels, in characters.
+const LABEL_WIDTH: usize = 10;
 
 fn write_entry(engine: &Listed<'_>, gap: bool, out: &mut dyn Write) -> io::Result<()> {
     if gap {
@@ -159,7 +159,7 @@ fn write_entry(engine: &Listed<'_>, gap: bool, out: &mut dyn Write) -> io::Resul
         Some(version) => version,
     };
     writeln!(out, "{BOLD}{}{BOLD:#}  {state}", engine.name)?;
-    let mut row = |label: &str, text: &str| writeln!(out, "  {label:LABEL$}  {text}");
+    let mut row = |label: &str, text: &str| writeln!(out, "  {label:LABEL_WIDTH$}  {text}");
     if let Some(named_in) = engine.named_in {
         row("named in", named_in)?;
     }

@@ -1,4 +1,4 @@
-//! `stickler eval`: one file, executed on the reference.
+//! `stickler eval`: executes one file on the reference.
 
 use crate::arguments::EvalArguments;
 use crate::exit::Exit;
@@ -8,11 +8,11 @@ use std::io::{self, Write};
 use stickler_reference::Limits;
 use stickler_types::{Observation, Outcome, RunRequest, Value};
 
-/// How many values are shown where no variable is named.
-const MOST: usize = 1000;
+/// The maximum number of values that are shown where no variable is named.
+const MAX_VALUES: usize = 1000;
 
-/// Prints the final values, as a `values` mark has them. Of a program that is rejected, the diagnostics go to stderr; of
-/// one that faults, the values so far are printed and the fault goes to stderr.
+/// Prints the final values in the form of a `values` mark. For a rejected program, writes the diagnostics to stderr; for one
+/// that faults, prints the values so far and writes the fault to stderr.
 ///
 /// # Errors
 /// A file that cannot be read; a name that is no variable.
@@ -53,15 +53,15 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
     }
 }
 
-/// Returns the variables that were named, or all.
+/// Returns the names of the variables on the command line, or of all variables where none is named.
 fn names(arguments: &EvalArguments, text: &str) -> Vec<String> {
     if !arguments.observe.is_empty() {
         return arguments.observe.clone();
     }
-    let names = stickler_reference::variables(text, arguments.source.dialect, MOST);
-    if names.len() == MOST {
+    let names = stickler_reference::variables(text, arguments.source.dialect, MAX_VALUES);
+    if names.len() == MAX_VALUES {
         output::note(format!(
-            "only the first {MOST} values are shown; --observe NAME shows others"
+            "only the first {MAX_VALUES} values are shown; --observe NAME shows others"
         ));
     }
     names

@@ -12,7 +12,7 @@ const BOLD: Style = Style::new().bold();
 /// Explains one code, or lists all.
 ///
 /// # Errors
-/// An unknown code, with those that look like it.
+/// An unknown code; the error names similar ones.
 pub fn execute(arguments: &ExplainArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     match &arguments.code {
         None => list(out)?,
@@ -31,7 +31,7 @@ fn list(out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// By its number or by its name, in any case.
+/// Finds a code by its number or by its name, in any letter case.
 fn find(text: &str) -> Option<Code> {
     text.parse().ok().or_else(|| {
         Code::ALL

@@ -1,4 +1,4 @@
-//! `stickler export`: pages of programs for a compiler behind an editor.
+//! `stickler export`: writes pages of programs for a compiler behind an editor.
 
 use crate::arguments::{ExportArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
@@ -11,10 +11,10 @@ use stickler_run::select;
 use stickler_suite::Case;
 use stickler_types::counted;
 
-/// Writes the pages, and says what is on them and what is not.
+/// Writes the pages, and shows which cases are on them and which are not.
 ///
 /// # Errors
-/// A folder that holds something else, or cannot be written; no folder of cases.
+/// A folder that holds other files, or cannot be written; no folder of cases.
 pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
     let selection = SelectionArguments {
@@ -51,7 +51,7 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
     Ok(empty.worst(case_folder::exit_of(&suite)))
 }
 
-/// The ids of the cases to be left out. `stickler list` and reports write `@dialect` behind them.
+/// Reads the ids of the cases to be left out, which may have `@dialect` at their end, as `stickler list` and reports write them.
 fn without(arguments: &ExportArguments, selected: &[&Case]) -> BTreeSet<String> {
     let dialect = format!("@{}", arguments.dialect);
     let ids = arguments

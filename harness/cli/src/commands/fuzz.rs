@@ -1,4 +1,4 @@
-//! `stickler fuzz`: a campaign, or one input judged again.
+//! `stickler fuzz`: runs a campaign, or judges one input again.
 
 mod bar;
 mod keeper;
@@ -25,10 +25,10 @@ use stickler_generate::oracles::FuzzTarget;
 use stickler_types::DialectName;
 use stickler_workers::Shard;
 
-/// How long a campaign goes on for which nothing is said.
-const TIME: Duration = Duration::from_secs(60);
+/// The default duration of a campaign.
+const DEFAULT_TIME: Duration = Duration::from_secs(60);
 
-/// Runs a campaign, keeps its findings, shows a summary.
+/// Runs a campaign, stores its findings, and shows a summary.
 ///
 /// # Errors
 /// A wrong command line, an engine that cannot be run, a folder that cannot be written; all before the first input.
@@ -77,7 +77,7 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
     campaign(&oracle, 16, arguments, request, store, out)
 }
 
-/// Runs it on a oracle.
+/// Runs a campaign on an oracle.
 fn campaign(
     oracle: &dyn Oracle,
     batch: usize,
@@ -91,7 +91,7 @@ fn campaign(
         first: arguments.first,
         until: match (arguments.count, arguments.time) {
             (Some(count), _) => Until::Count(count),
-            (None, time) => Until::Time(time.unwrap_or(TIME)),
+            (None, time) => Until::Time(time.unwrap_or(DEFAULT_TIME)),
         },
         shard,
         jobs: arguments.jobs.map_or(0, usize::from),
@@ -126,7 +126,7 @@ fn exit(summary: &Summary) -> Exit {
     }
 }
 
-/// The reference and those that were named; none where none was.
+/// Returns the reference and the named engines; none where none is named.
 ///
 /// # Errors
 /// Those of [`engines::by_names`].
@@ -147,10 +147,10 @@ fn under_test(named: &NamedEngine) -> EngineUnderTest<'_> {
     }
 }
 
-/// Those that were asked for and that an engine speaks beside the reference; all that they speak where none was.
+/// Returns the requested dialects that an engine besides the reference speaks; all that the engines speak where none is requested.
 ///
 /// # Errors
-/// Where one of the engines speaks none of them.
+/// An engine that speaks none of the dialects.
 fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Result<Vec<DialectName>> {
     let asked = match &arguments.dialect[..] {
         [] => &DialectName::ALL[..],
@@ -178,7 +178,7 @@ fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Re
     Ok(spoken)
 }
 
-/// The path that was given, or the finding of this name in the folder of findings.
+/// Returns the given path, or that of the finding of this name in the folder of findings.
 pub fn finding_place(given: &Path, folder: Option<&PathBuf>) -> PathBuf {
     let known = findings_folder(folder).join(given);
     if !given.exists() && known.is_dir() {
@@ -187,7 +187,8 @@ pub fn finding_place(given: &Path, folder: Option<&PathBuf>) -> PathBuf {
     given.to_owned()
 }
 
-/// The folder that was named, or `reports/findings` beside the cases, or here where there are none.
+/// Returns the folder of findings: the named one, or `reports/findings` beside the folder of cases, or in the current folder where
+/// there is none.
 fn findings_folder(named: Option<&PathBuf>) -> PathBuf {
     let default = || {
         let root = CaseFolder::locate(None)
@@ -219,7 +220,7 @@ fn request(
     engines: Vec<String>,
     dialects: &[DialectName],
 ) -> Request {
-    let time = arguments.time.unwrap_or(TIME).as_millis();
+    let time = arguments.time.unwrap_or(DEFAULT_TIME).as_millis();
     Request {
         seed: arguments.seed,
         first: arguments.first,

@@ -1,4 +1,4 @@
-//! `stickler import`: what was copied out of an editor, judged and reported as a run of any engine is.
+//! `stickler import`: judges and reports results that were copied out of an editor, like a run of any engine.
 
 use crate::arguments::ImportArguments;
 use crate::case_folder::{self, CaseFolder};
@@ -19,7 +19,7 @@ use stickler_run::{MatchedBaseline, Plan};
 use stickler_suite::Suite;
 use stickler_types::DialectName;
 
-/// Judges, writes the reports, shows a summary.
+/// Judges the copied results, writes the reports, and shows a summary.
 ///
 /// # Errors
 /// A folder that holds no export, a file that cannot be read, a baseline with a mistake, reports that cannot be written.
@@ -36,7 +36,7 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
         .as_ref()
         .map_or_else(PathBuf::new, |folder| folder.root.clone());
     let plan = plan(arguments, &export, &root, &engine)?;
-    // A baseline is held against all that the engine could be asked, not only against what was exported.
+    // A baseline is compared with all cases that the engine could be asked, not only with the exported ones.
     let suite = match (&cases, plan.baselines.is_empty()) {
         (Some(folder), false) => folder.load_with([export.dialect()]),
         (None, false) => bail!("a baseline is about cases; say with --cases DIR where they are"),
@@ -57,13 +57,14 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
         reports: shown.as_deref(),
     };
     terminal::write(out, &overview, around)?;
-    // What was not understood comes behind what was.
+    // The parts that were not understood follow the summary.
     out.flush()?;
     tell(&imported, &export, &engine);
     Ok(exit(&imported))
 }
 
-/// The compiler, as the person calls it. No adapter stands behind it that could lead its words back to a line of the case.
+/// Returns the identity of the compiler by the names on the command line. Its grade is [`Grade::Rejected`], since no adapter maps
+/// its messages to a line of the case.
 fn engine(arguments: &ImportArguments) -> anyhow::Result<Identity> {
     let name = arguments.engine_name.trim();
     if name.is_empty() || name == Reference::NAME {
@@ -110,7 +111,7 @@ fn source(file: &Path) -> anyhow::Result<CopiedText> {
     })
 }
 
-/// The folder of the cases, without which all is done but a baseline.
+/// Finds the folder of cases; `None` where there is none, which only prevents the comparison with a baseline.
 fn cases(arguments: &ImportArguments) -> anyhow::Result<Option<CaseFolder>> {
     match arguments.cases.as_deref() {
         Some(named) => CaseFolder::locate(Some(named)).map(Some),
@@ -129,7 +130,7 @@ fn plan(
         true => Vec::new(),
         false => baselines::load(&arguments.baseline, root, &[&engine.name])?,
     };
-    // Not the folder itself: that would replace the pages at hand.
+    // The folder is a new one, since the same would replace the existing pages.
     let again = match export.folder().file_name() {
         Some(name) => format!("{}-again", name.to_string_lossy()),
         None => "again".to_owned(),
@@ -150,7 +151,7 @@ fn plan(
         started: now.round(Unit::Second).unwrap_or(now).to_string(),
         command: shell::command_line(),
         rerun_prefix,
-        // A page of one case is how it is asked about again; no engine can be named there.
+        // A page of one case runs the case again; no engine can be named there.
         asked_for: [(engine.name.clone(), Reference::NAME.to_owned())].into(),
         ..Plan::default()
     })

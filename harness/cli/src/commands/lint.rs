@@ -1,4 +1,4 @@
-//! `stickler lint`: the case files themselves.
+//! `stickler lint`: checks the case files themselves.
 
 use crate::arguments::LintArguments;
 use crate::case_folder::CaseFolder;
@@ -10,7 +10,7 @@ use stickler_suite::{Finding, Severity};
 const ERROR: Style = AnsiColor::Red.on_default().bold();
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
 
-/// Shows every finding. The exit code is 2 where a file is broken, 1 where all can be run but something is doubtful.
+/// Shows every finding. The exit code is 2 where a file is broken, 1 where all cases can be run but a finding is doubtful.
 ///
 /// # Errors
 /// No folder of cases.

@@ -1,4 +1,4 @@
-//! `stickler list`: the cases, or the claims that they check.
+//! `stickler list`: lists the cases, or the claims that they check.
 
 use crate::arguments::ListArguments;
 use crate::case_folder::{self, CaseFolder, Loaded};
@@ -14,7 +14,7 @@ use stickler_suite::Case;
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
 
-/// Lists what was selected.
+/// Lists the selected cases or their claims.
 ///
 /// # Errors
 /// No folder of cases; nothing selected.
@@ -76,7 +76,7 @@ struct ClaimLine<'a> {
     files: BTreeSet<&'a str>,
 }
 
-/// The claims of these cases, sorted by document and section.
+/// Returns the claims of the cases, sorted by document and section.
 fn claims<'a>(cases: &[&'a Case]) -> Vec<ClaimLine<'a>> {
     let mut claims: BTreeMap<Basis<'_>, ClaimLine<'_>> = BTreeMap::new();
     for case in cases {

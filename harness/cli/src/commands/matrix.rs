@@ -1,4 +1,4 @@
-//! `stickler matrix`: which types convert implicitly, documents beside engines.
+//! `stickler matrix`: shows which types convert implicitly, by the documents and by engines.
 
 mod ask;
 mod table;
@@ -14,7 +14,7 @@ use stickler_suite::{Case, MatrixCell};
 use stickler_types::{DialectName, ElementaryType};
 use table::{Documents, EngineAnswers, Matrix};
 
-/// The probe whose cells the matrix is made of.
+/// The probe whose cells form the matrix.
 const PROBE: &str = "assignment";
 
 /// The types that are always shown. Basis: implicit-conversion-table, its rows and columns.
@@ -41,7 +41,7 @@ const TYPES: [ElementaryType; 20] = [
     ElementaryType::String,
 ];
 
-/// Shows one table a dialect, with all engines that speak it.
+/// Shows one table for each dialect, with all engines that speak it.
 ///
 /// # Errors
 /// No folder of cases, or an engine that cannot be run or speaks none of the dialects.
@@ -52,7 +52,7 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
         dialect: arguments.dialect.clone(),
     };
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    // What a dialect of stickler.toml does not take over, no document says of it.
+    // No document speaks of the pairs that a dialect of stickler.toml does not inherit.
     let Loaded { suite, .. } = folder.load_for(&case_folder::plan(&selection, None))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;

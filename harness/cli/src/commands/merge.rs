@@ -1,4 +1,4 @@
-//! `stickler merge`: the parts of a run, or those of a campaign, put together.
+//! `stickler merge`: merges the parts of a run, or of a campaign.
 
 mod campaign;
 mod run;
@@ -11,7 +11,7 @@ use std::path::Path;
 use stickler_campaign::Record;
 use stickler_report::events;
 
-/// Puts the parts together, by what the folders hold.
+/// Merges the parts of a run or of a campaign, depending on the contents of the folders.
 ///
 /// # Errors
 /// Folders of both kinds; a folder that cannot be written.
@@ -32,7 +32,7 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
     }
 }
 
-/// Whether this is a folder of reports, or the log of one.
+/// Returns whether a path is a folder of a run's reports, or an event log.
 fn is_of_run(path: &Path) -> bool {
     path.is_file() || path.join(events::NAME).exists()
 }

@@ -1,4 +1,4 @@
-//! `stickler promote`: a finding becomes a case.
+//! `stickler promote`: turns a finding into a case.
 
 use super::fuzz::finding_place;
 use crate::arguments::PromoteArguments;
@@ -8,10 +8,10 @@ use crate::{output, shell};
 use std::io::Write;
 use stickler_campaign::{CaseHead, FOUND, load, promote};
 
-/// Writes the case, and says how to run it.
+/// Writes the case, and shows the command that runs it.
 ///
 /// # Errors
-/// No finding, no folder of cases, or a finding that says nothing a case could say.
+/// No such finding, no folder of cases, or a finding that no case can express.
 pub fn execute(arguments: &PromoteArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let finding = load(&finding_place(&arguments.finding, None))?;
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;

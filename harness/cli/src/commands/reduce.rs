@@ -1,4 +1,4 @@
-//! `stickler reduce`: one file made small while an engine goes on doing with it what it should not.
+//! `stickler reduce`: reduces one file to a small program on which an engine still shows the same wrong behaviour.
 
 mod subject;
 
@@ -17,7 +17,7 @@ use stickler_reference::decoding::decode;
 use stickler_types::DialectName;
 use subject::Subject;
 
-/// Prints the smallest program that shows the symptom, or writes it to the file that was named; how it went goes to stderr.
+/// Prints the smallest program that shows the symptom, or writes it to the named file; writes a summary to stderr.
 ///
 /// # Errors
 /// A file that cannot be read or written; an engine that cannot be run.
@@ -64,7 +64,7 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
             .answer(dialect, &found.value, &symptom)
             .is_ok_and(|answer| answer == Interestingness::Interesting);
     write(arguments.output.as_deref(), &found.value, out)?;
-    // What is said of the program comes behind it.
+    // The summary follows the program.
     out.flush()?;
     let name = &engine.identity().name;
     output::note(format!(
@@ -80,7 +80,7 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
     Ok(exit(&found, again))
 }
 
-/// How large the program was and is, and what it took.
+/// Returns the summary of a reduction: the sizes before and after, and the number of attempts.
 fn summary(before: &str, found: &Reduction<String>) -> String {
     let lines = |text: &str| text.lines().count();
     let tries = if found.tries == 1 { "try" } else { "tries" };
@@ -108,7 +108,7 @@ fn exit(found: &Reduction<String>, again: bool) -> Exit {
     Exit::Failures
 }
 
-/// The dialect and the symptom to keep; says so where there is none.
+/// Finds the dialect and the symptom to keep; reports on stderr where the program shows none.
 fn shown(
     subject: &mut Subject<'_>,
     arguments: &ReduceArguments,
@@ -150,7 +150,7 @@ fn shown(
     Ok(None)
 }
 
-/// The engine that was named, with the limit that was set.
+/// Returns the named engine, with the time limit of the command line.
 fn engine(arguments: &ReduceArguments) -> anyhow::Result<Box<dyn Engine>> {
     let Some(reply) = arguments.hang else {
         return engines::by_name(&arguments.engine);
@@ -165,7 +165,8 @@ fn engine(arguments: &ReduceArguments) -> anyhow::Result<Box<dyn Engine>> {
     Ok(Box::new(ProcessEngine::start(line, limits)?))
 }
 
-/// Writes the program where it is wanted; what cannot be written to a file is printed, so that the work is not lost.
+/// Writes the program to the named file or to `out`; prints it also where the file cannot be written, so that the work is not
+/// lost.
 fn write(file: Option<&Path>, program: &str, out: &mut dyn Write) -> anyhow::Result<()> {
     let end = if program.ends_with('\n') { "" } else { "\n" };
     let Some(file) = file else {
@@ -178,7 +179,7 @@ fn write(file: Option<&Path>, program: &str, out: &mut dyn Write) -> anyhow::Res
     written.with_context(|| format!("cannot write {}; the program is printed instead", file.display()))
 }
 
-/// What is shown while it goes on, on stderr and only where that is a terminal.
+/// The progress bar of a reduction, on stderr and only where that is a terminal.
 struct Bar(ProgressBar);
 
 impl Bar {

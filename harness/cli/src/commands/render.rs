@@ -1,4 +1,4 @@
-//! `stickler render`: one file in normal form.
+//! `stickler render`: prints one file in normal form.
 
 use crate::arguments::SourceArguments;
 use crate::exit::Exit;
@@ -6,14 +6,14 @@ use crate::{output, snippet, source_file};
 use std::io::Write;
 use stickler_reference::decoding::decode;
 
-/// Prints the normalised source; of a file that cannot be read as a program, the diagnostics go to stderr.
+/// Prints the normalized source; for a file that cannot be parsed, writes the diagnostics to stderr.
 ///
 /// # Errors
 /// A file that cannot be read.
 pub fn execute(arguments: &SourceArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let (bytes, path) = source_file::read(&arguments.file)?;
     let (text, broken) = decode(&bytes);
-    // Bytes that are no text were replaced; giving the replacement back as the source would hide that.
+    // Bytes that are no text were replaced; printing the replacement as the source would hide that.
     let rendered = match broken.is_empty() {
         true => stickler_reference::render(&text, arguments.dialect),
         false => Err(stickler_reference::check_bytes(&bytes, arguments.dialect).1),

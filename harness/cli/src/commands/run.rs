@@ -1,4 +1,4 @@
-//! `stickler run`: cases over engines, judged and reported.
+//! `stickler run`: runs cases on engines, judges the outcomes, and writes the reports.
 
 use crate::arguments::RunArguments;
 use crate::caches::Caches;
@@ -20,11 +20,11 @@ use stickler_suite::Case;
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
 
-/// Runs, writes the reports, shows a summary.
+/// Runs the selected cases, writes the reports, and shows a summary.
 ///
 /// # Errors
-/// A wrong command line, an engine that cannot be run, no case, or reports that cannot be written. All but a disk that
-/// fills up is found before the first case.
+/// A wrong command line, an engine that cannot be run, no case, or reports that cannot be written. All errors but a disk that
+/// fills up are found before the first case.
 pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     // An engine may take its time to start; the run itself ends in an orderly way.
     interrupt::at_once()?;
@@ -51,7 +51,7 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     let mut sink = EventSink::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
     let take = &mut |event| sink.take(&event);
     let summary = stickler_run::run_with(&plan, &suite, &engines, &stores, take, cancel);
-    caches.tell();
+    caches.report_problems();
     let overview = sink.finish()?;
     let shown = report_folder.map(|folder| folder.display().to_string());
     terminal::write(
@@ -62,12 +62,12 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         },
     )?;
     let summary = summary?;
-    caches::tell_from_cache(out, summary.from_cache, summary.cases)?;
+    caches::write_from_cache(out, summary.from_cache, summary.cases)?;
     Ok(exit(&summary).worst(case_folder::exit_of(&suite)))
 }
 
 /// # Errors
-/// Where none of the engines speaks the dialect of any case: then there is no run that could be reported.
+/// Engines that speak the dialect of no case: then there is no run that could be reported.
 fn understood(cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
     let mut dialects: Vec<DialectName> = cases.iter().map(|case| case.dialect).collect();
     dialects.sort_unstable();
@@ -82,7 +82,7 @@ fn understood(cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
     failed.map_or(Ok(()), Err)
 }
 
-/// Returns the arguments by which each engine is asked for again, quoted for a shell.
+/// Returns, by the name of each engine, the argument of `--engine` that names it again, quoted for a shell.
 fn asked_for(engines: &[NamedEngine]) -> BTreeMap<String, String> {
     let entry = |named: &NamedEngine| {
         let name = named.identity().name.clone();
@@ -91,10 +91,10 @@ fn asked_for(engines: &[NamedEngine]) -> BTreeMap<String, String> {
     engines.iter().map(entry).collect()
 }
 
-/// Returns the description of the engines.
+/// Loads the baselines of the engines, unless the command line excludes them.
 ///
 /// # Errors
-/// A baseline that cannot be read, or that is about no engine of the run.
+/// Those of [`baselines::load`].
 fn baselines(
     arguments: &RunArguments,
     folder: &CaseFolder,
@@ -126,7 +126,7 @@ fn plan(arguments: &RunArguments) -> Plan {
     }
 }
 
-/// Returns the arguments with which a case that is run again is judged alike.
+/// Returns the options with which a rerun of a case is judged in the same way.
 fn judged_alike(arguments: &RunArguments) -> String {
     let mut options = String::new();
     if let Some(grade) = arguments.strict {
@@ -143,7 +143,7 @@ fn judged_alike(arguments: &RunArguments) -> String {
     options
 }
 
-/// Returns the folder in which answers are kept, unless nothing is to be written.
+/// Opens the caches of the engines; none with `--no-cache` or `--no-report`.
 fn caches(arguments: &RunArguments, folder: &CaseFolder, engines: &[&dyn Engine]) -> Caches {
     match arguments.no_cache || arguments.no_report {
         true => Caches::none(),
@@ -164,7 +164,7 @@ struct EventSink<'c> {
     overview: Overview,
     reports: Option<Reports>,
     progress: Option<Progress>,
-    /// Why the reports are no longer written.
+    /// The error after which the reports are no longer written.
     broken: Option<ReportError>,
     cancel: &'c Cancellation,
 }
@@ -193,7 +193,7 @@ impl<'c> EventSink<'c> {
         if self.broken.is_none()
             && let Some(Err(error)) = self.reports.as_mut().map(|reports| reports.take(event))
         {
-            // Going on would be work for nothing.
+            // Further results could not be reported.
             self.cancel.request();
             stickler_engines::stop_all_processes();
             self.broken = Some(error);

@@ -1,4 +1,4 @@
-//! `stickler show`: one case.
+//! `stickler show`: shows one case.
 
 use crate::arguments::{SelectionArguments, ShowArguments};
 use crate::case_folder::{self, CaseFolder};
@@ -14,16 +14,16 @@ use stickler_types::wrap;
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
 
-/// How many names are suggested for one that is no case.
+/// The maximum number of ids that are suggested for an unknown one.
 const MAX_SUGGESTIONS: usize = 5;
 
-/// The length up to which a name is compared with ids: a longer one is no slip of the finger.
+/// The maximum length of a name that is compared with ids; a longer one is no misspelt id.
 const MAX_NAME_LEN: usize = 200;
 
 /// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
 ///
 /// # Errors
-/// No folder of cases; no such case, with those that look like it.
+/// No folder of cases; no such case, where the error names similar ones.
 pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let selection = SelectionArguments {
         cases: arguments.cases.clone(),
@@ -59,7 +59,7 @@ fn is_named(case: &Case, name: &str) -> bool {
     }
 }
 
-/// The cases that differ in nothing but the dialect, together.
+/// Groups the cases that differ in the dialect only.
 fn groups<'a>(cases: &[&'a Case]) -> Vec<Vec<&'a Case>> {
     let mut groups: Vec<Vec<&Case>> = Vec::new();
     for case in cases {
@@ -106,7 +106,7 @@ fn write_group(group: &[&Case], out: &mut dyn Write) -> io::Result<()> {
     write_expectation(case, out)
 }
 
-/// Writes how to run the cases.
+/// Writes the command that runs the cases.
 fn write_end(group: &[&Case], plan: &Plan, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\n{BOLD}Run it{BOLD:#}\n")?;
     group
@@ -114,7 +114,7 @@ fn write_end(group: &[&Case], plan: &Plan, out: &mut dyn Write) -> io::Result<()
         .try_for_each(|case| writeln!(out, "  {}", plan.rerun(case, "reference")))
 }
 
-/// As reports write it. What an engine answers does not change what is expected, so any answer will do.
+/// Writes the expectation of a case in the form of reports. The text does not depend on the outcome, so any outcome serves.
 fn write_expectation(case: &Case, out: &mut dyn Write) -> io::Result<()> {
     let answers = Answers::of_run(Outcome::Unsupported {
         reason: String::new(),
@@ -145,7 +145,7 @@ fn no_such_case(suite: &Suite, name: &str) -> String {
     )
 }
 
-/// Ids that contain the name, or else those that are spelled most like it.
+/// Returns the ids that contain the name, or else the ids with the most similar spelling.
 fn suggestions<'a>(suite: &'a Suite, name: &str) -> Vec<&'a str> {
     let name = name.split('@').next().unwrap_or(name);
     let mut ids: Vec<&str> = suite.cases.iter().map(|case| &*case.id).collect();

@@ -1,4 +1,4 @@
-//! `stickler sweep`: every input of a conversion function, compared with exact arithmetic.
+//! `stickler sweep`: compares the results of a conversion function for every input with exact arithmetic.
 
 mod names;
 mod page;
@@ -17,7 +17,7 @@ use stickler_conversions::{FunctionDialects, find_function};
 use stickler_types::boundaries::Detail;
 use stickler_workers::Cancellation;
 
-/// Sweeps a function between each of its types and by each of its rules, and shows what was found after each.
+/// Sweeps a function between each of its types and by each of its rules, and shows the findings after each sweep.
 ///
 /// # Errors
 /// A name that is no conversion function of the dialects, an engine that cannot be run, no threads.
@@ -54,7 +54,7 @@ pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Resul
     Ok(page.exit())
 }
 
-/// Sweeps with a bar that shows how far it is.
+/// Runs a sweep of the reference with a progress bar.
 fn observed(sweep: &Sweep, jobs: usize, cancel: &Cancellation) -> anyhow::Result<Findings> {
     let bar = Progress::new(sweep.domain.len());
     let advance = |reached: Reached| bar.reach(reached.done, reached.mismatches);

@@ -1,11 +1,11 @@
-//! Baselines from the outside: what a run says of them, and what `stickler bless` makes of a run.
+//! Tests baselines by the command line: their effect on a run, and `stickler bless`.
 
 use crate::common::{SUITE, stickler};
 use std::fs;
 use std::path::Path;
 use std::process::Output;
 
-/// An engine that rejects every program and cannot say where, but takes those that hold `$KNOWS`, without running them.
+/// An engine that rejects every program without a line, but accepts those that contain `$KNOWS`, without running them.
 const GRUMPY: &str = r#"while IFS= read -r line; do
     rest=${line#*\"id\":}
     case $line in
@@ -19,21 +19,21 @@ const GRUMPY: &str = r#"while IFS= read -r line; do
 done
 "#;
 
-/// A folder with the engine in it.
-struct Desk(tempfile::TempDir);
+/// A temporary folder that contains the engine.
+struct TestFolder(tempfile::TempDir);
 
-impl Desk {
-    fn new() -> Desk {
+impl TestFolder {
+    fn new() -> TestFolder {
         let folder = tempfile::tempdir().expect("a temporary folder");
         fs::write(folder.path().join("grumpy.sh"), GRUMPY).expect("a stand-in");
-        Desk(folder)
+        TestFolder(folder)
     }
 
     fn path(&self) -> &Path {
         self.0.path()
     }
 
-    /// Runs the suite on the engine, which takes programs that hold this text.
+    /// Runs the suite on the engine, which accepts programs that contain `knows`.
     fn run(&self, knows: &str, more: &[&str]) -> Ended {
         let common = ["run", "--cases", SUITE, "--engine", "cmd:sh grumpy.sh"];
         self.command(&[&common, more].concat(), knows)
@@ -85,7 +85,7 @@ impl Ended {
         }
     }
 
-    /// Ended with this code and said all this.
+    /// Asserts that the command ended with an exit code and printed all of the given texts.
     #[track_caller]
     fn with(self, code: i32, said: &[&str]) -> Ended {
         let all = format!("{}\n{}", self.stdout, self.stderr);
@@ -102,21 +102,23 @@ const ENTRY: &str =
 
 #[test]
 fn what_a_run_found_is_known_once_it_is_blessed_and_what_is_new_still_fails() {
-    let desk = Desk::new();
-    desk.run("", &[])
+    let folder = TestFolder::new();
+    folder
+        .run("", &[])
         .with(1, &["not as expected", "judged without their place"]);
-    desk.bless(&["--dry-run"])
+    folder
+        .bless(&["--dry-run"])
         .with(0, &["  + fail language/wrong-on-purpose  1 case\n", "would have"]);
-    assert!(!desk.path().join(BASELINE).exists(), "a dry run writes nothing");
-    desk.bless(&[]).with(
+    assert!(!folder.path().join(BASELINE).exists(), "a dry run writes nothing");
+    folder.bless(&[]).with(
         0,
         &[
             "  + fail language/wrong-on-purpose  1 case\n",
             "reports/baselines/grumpy.toml: ",
         ],
     );
-    desk.run("", &[]).with(0, &["all as expected (", " xfail"]);
-    desk.run("", &["--no-baseline"]).with(
+    folder.run("", &[]).with(0, &["all as expected (", " xfail"]);
+    folder.run("", &["--no-baseline"]).with(
         1,
         &[
             "not as expected",
@@ -124,16 +126,16 @@ fn what_a_run_found_is_known_once_it_is_blessed_and_what_is_new_still_fails() {
             " --no-baseline --engine",
         ],
     );
-    desk.bless(&[]).with(0, &[": nothing is different, "]);
+    folder.bless(&[]).with(0, &[": nothing is different, "]);
 }
 
 #[test]
 fn an_unexpected_pass_fails_the_run_and_leaves_the_baseline_with_the_next_blessing() {
-    let desk = Desk::new();
-    desk.run("", &[]).with(1, &[]);
-    desk.bless(&[]).with(0, &[]);
-    // What only records, and is accepted now, passes.
-    let mended = desk.run("says is recorded", &[]);
+    let folder = TestFolder::new();
+    folder.run("", &[]).with(1, &[]);
+    folder.bless(&[]).with(0, &[]);
+    // A case without an expectation passes now that its program is accepted.
+    let mended = folder.run("says is recorded", &[]);
     mended.with(
         1,
         &[
@@ -142,24 +144,25 @@ fn an_unexpected_pass_fails_the_run_and_leaves_the_baseline_with_the_next_blessi
             "not looked into yet",
         ],
     );
-    desk.bless(&[])
+    folder
+        .bless(&[])
         .with(0, &["  - fail language/recorded  ", "now pass"]);
     assert!(
-        !desk.baseline().contains("language/recorded"),
+        !folder.baseline().contains("language/recorded"),
         "{}",
-        desk.baseline()
+        folder.baseline()
     );
-    desk.run("says is recorded", &[]).with(0, &[]);
+    folder.run("says is recorded", &[]).with(0, &[]);
 }
 
 #[test]
 fn a_stale_entry_fails_the_run_in_every_report() {
-    let desk = Desk::new();
-    desk.run("", &[]).with(1, &[]);
-    desk.bless(&[]).with(0, &[]);
+    let folder = TestFolder::new();
+    folder.run("", &[]).with(1, &[]);
+    folder.bless(&[]).with(0, &[]);
     let stale = "\n[[expected]]\ncase = \"language/gone\"\nverdict = \"fail\"\nreason = \"it was\"\n";
-    desk.write_baseline(&(desk.baseline() + stale));
-    desk.run("", &[]).with(
+    folder.write_baseline(&(folder.baseline() + stale));
+    folder.run("", &[]).with(
         1,
         &[
             "OUTDATED reports/baselines/grumpy.toml:",
@@ -175,19 +178,20 @@ fn a_stale_entry_fails_the_run_in_every_report() {
             "\"outdated\":[{\"at\":\"reports/baselines/grumpy.toml:",
         ),
     ] {
-        let text = fs::read_to_string(desk.path().join("reports/latest").join(report)).expect("a report");
+        let text = fs::read_to_string(folder.path().join("reports/latest").join(report)).expect("a report");
         assert!(text.contains(part), "{report}: {text}");
     }
-    desk.bless(&[])
+    folder
+        .bless(&[])
         .with(0, &["  - fail language/gone  fits no case\n"]);
-    desk.run("", &[]).with(0, &[]);
+    folder.run("", &[]).with(0, &[]);
 }
 
 #[test]
 fn an_expired_entry_fails_the_run() {
-    let desk = Desk::new();
-    desk.write_baseline(&format!("{ENTRY}until = 2001-01-01\n"));
-    desk.run("", &["--filter", "language/wrong-on-purpose"]).with(
+    let folder = TestFolder::new();
+    folder.write_baseline(&format!("{ENTRY}until = 2001-01-01\n"));
+    folder.run("", &["--filter", "language/wrong-on-purpose"]).with(
         1,
         &["FAIL language/wrong-on-purpose", "was to hold until 2001-01-01"],
     );
@@ -195,9 +199,9 @@ fn an_expired_entry_fails_the_run() {
 
 #[test]
 fn a_mistake_in_a_baseline_is_told_with_its_line_before_the_run() {
-    let desk = Desk::new();
-    desk.write_baseline(&ENTRY.replace("verdict", "verdit"));
-    let ended = desk
+    let folder = TestFolder::new();
+    folder.write_baseline(&ENTRY.replace("verdict", "verdit"));
+    let ended = folder
         .run("", &[])
         .with(2, &["reports/baselines/grumpy.toml:3: unknown field `verdit`"]);
     assert_eq!(ended.stdout, "", "nothing was run");
@@ -205,9 +209,9 @@ fn a_mistake_in_a_baseline_is_told_with_its_line_before_the_run() {
 
 #[test]
 fn a_baseline_may_be_named_and_must_be_about_an_engine_of_the_run() {
-    let desk = Desk::new();
+    let folder = TestFolder::new();
     fs::write(
-        desk.path().join("known.toml"),
+        folder.path().join("known.toml"),
         format!("engine = \"grumpy\"\n{ENTRY}"),
     )
     .expect("a baseline");
@@ -217,13 +221,15 @@ fn a_baseline_may_be_named_and_must_be_about_an_engine_of_the_run() {
         "--baseline",
         "known.toml",
     ];
-    desk.run("", &only).with(0, &["all as expected (1 xfail)"]);
-    desk.run("", &[&only[..], &["--baseline", "known.toml"]].concat())
+    folder.run("", &only).with(0, &["all as expected (1 xfail)"]);
+    folder
+        .run("", &[&only[..], &["--baseline", "known.toml"]].concat())
         .with(2, &["are both the baseline of `grumpy`"]);
-    desk.run("", &["--baseline", "gone.toml"])
+    folder
+        .run("", &["--baseline", "gone.toml"])
         .with(2, &["there is no file gone.toml"]);
-    fs::write(desk.path().join("matiec.toml"), ENTRY).expect("a baseline");
-    desk.run("", &["--baseline", "matiec.toml"]).with(
+    fs::write(folder.path().join("matiec.toml"), ENTRY).expect("a baseline");
+    folder.run("", &["--baseline", "matiec.toml"]).with(
         2,
         &["matiec.toml is the baseline of `matiec`, which takes no part"],
     );
@@ -231,24 +237,26 @@ fn a_baseline_may_be_named_and_must_be_about_an_engine_of_the_run() {
 
 #[test]
 fn what_cannot_be_blessed_says_why() {
-    let desk = Desk::new();
-    desk.bless(&[])
+    let folder = TestFolder::new();
+    folder
+        .bless(&[])
         .with(2, &["cannot read reports/latest/events.jsonl"]);
-    desk.run("", &[]).with(1, &[]);
-    desk.bless(&["--engine", "gremlin"])
+    folder.run("", &[]).with(1, &[]);
+    folder
+        .bless(&["--engine", "gremlin"])
         .with(2, &["tells nothing of `gremlin`; it is about grumpy"]);
-    let log = desk.path().join("reports/latest/events.jsonl");
+    let log = folder.path().join("reports/latest/events.jsonl");
     let text = fs::read_to_string(&log).expect("a log");
     let footer = text.trim_end().rfind('\n').expect("lines") + 1;
     fs::write(&log, &text[..footer]).expect("a log");
-    desk.bless(&[]).with(2, &["cut short", "run it again"]);
+    folder.bless(&[]).with(2, &["cut short", "run it again"]);
     fs::write(&log, text.replace(r#""format":2"#, r#""format":1"#)).expect("a log");
     let told = [
         "reports/latest/events.jsonl",
         "has format 1",
         "run the cases again",
     ];
-    desk.bless(&[]).with(2, &told);
-    desk.command(&["run", "--cases", SUITE], "").with(1, &[]);
-    desk.bless(&[]).with(2, &["the reference has no baseline"]);
+    folder.bless(&[]).with(2, &told);
+    folder.command(&["run", "--cases", SUITE], "").with(1, &[]);
+    folder.bless(&[]).with(2, &["the reference has no baseline"]);
 }

@@ -1,4 +1,4 @@
-//! Results that are kept from one run to the next: what is asked again and what is not.
+//! Tests the cache of results between runs: which cases are asked again and which are not.
 
 use crate::common::{SUITE, output, text};
 use std::fs;
@@ -14,7 +14,7 @@ exit = { 0 = "accepted", 1 = "rejected" }
 dialects = { ironplc-ed2 = "OPTION", matiec = "OPTION" }
 "#;
 
-/// A folder with the engine.
+/// Makes a temporary folder that contains the engine.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     write_engine(folder.path(), "third");
@@ -26,7 +26,7 @@ fn write_engine(folder: &Path, option: &str) {
     fs::write(folder.join("stickler.toml"), text).expect("a configuration");
 }
 
-/// The events without what the clock says, what was shown, and how often the engine was called.
+/// The events of a run without its times, its output, and the number of calls of the engine.
 struct Ran {
     events: Vec<Event>,
     shown: String,
@@ -63,7 +63,7 @@ fn run(folder: &Path, options: &[&str]) -> Ran {
     }
 }
 
-/// How many of the cases crashed the engine.
+/// Returns the number of cases that crashed the engine.
 fn crashes(ran: &Ran) -> usize {
     let crash =
         |event: &&Event| matches!(event, Event::Case(case) if Fact::text(&case.got).contains("signal: 9"));

@@ -1,4 +1,4 @@
-//! What several tests of the command do.
+//! Functions that several tests of the command line share.
 
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
@@ -12,7 +12,7 @@ pub const SUITE: &str = concat!(
     "/tests/cmd/suite.in/conformance-cases"
 );
 
-/// The program in a folder, with nothing to read and no colours.
+/// Returns the command that runs the program in a folder, with an empty stdin and no colours.
 pub fn stickler(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(STICKLER);
     command
@@ -25,23 +25,23 @@ pub fn stickler(folder: &Path, arguments: &[&str]) -> Command {
     command
 }
 
-/// What the program does in a folder.
+/// Runs the program in a folder, and returns its output.
 pub fn output(folder: &Path, arguments: &[&str]) -> Output {
     stickler(folder, arguments).output().expect("the command runs")
 }
 
-/// A command that is under way, with both of its streams to be read.
+/// Starts a command with both of its output streams piped.
 pub fn under_way(command: &mut Command) -> Child {
     let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
     command.spawn().expect("the command starts")
 }
 
-/// What a stream of it holds.
+/// Returns the text of an output stream.
 pub fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// Sends a process what Ctrl-C sends.
+/// Sends SIGINT to a process, as Ctrl-C does.
 #[cfg(unix)]
 pub fn interrupt(process: &Child) {
     let killed = Command::new("kill")

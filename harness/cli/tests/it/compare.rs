@@ -1,4 +1,4 @@
-//! Two runs held against each other, and the parts of a run put together.
+//! Tests `stickler compare` with two runs, and `stickler merge` with the parts of a run.
 
 use crate::common::{SUITE, output, text};
 use std::fs::{self, File};
@@ -33,8 +33,8 @@ fn write(folder: &Path, events: &[Event]) {
     log.flush().expect("written");
 }
 
-/// Turns a run into that of a later version of the reference: one case is fixed, one breaks, one crashes, one gives something
-/// else where nothing is asserted.
+/// Turns a run into that of a later version of the reference: one case is fixed, one breaks, one crashes, one gives another
+/// result where nothing is asserted.
 fn later(event: &mut Event) {
     let value = |literal| Value::parse(literal).expect("a typed literal");
     let into = |literal| Fact::Value {

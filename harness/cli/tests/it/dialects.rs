@@ -1,4 +1,4 @@
-//! Dialects that `stickler.toml` defines, over a few tables of the real suite.
+//! Tests dialects that `stickler.toml` defines, with a few tables of the real suite.
 
 use crate::common::{STICKLER, output, text};
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,7 +11,7 @@ use tempfile::TempDir;
 
 const SUITE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../conformance-cases");
 
-/// The case files that the tests are run over: each kind of override is met by one.
+/// The case files of the tests, with cases for each kind of override.
 const FILES: [&str; 8] = [
     "suite.toml",
     "dialects.toml",
@@ -23,7 +23,7 @@ const FILES: [&str; 8] = [
     "language/comments-nested.st",
 ];
 
-/// A promise of each kind.
+/// A stickler.toml whose dialect has an override of each kind.
 pub const MINE: &str = r#"
 [dialects.mine]
 extends = "ironplc-ed3"
@@ -41,7 +41,7 @@ out-of-range = "saturate"
 text-reading = "leading-number"
 "#;
 
-/// A folder with the case files, with this stickler.toml, and with an empty one.
+/// Makes a temporary folder with the case files, the given stickler.toml, and an empty one.
 pub fn folder(configuration: &str) -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     for file in FILES {
@@ -58,7 +58,7 @@ fn told(output: &Output) -> String {
     text(&output.stderr)
 }
 
-/// The cases of the last run, by id and dialect.
+/// Returns the cases of the last run, by id and dialect.
 fn cases(folder: &Path) -> BTreeMap<String, CaseEvent> {
     let log = fs::read(folder.join("reports/latest/events.jsonl")).expect("a report");
     let mut cases = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! Disks and files that take no more: the run ends, says so, and its exit code is no verdict.
+//! Tests full disks and files: the run ends with a message, and its exit code is no verdict.
 
 use crate::common::{STICKLER, SUITE, output, text};
 use std::fs;

@@ -1,4 +1,4 @@
-//! Engines that `stickler.toml` names, and the list of all that there are.
+//! Tests engines that `stickler.toml` names, and the list of all engines.
 
 use crate::common::STICKLER;
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 use tempfile::TempDir;
 
-/// A folder with this `stickler.toml`; `STICKLER` in it stands for the program under test.
+/// Makes a temporary folder with the given `stickler.toml`, in which `STICKLER` stands for the program under test.
 fn folder(text: &str) -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let text = text.replace("STICKLER", STICKLER);
@@ -15,7 +15,7 @@ fn folder(text: &str) -> TempDir {
     folder
 }
 
-/// Calls `stickler` where no compiler is to be found.
+/// Runs `stickler` with an environment in which no compiler can be found.
 fn stickler(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(STICKLER);
     command.args(arguments).current_dir(folder).env("NO_COLOR", "1");
@@ -151,7 +151,7 @@ fn every_engine_that_has_a_name_can_be_served_and_validated() {
     assert!(told(&output).contains("no-such-adapter"), "{}", told(&output));
 }
 
-/// What a compiler's adapter leaves behind when it is killed, such as a folder of its own, nobody removes.
+/// Checks that validation lets each adapter process end by itself, since a killed one may leave a temporary folder behind.
 #[cfg(unix)]
 #[test]
 fn each_process_that_is_validated_may_come_to_its_own_end() {
@@ -183,7 +183,7 @@ fn a_file_with_a_mistake_stops_what_would_need_it() {
     assert_eq!(output.status.code(), Some(0), "{}", told(&output));
 }
 
-/// Whether there is Python; says so where there is none.
+/// Returns whether Python is installed; reports on stderr where it is not.
 fn python() -> bool {
     let there = Command::new("python3").arg("--version").output().is_ok();
     if !there {
@@ -198,7 +198,7 @@ fn python() -> bool {
 
 const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines/examples/adapter.py");
 
-/// Calls `stickler` with the example adapter in reach.
+/// Runs `stickler` with the environment that the example adapter needs.
 fn with_example(arguments: &[&str]) -> Output {
     let mut command = Command::new(STICKLER);
     command
@@ -253,7 +253,7 @@ fn the_example_adapter_runs_cases_as_the_reference_does() {
     );
 }
 
-/// An adapter for one line a request: its first argument is the reply to `hello`, every other that to the next request.
+/// A shell adapter whose first argument is the reply to `hello`, and every other the reply to the next request.
 const PARROT: &str = "#!/bin/sh\nfor reply in \"$@\"; do IFS= read -r line || exit 0; printf '%s\\n' \"$reply\"; done\nread -r line\n";
 
 #[test]

@@ -1,4 +1,4 @@
-//! Pages for an editor, and what is copied back, through the command line: the reference stands in for what is behind the editor.
+//! Tests `stickler export` and `stickler import`; the reference stands in for the compiler behind the editor.
 
 use crate::common::{SUITE, output, text};
 use crate::dialects;

@@ -1,24 +1,24 @@
-//! Campaigns from the outside: engines that are processes and have a defect, folders that cannot be used, Ctrl-C.
+//! Tests campaigns by the command line: engines that are processes and have a defect, folders that cannot be used, Ctrl-C.
 
 use crate::common::{self, STICKLER, interrupt, under_way};
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
-/// An engine that takes MOD for a division, after this script of sed on each request.
+/// Returns the name of an engine that executes MOD as a division, after a script of sed has edited each request.
 fn defective(script: &str) -> String {
     let script = format!("{script}s/ MOD / \\/ /g");
     format!("cmd:sh -c 'sed -u \"{script}\" | \"{STICKLER}\" engine'")
 }
 
-/// What a command shows on both streams, and its exit code.
+/// Runs a command, and returns its exit code and its output on both streams.
 fn stickler(arguments: &[&str]) -> (Option<i32>, String) {
     let output = common::output(Path::new("."), arguments);
     let shown = [output.stdout, output.stderr].concat();
     (output.status.code(), String::from_utf8_lossy(&shown).into_owned())
 }
 
-/// A campaign with an engine, of 120 programs among which MOD comes.
+/// Runs a campaign of 120 programs on an engine, some of which contain MOD.
 fn campaign(engine: &str, folder: &str, more: &[&str]) -> (Option<i32>, String) {
     let line = [
         "fuzz",
@@ -38,7 +38,7 @@ fn text(path: &Path) -> &str {
     path.to_str().expect("a path of plain characters")
 }
 
-/// The folder of the one finding whose rule is MOD alone.
+/// Returns the folder of the only finding whose rule is MOD alone.
 fn finding(folder: &Path) -> String {
     let folders = fs::read_dir(folder).expect("the folder").filter_map(Result::ok);
     let mut alone = folders.filter(|entry| {

@@ -1,4 +1,4 @@
-//! The pages of the manual: every relative link leads to a file, every fragment to a heading, and every crate has its section.
+//! Tests the pages of the manual: every relative link leads to a file, every fragment to a heading, and every crate has a section.
 
 use std::fs;
 use std::path::{Path, PathBuf};

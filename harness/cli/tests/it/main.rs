@@ -1,5 +1,4 @@
-//! The command line from the outside. One program holds all of these tests: each program of its own would be linked once
-//! more.
+//! Tests of the command line, in one program, since each further test program would be linked separately.
 
 #[cfg(unix)]
 mod bless;

@@ -1,4 +1,4 @@
-//! The command line from the outside: each file under `tests/cmd` is a test.
+//! Tests the output of commands: each file under `tests/cmd` is a test.
 //!
 //! `TRYCMD=overwrite cargo test -p stickler --test it pages` writes down what the commands print now; read the difference
 //! before it is committed.

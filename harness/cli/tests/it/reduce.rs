@@ -1,4 +1,4 @@
-//! Reductions from the outside, where a printed page is not enough: an engine with a wrong value, and Ctrl-C.
+//! Tests `stickler reduce` where a printed page is not enough: an engine with a wrong value, and Ctrl-C.
 
 use crate::common::{STICKLER, interrupt, under_way};
 use std::fs;
@@ -46,7 +46,7 @@ fn shown(output: &Output) -> String {
 #[test]
 fn a_wrong_value_is_kept_and_all_else_goes() {
     let folder = tempfile::tempdir().expect("a folder");
-    // The reference, before whose eyes each MOD becomes a division.
+    // The engine is the reference, with each MOD of a request replaced by a division.
     let script = format!(
         "while IFS= read -r line; do\n\
          while case $line in *' MOD '*) ;; *) false ;; esac; do line=\"${{line%% MOD *}} / ${{line#* MOD }}\"; done\n\

@@ -1,4 +1,4 @@
-//! What a run leaves behind: reports, exit codes, and a readable log when it is cut short.
+//! Tests the results of a run: reports, exit codes, and a readable event log when it is cut short.
 
 #[cfg(unix)]
 use crate::common::interrupt;
@@ -16,7 +16,7 @@ fn read_log(path: &Path) -> (Vec<Event>, Completeness) {
     (events, completeness)
 }
 
-/// An engine of the header.
+/// Returns the entry of an engine in the header of an event log.
 fn engine<'e>(events: &'e [Event], name: &str) -> &'e EngineHeader {
     let Some(Event::Header(header)) = events.first() else {
         panic!("no header")
@@ -162,7 +162,7 @@ fn a_reader_that_goes_away_does_not_turn_a_rejection_into_success() {
     assert_eq!(end.status.code(), Some(1), "{}", text(&end.stderr));
 }
 
-/// A suite that takes minutes: each case runs into the step limit.
+/// Writes a suite that takes minutes, since each case runs into the step limit.
 fn slow_suite(folder: &Path) {
     let cases = folder.join("conformance-cases/language");
     fs::create_dir_all(&cases).expect("a folder of cases");
@@ -186,7 +186,7 @@ fn slow_suite(folder: &Path) {
     fs::write(cases.join("endless.toml"), table).expect("a table");
 }
 
-/// Waits until the log has its header, or the run is over.
+/// Waits until the event log has its header, or the run is over.
 fn wait_for_header(run: &mut Child, log: &Path) {
     while fs::read(log).map_or(true, |bytes| !bytes.contains(&b'\n')) {
         assert_eq!(
@@ -260,7 +260,7 @@ fn does_the_same(folder: &Path, first: &str, second: &str) {
     assert!(rerun.contains(" --engine 'cmd:"), "{rerun}");
 }
 
-/// Starts a command whose engine tells the witness that it lives, presses Ctrl-C, and waits for the end of both.
+/// Starts a command whose engine opens the pipe `witness`, sends SIGINT, and waits for the end of command and engine.
 #[cfg(unix)]
 fn interrupt_with_engine(command: &str, engine: &str) {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -274,7 +274,7 @@ fn interrupt_with_engine(command: &str, engine: &str) {
         .stderr(Stdio::null())
         .spawn()
         .expect("the command starts");
-    // The pipe opens when the engine does so, and ends when nobody holds it any more.
+    // The pipe opens when the engine opens it, and ends when no process holds it any more.
     let mut pipe = fs::File::open(&witness).expect("the witness");
     interrupt(&ask);
     let mut told = Vec::new();
@@ -323,7 +323,7 @@ fn ctrl_c_ends_a_run_although_its_engine_does_not_answer_and_leaves_a_readable_l
         "{}",
         text(&end.stderr)
     );
-    // What the engine did when it was ended is none of its answers.
+    // The end of the killed engine is not counted as one of its answers.
     let (events, completeness) = read_log(&folder.path().join("reports/latest/events.jsonl"));
     assert_eq!(completeness, Completeness::Truncated { cases: 0 });
     assert_eq!(events.len(), 1, "a header");
@@ -351,7 +351,7 @@ fn a_run_in_a_dialect_that_the_engine_does_not_speak_says_what_it_speaks() {
     }
 }
 
-/// An engine of another language that can do nothing of what it is asked.
+/// An adapter in shell that answers `unsupported` to every request.
 const UNABLE: &str = r#"while read -r line; do
   id=$(printf '%s' "$line" | sed -n 's/.*"id":\([0-9]*\).*/\1/p')
   case "$line" in

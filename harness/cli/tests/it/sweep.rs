@@ -1,4 +1,4 @@
-//! A sweep that is interrupted, and sweeps of engines that are processes.
+//! Tests a sweep that is interrupted, and sweeps of engines that are processes.
 
 use crate::common::{STICKLER, interrupt, output, stickler, text, under_way};
 use std::io::{BufRead, BufReader, Read};
@@ -24,7 +24,7 @@ fn ctrl_c_tells_how_far_a_sweep_came() {
     assert!(lines.contains("  no mismatch so far, "), "{lines}");
 }
 
-/// What a sweep of an engine shows, and its exit code. `COMMAND` in the engine's command line stands for this command.
+/// Runs a sweep of an engine, and returns its exit code and output. `COMMAND` in the engine's command line stands for `stickler`.
 fn swept(function: &str, dialect: &str, engine: &str) -> (Option<i32>, String) {
     let engine = format!("cmd:{}", engine.replace("COMMAND", &format!("\"{STICKLER}\"")));
     let arguments = [

@@ -1,10 +1,10 @@
-//! How far a campaign is, on stderr and only where that is a terminal.
+//! The progress bar of a campaign, on stderr and only where that is a terminal.
 
 use indicatif::{HumanCount, ProgressBar, ProgressStyle};
 use std::time::{Duration, Instant};
 use stickler_campaign::{Plan, Progress, Until};
 
-/// A bar of the programs, or of the time, whichever ends the campaign.
+/// A progress bar of the programs, or of the time, whichever ends the campaign.
 pub struct Bar {
     bar: ProgressBar,
     begun: Instant,
@@ -13,7 +13,7 @@ pub struct Bar {
 }
 
 impl Bar {
-    /// A bar for a campaign.
+    /// Makes the bar of a campaign.
     pub fn new(plan: &Plan) -> Bar {
         let (length, counts) = match plan.until {
             Until::Count(count) => (plan.share().unwrap_or(count), true),
@@ -37,7 +37,7 @@ impl Bar {
         }
     }
 
-    /// Shows how far it is.
+    /// Shows the progress of the campaign.
     pub fn reach(&self, progress: Progress) {
         let elapsed = self.begun.elapsed();
         let position = if self.counts {
@@ -64,13 +64,13 @@ impl Bar {
         ));
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }
 }
 
-/// So many in a second.
+/// Returns the number of programs per second.
 pub fn rate(programs: u64, elapsed: Duration) -> u64 {
     let milliseconds = u64::try_from(elapsed.as_millis()).unwrap_or(u64::MAX).max(1);
     programs.saturating_mul(1000) / milliseconds

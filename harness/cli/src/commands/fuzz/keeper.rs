@@ -1,4 +1,4 @@
-//! Who keeps findings: in the folder as soon as they are found, and in memory where the folder does not take them.
+//! Stores findings as soon as they are found, and keeps them in memory where the folder cannot be written.
 
 use crate::exit::Exit;
 use crate::output;
@@ -7,26 +7,26 @@ use stickler_campaign::record::FORMAT;
 use stickler_campaign::{Ended, Finding, Record, Request, Store, StoreError, Summary};
 use stickler_workers::Shard;
 
-/// Keeps the findings of one campaign.
+/// The storage of the findings of one campaign.
 pub struct Keeper {
     store: Store,
     record: Record,
-    /// What the folder did not take; tried again at the end.
+    /// The findings that could not be saved; saving is tried again at the end.
     unsaved: BTreeMap<String, Finding>,
 }
 
-/// What the folder did not take, and why.
+/// The findings that could not be saved, and the reason.
 pub struct Unsaved {
-    /// The folder, as it was named.
+    /// The path of the folder, as it was named.
     pub folder: String,
-    /// The findings.
+    /// The findings that could not be saved.
     pub findings: Vec<Finding>,
-    /// Why, in words; also where only the record of the campaign could not be written.
+    /// The reason; also present where only the record of the campaign could not be written.
     pub error: Option<StoreError>,
 }
 
 impl Keeper {
-    /// Writes down that a campaign has begun.
+    /// Writes the record that a campaign has begun.
     ///
     /// # Errors
     /// [`StoreError`] where the folder cannot be written.
@@ -50,7 +50,7 @@ impl Keeper {
         })
     }
 
-    /// Saves a finding; where that fails, it says so once and goes on.
+    /// Saves a finding; reports a failure on stderr once and goes on.
     pub fn keep(&mut self, finding: &Finding) {
         match self.store.save(finding) {
             Ok(_) => {
@@ -67,7 +67,7 @@ impl Keeper {
         }
     }
 
-    /// Saves what could not be saved before, if it can be now, and writes down how the campaign ended.
+    /// Tries again to save the findings that could not be saved, and writes the record of the campaign's end.
     pub fn end(mut self, summary: &Summary) -> Unsaved {
         let mut error = None;
         let mut findings = Vec::new();
@@ -93,7 +93,7 @@ impl Keeper {
 }
 
 impl Unsaved {
-    /// What it means for the exit code.
+    /// Returns the exit code for findings that could not be saved.
     pub fn exit(&self) -> Exit {
         match self.error {
             Some(_) => Exit::Usage,

@@ -1,4 +1,4 @@
-//! What a campaign shows.
+//! The page of a campaign: its request, its findings and its summary.
 
 use super::bar::rate;
 use super::keeper::Unsaved;
@@ -14,28 +14,28 @@ const DIM: Style = Style::new().dimmed();
 const RED: Style = AnsiColor::Red.on_default().bold();
 const GREEN: Style = AnsiColor::Green.on_default().bold();
 
-/// How many findings are shown with their programs; the folder has all.
-const SHOWN: usize = 10;
-/// How many words of a rule are shown; what could not be made small has very many.
-const WORDS: usize = 12;
-/// How many lines a program may have to be shown.
-const LINES: usize = 25;
+/// The maximum number of findings that are shown with their programs; the folder has all.
+const MAX_FINDINGS: usize = 10;
+/// The maximum number of features that are shown of a finding's rule; a program that could not be reduced has very many.
+const MAX_FEATURES: usize = 12;
+/// The maximum number of lines of a message or program that are shown.
+const MAX_LINES: usize = 25;
 
-/// Where it is shown.
+/// The page that is being written.
 pub struct Page<'o> {
     out: &'o mut dyn Write,
 }
 
 impl<'o> Page<'o> {
-    /// A page.
+    /// Makes the page on a stream.
     pub fn new(out: &'o mut dyn Write) -> Page<'o> {
         Page { out }
     }
 
-    /// What is asked of whom.
+    /// Writes the request: inputs, engines and dialects.
     ///
     /// # Errors
-    /// Where nothing can be written.
+    /// Those of the stream.
     pub fn begin(&mut self, request: &Request, shard: Shard) -> io::Result<()> {
         write!(self.out, "seed {}", request.seed)?;
         if shard != Shard::WHOLE {
@@ -59,14 +59,14 @@ impl<'o> Page<'o> {
         self.out.flush()
     }
 
-    /// What was found.
+    /// Writes the findings and the summary.
     ///
     /// # Errors
-    /// Where nothing can be written.
+    /// Those of the stream.
     pub fn end(&mut self, summary: &Summary, unsaved: &Unsaved) -> io::Result<()> {
         self.totals(summary)?;
-        let (different, alike) = told_apart(summary);
-        for finding in different.iter().take(SHOWN) {
+        let (different, alike) = distinct_and_alike(summary);
+        for finding in different.iter().take(MAX_FINDINGS) {
             self.finding(finding, summary.times.get(&finding.id).copied().unwrap_or(0))?;
         }
         if let Some((first, rest)) = alike.split_first() {
@@ -74,11 +74,11 @@ impl<'o> Page<'o> {
                 self.out,
                 "\nprobably the same, with more of the language around it:"
             )?;
-            for finding in std::iter::once(first).chain(rest).take(SHOWN) {
+            for finding in std::iter::once(first).chain(rest).take(MAX_FINDINGS) {
                 writeln!(self.out, "  {}  {DIM}{}{DIM:#}", finding.id, rule(finding))?;
             }
         }
-        let more = different.len().saturating_sub(SHOWN) + alike.len().saturating_sub(SHOWN);
+        let more = different.len().saturating_sub(MAX_FINDINGS) + alike.len().saturating_sub(MAX_FINDINGS);
         if more > 0 {
             writeln!(self.out, "\n{more} more in {}", unsaved.folder)?;
         }
@@ -164,10 +164,10 @@ impl<'o> Page<'o> {
         if !finding.rule.is_empty() {
             writeln!(self.out, "  {DIM}{}{DIM:#}", rule(finding))?;
         }
-        for line in finding.message.lines().take(LINES) {
+        for line in finding.message.lines().take(MAX_LINES) {
             writeln!(self.out, "  {line}")?;
         }
-        self.program(finding, LINES)?;
+        self.program(finding, MAX_LINES)?;
         if let Some(command) = finding.reproduce.first() {
             writeln!(self.out, "  {DIM}{command}{DIM:#}")?;
         }
@@ -183,12 +183,17 @@ impl<'o> Page<'o> {
         }
         for (number, line) in program.lines().enumerate() {
             let gap = if line.is_empty() { "" } else { "  " };
-            writeln!(self.out, "  {DIM}{:>4}{DIM:#}{gap}{}", number + 1, harmless(line))?;
+            writeln!(
+                self.out,
+                "  {DIM}{:>4}{DIM:#}{gap}{}",
+                number + 1,
+                without_controls(line)
+            )?;
         }
         Ok(())
     }
 
-    /// What the folder did not take is here, whole: nothing that was found is lost.
+    /// Writes the findings that could not be saved in full, so that none is lost.
     fn unsaved(&mut self, unsaved: &Unsaved) -> io::Result<()> {
         let Some(error) = &unsaved.error else {
             return Ok(());
@@ -201,7 +206,7 @@ impl<'o> Page<'o> {
             if !input.is_empty() {
                 writeln!(self.out, "  input: {input}")?;
             }
-            // The folder does not have it, so only the seed finds it again.
+            // The folder does not have the finding, so only the seed reproduces it.
             if let Some(command) = finding.reproduce.last() {
                 writeln!(self.out, "  {command}")?;
             }
@@ -210,25 +215,26 @@ impl<'o> Page<'o> {
     }
 }
 
-/// The findings that differ, and those that are probably one of them: each seen again before flaky, small before large.
-fn told_apart(summary: &Summary) -> (Vec<&Finding>, Vec<&Finding>) {
+/// Returns the distinct findings, and those that probably have the same cause as one of them; in each, confirmed findings come
+/// before flaky ones, and small before large.
+fn distinct_and_alike(summary: &Summary) -> (Vec<&Finding>, Vec<&Finding>) {
     let mut findings: Vec<&Finding> = summary.findings.values().collect();
     findings.sort_by_key(|finding| (finding.standing, finding.origin.size, finding.id.as_str()));
     let alike = |finding: &&Finding| summary.findings.values().any(|simpler| finding.is_like(simpler));
     findings.into_iter().partition(|finding| !alike(finding))
 }
 
-/// What a program uses, in a line.
+/// Returns the rule of a finding in a line: the features that its program uses.
 fn rule(finding: &Finding) -> String {
-    let (shown, more) = finding.rule.split_at(finding.rule.len().min(WORDS));
+    let (shown, more) = finding.rule.split_at(finding.rule.len().min(MAX_FEATURES));
     match more.len() {
         0 => shown.join(", "),
         number => format!("{} and {number} more", shown.join(", ")),
     }
 }
 
-/// A line that does nothing to a terminal.
-fn harmless(line: &str) -> String {
+/// Replaces the control characters of a line, which could steer a terminal.
+fn without_controls(line: &str) -> String {
     let shown = |character: char| {
         if character.is_control() {
             '\u{fffd}'

@@ -1,4 +1,4 @@
-//! One input, or one finding, judged again.
+//! Judges one input, or one finding, again.
 
 use super::{engines_of, finding_place, under_test};
 use crate::arguments::FuzzArguments;
@@ -11,10 +11,10 @@ use stickler_campaign::finding::Finding;
 use stickler_campaign::{Replayed, load, replay};
 use stickler_generate::oracles::{FuzzTarget, InputOutcome, OracleFailure};
 
-/// Judges the finding in a folder, or, with targets, the bytes of a file.
+/// Judges the finding in a folder or, with targets, the bytes of a file.
 ///
 /// # Errors
-/// What cannot be read; an engine that cannot be run.
+/// A finding or file that cannot be read; an engine that cannot be run.
 pub fn execute(path: &Path, arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let path = finding_place(path, arguments.findings.as_ref());
     if path.is_dir() {
@@ -59,7 +59,7 @@ fn finding(path: &Path, arguments: &FuzzArguments, out: &mut dyn Write) -> anyho
     Ok(exit_of(replayed.shows()))
 }
 
-/// The engines that are named, or else the one that disagreed.
+/// Returns the names of the engines on the command line, or else of the engine that disagreed.
 fn names(finding: &Finding, arguments: &FuzzArguments) -> Vec<String> {
     match (&arguments.engine[..], &finding.engine) {
         ([], Some(engine)) => vec![engine.asked_for.clone()],

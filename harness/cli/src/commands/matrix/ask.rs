@@ -1,11 +1,11 @@
-//! Asks an engine which types convert implicitly.
+//! Asks an engine which types it converts implicitly.
 
 use anyhow::Result;
 use stickler_engines::{Engine, EngineError, EngineSession, Outcome};
 use stickler_types::{DialectName, ElementaryType};
 use stickler_workers::WorkerPool;
 
-/// A value's type, and the type of the variable that it is assigned to.
+/// The type of a value, and the type of the variable to which it is assigned.
 pub type Pair = (ElementaryType, ElementaryType);
 
 /// The reaction of an engine to a value of one type in a variable of another. Basis: design, section 2, rule 3 (a crash is no
@@ -16,17 +16,17 @@ pub enum Answer {
     Accepts,
     /// The engine rejects the program.
     Rejects,
-    /// The engine says that it cannot tell, which contradicts no document.
+    /// The engine does not support the request, which contradicts no document.
     Unsupported,
-    /// The engine crashed, took too long or answered nonsense.
+    /// The engine crashed, took too long or gave a malformed answer.
     Fails,
 }
 
-/// Returns the answer for each pair, in their order. Compilers take their time to start, so several are asked at once, each in a
-/// session of its own; `answered` is called after each answer.
+/// Returns the answer for each pair, in their order. Asks in several sessions at once, since compilers take their time to start;
+/// calls `answered` after each answer.
 ///
 /// # Errors
-/// Where the engine cannot be started.
+/// An engine that cannot be started.
 pub fn answers(
     engine: &dyn Engine,
     dialect: DialectName,
@@ -49,7 +49,7 @@ fn ask(
     dialect: DialectName,
     (from, into): Pair,
 ) -> Result<Outcome, EngineError> {
-    // No name here is a keyword of any edition, as `from` is in charts.
+    // No name of the program is a keyword of any edition, as `from` is in sequential function charts.
     let source = format!(
         "PROGRAM main\nVAR\n    given : {from};\n    taken : {into};\nEND_VAR\n    taken := given;\nEND_PROGRAM\n"
     );
@@ -96,7 +96,7 @@ mod tests {
             answered.fetch_add(1, Ordering::Relaxed);
         };
         let found = answers(&Reference::default(), DialectName::Matiec, &pairs, &count).unwrap();
-        // In matiec only the identities convert.
+        // In matiec each type converts to itself only.
         for (pair, answer) in pairs.iter().zip(&found) {
             let expected = match pair.0 == pair.1 {
                 true => Answer::Accepts,

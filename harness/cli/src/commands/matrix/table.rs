@@ -1,4 +1,4 @@
-//! One table: what the documents of a dialect say, and what engines do.
+//! Writes the matrix of one dialect as a table: the words of the documents, and the answers of engines.
 
 use super::ask::{Answer, Pair};
 use anstyle::{AnsiColor, Style};
@@ -11,10 +11,10 @@ const DIM: Style = Style::new().dimmed();
 const YES: Style = AnsiColor::Green.on_default();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 
-/// How wide a table may be.
+/// The maximum width of a table, in characters.
 const WIDTH: usize = 80;
 
-/// How wide the first column is: the longest name of a type and a space.
+/// The width of the first column: the longest name of a type and a space.
 const HEAD: usize = 8;
 
 /// The words of the documents for each pair, from the case files.
@@ -45,7 +45,7 @@ impl EngineAnswers {
         self.answers.get(&pair).copied().unwrap_or(Answer::Unsupported)
     }
 
-    /// Returns whether the engine contradicts the documents.
+    /// Returns whether the engine contradicts the documents for a pair of types.
     fn differs(&self, documents: &Documents, pair: Pair) -> bool {
         match (documents.get(&pair), self.answer(pair)) {
             (_, Answer::Unsupported) | (Some(MatrixWord::Open) | None, _) => false,
@@ -63,7 +63,7 @@ impl EngineAnswers {
 }
 
 impl Matrix {
-    /// Returns whether any engine contradicts the documents anywhere.
+    /// Returns whether any engine contradicts the documents for any pair of types.
     pub fn differs(&self) -> bool {
         self.engines
             .iter()
@@ -153,7 +153,7 @@ impl Matrix {
         } else {
             ' '
         };
-        // At the right, so that no line ends in blanks.
+        // The cells are aligned at the right, so that no line ends in blanks.
         let padding = self.width(pair.1) - self.signs();
         write!(out, " {:padding$}{BAD}{mark}{BAD:#}{said}", "")?;
         for engine in &self.engines {

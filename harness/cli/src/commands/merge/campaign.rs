@@ -1,4 +1,4 @@
-//! The findings of the parts of a campaign, put together.
+//! Merges the findings of the parts of a campaign.
 
 use crate::arguments::MergeArguments;
 use crate::exit::Exit;
@@ -6,8 +6,8 @@ use crate::output;
 use std::io::Write;
 use stickler_campaign::{Merged, Record, Store, merge};
 
-/// Puts them together. Parts that are missing or were cut short are named; then the exit code is 2, for what is there is
-/// not the whole.
+/// Merges the findings of all parts into one folder. Names the parts that are missing or were cut short; the exit code is then 2,
+/// since the findings are incomplete.
 ///
 /// # Errors
 /// A folder that cannot be written.

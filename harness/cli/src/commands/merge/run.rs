@@ -1,4 +1,4 @@
-//! The reports of the parts of a run, put together to those of the whole run.
+//! Merges the reports of the parts of a run into those of the whole run.
 
 use crate::arguments::MergeArguments;
 use crate::exit::{self, Exit};
@@ -12,7 +12,7 @@ use stickler_report::parts::{self, Part};
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
 
-/// Writes every report of the whole run and shows its summary. Parts that are missing or were cut short are named; then
+/// Writes every report of the whole run and shows its summary. Names the parts that are missing or were cut short; then
 /// only the event log is written, without a footer, and the exit code is 2.
 ///
 /// # Errors
@@ -41,7 +41,7 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
             reports: Some(&shown),
         },
     )?;
-    // What is missing comes behind what is there.
+    // The list of missing parts follows the summary.
     out.flush()?;
     missing.iter().for_each(output::note);
     let whole = if missing.is_empty() {
@@ -64,7 +64,7 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
         .worst(suite))
 }
 
-/// The log of one part, and what it is called.
+/// Opens the event log of one part; returns it with its name.
 fn part(folder: &Path) -> Part<BufReader<File>> {
     Part {
         name: folder.display().to_string(),
@@ -73,9 +73,9 @@ fn part(folder: &Path) -> Part<BufReader<File>> {
 }
 
 /// # Errors
-/// Where the reports would take the place of one of the parts.
+/// Reports that would overwrite one of the parts.
 fn refuse_to_overwrite(arguments: &MergeArguments) -> anyhow::Result<()> {
-    // A folder that is not there yet holds no part.
+    // A folder that does not exist yet holds no part.
     let Ok(output) = fs::canonicalize(&arguments.output) else {
         return Ok(());
     };

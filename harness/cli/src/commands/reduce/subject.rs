@@ -1,4 +1,4 @@
-//! What an engine and the reference do with a program, and how that differs.
+//! Finds the symptoms of a program: the differences between an engine's outcome and the reference's.
 
 use stickler_engines::{
     Ability, Engine, EngineError, EngineSession, Identity, NamedValue, Observation, Outcome, Reference,
@@ -7,23 +7,23 @@ use stickler_engines::{
 use stickler_generate::reduce::{Interestingness, Symptom};
 use stickler_types::{DialectName, Fault, Value};
 
-/// How many variables are compared.
-const MOST: usize = 1000;
+/// The maximum number of variables that are compared.
+const MAX_VARIABLES: usize = 1000;
 
 /// An engine, and the reference beside it.
 pub struct Subject<'e> {
     session: EngineSession<'e>,
     reference: Reference,
-    /// There is no engine but the reference.
+    /// Whether the engine is the reference itself.
     alone: bool,
 }
 
 impl<'e> Subject<'e> {
-    /// A session with this engine; `alone` where it is the reference itself, which is not held against itself. A process
+    /// Opens a session of an engine; `alone` where it is the reference itself, which is not compared with itself. A process
     /// that serves the reference is an engine like any other.
     ///
     /// # Errors
-    /// Where the engine cannot be started.
+    /// An engine that cannot be started.
     pub fn new(engine: &'e dyn Engine, alone: bool) -> Result<Subject<'e>, EngineError> {
         Ok(Subject {
             session: EngineSession::open(engine)?,
@@ -37,17 +37,17 @@ impl<'e> Subject<'e> {
         self.session.engine().identity()
     }
 
-    /// Returns every symptom of a program. Of the reference: how it does not run it to its end.
+    /// Returns every symptom of a program; for the reference itself, its rejection, fault or failure to run it to its end.
     ///
     /// # Errors
-    /// Where the engine died and cannot be started again.
+    /// An engine that crashed and cannot be started again.
     pub fn symptoms(&mut self, dialect: DialectName, source: &str) -> anyhow::Result<Vec<Symptom>> {
         let expected = self.expected(dialect, source)?;
         if self.alone {
             let to_its_end = Outcome::Executed { values: Vec::new() };
             return Ok(Symptom::all(&to_its_end, &expected));
         }
-        // Where the reference is at an end, there is nothing to hold an engine against.
+        // Without a result of the reference, there is nothing to compare the engine with.
         if matches!(
             expected,
             Outcome::Crashed { .. }
@@ -77,9 +77,9 @@ impl<'e> Subject<'e> {
         Ok(Interestingness::from(symptoms.contains(symptom)))
     }
 
-    /// Returns the answer of the reference: the values of all variables of an elementary type.
+    /// Returns the outcome of a program on the reference, with the values of all variables of an elementary type.
     fn expected(&self, dialect: DialectName, source: &str) -> Result<Outcome, EngineError> {
-        let names = stickler_reference::variables(source, dialect, MOST);
+        let names = stickler_reference::variables(source, dialect, MAX_VARIABLES);
         let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
         let mut session = EngineSession::new(&self.reference);
         let outcome = session.run(&RunRequest::once(dialect, source, &observe))?;
@@ -92,7 +92,7 @@ impl<'e> Subject<'e> {
         })
     }
 
-    /// Returns the answer of the engine to a program, asked for the values that there are to compare.
+    /// Returns the outcome of a program on the engine, with the values of the variables to compare.
     fn ask(
         &mut self,
         dialect: DialectName,

@@ -1,12 +1,12 @@
-//! The list of conversion functions, for a name that is none.
+//! The list of conversion functions that is shown for an unknown name.
 
 use crate::output;
 use std::io::Write;
 use stickler_conversions::all_functions;
 use stickler_types::wrap;
 
-/// Lists all conversion functions on stderr, where the name is one of no dialect. It is so long a list that what was wrong
-/// with the name belongs behind it.
+/// Lists all conversion functions on stderr where no dialect has the named one. The list is long, so the caller's error message
+/// about the name follows it.
 pub fn list_unless_known(function: &str) {
     let names = all_functions();
     if names.iter().any(|name| name == function) {
@@ -20,7 +20,7 @@ pub fn list_unless_known(function: &str) {
     );
 }
 
-/// Returns all names, those with the same beginning in one paragraph.
+/// Returns the list of names, with one paragraph for each common beginning.
 fn list(names: &[String]) -> String {
     let mut families: Vec<(String, Vec<&str>)> = Vec::new();
     for name in names {

@@ -13,10 +13,10 @@ const BOLD: Style = Style::new().bold();
 pub(super) const BAD: Style = AnsiColor::Red.on_default().bold();
 const DIM: Style = Style::new().dimmed();
 
-/// How many characters of a value are shown; texts can be long.
+/// The maximum number of characters that are shown of a value; texts can be long.
 const MAX_VALUE_LEN: usize = 60;
 
-/// The page that is being written, and the sums over its sweeps.
+/// The page that is being written, and the totals over its sweeps.
 pub struct Page<'p> {
     pub(super) out: &'p mut dyn Write,
     engine: String,
@@ -37,7 +37,7 @@ impl<'p> Page<'p> {
         }
     }
 
-    /// Writes the dialects that were asked for and lack the function.
+    /// Writes the requested dialects that lack the function.
     pub fn lacking(&mut self, function: &str, dialects: &[DialectName]) -> io::Result<()> {
         match dialects {
             [] => Ok(()),
@@ -124,7 +124,7 @@ impl<'p> Page<'p> {
     }
 
     fn cut_short(&mut self, sweep: &Sweep, found: &Findings) -> io::Result<()> {
-        // Of a hundred at most, so it fits whatever the number of inputs.
+        // A percentage is at most 100, so it fits whatever the number of inputs.
         let percent = u128::from(found.done) * 100 / u128::from(found.inputs.max(1));
         write!(
             self.out,
@@ -150,7 +150,7 @@ impl<'p> Page<'p> {
         }
     }
 
-    /// Writes the sums over all sweeps, where there are several.
+    /// Writes the totals over all sweeps, where there are several.
     pub fn total(&mut self) -> io::Result<()> {
         if self.sweeps < 2 {
             return Ok(());
@@ -167,7 +167,7 @@ impl<'p> Page<'p> {
         )
     }
 
-    /// Returns the exit code: whether there was no mismatch.
+    /// Returns the exit code of the sweeps so far.
     pub const fn exit(&self) -> Exit {
         match self.mismatches {
             0 => Exit::AsExpected,
@@ -176,7 +176,7 @@ impl<'p> Page<'p> {
     }
 }
 
-/// Shows a value, a long one in part.
+/// Returns the shortened literal of a value.
 pub(super) fn shown(value: &Value) -> String {
     let written = value.to_string();
     match written.char_indices().nth(MAX_VALUE_LEN) {

@@ -1,4 +1,4 @@
-//! The sweep of an engine that is not the reference: through programs that it executes.
+//! The sweep of an engine other than the reference, through programs that it executes.
 
 use super::page::Page;
 use crate::arguments::SweepArguments;
@@ -14,11 +14,11 @@ use stickler_engines::Engine;
 use stickler_types::boundaries::Detail;
 use stickler_workers::Cancellation;
 
-/// Sweeps a function of an engine in each dialect that both have, and shows what was found after each.
+/// Sweeps a function in each of its dialects that the engine speaks, and shows the findings after each sweep.
 ///
 /// # Errors
-/// An engine that speaks none of the dialects or cannot be started, no threads. What it does not execute stands on the
-/// page, and ends with [`Exit::EngineNotRun`] if that is all of it.
+/// An engine that speaks none of the dialects or cannot be started, no threads. Sweeps that the engine does not execute are
+/// shown on the page; the exit code is [`Exit::EngineNotRun`] if there are no others.
 pub fn execute(
     function: &str,
     present: &FunctionDialects,
@@ -66,7 +66,7 @@ pub fn execute(
     })
 }
 
-/// Sweeps with a bar that shows how far it is.
+/// Runs a sweep through programs with a progress bar.
 fn observed(
     sweep: &Sweep,
     engine: &dyn Engine,

@@ -1,4 +1,4 @@
-//! The findings of a sweep through programs: mismatches, observations and inputs without an answer, each apart.
+//! The part of the page for sweeps through programs: mismatches, observations and inputs without an answer.
 
 use super::page::{BAD, Page, shown};
 use std::io;
@@ -52,7 +52,7 @@ impl Page<'_> {
             .try_for_each(|reason| self.unanswered(reason))
     }
 
-    /// Writes why the engine executed nothing of a sweep.
+    /// Writes the reason why the engine executed nothing of a sweep.
     pub fn not_run(&mut self, error: &ForeignError) -> io::Result<()> {
         self.paragraph(&error.to_string())
     }
