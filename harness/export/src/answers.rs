@@ -1,4 +1,4 @@
-//! What a person notes of cases that no array can tell about: `answers.txt`, a line a case.
+//! Reads `answers.txt`, in which a person notes the outcome of cases that no array of results can show, one line for each case.
 
 use crate::ExportError;
 use crate::paste::decoded;
@@ -8,7 +8,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 use stickler_types::DialectName;
 
-/// What the file is called.
+/// The name of the file of answers.
 pub const ANSWERS: &str = "answers.txt";
 
 pub(crate) const TEMPLATE: &str = "\
@@ -22,7 +22,7 @@ pub(crate) const TEMPLATE: &str = "\
 # without such a case stay what they were, and what was copied of them still counts. This file stays as it is.
 ";
 
-/// What a person saw a compiler do with a case.
+/// The outcome of a case that a person observed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Answer {
     Accepted,
@@ -30,13 +30,13 @@ pub(crate) enum Answer {
     Crashed,
 }
 
-/// The answers of a person, by the id of the case, and where each stands.
+/// The answers of a person, by the id of the case, each with its place in the file.
 pub(crate) type Answers = BTreeMap<String, (Answer, String)>;
 
-/// Reads the answers of a folder, which are about cases in this dialect; none where there is no file of them.
+/// Reads the answers of a folder for cases of a dialect; none where there is no file of answers.
 ///
 /// # Errors
-/// [`ExportError::Read`]; [`ExportError::Answer`] with the line of what is no answer, or of one that contradicts another.
+/// [`ExportError::Read`]; [`ExportError::Answer`] with the line of a malformed answer, or of one that contradicts another.
 pub(crate) fn read(folder: &Path, dialect: DialectName) -> Result<Answers, ExportError> {
     let path = folder.join(ANSWERS);
     match fs::read(&path) {
@@ -48,7 +48,7 @@ pub(crate) fn read(folder: &Path, dialect: DialectName) -> Result<Answers, Expor
 
 fn parse(text: &str, path: &Path, dialect: DialectName) -> Result<Answers, ExportError> {
     let mut answers = Answers::new();
-    // Reports write it behind each id.
+    // Reports write the dialect after each id.
     let dialect = format!("@{dialect}");
     for (number, line) in text.lines().enumerate() {
         let line = line.trim();

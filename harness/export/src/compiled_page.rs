@@ -1,14 +1,14 @@
-//! A page that is only compiled: the programs of many cases that must be rejected, one behind the other.
+//! Writes a page that is only compiled: the programs of many cases that must be rejected, one after the other.
 //!
-//! What a compiler says of it is a list of messages, and a message belongs to the case on whose lines it is. A case without a message was
-//! accepted, if the list is whole: so the first statement of the page and its last are wrong on purpose, and a list that lacks either says
-//! nothing of anything.
+//! A compiler answers with a list of messages, each of which belongs to the case on whose lines it is. A case without a message
+//! was accepted, if the list is complete: so the first statement of the page and its last are wrong on purpose, and a list that
+//! lacks either shows nothing about any case.
 
 use crate::page::{Page, counted, shown};
 use std::fmt::Write;
 
-/// The statement at the begin and the end of a page. Its types are wrong, as those of most cases are: compilers look for that last, and a
-/// name that is declared nowhere would be told by some that come no further.
+/// The statement at the beginning and the end of a page. Its types are wrong, as in most cases: compilers check types last, and
+/// some that stop before that check would report an undeclared name.
 const WRONG: &str = "    stickler_wrong := T#1s;\n";
 
 impl Page<'_, '_> {

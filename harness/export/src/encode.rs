@@ -8,12 +8,12 @@ use crate::encoding::{INFINITE_EXPONENT, NAN_EXPONENT, REST_SIGN};
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Family};
 
-/// The variable of a page in which the value of a type is taken apart.
+/// Returns the variable of a page in which the value of a type is taken apart.
 pub(crate) fn variable(ty: ElementaryType) -> String {
     format!("stickler_{}", ty.name())
 }
 
-/// The declarations that taking values of a type apart needs.
+/// Returns the declarations that taking values of a type apart needs.
 pub(crate) fn declarations(ty: ElementaryType) -> String {
     let (variable, name) = (variable(ty), ty.name());
     match ty.family() {
@@ -27,7 +27,8 @@ pub(crate) fn declarations(ty: ElementaryType) -> String {
     }
 }
 
-/// The statements, indented by `margin`. They use `stickler_place`, `stickler_sum`, `stickler_count`, `stickler_sign`.
+/// Returns the statements that take a value of a type apart, indented by `margin`. They use `stickler_place`, `stickler_sum`,
+/// `stickler_count`, `stickler_sign`.
 pub(crate) fn statements(ty: ElementaryType, margin: &str) -> String {
     let lines = match ty.family() {
         Family::Boolean => boolean(&variable(ty)),
@@ -51,7 +52,7 @@ fn boolean(variable: &str) -> String {
     )
 }
 
-/// Bit by bit from the highest: what is at least as great as the bit has it.
+/// Returns the statements for an integer type: bit by bit from the highest, where a bit is set if the rest is at least as great.
 fn integer(ty: ElementaryType) -> String {
     let (variable, name, bits) = (variable(ty), ty.name(), ty.bits());
     if ty == ElementaryType::Dint {
@@ -84,7 +85,7 @@ fn integer(ty: ElementaryType) -> String {
     text
 }
 
-/// The lowest bit of the piece that holds a bit.
+/// Returns the lowest bit of the piece that contains a bit.
 fn lowest_of_piece(bit: u32, bits: u32) -> u32 {
     if bits <= 16 { 0 } else { bit / 24 * 24 }
 }
@@ -102,7 +103,7 @@ fn write_piece(text: &mut String, bit: u32, bits: u32) {
     }
 }
 
-/// Bit by bit, by masks.
+/// Returns the statements for a bit-string type: bit by bit, by masks.
 fn bit_string(ty: ElementaryType) -> String {
     let (variable, name, bits) = (variable(ty), ty.name(), ty.bits());
     let width = bits as usize / 4;
@@ -120,10 +121,12 @@ fn bit_string(ty: ElementaryType) -> String {
     text
 }
 
-/// By doubling and halving, which round nothing, to a number from 1 up to 2, and from there binary digit by digit.
+/// Returns the statements for a real type: doubling and halving, which are exact, give a number from 1 up to 2, which is then taken
+/// apart by binary digits.
 fn real(ty: ElementaryType) -> String {
     let (x, t) = (variable(ty), ty.name());
-    // How often 2^16 goes into the largest finite value, and into the inverse of the smallest; the digits of each piece.
+    // The number of divisions by 2^16 for the largest finite value, and of multiplications for the smallest; the digits of each
+    // piece.
     let (down, up, pieces): (u32, u32, &[u32]) = match ty {
         ElementaryType::Real => (8, 10, &[24]),
         _ => (64, 68, &[29, 24]),
@@ -174,7 +177,7 @@ ELSE
     )
 }
 
-/// The highest power of two of its unit that a type of durations is taken apart by.
+/// Returns the exponent of the highest power of two, in units of the type, by which a duration is taken apart.
 ///
 /// Basis: iec-61131-3: Table 10 leaves the range of `TIME` open; 32 bits of milliseconds are the least that compilers have, 64
 /// bits of nanoseconds the most.
@@ -182,8 +185,8 @@ fn top(ty: ElementaryType) -> u32 {
     if ty == ElementaryType::Time { 43 } else { 62 }
 }
 
-/// By the powers of two of a unit, which the page doubles up to the last that is not greater than the value. Nothing is
-/// subtracted from what is smaller: some compilers' durations have no sign.
+/// Returns the statements for a duration type: by powers of two of its unit, which the page doubles up to the last that is not
+/// greater than the value. No difference is negative, since some compilers' durations have no sign.
 fn duration(ty: ElementaryType) -> String {
     let (x, t, top) = (variable(ty), ty.name(), top(ty));
     let unit = if ty == ElementaryType::Time { "1ms" } else { "1ns" };

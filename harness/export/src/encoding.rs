@@ -1,4 +1,4 @@
-//! How the value of each type is written as numbers into an array of `DINT`, and read back from it.
+//! The encoding of values as numbers in an array of `DINT`, for each type, and its decoding.
 //!
 //! `DINT` is the type that every compiler has and every watch list shows. The numbers are made by comparison, addition and
 //! subtraction within the value's own type, never by a conversion: conversions are what is tested. What cannot be taken
@@ -23,20 +23,20 @@ use stickler_types::{ElementaryType, Family, Value};
 pub(crate) const NAN_EXPONENT: i32 = 9999;
 /// The exponent that stands for the infinities.
 pub(crate) const INFINITE_EXPONENT: i32 = 9998;
-/// What stands in place of the sign where a duration has a part that is smaller than its unit, or could not be taken apart.
+/// The number in place of the sign of a duration that has a part smaller than its unit, or that could not be taken apart.
 pub(crate) const REST_SIGN: i32 = 2;
 
-/// How a value is written into an array of results.
+/// The encoding of a value in an array of results.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum ValueEncoding {
-    /// As the numbers of its elementary type.
+    /// The numbers of an elementary type.
     Numbers(ElementaryType),
-    /// Not at all: the page only compares it with the expected value.
+    /// No numbers: the page only compares the value with the expected one.
     Compared,
 }
 
 impl ValueEncoding {
-    /// Returns the encoding for the type of this name.
+    /// Returns the encoding for the type of the given name.
     pub(crate) fn of(type_name: &str) -> ValueEncoding {
         match ElementaryType::from_name(type_name) {
             Some(ty) if pieces(ty) > 0 => ValueEncoding::Numbers(ty),
@@ -44,7 +44,7 @@ impl ValueEncoding {
         }
     }
 
-    /// Returns how many elements of the array the numbers of a value take.
+    /// Returns the number of elements of the array that the numbers of a value take.
     pub(crate) fn pieces(self) -> usize {
         match self {
             ValueEncoding::Numbers(ty) => pieces(ty),
@@ -71,13 +71,13 @@ fn pieces(ty: ElementaryType) -> usize {
 pub(crate) enum DecodedValue {
     /// The numbers stand for this value.
     Value(Value),
-    /// The numbers cannot tell the value.
+    /// The numbers do not determine the value.
     Unknown,
-    /// The numbers are none that a page writes.
+    /// No page writes such numbers.
     Invalid,
 }
 
-/// Decodes the numbers of a value; there are as many as [`ValueEncoding::pieces`] says.
+/// Decodes the numbers of a value, which are as many as [`ValueEncoding::pieces`] returns.
 pub(crate) fn decode(ty: ElementaryType, numbers: &[i32]) -> DecodedValue {
     let found = match ty.family() {
         Family::Real => real(ty, numbers),
@@ -92,7 +92,7 @@ pub(crate) fn decode(ty: ElementaryType, numbers: &[i32]) -> DecodedValue {
     })
 }
 
-/// Numbers to the base of 2^24, the first with the sign.
+/// Combines digits to the base of 2^24, the first with the sign, into an integer; `None` where one is out of range.
 fn whole(numbers: &[i32]) -> Option<i128> {
     let (first, rest) = numbers.split_first()?;
     rest.iter().try_fold(i128::from(*first), |sum, &number| {
@@ -113,7 +113,7 @@ fn real(ty: ElementaryType, numbers: &[i32]) -> Option<u64> {
         NAN_EXPONENT => f64::NAN,
         INFINITE_EXPONENT => sign * f64::INFINITY,
         _ if magnitude == 0 => 0.0,
-        // What the loops of a page leave has its highest bit in one place.
+        // The loops of a page leave significands whose highest bit is in one place.
         -1100..=1100 if magnitude >> (digits - 1) == 1 => sign * scaled(magnitude, exponent - (digits - 1)),
         _ => return None,
     };
@@ -127,7 +127,7 @@ fn real(ty: ElementaryType, numbers: &[i32]) -> Option<u64> {
     }
 }
 
-/// A number below 2^53 times a power of two: exact where an `f64` has the product.
+/// Returns a number below 2^53 times a power of two, exactly where an `f64` holds the product.
 fn scaled(magnitude: i128, exponent: i32) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "it has no more than 53 bits")]
     let mut value = magnitude as f64;

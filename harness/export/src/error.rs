@@ -1,13 +1,13 @@
-//! What keeps an export from being written, or its results from being read.
+//! The errors of writing an export, and of reading its results.
 
 use std::io;
 use std::path::PathBuf;
 use stickler_run::DefinedHeader;
 
-/// What keeps an export from being written, or its results from being read.
+/// The errors of writing an export, and of reading its results.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
-    /// The folder holds something else.
+    /// The folder holds other files than those of an export.
     #[error(
         "{} is not empty and holds no earlier export (there is no {} of one in it); name an empty folder, or one that is not there yet",
         .0.display(), crate::MANIFEST
@@ -25,17 +25,17 @@ pub enum ExportError {
     /// A file or folder cannot be written.
     #[error("cannot write {}", .0.display())]
     Write(PathBuf, #[source] io::Error),
-    /// The manifest is none.
+    /// The manifest cannot be understood.
     #[error("{}: {}; export again", .0.display(), .1)]
     Manifest(PathBuf, String),
-    /// The dialect of the export is defined nowhere, or otherwise: its name, and what it was.
+    /// The dialect of the export is not defined, or has changed; holds its name and its earlier definition.
     #[error(
         "stickler.toml does not define the dialect `{}` as it did when {} was exported: {}, but for {}; export again, or name the \
          file of then with --config FILE",
         .1.name, .0.display(), .1.extends, if .1.overrides.is_empty() { "nothing".to_owned() } else { .1.overrides.join(", ") }
     )]
     Defined(PathBuf, Box<DefinedHeader>),
-    /// A line of the person's answers is none: where it stands, and what is wrong.
+    /// A line of the file of answers cannot be understood; holds its place and the mistake.
     #[error("{}: {}", .0, .1)]
     Answer(String, String),
 }

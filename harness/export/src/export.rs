@@ -1,6 +1,7 @@
-//! An export: which cases stand on which page, and the folder that they are written to.
+//! Writes an export: distributes cases over pages, and writes the folder.
 //!
-//! A folder holds `page-001.st` and so on, `manifest.json`, and `answers.txt`, in which a person notes what no array can tell.
+//! A folder holds `page-001.st` and so on, `manifest.json`, and `answers.txt`, in which a person notes outcomes that no array of
+//! results can show.
 
 use crate::answers::{self, ANSWERS, TEMPLATE};
 use crate::manifest::{MANIFEST, Manifest, PageRecord};
@@ -15,45 +16,45 @@ use stickler_run::DefinedHeader;
 use stickler_suite::Case;
 use stickler_types::DialectName;
 
-/// What an export is to have.
+/// The choice of the contents of an export.
 #[derive(Clone, Debug)]
 pub struct ExportPlan {
-    /// The dialect of its cases.
+    /// The dialect of the cases.
     pub dialect: DialectName,
-    /// What reports say of that dialect, where it is none of a documented system.
+    /// The definition of the dialect for reports, where stickler.toml defines it.
     pub defined: Option<DefinedHeader>,
     /// The version of the suite, for the manifest.
     pub suite: String,
-    /// How many cases stand on a page at most.
+    /// The maximum number of cases on a page.
     pub cases_per_page: usize,
-    /// What it has beside programs that must be accepted.
+    /// The kinds of cases beside those whose programs must be accepted.
     pub with: BTreeSet<ExtraCases>,
-    /// Ids of cases that it must not have.
+    /// The ids of cases that are left out.
     pub without: BTreeSet<String>,
-    /// How many cases it has at most, drawn evenly from all that it could have.
+    /// The maximum number of cases, drawn evenly from all that could be exported; `None` takes all.
     pub sample: Option<usize>,
-    /// Beside each page, its declarations and its statements as files of their own.
+    /// Whether the declarations and the statements of each page are also written as files of their own.
     pub panes: bool,
 }
 
-/// What was exported.
+/// The result of an export.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Exported {
-    /// How many pages.
+    /// The number of pages.
     pub pages: usize,
-    /// How many of them are only compiled.
+    /// The number of pages that are only compiled.
     pub compiled_only: usize,
-    /// How many cases are on them.
+    /// The number of cases on the pages.
     pub cases: usize,
-    /// How many of them have an answer already, so that their programs are not there.
+    /// The number of cases on the pages that have an answer already, so that their programs are left out.
     pub answered: usize,
-    /// How many cases were left out, by the reason.
+    /// The number of cases that were left out, by the reason.
     pub left_out: BTreeMap<Reason, usize>,
 }
 
-/// Writes an export of these cases into a folder, which is empty, not there yet, or that of an earlier export: of that,
-/// all but the person's answers is replaced. Of a case that has an answer the program is left out, so that the others of its page can
-/// run; pages without such a case stay what they were, and so do the arrays that were copied of them.
+/// Writes an export of cases into a folder, which is empty, does not exist yet, or holds an earlier export: then
+/// all its files but the person's answers are replaced. Leaves out the program of a case that has an answer, so that the others of
+/// its page can run; pages without such a case do not change, and arrays that were copied from them stay valid.
 ///
 /// # Errors
 /// [`ExportError::NotEmpty`] before anything is written; [`ExportError::Write`].
@@ -108,12 +109,12 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
     exported.pages = chunks.len();
     exported.left_out = left_out;
     let text = serde_json::to_string(&manifest).unwrap_or_default();
-    // Last, so that a folder with a manifest is whole.
+    // The manifest is written last, so that a folder with a manifest is complete.
     write(&folder.join(MANIFEST), &text)?;
     Ok(exported)
 }
 
-/// Makes the folder, or takes out of it what an earlier export left.
+/// Makes the folder, or removes the files of an earlier export from it.
 fn prepare(folder: &Path) -> Result<(), ExportError> {
     let writing = |error| ExportError::Write(folder.to_owned(), error);
     let entries = match fs::read_dir(folder) {
@@ -128,7 +129,7 @@ fn prepare(folder: &Path) -> Result<(), ExportError> {
         .map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()))
         .collect::<Result<_, std::io::Error>>()
         .map_err(|error| ExportError::Read(folder.to_owned(), error))?;
-    // Also what a broken export left is an earlier one. Other programs have files that are called as the manifest is.
+    // An interrupted export counts as an earlier one, too. Other programs have files with the name of the manifest.
     let has_manifest = names.iter().any(|name| name == MANIFEST);
     let has_page = names.iter().any(|name| is_of_a_page(name));
     let broken = names.iter().all(|name| is_ours(name)) && (has_page || !has_manifest);
@@ -145,7 +146,7 @@ fn prepare(folder: &Path) -> Result<(), ExportError> {
     write(&folder.join(ANSWERS), TEMPLATE)
 }
 
-/// Tells whether an export writes a file of this name.
+/// Returns whether an export writes files of the given name.
 fn is_ours(name: &str) -> bool {
     name == MANIFEST || name == ANSWERS || is_of_a_page(name)
 }
@@ -173,13 +174,13 @@ fn write_panes(page: &Page<'_, '_>, folder: &Path, stem: &str) -> Result<(), Exp
     Ok(())
 }
 
-/// So many of these, evenly from first to last.
+/// Draws `sample` items evenly from first to last; all where it is `None`.
 fn drawn<T>(all: Vec<T>, sample: Option<usize>) -> Vec<T> {
     let (length, wanted) = (all.len(), sample.unwrap_or(usize::MAX));
     if wanted >= length {
         return all;
     }
-    // The item at which the count of drawn ones steps up.
+    // An item is drawn where the count of drawn ones steps up.
     let takes = |index: usize| (index + 1) * wanted / length > index * wanted / length;
     let numbered = all.into_iter().enumerate();
     numbered
@@ -188,11 +189,10 @@ fn drawn<T>(all: Vec<T>, sample: Option<usize>) -> Vec<T> {
         .collect()
 }
 
-/// How many elements of observations a page has at most, so that its whole array is shown: some editors show no more than a
-/// thousand of them.
+/// The maximum number of elements for the observations of a page: some editors show no more than a thousand elements of an array.
 const MAX_PAGE_ELEMENTS: usize = 980;
 
-/// The pages: cases of one kind, no more than are wanted, and no more elements than an editor shows.
+/// Divides cases into pages: of one kind each, of at most `most` cases, and of at most [`MAX_PAGE_ELEMENTS`] elements.
 fn chunks<'r, 'c>(ready: &'r [PageCase<'c>], most: usize) -> Vec<&'r [PageCase<'c>]> {
     let mut chunks = Vec::new();
     let mut begin = 0;

@@ -1,7 +1,7 @@
-//! What was copied out of an editor, judged and told as a run of any engine is.
+//! Judges results that were copied out of an editor, and emits the same events as a run of any engine.
 //!
-//! The judge is that of every run. A case about which nothing was copied is not judged, and a run that lacks one has no footer:
-//! every reader of its reports says that it was cut short.
+//! A case for which no result was copied is not judged, and a run that lacks a case has no footer: every reader of its reports
+//! says that it was cut short.
 
 use crate::answers::{self, ANSWERS, Answer, Answers};
 use crate::manifest::Manifest;
@@ -21,7 +21,7 @@ use stickler_run::{
 use stickler_suite::{Acceptance, Case};
 use stickler_types::DialectName;
 
-/// An export, read back.
+/// An export that was read from its folder.
 #[derive(Debug)]
 pub struct Export {
     folder: PathBuf,
@@ -35,20 +35,20 @@ pub struct Export {
 /// A text that a person copied out of an editor.
 #[derive(Clone, Debug)]
 pub struct CopiedText {
-    /// What the file is called.
+    /// The name of the file.
     pub name: String,
-    /// What it holds.
+    /// The bytes of the file.
     pub bytes: Vec<u8>,
 }
 
-/// What became of an import.
+/// The result of an import.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Imported {
-    /// The verdicts. It is cut short where cases were not judged.
+    /// The summary of the verdicts; it is marked as cancelled where cases were not judged.
     pub summary: Summary,
-    /// How many cases were not judged.
+    /// The number of cases that were not judged.
     pub unjudged: u64,
-    /// Whatever has to be said of the texts, the pages and the answers, a sentence each, in their order.
+    /// The notes on the texts, the pages and the answers, a sentence each, in their order.
     pub notes: Vec<String>,
 }
 
@@ -56,7 +56,7 @@ impl Export {
     /// Reads the export of a folder, with the person's answers.
     ///
     /// # Errors
-    /// [`ExportError`] where the folder holds none, or its files cannot be understood.
+    /// [`ExportError`] where the folder holds no export, or its files cannot be understood.
     pub fn read(folder: &Path) -> Result<Export, ExportError> {
         let manifest = Manifest::read(folder)?;
         let broken = |what: String| ExportError::Manifest(folder.join(MANIFEST), what);
@@ -79,13 +79,13 @@ impl Export {
         })
     }
 
-    /// The dialect of its cases.
+    /// Returns the dialect of the cases.
     #[must_use]
     pub fn dialect(&self) -> DialectName {
         self.dialect
     }
 
-    /// Returns the kinds of its cases beside those whose programs must be accepted.
+    /// Returns the kinds of the exported cases beside those whose programs must be accepted.
     #[must_use]
     pub fn with(&self) -> BTreeSet<ExtraCases> {
         let kinds = self
@@ -100,8 +100,8 @@ impl Export {
         kinds.collect()
     }
 
-    /// Judges what was copied, as that of this engine. Events go to `sink`: a header, the cases that can be judged, in the order of the
-    /// pages, and a footer where those are all.
+    /// Judges the copied texts as the results of `engine`. Emits events to `sink`: a header, the cases that can be judged, in the
+    /// order of the pages, and a footer where these are all cases.
     pub fn import(
         &self,
         sources: &[CopiedText],
@@ -175,21 +175,21 @@ impl Export {
         (arrays, messages)
     }
 
-    /// Returns what was given of a page: what is said of each of its cases, whether anything was, and how it ended where that is to be said.
+    /// Returns the results of the cases of a page.
     fn given(&self, at: usize, arrays: &ResultArrays, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
         let mut given = match page.is_compiled() {
             true => self.compiled(at, messages),
             false => self.run(at, arrays, messages),
         };
-        // Whatever else there is, their programs were not.
+        // The programs of these cases were not on the page.
         for case in &page.answered {
             given.cases[*case] = CaseResult::NotRun;
         }
         given
     }
 
-    /// Returns what the array of a page says; and what its messages say, where it did not run for the sake of some of its cases.
+    /// Returns the results from the array of a page, or from messages about it where the compiler rejected some of its cases.
     fn run(&self, at: usize, arrays: &ResultArrays, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
         let numbered = self.cases[at].iter().enumerate();
@@ -222,7 +222,7 @@ impl Export {
         }
     }
 
-    /// Returns what the messages about a page say that is only compiled.
+    /// Returns the results from the messages about a page that is only compiled.
     fn compiled(&self, at: usize, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
         let missing = |without, state| PageResults {
@@ -296,7 +296,7 @@ impl Export {
         unjudged.tell(page, given.state, &mut imported.notes);
     }
 
-    /// Answers about cases that are on no page.
+    /// Adds notes about answers for cases that are on no page.
     fn strangers(&self, notes: &mut Vec<String>) {
         let on_a_page = |id: &str| self.cases.iter().flatten().any(|case| *case.id == *id);
         let strangers = self.answers.iter().filter(|(id, _)| !on_a_page(id));
@@ -330,14 +330,14 @@ impl Export {
         }
     }
 
-    /// The folder that it was read from.
+    /// Returns the folder of the export.
     #[must_use]
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 }
 
-/// Tells whether a dialect of stickler.toml has the rules that it had then.
+/// Returns whether a dialect of stickler.toml still has the rules that it had at the time of the export.
 fn is_still(then: &DefinedHeader, dialect: DialectName) -> bool {
     let now = dialect_headers(&[dialect], &[]);
     now.iter()
@@ -348,13 +348,13 @@ fn is_still(then: &DefinedHeader, dialect: DialectName) -> bool {
 struct PageResults {
     /// The result of each case.
     cases: Vec<CaseResult>,
-    /// Whether nothing of the page was pasted.
+    /// Whether no result of the page was pasted.
     without: bool,
     /// A sentence on how far the page ran, where there is something to say.
     state: Option<String>,
 }
 
-/// Returns what a compiler did with a case, by its first message. The message names a line of the page, which is none of the case.
+/// Returns the outcome of a case that is only compiled, by its first message, whose line number is of the page and not of the case.
 fn compiled_outcome(message: Option<String>) -> CaseResult {
     let outcome = match message {
         None => Outcome::Accepted,
@@ -383,8 +383,7 @@ fn answered(answer: Answer, place: &str) -> Outcome {
     }
 }
 
-/// Corrects the judge, which calls a value missing that it was not given: the values of these names are there, but no number can
-/// tell them.
+/// Replaces the fact that a value is missing where the page has the value in `untold`: it differs, but no number shows it.
 fn correct_missing(fact: &mut Fact, untold: &[String]) {
     if let Fact::MissingValue { name } = fact
         && untold.contains(name)

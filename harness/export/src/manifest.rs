@@ -1,5 +1,5 @@
-//! What an export writes beside its pages, so that an import needs nothing else: which page is which, and which case stands
-//! in which element.
+//! The manifest of an export, which contains all that an import needs: the pages, their cases, and the elements and lines of each
+//! case.
 
 use crate::ExportError;
 use crate::page::{FIRST_OBSERVATION, Page};
@@ -10,77 +10,76 @@ use std::io::ErrorKind;
 use std::path::Path;
 use stickler_run::DefinedHeader;
 
-/// What its file is called.
+/// The file name of the manifest.
 pub const MANIFEST: &str = "manifest.json";
 
-/// The version of its format.
+/// The version of the manifest's format.
 const FORMAT: u32 = 1;
 
-/// No array has as many elements; a page has a thousand, and more only where one case alone has.
+/// The maximum number of elements of an array in a valid manifest; a page has about a thousand, and more only for a single case.
 const MAX_ARRAY_ELEMENTS: usize = 1_000_000;
 
-/// An export.
+/// The manifest of an export.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub(crate) struct Manifest {
-    /// The version of this format.
+    /// The version of the manifest's format.
     pub(crate) format: u32,
-    /// The version of Stickler that wrote it.
+    /// The version of Stickler that wrote the export.
     pub(crate) stickler: String,
     /// The version of the suite.
     pub(crate) suite: String,
     /// The dialect of all cases.
     pub(crate) dialect: String,
-    /// What it was when they were exported, where stickler.toml defines it.
+    /// The definition of the dialect at the time of the export, where stickler.toml defines it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) defined: Option<DefinedHeader>,
-    /// Its pages, in the order of their numbers.
+    /// The pages, in the order of their numbers.
     pub(crate) pages: Vec<PageRecord>,
 }
 
-/// A page.
+/// A page in the manifest.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub(crate) struct PageRecord {
     /// The file of the page.
     pub(crate) file: String,
-    /// Its number, from 1.
+    /// The number of the page, from 1.
     pub(crate) number: usize,
-    /// Its own number, which every array of its results holds; 0 where it is only compiled.
+    /// The identity of the page, which every array of its results contains; 0 where the page is only compiled.
     pub(crate) identity: i32,
-    /// How many elements its array has; 0 where it is only compiled.
+    /// The number of elements of the page's array; 0 where the page is only compiled.
     pub(crate) elements: usize,
-    /// Its cases, in order.
+    /// The cases of the page, in order.
     pub(crate) cases: Vec<CaseRecord>,
-    /// Its observations, in order.
+    /// The observations of the page, in order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(crate) steps: Vec<StepRecord>,
-    /// The cases that had an answer, by their places: their programs are not there.
+    /// The indices of the cases that had an answer, whose programs are left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(crate) answered: Vec<usize>,
-    /// What messages about it can be led back by.
+    /// The lines of the page, by which messages are attributed to cases.
     pub(crate) lines: LinesRecord,
 }
 
-/// The lines of a page.
+/// The line numbers of a page and of its cases.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct LinesRecord {
-    /// How many lines of POUs and types stand before its program; the other numbers count from there.
+    /// The number of lines of POUs and types before the page's program; the other numbers count from there.
     pub(crate) units: usize,
-    /// How many lines stand before its statements.
+    /// The number of lines before the page's statements.
     pub(crate) declarations: usize,
-    /// The lines of each case, stretch by stretch. Of a page that is only compiled, those of the first statement and of the last come behind
-    /// them.
+    /// The ranges of lines of each case; for a page that is only compiled, followed by those of its first and its last statement.
     pub(crate) cases: Vec<Vec<(usize, usize)>>,
 }
 
-/// An observation.
+/// An observation in the manifest.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub(crate) struct StepRecord {
-    /// The case, by its place among those of the page.
+    /// The index of the case on the page.
     pub(crate) case: usize,
-    /// The variable, by its place among those that the case observes; none where the case only has to run.
+    /// The index of the variable among those that the case observes; `None` where the case only has to run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) observe: Option<usize>,
-    /// Its first element.
+    /// The index of the observation's first element.
     pub(crate) place: usize,
 }
 
@@ -96,7 +95,7 @@ impl Manifest {
         }
     }
 
-    /// Tells whether a file is the manifest of an export, of whatever format.
+    /// Returns whether a file is the manifest of an export, of any format version.
     pub(crate) fn is_at(path: &Path) -> bool {
         #[derive(Deserialize)]
         struct Origin {
@@ -106,10 +105,10 @@ impl Manifest {
         fs::read(path).is_ok_and(|bytes| serde_json::from_slice::<Origin>(&bytes).is_ok())
     }
 
-    /// Reads that of a folder.
+    /// Reads the manifest of a folder.
     ///
     /// # Errors
-    /// [`ExportError::NoExport`] where there is none, [`ExportError::Read`] and [`ExportError::Manifest`] where it cannot be
+    /// [`ExportError::NoExport`] where there is no manifest, [`ExportError::Read`] and [`ExportError::Manifest`] where it cannot be
     /// understood.
     pub(crate) fn read(folder: &Path) -> Result<Manifest, ExportError> {
         let path = folder.join(MANIFEST);
@@ -133,7 +132,7 @@ impl Manifest {
     }
 
     /// # Errors
-    /// A fragment that says what points nowhere.
+    /// A fragment that names a reference to a missing item.
     fn check(&self) -> Result<(), String> {
         for page in &self.pages {
             let ends = if page.is_compiled() { 2 } else { 0 };
@@ -177,7 +176,7 @@ impl Manifest {
 }
 
 impl PageRecord {
-    /// Tells whether it is only compiled, and has no array.
+    /// Returns whether the page is only compiled, and has no array.
     pub(crate) fn is_compiled(&self) -> bool {
         self.identity == 0
     }
@@ -220,7 +219,7 @@ mod tests {
     use super::*;
     use serde_json::{Value as Json, json};
 
-    /// Returns what is said of a manifest with one page, of which these keys are other ones.
+    /// Reads a manifest of one page with some of its keys changed; the error is its message.
     fn read(changes: &[(&str, Json)]) -> Result<Manifest, String> {
         let mut page = json!({
             "file": "page-001.st", "number": 1, "identity": 1000, "elements": 11, "cases": [],

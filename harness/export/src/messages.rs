@@ -1,4 +1,4 @@
-//! Lists of a compiler's messages about pages that are only compiled, each message led back to its case.
+//! Parses lists of a compiler's messages about pages, and attributes each message to its case.
 //!
 //! A message is a line that names a page (`stickler_page_12` or `page-012`) and a line of it: `Line 12, Column 4`, `(12,4)`,
 //! `page-012.st:12:4`, `12-4..12-9`, or a cell of a table. Where it says `Impl` or `Decl`, lines count within that pane of the editor; otherwise
@@ -7,10 +7,10 @@
 use crate::manifest::{LinesRecord, Manifest};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The messages of each page, by the page's place in the manifest.
+/// The messages about each page, by the page's index in the manifest.
 #[derive(Debug, Default)]
 pub(crate) struct Messages {
-    /// The first message of each line.
+    /// The first message of each line of each page.
     pages: BTreeMap<usize, BTreeMap<usize, String>>,
 }
 
@@ -19,14 +19,14 @@ pub(crate) struct Messages {
 pub(crate) enum MessageList {
     /// No message about the page was given.
     Missing,
-    /// The list ends early. Holds the number of the case on whose lines its last message is, where there is one.
+    /// The list ends early. Holds the index of the case on whose lines its last message is, where there is one.
     Truncated(Option<usize>),
     /// The first message of each case; `None` where the case was accepted.
     Complete(Vec<Option<String>>),
 }
 
 impl Messages {
-    /// Takes whatever messages a text holds; gives how many they are.
+    /// Adds the messages of a text, and returns their number.
     pub(crate) fn take(&mut self, text: &str, manifest: &Manifest) -> usize {
         let mut taken = 0;
         let lines: Vec<&str> = text.lines().collect();
@@ -41,7 +41,7 @@ impl Messages {
             let Some(found) = line_of(behind).or_else(|| line_of(line)) else {
                 continue;
             };
-            // Some compilers say what is wrong on a line of its own, above the place.
+            // Some compilers write the message on a line of its own, above the place.
             let above = number.checked_sub(1).map(|above| lines[above].trim());
             let only_place = line.trim_start().starts_with(['-', '\u{250c}', '>']);
             let message = above
@@ -59,7 +59,7 @@ impl Messages {
         taken
     }
 
-    /// Returns what the messages of a page that is only compiled say of its cases.
+    /// Returns the messages about a page that is only compiled, by case.
     pub(crate) fn list(&self, at: usize, lines: &LinesRecord) -> MessageList {
         let Some(mut told) = self.by_case(at, lines) else {
             return MessageList::Missing;
@@ -71,7 +71,7 @@ impl Messages {
         MessageList::Complete(told)
     }
 
-    /// The first message of each case of a page; `None` where no message is about the page.
+    /// Returns the first message of each case of a page; `None` where no message is about the page.
     pub(crate) fn by_case(&self, at: usize, lines: &LinesRecord) -> Option<Vec<Option<String>>> {
         let messages = self.pages.get(&at)?;
         let message = |stretches: &Vec<(usize, usize)>| {
@@ -84,7 +84,7 @@ impl Messages {
     }
 }
 
-/// The page that a line names, by its place, and what stands behind its name.
+/// Returns the index of the page that a line names, and the text after the name.
 fn page_of<'l>(line: &'l str, manifest: &Manifest) -> Option<(usize, &'l str)> {
     let lower = line.to_ascii_lowercase();
     for name in ["stickler_page_", "page-"] {
@@ -101,8 +101,8 @@ fn page_of<'l>(line: &'l str, manifest: &Manifest) -> Option<(usize, &'l str)> {
     None
 }
 
-/// Tells whether what stands behind the name of a page makes it the path of an element of its array, as in a row of a watch list: such
-/// rows have numbers too, and none of them is a line.
+/// Returns whether the text after the name of a page makes it the path of an element of its array, as in a row of a watch list:
+/// such rows have numbers too, and none of them is a line.
 fn is_element(behind: &str) -> bool {
     let path = behind.split(char::is_whitespace).next().unwrap_or_default();
     path.to_ascii_lowercase().contains("results[")
@@ -126,7 +126,7 @@ fn is_warning(line: &str) -> bool {
         .any(|word| words.contains(word))
 }
 
-/// The line that a message names.
+/// Returns the line that a message names.
 fn line_of(text: &str) -> Option<usize> {
     let lower = text.to_ascii_lowercase();
     let after = |word: &str| {
@@ -150,10 +150,10 @@ fn digits(text: &str) -> Option<usize> {
     text[..length].parse().ok()
 }
 
-/// A line through declarations and statements.
+/// Converts the line of a message into one that counts through declarations and statements of the page.
 fn in_page(line: usize, message: &str, lines: &LinesRecord) -> usize {
     let message = message.to_ascii_lowercase();
-    // In parentheses: messages speak of implicit conversions.
+    // The pane is named in parentheses, since messages also contain words such as *implicit* conversion.
     if message.contains("(impl)") {
         line.saturating_add(lines.declarations)
     } else if message.contains("(decl)") {
@@ -169,7 +169,8 @@ mod tests {
     use crate::manifest::PageRecord;
     use crate::paste::decoded;
 
-    /// Two cases: the first has the lines 4 and 8, the second 5 and 9; the statements begin at 7 and end at 10.
+    /// Returns a manifest with two cases: the first has the lines 4 and 8, the second 5 and 9; the statements begin at 7 and end
+    /// at 10.
     fn manifest() -> Manifest {
         let mut manifest = Manifest::new("1", "matiec");
         manifest.pages.push(PageRecord {

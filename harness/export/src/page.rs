@@ -1,4 +1,4 @@
-//! A page: one program that does what the programs of many cases do, a case a scan, and puts what comes of them into an array.
+//! Writes a page: one program that executes the programs of many cases, one in each scan, and stores their results in an array.
 //!
 //! ```text
 //! results[0]   16#53544B31, by which an array of results is known
@@ -27,60 +27,60 @@ use std::fmt::Write;
 use stickler_engines::{Token, tokens};
 use stickler_types::{ElementaryType, Fnv1a, Value};
 
-/// What the first element of every array of results is: `STK1`.
+/// The first element of every array of results: `STK1` in ASCII.
 pub(crate) const MAGIC: i32 = 0x5354_4B31;
 
-/// Where the first observation stands.
+/// The index of the first observation's first element.
 pub(crate) const FIRST_OBSERVATION: usize = 8;
 
-/// Pages' own numbers are multiples of this, so that the number of an observation can be added and still be read.
+/// The factor of all page identities, so that the number of an observation can be added to an identity and separated again.
 pub(crate) const PAGE_NUMBER_STEP: usize = 1000;
 
-/// One observation of a page.
+/// An observation of a page.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct PageStep {
-    /// The number of its case on the page.
+    /// The index of the case on the page.
     pub(crate) case: usize,
-    /// The number of the variable among those that the case observes; `None` where it only has to run.
+    /// The index of the variable among those that the case observes; `None` where the case only has to run.
     pub(crate) observe: Option<usize>,
-    /// Where its elements begin.
+    /// The index of the observation's first element.
     pub(crate) place: usize,
-    /// How the value is written into the array.
+    /// The encoding of the value in the array.
     pub(crate) encoding: ValueEncoding,
 }
 
-/// A page, written.
+/// The text of a page, and the places of its cases in it.
 pub(crate) struct Page<'c, 'r> {
-    /// Its number, from 1.
+    /// The number of the page, from 1.
     pub(crate) number: usize,
     pub(crate) kind: PageKind,
     pub(crate) cases: &'r [PageCase<'c>],
-    /// Its observations, in order; the first has the number 1. None on a page that is only compiled.
+    /// The observations of the page, in order; the first has the number 1. Empty for a page that is only compiled.
     pub(crate) steps: Vec<PageStep>,
-    /// Its own number: see [`PAGE_NUMBER_STEP`].
+    /// The identity of the page, a multiple of [`PAGE_NUMBER_STEP`].
     pub(crate) identity: i32,
-    /// How many elements its array has; 0 where it has none.
+    /// The number of elements of the page's array; 0 where it has no array.
     pub(crate) elements: usize,
-    /// The POUs and types that stand beside the program.
+    /// The POUs and types beside the program.
     pub(crate) units: String,
-    /// The program to the end of its declarations.
+    /// The program up to the end of its declarations.
     pub(crate) declarations: String,
-    /// Its statements.
+    /// The statements of the program.
     pub(crate) statements: String,
-    /// The lines of each case, stretch by stretch, the first and the last of each; from 1, through declarations and statements. Of a page that
-    /// is only compiled, the last two are no cases: its first statement and its last, which are wrong on purpose.
+    /// The ranges of lines of each case, from 1, through declarations and statements. For a page that is only compiled, the last
+    /// two entries are no cases: its first statement and its last, which are wrong on purpose.
     pub(crate) lines: Vec<Vec<(usize, usize)>>,
 }
 
-/// Returns how many elements the observations of a case take.
+/// Returns the number of elements that the observations of a case take.
 pub(crate) fn elements_of(ready: &PageCase<'_>) -> usize {
     let encodings = ready.encodings.iter().map(|(_, encoding)| 2 + encoding.pieces());
     encodings.sum::<usize>().max(2)
 }
 
 impl<'c, 'r> Page<'c, 'r> {
-    /// Writes a page of these cases. `export` is a line that says which export it belongs to; `taken` are the own numbers of other
-    /// pages, to which it adds its own.
+    /// Writes a page of cases. `export` is a line that names the export; `taken` contains the identities of other pages, to which
+    /// the page adds its own.
     pub(crate) fn write(
         (number, pages): (usize, usize),
         cases: &'r [PageCase<'c>],
@@ -106,7 +106,7 @@ impl<'c, 'r> Page<'c, 'r> {
             return page;
         }
         let suffixes = page.write_units();
-        // The number of a page comes from its text, so the text is written once without it.
+        // The identity of a page comes from its text, so the text is written once without it.
         for _ in 0..2 {
             page.declarations = page.head(pages, export);
             page.statements.clear();
@@ -121,7 +121,7 @@ impl<'c, 'r> Page<'c, 'r> {
         page
     }
 
-    /// The whole text.
+    /// Returns the whole text of the page.
     pub(crate) fn text(&self) -> String {
         let units = if self.units.is_empty() {
             String::new()
@@ -144,7 +144,7 @@ impl<'c, 'r> Page<'c, 'r> {
         )
     }
 
-    /// The POUs and types of all cases, each once, and the suffix that the names of each case's have.
+    /// Writes the POUs and types of all cases, each once, and returns the suffix of the names of each case.
     fn write_units(&mut self) -> Vec<String> {
         let mut known: BTreeMap<String, usize> = BTreeMap::new();
         let mut suffixes = Vec::with_capacity(self.cases.len());
@@ -199,7 +199,7 @@ impl<'c, 'r> Page<'c, 'r> {
         self.declarations = text;
     }
 
-    /// The variables of all cases: constants first, for variables may begin with their values.
+    /// Writes the variables of all cases: constants first, for they may be initial values of variables.
     pub(crate) fn write_variables(&mut self, text: &mut String, suffixes: &[String]) {
         for constant in [true, false] {
             let mut section = String::new();
@@ -296,7 +296,7 @@ impl<'c, 'r> Page<'c, 'r> {
         );
     }
 
-    /// The types whose values are taken apart, in their order.
+    /// Returns the types whose values are taken apart, in their order.
     fn types(&self) -> Vec<ElementaryType> {
         let types = self.steps.iter().filter_map(|step| match step.encoding {
             ValueEncoding::Numbers(ty) => Some(ty),
@@ -306,7 +306,7 @@ impl<'c, 'r> Page<'c, 'r> {
     }
 }
 
-/// The observations of these cases, and where the element behind the last of them is.
+/// Returns the observations of the cases, and the index of the element after the last of them.
 fn steps(cases: &[PageCase<'_>]) -> (Vec<PageStep>, usize) {
     let mut steps = Vec::new();
     let mut place = FIRST_OBSERVATION;
@@ -330,7 +330,7 @@ fn steps(cases: &[PageCase<'_>]) -> (Vec<PageStep>, usize) {
     (steps, place)
 }
 
-/// Writes the statements that read one variable out.
+/// Writes the statements that store one variable in the array.
 fn write_readout(
     text: &mut String,
     ready: &PageCase<'_>,
@@ -360,7 +360,7 @@ fn write_readout(
     let _ = writeln!(text, "{MARGIN}stickler_place := {};", step.place);
 }
 
-/// A value as it is written in a comparison; `None` where it has no literal.
+/// Returns the literal of a value for a comparison; `None` where it has no literal.
 pub(crate) fn literal(value: &Value) -> Option<String> {
     let typed = value.to_string();
     match value {
@@ -374,7 +374,7 @@ pub(crate) fn literal(value: &Value) -> Option<String> {
     }
 }
 
-/// Tells whether variables of a case's program declare an enumeration in place.
+/// Returns whether variables of a case's program declare an enumeration in place.
 fn declares_in_place(ready: &PageCase<'_>) -> bool {
     let words: BTreeSet<String> = tokens(&ready.parts.units)
         .filter_map(|token| match token {
@@ -389,12 +389,12 @@ pub(crate) fn counted(cases: usize) -> String {
     format!("{cases} {}", if cases == 1 { "case" } else { "cases" })
 }
 
-/// An id within a comment, which it must not end nor begin another in.
+/// Returns an id for use within a comment, which it must neither end nor nest.
 pub(crate) fn shown(id: &str) -> String {
     id.replace("(*", "( *").replace("*)", "* )")
 }
 
-/// A number for a page by its text, by the hash function FNV-1a: a multiple of [`PAGE_NUMBER_STEP`], no zero, and none that is taken.
+/// Returns an identity for a page by the FNV-1a hash of its text: a multiple of [`PAGE_NUMBER_STEP`], not 0, and not taken.
 fn identity(texts: &[&str], taken: &mut BTreeSet<i32>) -> i32 {
     let mut hash = Fnv1a::default();
     texts.iter().for_each(|text| hash.write(text));

@@ -1,4 +1,4 @@
-//! A case as a page holds it, or the reason why no page can.
+//! Prepares a case for a page, or finds the reason why no page can hold it.
 
 use crate::Reason;
 use crate::encoding::ValueEncoding;
@@ -8,7 +8,7 @@ use stickler_run::breaks_reading;
 use stickler_suite::{Acceptance, Case, ExpectedValue};
 use stickler_types::{ElementaryType, Value};
 
-/// Cases that an export has beside those whose programs must be accepted.
+/// A kind of cases that an export may have beside those whose programs must be accepted.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum ExtraCases {
     /// Cases of which no document says whether their programs are accepted.
@@ -18,7 +18,7 @@ pub enum ExtraCases {
 }
 
 impl ExtraCases {
-    /// Both kinds, in their order.
+    /// Every kind, in the order of the declaration.
     pub const ALL: [ExtraCases; 2] = [ExtraCases::Open, ExtraCases::Rejected];
 
     /// Returns the word by which the command line names the kind.
@@ -34,20 +34,20 @@ impl ExtraCases {
 /// The kind of cases that a page holds. Cases of different kinds would not be accepted, or rejected, together.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(crate) enum PageKind {
-    /// They must be accepted, and need nothing but one program.
+    /// Cases that must be accepted, and need one program only.
     Accepted,
-    /// They must be accepted, and need POUs or types of their own.
+    /// Cases that must be accepted, and need POUs or types of their own.
     AcceptedWithUnits,
-    /// They may be accepted, and need nothing but one program.
+    /// Cases that may be accepted, and need one program only.
     Open,
-    /// They may be accepted, and need POUs or types of their own.
+    /// Cases that may be accepted, and need POUs or types of their own.
     OpenWithUnits,
-    /// They must be rejected, and need nothing but one program.
+    /// Cases that must be rejected, and need one program only.
     Rejected,
 }
 
 impl PageKind {
-    /// Tells whether the page is only compiled and never run.
+    /// Returns whether the page is only compiled and never run.
     pub(crate) const fn is_rejected(self) -> bool {
         matches!(self, PageKind::Rejected)
     }
@@ -58,7 +58,7 @@ pub(crate) struct PageCase<'c> {
     pub(crate) case: &'c Case,
     pub(crate) parts: ProgramParts,
     pub(crate) kind: PageKind,
-    /// A person noted what the compiler does with the case: it keeps its place on the page, without its program.
+    /// Whether a person noted the outcome of the case, which then keeps its place on the page without its program.
     pub(crate) answered: bool,
     /// The encoding of each observed value, by its number in [`Case::observe`]; empty where only the run itself counts.
     pub(crate) encodings: Vec<(usize, ValueEncoding)>,
@@ -68,7 +68,7 @@ impl<'c> PageCase<'c> {
     /// Prepares a case for a page.
     ///
     /// # Errors
-    /// The reason why no page can hold it.
+    /// The [`Reason`] why no page can hold the case.
     pub(crate) fn of(case: &'c Case, with: &BTreeSet<ExtraCases>) -> Result<PageCase<'c>, Reason> {
         let rejected = match case.expectation.accepted {
             Acceptance::Rejected if !with.contains(&ExtraCases::Rejected) => return Err(Reason::Rejected),
@@ -99,7 +99,7 @@ impl<'c> PageCase<'c> {
 }
 
 /// # Errors
-/// Where the case asks for what no page can give.
+/// The [`Reason`] where the case needs something that no page supports.
 fn refuse(case: &Case) -> Result<(), Reason> {
     let expectation = &*case.expectation;
     if expectation.rendered.is_some() {
@@ -146,7 +146,7 @@ fn encodings(case: &Case) -> Result<Vec<(usize, ValueEncoding)>, Reason> {
     Ok(encodings)
 }
 
-/// The value that an observed variable must have, where it must have one.
+/// Returns the value that an observed variable must have; `None` where the case expects none.
 pub(crate) fn expected(case: &Case, observe: usize) -> Option<&ExpectedValue> {
     let observe = &case.observe[observe];
     let values = case.expectation.values.iter();

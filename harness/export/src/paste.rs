@@ -1,4 +1,4 @@
-//! What a person copied out of an editor, read into arrays of numbers.
+//! Parses texts that a person copied out of an editor into arrays of numbers.
 //!
 //! Two forms are told apart by looking at the whole text. Where something is written as an element, `results[3]` or only
 //! `[3]`, every such line gives the element and its value: the value is in the column that a heading calls so, or else is the first number
@@ -12,36 +12,36 @@ mod number;
 
 use std::collections::BTreeMap;
 
-/// A text, read.
+/// The arrays of a pasted text, and its mistakes.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Pasted {
-    /// Its arrays, in order.
+    /// The arrays of the text, in order.
     pub(crate) arrays: Vec<Array>,
-    /// What could not be read.
+    /// The parts that could not be read.
     pub(crate) complaints: Vec<Complaint>,
 }
 
-/// The elements of an array that are there.
+/// The elements of an array that the text contains.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Array {
-    /// The line on which it begins, from 1.
+    /// The line on which the array begins, from 1.
     pub(crate) line: usize,
-    /// By their number.
+    /// The elements by their index.
     pub(crate) elements: BTreeMap<usize, i32>,
 }
 
-/// Something that could not be read.
+/// A part of the text that could not be read.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Complaint {
-    /// From 1.
+    /// The line of the part, from 1.
     pub(crate) line: usize,
-    /// From 1, in characters.
+    /// The column of the part, from 1, in characters.
     pub(crate) column: usize,
-    /// A fragment.
+    /// The mistake, as a fragment.
     pub(crate) what: String,
 }
 
-/// Reads a text.
+/// Parses a pasted text.
 pub(crate) fn read(text: &str) -> Pasted {
     let lines: Vec<&str> = text.split('\n').map(|line| line.trim_end_matches('\r')).collect();
     if lines.iter().any(|line| !elements::of(line).is_empty()) {
@@ -51,9 +51,8 @@ pub(crate) fn read(text: &str) -> Pasted {
     }
 }
 
-/// The text of bytes in UTF-8 or UTF-16, by their mark or, without one, by the zero in the first character of UTF-16; what is
-/// neither is Latin-1. Lines end with `\n`, and what a terminal shows as colours is gone: some compilers colour what they write whoever
-/// reads it.
+/// Decodes UTF-8 or UTF-16, by the byte order mark or, without one, by the zero in the first character of UTF-16; other bytes
+/// are Latin-1. Ends lines with `\n`, and removes the colour sequences of terminals, which some compilers always write.
 pub(crate) fn decoded(bytes: &[u8]) -> String {
     let utf_16 = |rest: &[u8], unit: fn([u8; 2]) -> u16| {
         let units: Vec<u16> = rest
@@ -74,7 +73,7 @@ pub(crate) fn decoded(bytes: &[u8]) -> String {
         },
     };
     let text = anstream::adapter::strip_str(&text).to_string();
-    // What has only carriage returns came from a very old system, or through one.
+    // A text whose lines end with carriage returns only came from a very old system, or through one.
     if text.contains('\n') {
         text
     } else {
@@ -82,7 +81,7 @@ pub(crate) fn decoded(bytes: &[u8]) -> String {
     }
 }
 
-/// The column, from 1, at which a part of a line begins.
+/// Returns the column, from 1, at which a part of a line begins.
 fn column(line: &str, part: &str) -> usize {
     let offset = (part.as_ptr() as usize).saturating_sub(line.as_ptr() as usize);
     line.get(..offset).map_or(1, |before| before.chars().count() + 1)

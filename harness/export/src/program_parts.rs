@@ -1,42 +1,42 @@
-//! A case's program, taken apart into what a page can hold: the POUs and types beside its main program, the variables of
+//! Splits a case's program into the parts of a page: the POUs and types beside its main program, the variables of
 //! that program, and its statements.
 //!
-//! It reads no grammar, only words and signs, so that a program is taken apart whoever accepts it. What it does not know its
-//! way about is left out, with the reason.
+//! The splitter parses words and signs only, so that it does not depend on the dialect. A case whose program it cannot split is
+//! left out of the export, with the reason.
 
 use crate::Reason;
 use std::collections::HashSet;
 use stickler_engines::{Token, declared, tokens};
 
-/// A program in its parts. All text is as the case has it, without the marks of the suite.
+/// The parts of a program. All text is as the case has it, without the marks of the suite.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct ProgramParts {
-    /// Whatever stands outside the main program: types, functions, function blocks.
+    /// The text outside the main program: types, functions, function blocks.
     pub(crate) units: String,
-    /// The names that are declared for all of the text, in capitals, without that of the main program.
+    /// The global names of the text, in capitals, without that of the main program.
     pub(crate) unit_names: HashSet<String>,
     /// The declarations of the main program's sections of variables, by section.
     pub(crate) variables: Vec<Section>,
-    /// The names of its variables, in capitals.
+    /// The names of the main program's variables, in capitals.
     pub(crate) variable_names: HashSet<String>,
-    /// Its statements.
+    /// The statements of the main program.
     pub(crate) statements: String,
 }
 
 /// A section of variables.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Section {
-    /// They keep their values.
+    /// Whether the variables are constants.
     pub(crate) constant: bool,
-    /// What stands between its keywords.
+    /// The text between the section's keywords.
     pub(crate) text: String,
 }
 
 impl ProgramParts {
-    /// Takes the program of a case apart.
+    /// Splits the program of a case.
     ///
     /// # Errors
-    /// Why it cannot stand on a page among others.
+    /// The [`Reason`] why the program cannot share a page with others.
     pub(crate) fn of(source: &str) -> Result<ProgramParts, Reason> {
         let source = without_marks(source);
         let mut unit_names = declared(&source, &HashSet::new()).ok_or(Reason::Shares)?;
@@ -57,16 +57,16 @@ impl ProgramParts {
             parts.variable_names.extend(names(&section.text));
         }
         unit_names.remove(&main.name);
-        // The values of an enumeration that a variable declares in place count among the names of the text, and belong to
-        // the program alone.
+        // The values of an enumeration that a variable declares in place count among the names of the text, but belong to
+        // the program only.
         parts.unit_names = unit_names;
         Ok(parts)
     }
 }
 
-/// Where the parts of the main program stand.
+/// The places of the main program's parts in the text.
 struct Main {
-    /// In capitals.
+    /// The name of the program, in capitals.
     name: String,
     begins: usize,
     ends: usize,
@@ -75,7 +75,7 @@ struct Main {
     statements_end: usize,
 }
 
-/// Reads a text word by word.
+/// A reader that goes through a text word by word.
 struct Reader<'s> {
     source: &'s str,
     words: Vec<(&'s str, usize)>,
@@ -110,7 +110,7 @@ impl<'s> Reader<'s> {
         None
     }
 
-    /// The only program of the text.
+    /// Finds the only program of the text.
     fn main(&mut self) -> Result<Main, Reason> {
         let begins = self.seek("PROGRAM").ok_or(Reason::NoProgram)?;
         let (name, at) = self.word().ok_or(Reason::NoProgram)?;
@@ -145,7 +145,7 @@ impl<'s> Reader<'s> {
         })
     }
 
-    /// A section of variables, if one comes next, and where it ends.
+    /// Reads a section of variables, if one comes next; also returns the place of its end.
     fn section(&mut self) -> Result<Option<(Section, usize)>, Reason> {
         let Some(&(word, at)) = self.words.get(self.next) else {
             return Ok(None);
@@ -166,7 +166,7 @@ impl<'s> Reader<'s> {
         if let Some(&(qualifier, at)) = self.words.get(self.next)
             && is_qualifier(qualifier)
         {
-            // What is retained would be so from one page to the next.
+            // Retained variables would keep their values from one page to the next.
             if !qualifier.eq_ignore_ascii_case("CONSTANT") {
                 return Err(Reason::Section);
             }
@@ -193,7 +193,7 @@ fn is_qualifier(word: &str) -> bool {
         .any(|qualifier| word.eq_ignore_ascii_case(qualifier))
 }
 
-/// The names that a section declares, in capitals: those that stand before a colon.
+/// Returns the names that a section declares, in capitals: those before a colon.
 fn names(section: &str) -> HashSet<String> {
     let mut names = HashSet::new();
     let mut in_names = true;
@@ -213,7 +213,7 @@ fn names(section: &str) -> HashSet<String> {
     names
 }
 
-/// The text without the comments in which the suite says what must happen: `(*! … *)`, which do not nest.
+/// Removes the marks of the suite from a text: comments `(*! … *)`, which do not nest.
 fn without_marks(source: &str) -> String {
     let mut text = String::with_capacity(source.len());
     let mut rest = source;

@@ -1,46 +1,46 @@
-//! Why a case is on no page.
+//! The reasons for which a case is on no page.
 
 use std::fmt;
 
-/// Why a case is left out of an export.
+/// The reason for which a case is left out of an export.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Reason {
-    /// Its program must be rejected, and such programs were not asked for.
+    /// The program must be rejected, and such cases were not requested.
     Rejected,
-    /// No document says whether its program is accepted, and such programs were not asked for.
+    /// No document says whether the program is accepted, and such cases were not requested.
     Open,
-    /// A person named it.
+    /// The command line leaves the case out by its id.
     Named,
-    /// It was not drawn.
+    /// The case was not drawn for the sample.
     Sampled,
-    /// It needs several scans, a clock, or variables that are set from outside.
+    /// The case needs several scans, a clock, or variables that are set from outside.
     Scans,
-    /// Its program must stop at a fault: an array of results ends there as well.
+    /// The program must stop at a fault, which would also end the array of results.
     Fault,
-    /// It asks for its program to be given back as text.
+    /// The case expects its program in normal form.
     Rendered,
-    /// Its program shares something with a configuration or with the machine, or is not whole.
+    /// The program shares variables with a configuration or with the machine, or is incomplete.
     Shares,
-    /// It has no program.
+    /// The source text has no program.
     NoProgram,
-    /// It has several programs.
+    /// The source text has several programs.
     SeveralPrograms,
-    /// Its program may end before its last statement.
+    /// The program may end before its last statement.
     Returns,
-    /// Its program has a section of variables that several programs cannot share.
+    /// The program has a section of variables that several programs cannot share.
     Section,
-    /// It expects the zero that is less than zero; comparison takes the two for one.
+    /// The case expects -0.0, which compares equal to 0.0.
     NegativeZero,
-    /// No document says what must come, and what comes has a type that no numbers can be made of without a conversion.
+    /// No document demands a value, and the observed value's type cannot be encoded as numbers without a conversion.
     Unseen,
-    /// A mistake in it keeps a compiler from reading what stands behind it.
+    /// A mistake in the program keeps a compiler from parsing the cases after it.
     Unreadable,
-    /// It must be rejected, and what is wrong may stand in a POU or type of its own.
+    /// The program must be rejected, and its mistake may be in a POU or type of its own.
     RejectedUnits,
 }
 
 impl Reason {
-    /// Every reason, in the order in which they are told.
+    /// Every reason, in the order in which reports list them.
     pub const ALL: [Reason; 16] = [
         Reason::Rejected,
         Reason::Open,

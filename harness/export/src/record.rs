@@ -1,11 +1,11 @@
-//! A case as a manifest holds it: all that is needed to judge and report it later, without the suite.
+//! The record of a case in a manifest: all that is needed to judge and report the case later, without the suite.
 
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue};
 use stickler_types::{Code, DialectName, Observation, Value};
 
-/// A case. Its program is that of the suite, not that of a page.
+/// The record of a case. Its program is that of the suite, not that of a page.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub(crate) struct CaseRecord {
     pub(crate) id: String,
@@ -24,7 +24,7 @@ pub(crate) struct CaseRecord {
     observe: Vec<ObserveRecord>,
 }
 
-/// Whether the program must be accepted.
+/// The demand on the acceptance of the program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Accepted {
@@ -33,7 +33,7 @@ enum Accepted {
     Open,
 }
 
-/// A value that a variable must have, as a typed literal, and the line of the case file that says so.
+/// The value that a variable must have, as a typed literal, and the line of the case file that states it.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 struct ValueRecord {
     name: String,
@@ -43,7 +43,7 @@ struct ValueRecord {
     line: u32,
 }
 
-/// A variable that is looked at.
+/// An observed variable.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 struct ObserveRecord {
     name: String,
@@ -89,10 +89,10 @@ impl CaseRecord {
         }
     }
 
-    /// The case again.
+    /// Returns the case of the record.
     ///
     /// # Errors
-    /// A fragment that says what in it is no value and no code.
+    /// A fragment that names an invalid value or diagnostic code of the record.
     pub(crate) fn case(&self, dialect: DialectName) -> Result<Case, String> {
         let values = self.values.iter().map(|record| {
             let value = Value::parse(&record.value)

@@ -1,21 +1,21 @@
-//! Names of a case made different from those of every other case of its page.
+//! Renames the names of a case, so that they differ from those of every other case of its page.
 
 use std::collections::HashSet;
 use stickler_engines::{Token, tokens};
 
-/// What the names of a case get behind them.
+/// The suffixes for the names of a case.
 pub(crate) struct Renaming<'n> {
-    /// The names of its POUs, types and enumerated values, in capitals, and their suffix.
+    /// The names of the case's POUs, types and enumerated values, in capitals, and their suffix.
     pub(crate) units: (&'n HashSet<String>, String),
-    /// Those of its variables, in capitals, and their suffix; none of them in the text of a POU.
+    /// The names of the case's variables, in capitals, and their suffix; `None` in the text of a POU.
     pub(crate) variables: Option<(&'n HashSet<String>, String)>,
 }
 
 impl Renaming<'_> {
-    /// The text with its names changed.
+    /// Returns a text with its names changed.
     ///
-    /// A name behind a point is that of a field, and one before `:=` or `=>` in a call or a list of fields that of a parameter
-    /// or field: neither is a variable, whatever variables are called.
+    /// A name after a point is that of a field, and one before `:=` or `=>` in a call or a list of fields that of a parameter
+    /// or field: neither is a variable, even where a variable has the same name.
     pub(crate) fn of(&self, text: &str) -> String {
         let mut renamed = String::with_capacity(text.len() + text.len() / 4);
         let mut written = 0;
@@ -42,7 +42,7 @@ impl Renaming<'_> {
         }
         let (variables, suffix) = self.variables.as_ref()?;
         let is_field = before.last == Some(b'.') && before.last_but_one != Some(b'.');
-        // Beside `#` stands a type, or a value of one.
+        // A name beside `#` is a type, or an enumerated value.
         let is_typed = before.last == Some(b'#') || behind.starts_with('#');
         let opens = matches!(before.last, Some(b'(' | b','));
         let is_parameter = before.depth > 0 && opens && takes(behind);
@@ -51,18 +51,18 @@ impl Renaming<'_> {
     }
 }
 
-/// Tells whether a parameter or field that ends here is given a value or gives one.
+/// Returns whether the text after a name is `:=` or `=>`, which assigns a parameter or field.
 fn takes(behind: &str) -> bool {
     let behind = behind.trim_start();
     behind.starts_with(":=") || behind.starts_with("=>")
 }
 
-/// What stood before.
+/// The context of a token: the signs before it.
 #[derive(Default)]
 struct Before {
     last: Option<u8>,
     last_but_one: Option<u8>,
-    /// How many parentheses are open.
+    /// The number of open parentheses.
     depth: u32,
 }
 

@@ -1,4 +1,4 @@
-//! Pasted arrays, each put to its page; and what they say of each case.
+//! Assigns pasted arrays to their pages, and reads the result of each case from them.
 
 use crate::encoding::{self, DecodedValue, ValueEncoding};
 use crate::manifest::{Manifest, PageRecord, StepRecord};
@@ -9,30 +9,30 @@ use std::collections::BTreeMap;
 use stickler_engines::{NamedValue, Outcome};
 use stickler_suite::Case;
 
-/// The elements of each page that were pasted, by the page's place in the manifest.
+/// The pasted elements of each page, by the page's index in the manifest.
 #[derive(Debug, Default)]
 pub(crate) struct ResultArrays {
     pages: BTreeMap<usize, BTreeMap<usize, i32>>,
 }
 
-/// What the array of a page tells about one of its cases.
+/// The result of a case in the array of its page.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) enum CaseResult {
-    /// What the engine did. The keys are those of values that differ from the expected ones and that no number can tell.
+    /// The outcome on the engine, and the keys of the values that differ from the expected ones and that no numbers show.
     Outcome(Outcome, Vec<String>),
     /// No element of the case was pasted.
     Missing,
     /// The page ended without running the case, or has not reached it yet.
     NotRun,
-    /// Elements of the case hold what no page writes; says which, and what.
+    /// Elements of the case hold numbers that no page writes; holds a message that names them.
     Nonsense(String),
 }
 
 impl ResultArrays {
-    /// Takes an array.
+    /// Adds an array.
     ///
     /// # Errors
-    /// Why it is the array of no page of this export; a sentence without its end.
+    /// The reason why it is the array of no page of this export, as a sentence without its full stop.
     pub(crate) fn take(&mut self, array: &Array, manifest: &Manifest) -> Result<Option<String>, String> {
         let at = page_of(array, manifest)?;
         let page = &manifest.pages[at];
@@ -58,12 +58,12 @@ impl ResultArrays {
         }))
     }
 
-    /// Tells whether nothing of a page was given.
+    /// Returns whether no element of a page was pasted.
     pub(crate) fn is_without(&self, at: usize) -> bool {
         !self.pages.contains_key(&at)
     }
 
-    /// Returns what the array of a page says of one of its cases.
+    /// Returns the result of one of the cases of a page from its array.
     pub(crate) fn result(&self, at: usize, page: &PageRecord, number: usize, case: &Case) -> CaseResult {
         let Some(elements) = self.pages.get(&at) else {
             return CaseResult::Missing;
@@ -94,7 +94,7 @@ impl ResultArrays {
         }
     }
 
-    /// Returns what is to be said of how far a page came; `None` where it came to its end and all of it was copied.
+    /// Returns a sentence on how far a page ran; `None` where it ran to its end and its whole array was copied.
     pub(crate) fn state(&self, at: usize, page: &PageRecord) -> Option<String> {
         let elements = self.pages.get(&at)?;
         let missing: Vec<usize> = (0..page.elements)
@@ -136,7 +136,7 @@ impl ResultArrays {
     }
 }
 
-/// The place of the page that an array is of.
+/// Returns the index of the page to which an array belongs.
 fn page_of(array: &Array, manifest: &Manifest) -> Result<usize, String> {
     let element = |index: usize| array.elements.get(&index).copied();
     match element(0) {
@@ -155,7 +155,7 @@ fn page_of(array: &Array, manifest: &Manifest) -> Result<usize, String> {
     let Some(identity) = element(1) else {
         return Err("has no results[1], so nobody can say of which page it is".to_owned());
     };
-    // Of a page of another export, all three are hardly ever the same.
+    // A page of another export hardly ever has all three numbers in common.
     let is =
         |index: usize, number: usize| element(index).is_none_or(|found| usize::try_from(found) == Ok(number));
     let fits = |page: &PageRecord| is(2, page.number) && is(3, page.steps.len());
@@ -171,7 +171,7 @@ fn page_of(array: &Array, manifest: &Manifest) -> Result<usize, String> {
     })
 }
 
-/// A case's observations, read one after the other.
+/// The values of a case that were read so far, one observation after the other.
 struct Reading {
     values: Vec<NamedValue>,
     untold: Vec<String>,
@@ -180,7 +180,7 @@ struct Reading {
 
 impl Reading {
     /// # Errors
-    /// What is to be said of the case where its observation does not stand in the array.
+    /// The result of the case where the array lacks a valid observation.
     fn take(
         &mut self,
         elements: &BTreeMap<usize, i32>,

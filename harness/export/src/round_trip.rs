@@ -1,5 +1,5 @@
-//! The way through: cases exported, their pages run by the reference, their arrays pasted in the forms of several editors, and
-//! judged. Then the same with something wrong on the way.
+//! Tests the round trip: exports cases, runs their pages on the reference, pastes the arrays in the forms of several editors,
+//! and judges them; then with errors on the way.
 
 mod arrays;
 mod compiled;
@@ -16,7 +16,7 @@ use stickler_run::{CaseEvent, Event, Fact, Plan, Verdict};
 use stickler_suite::{Case, load_file};
 use stickler_types::{DialectName, Value};
 
-/// Files of the suite that have between them every type, POUs and types of their own, constants, and open values.
+/// The case files of the tests, which together have every type, POUs and types of their own, constants, and open values.
 const FILES: [&str; 9] = [
     "widening/integer.toml",
     "widening/contexts.toml",
@@ -33,7 +33,7 @@ fn suite() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases")
 }
 
-/// Cases of these files: of each file and dialect some, from first to last.
+/// Returns cases of the files: some of each file and dialect, from first to last.
 fn cases(files: &[&str]) -> Vec<Case> {
     let mut cases = Vec::new();
     for file in files {
@@ -75,7 +75,7 @@ fn engine() -> Identity {
     }
 }
 
-/// A page's array as the reference leaves it.
+/// Returns the array of a page after the reference has executed the page.
 fn array(page: &str, dialect: DialectName, elements: usize, scans: usize) -> Vec<i32> {
     let names: Vec<String> = (0..elements).map(|index| format!("results[{index}]")).collect();
     let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "DINT")).collect();
@@ -152,7 +152,7 @@ impl Exported {
         Manifest::read(self.folder.path()).expect("a manifest")
     }
 
-    /// Notes what a person saw, in place of what was noted before.
+    /// Writes the file of answers.
     fn answer(&self, text: &str) {
         fs::write(self.folder.path().join(crate::ANSWERS), text).expect("written");
     }
@@ -161,7 +161,7 @@ impl Exported {
         self.arrays.iter().map(|array| list(array)).collect()
     }
 
-    /// Returns what is said of the cases, and that none of them passes or fails.
+    /// Imports a text, asserts that no case gets a verdict, and returns the notes.
     fn notes_without_verdicts(&self, text: &str) -> String {
         let (imported, events, whole) = self.import(text);
         assert!(
@@ -173,7 +173,7 @@ impl Exported {
     }
 }
 
-/// The cases that did not pass.
+/// Returns the cases that did not pass.
 fn odd(events: &[CaseEvent]) -> Vec<&CaseEvent> {
     events
         .iter()
@@ -200,7 +200,7 @@ fn watch_list(array: &[i32]) -> String {
     text
 }
 
-/// Integers as a spreadsheet in German writes them, values in hexadecimal where they have no sign.
+/// Returns an array as a table of a German spreadsheet, with hexadecimal values where they have no sign.
 fn table(array: &[i32]) -> String {
     let grouped = |value: i32| {
         let digits = value.unsigned_abs().to_string();

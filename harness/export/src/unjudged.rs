@@ -1,10 +1,10 @@
-//! What is said of cases that cannot be judged, and of pages of which nothing was given.
+//! Notes about cases that cannot be judged, and about pages without results.
 
 use crate::ANSWERS;
 use crate::manifest::PageRecord;
 use crate::result_arrays::CaseResult;
 
-/// How many ids of cases a note names.
+/// The maximum number of cases that a note names.
 const MAX_NAMED_CASES: usize = 5;
 
 /// The cases of a page that cannot be judged, by the reason.
@@ -16,7 +16,7 @@ pub(crate) struct UnjudgedCases {
 }
 
 impl UnjudgedCases {
-    /// Adds a case of which this is said.
+    /// Adds a case that cannot be judged, by its result.
     pub(crate) fn add(&mut self, id: &str, told: CaseResult) {
         match told {
             CaseResult::Missing | CaseResult::Outcome(..) => self.missing.push(id.to_owned()),
@@ -81,10 +81,10 @@ fn counted(number: u64) -> String {
     }
 }
 
-/// The pages of which nothing was given.
+/// The pages for which no results were given.
 #[derive(Default)]
 pub(crate) struct PagesWithoutResults {
-    /// The first and the last number of each stretch.
+    /// The first and the last page number of each range.
     stretches: Vec<(usize, usize)>,
     cases: u64,
 }
@@ -117,7 +117,7 @@ impl PagesWithoutResults {
     }
 }
 
-/// No more notes of one kind than a person reads.
+/// Shortens a list of notes of one kind to a readable number.
 pub(crate) fn shortened(mut notes: Vec<String>) -> Vec<String> {
     const MAX_NOTES: usize = 20;
     if notes.len() > MAX_NOTES {

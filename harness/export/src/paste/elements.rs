@@ -1,4 +1,4 @@
-//! Lines with elements: `results[3] := 17;`, a row of a watch list, a row of a table.
+//! Parses lines that name elements: `results[3] := 17;`, a row of a watch list, a row of a table.
 
 use super::number::{Number, is_blank, number};
 use super::{Array, Complaint, Pasted, column};
@@ -9,11 +9,11 @@ pub(super) struct Element<'l> {
     /// The last part of the name before the bracket; empty where there is none.
     name: &'l str,
     index: usize,
-    /// What stands behind the bracket, up to the next element.
+    /// The text after the bracket, up to the next element.
     rest: &'l str,
 }
 
-/// What columns with values are called, in the languages of the editors that we know of.
+/// The headings of columns of values, in the languages of known editors.
 const HEADINGS: [&str; 12] = [
     "value",
     "monitor value",
@@ -29,7 +29,7 @@ const HEADINGS: [&str; 12] = [
     "valeur",
 ];
 
-/// The elements that a line names.
+/// Returns the elements that a line names.
 pub(super) fn of(line: &str) -> Vec<Element<'_>> {
     let mut found: Vec<(usize, Element<'_>)> = Vec::new();
     let mut at = 0;
@@ -74,7 +74,7 @@ fn name_before(text: &str) -> &str {
     &text_end[text_end.len() - length..]
 }
 
-/// Reads lines, some of which name elements.
+/// Parses lines, some of which name elements.
 pub(super) fn read(lines: &[&str]) -> Pasted {
     // Where the array has its own name, arrays of other names are other variables.
     let named = |name: &str| name.eq_ignore_ascii_case("results");
@@ -111,7 +111,7 @@ pub(super) fn read(lines: &[&str]) -> Pasted {
 }
 
 impl Pasted {
-    /// Takes an element; one whose number the array has already begins another array.
+    /// Adds an element; an index that the array has already begins another array.
     pub(super) fn add(&mut self, index: usize, value: i32, line: usize) {
         self.begin(index, line);
         if let Some(array) = self.arrays.last_mut() {
@@ -130,7 +130,7 @@ impl Pasted {
     }
 }
 
-/// The value of an element, or the part that cannot be read and why.
+/// Returns the value of an element; the error is the part that cannot be read, and the mistake.
 fn value<'l>(element: &Element<'l>, in_column: Option<&'l str>) -> Result<i32, (&'l str, String)> {
     let separators = |c: char| is_blank(c) || matches!(c, ':' | '=' | '"' | ';' | ',' | '>');
     let rest = element
@@ -144,11 +144,11 @@ fn value<'l>(element: &Element<'l>, in_column: Option<&'l str>) -> Result<i32, (
     for part in whole.chain(by_cells).chain(by_words) {
         match number(part) {
             Some(Number::Whole(value)) => return Ok(value),
-            // A number that is too great is what was meant, unless a further column has another.
+            // A number that is too great is taken for the value, unless a further column has another.
             Some(Number::Other) => other = other.or(Some(part)),
             None => {}
         }
-        // A column that is called so has the value or nothing has.
+        // A column under such a heading is the only one that may have the value.
         if in_column.is_some() {
             break;
         }
@@ -166,7 +166,7 @@ fn value<'l>(element: &Element<'l>, in_column: Option<&'l str>) -> Result<i32, (
     }
 }
 
-/// The number of the column that a heading calls the value.
+/// Returns the index of the column whose heading is one of [`HEADINGS`].
 fn value_column(line: &str) -> Option<usize> {
     cells(line)
         .iter()

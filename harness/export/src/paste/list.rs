@@ -1,4 +1,4 @@
-//! Lists of numbers: one a line, several a line, or each behind its own number.
+//! Parses lists of numbers: one or several on a line, or each after its own index.
 
 use super::number::{Number, is_blank, number};
 use super::{Complaint, Pasted, column};
@@ -7,13 +7,13 @@ use crate::page::{MAGIC, PAGE_NUMBER_STEP};
 /// A number of a list, and the line on which it stands.
 type Listed = (i32, usize);
 
-/// Reads lines of which none names an element.
+/// Parses lines of which none names an element.
 pub(super) fn read(lines: &[&str]) -> Pasted {
     let mut pasted = Pasted::default();
     let mut rows: Vec<Vec<Listed>> = Vec::new();
     for (at, line) in lines.iter().enumerate() {
         let (row, complaints) = row(line, at + 1);
-        // What holds no number at all is a heading or a remark.
+        // A line without any number is a heading or a remark.
         if !row.is_empty() {
             pasted.complaints.extend(complaints);
             rows.push(row);
@@ -40,7 +40,7 @@ fn is_of_a_page(number: i32) -> bool {
     usize::try_from(number).is_ok_and(|number| number > 0 && number % PAGE_NUMBER_STEP == 0)
 }
 
-/// Tells whether every row is a number of an element and its value.
+/// Returns whether every row is the index of an element and its value.
 fn are_numbered(rows: &[Vec<Listed>]) -> bool {
     let mut next = 0;
     let counts = rows.iter().all(|row| match row[..] {
@@ -54,7 +54,7 @@ fn are_numbered(rows: &[Vec<Listed>]) -> bool {
     counts && rows.first().is_some_and(|row| row[0].0 == 0)
 }
 
-/// The numbers of a line, and what among them is none.
+/// Parses the numbers of a line; also returns the complaints about parts that are no numbers.
 fn row(line: &str, at: usize) -> (Vec<Listed>, Vec<Complaint>) {
     let inside = line.trim_matches(|c: char| is_blank(c) || matches!(c, '[' | ']' | '{' | '}' | ';' | ','));
     if let Some(Number::Whole(value)) = number(inside) {
@@ -89,7 +89,7 @@ fn row(line: &str, at: usize) -> (Vec<Listed>, Vec<Complaint>) {
     (row, complaints)
 }
 
-/// `5(0)`: five zeros, as initial values are written.
+/// Parses a repeated value, as in initial values: `5(0)` is five zeros.
 fn repeated(part: &str) -> Option<(usize, i32)> {
     let (times, value) = part.trim().strip_suffix(')')?.split_once('(')?;
     let times = times

@@ -1,15 +1,15 @@
-//! One number, as editors and spreadsheets of all countries show it.
+//! Parses one number in the forms of editors and spreadsheets of all countries.
 
-/// What a cell holds that is meant for a number.
+/// The content of a cell that is a number.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Number {
     /// A `DINT`.
     Whole(i32),
-    /// A number that no `DINT` is, or that was rounded.
+    /// A number outside the range of `DINT`, or a rounded one.
     Other,
 }
 
-/// Reads a number in any of its forms; `None` where the text is none.
+/// Parses a number in any of its forms; `None` where the text is no number.
 ///
 /// `-5`, `+5`, `DINT#5`, `16#FF`, `2#1010_1010`, `0xFF`, `TRUE`; groups of three digits with blanks, points, commas or
 /// apostrophes between them; a fraction of nothing but zeros behind a point or a comma. What has a base is taken for 32
@@ -43,7 +43,7 @@ pub(super) fn number(text: &str) -> Option<Number> {
         let numeric = digits
             .chars()
             .all(|c| c.is_ascii_digit() || is_separator(c) || matches!(c, 'e' | 'E' | '+' | '-'));
-        // A day or a time of day has its signs elsewhere.
+        // A date or a time of day has its signs elsewhere.
         let is_rounded = numeric && digits.matches('-').count() < 2;
         return is_rounded.then_some(Number::Other);
     };
@@ -58,7 +58,7 @@ pub(super) fn number(text: &str) -> Option<Number> {
     )
 }
 
-/// Tells whether this only keeps things apart; editors write several kinds of it.
+/// Returns whether a character is a blank, of which editors write several kinds.
 pub(super) fn is_blank(character: char) -> bool {
     character.is_whitespace() || matches!(character, '\u{feff}' | '\u{200b}')
 }
@@ -67,7 +67,7 @@ fn is_separator(character: char) -> bool {
     is_blank(character) || matches!(character, '.' | ',' | '\'' | '\u{2019}' | '_')
 }
 
-/// The digits alone, where they are in groups of three or not at all.
+/// Returns the digits of a number without separators; `None` where they are grouped otherwise than by threes.
 fn grouped(text: &str) -> Option<String> {
     if text.bytes().all(|byte| byte.is_ascii_digit()) {
         return (!text.is_empty()).then(|| text.to_owned());
@@ -85,7 +85,7 @@ fn grouped(text: &str) -> Option<String> {
     whole.then(|| format!("{first}{}", rest.concat()))
 }
 
-/// `DINT#5` without the name of its type.
+/// Removes the name of the type from a typed literal such as `DINT#5`.
 fn without_type(text: &str) -> &str {
     match text.split_once('#') {
         Some((name, rest)) if !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_alphabetic()) => rest,

@@ -1,4 +1,4 @@
-//! What people paste, in the forms that we know of.
+//! Tests the parsing of pasted texts in all known forms.
 
 use super::*;
 use crate::page::MAGIC;
@@ -128,7 +128,7 @@ fn texts_of_other_systems_are_read() {
             assert_eq!(read_bytes(&bytes).arrays, expected);
         }
     }
-    // A blank that does not break, in Latin-1.
+    // The blank is a no-break space in Latin-1.
     assert_eq!(read_bytes(b"[0] 1\xA0398").arrays[0].elements[&0], 1398);
     assert_eq!(read_bytes(b"").arrays, []);
     assert_eq!(

@@ -1,4 +1,4 @@
-//! Arrays that are right, and arrays with something wrong.
+//! Tests the import of correct arrays, and of arrays with errors.
 
 use super::*;
 
@@ -127,10 +127,10 @@ fn what_was_cut_off_or_not_reached_is_not_judged_and_said() {
         notes.contains("page 2: no results were given; 8 cases are not judged"),
         "{notes}"
     );
-    // The same array in two pieces is whole, in whatever order.
+    // The same array in two pieces is complete, in either order.
     let pieces = format!("{}{}", list(array), list(&exported.arrays[1]));
     assert!(exported.import(&pieces).2);
-    // One that was copied too soon.
+    // An array that was copied too soon is incomplete.
     let manifest = exported.manifest();
     let mut early = array.clone();
     let step = manifest.pages[0].steps[5];
@@ -172,7 +172,7 @@ fn what_a_person_deleted_from_a_page_is_judged_by_the_answer_alone() {
         let odd = odd(&events);
         assert_eq!((odd.len(), &odd[0].id, odd[0].verdict), (1, id, verdict));
     }
-    // An answer about what ran is passed over, and so is one about a stranger.
+    // An answer about a case that ran is ignored, and so is one about an unknown case.
     let other = &manifest.pages[0].cases[0].id;
     exported.answer(&format!("rejected {id}\nrejected {other}\nrejected x/y\n"));
     let notes = exported.import(&exported.text()).0.notes.join("\n");

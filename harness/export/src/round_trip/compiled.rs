@@ -1,8 +1,8 @@
-//! Pages that are only compiled, and the messages about them.
+//! Tests pages that are only compiled, and the messages about them.
 
 use super::*;
 
-/// Returns what the reference says of a page that is only compiled, as a list of messages.
+/// Returns the diagnostics of the reference for a page that is only compiled, as a list of messages.
 fn messages(page: &str, file: &str, dialect: DialectName) -> String {
     let reference = Reference::new();
     let outcome = reference.session().expect("a session").check(dialect, page);
@@ -56,7 +56,7 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
         };
         let (verdicts, notes) = judged(&list);
         assert_eq!(verdicts, vec![Verdict::Pass; rejected], "{dialect}: {notes}");
-        // PagesWithoutResults the message of one case, that one was accepted; without that of the last statement, nothing is known.
+        // Without the message of one case, that case was accepted; without that of the last statement, nothing is known.
         let first = &manifest
             .pages
             .iter()

@@ -1,4 +1,4 @@
-//! What is exported, and where.
+//! Tests the choice of cases for an export, and its folder.
 
 use super::*;
 
@@ -54,7 +54,7 @@ fn a_folder_of_something_else_is_left_alone_and_one_of_an_export_is_replaced() {
             .expect("there")
             .contains("Something else")
     );
-    // What an export left that came to no end, one may replace.
+    // The files of an interrupted export may be replaced.
     let broken = tempfile::tempdir().expect("a folder");
     for name in ["page-001.st", crate::MANIFEST] {
         fs::write(broken.path().join(name), "").expect("written");
