@@ -189,7 +189,8 @@ impl Export {
         given
     }
 
-    /// Returns the results from the array of a page, or from messages about it where the compiler rejected some of its cases.
+    /// Returns the results from the array of a page; where there are only messages that reject some of its cases, the state names
+    /// these cases.
     fn run(&self, at: usize, arrays: &ResultArrays, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
         let numbered = self.cases[at].iter().enumerate();

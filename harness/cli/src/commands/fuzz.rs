@@ -147,10 +147,11 @@ fn under_test(named: &NamedEngine) -> EngineUnderTest<'_> {
     }
 }
 
-/// Returns the requested dialects that an engine besides the reference speaks; all that the engines speak where none is requested.
+/// Returns the requested dialects, or all where none is requested, that an engine other than the reference speaks; without such
+/// an engine, all of these.
 ///
 /// # Errors
-/// An engine that speaks none of the dialects.
+/// A dialect of stickler.toml; an engine that speaks none of the dialects.
 fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Result<Vec<DialectName>> {
     let asked = match &arguments.dialect[..] {
         [] => &DialectName::ALL[..],
