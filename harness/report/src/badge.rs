@@ -58,7 +58,7 @@ fn endpoint(overview: &Overview) -> Endpoint {
         .map(|engine| overview.claims.of_engine(engine))
         .collect();
     let message = match standings[..] {
-        [standing] => alone(standing),
+        [standing] => single_engine(standing),
         _ => {
             let each = engines.iter().zip(&standings);
             let each: Vec<String> = each
@@ -95,7 +95,7 @@ fn share(standing: Standing) -> String {
 }
 
 /// Returns the message about the only engine, which leaves its name to the page that shows the badge.
-fn alone(standing: Standing) -> String {
+fn single_engine(standing: Standing) -> String {
     match decided(standing) {
         0 => share(standing),
         cases => format!("{} of {}", share(standing), counted(cases, "case", "cases")),

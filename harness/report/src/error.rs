@@ -32,7 +32,7 @@ impl ReportError {
 }
 
 /// Returns the advice to run the cases again, for a file of an earlier format; empty for another.
-fn again(format: u32) -> &'static str {
+fn rerun_advice(format: u32) -> &'static str {
     match format {
         0..FORMAT => {
             "; an earlier version of Stickler wrote it, so run the cases again with this version first"
@@ -93,7 +93,7 @@ pub enum LogError {
     /// The file is a `results.json`.
     #[error(
         "this is a results.json of format {format} and no event log; name its folder, or the events.jsonl beside it{}",
-        again(*format)
+        rerun_advice(*format)
     )]
     Results {
         /// The version of the format of that file.

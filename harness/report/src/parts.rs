@@ -72,7 +72,7 @@ fn open<R: BufRead>(parts: Vec<Part<R>>, missing: &mut Vec<String>) -> (Option<H
         let (reader, header) = match read {
             Ok(read) => read,
             Err(error) => {
-                missing.push(format!("{name} cannot be read: {}", told(&error)));
+                missing.push(format!("{name} cannot be read: {}", describe_error(&error)));
                 continue;
             }
         };
@@ -106,7 +106,7 @@ fn open<R: BufRead>(parts: Vec<Part<R>>, missing: &mut Vec<String>) -> (Option<H
 }
 
 /// Formats an error and its causes in one line.
-fn told(error: &dyn std::error::Error) -> String {
+fn describe_error(error: &dyn std::error::Error) -> String {
     let causes = std::iter::successors(Some(error), |error| error.source());
     let causes: Vec<String> = causes.map(ToString::to_string).collect();
     causes.join(": ")
@@ -165,7 +165,10 @@ impl<R: BufRead> Stream<R> {
                 // The reader rejects a second header.
                 Some(Ok(Event::Header(_))) => {}
                 Some(Err(error)) => {
-                    self.trouble = Some(format!("{name} cannot be read to its end: {}", told(&error)));
+                    self.trouble = Some(format!(
+                        "{name} cannot be read to its end: {}",
+                        describe_error(&error)
+                    ));
                     return;
                 }
                 None => {

@@ -13,7 +13,7 @@ use stickler_types::{Diagnostic, Fault, Fnv1a, Outcome, Value};
 pub enum Fact {
     /// The program is accepted.
     Accepted,
-    /// The program is accepted by an engine that did not execute it, although the case observes its execution.
+    /// The program is accepted by an engine that did not execute it, although the case expects values or a fault of its execution.
     NotExecuted,
     /// The program is rejected, with any diagnostics.
     Rejected,

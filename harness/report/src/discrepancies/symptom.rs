@@ -113,15 +113,17 @@ impl Symptom {
 impl fmt::Display for Symptom {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Symptom::Crash(words) => write!(f, "it dies{}", behind(words)),
+            Symptom::Crash(words) => write!(f, "it dies{}", in_brackets(words)),
             Symptom::Hang => f.write_str("it gives no answer"),
             Symptom::Error => f.write_str("its answer makes no sense"),
-            Symptom::Rejected(reason) => write!(f, "it rejects what must be accepted{}", behind(reason)),
-            Symptom::NotRejected(code) => write!(f, "it accepts what must be rejected{}", behind(code)),
+            Symptom::Rejected(reason) => write!(f, "it rejects what must be accepted{}", in_brackets(reason)),
+            Symptom::NotRejected(code) => write!(f, "it accepts what must be rejected{}", in_brackets(code)),
             Symptom::OtherCode(code) => write!(f, "it rejects, but for another reason than {code}"),
             Symptom::OtherLine(code) => write!(f, "it names another place for {code}"),
             Symptom::Incomplete(code) => write!(f, "it does not tell every mistake ({code} is not told)"),
-            Symptom::Surplus(reason) => write!(f, "it tells more mistakes than there are{}", behind(reason)),
+            Symptom::Surplus(reason) => {
+                write!(f, "it tells more mistakes than there are{}", in_brackets(reason))
+            }
             Symptom::Fault(fault) => {
                 write!(
                     f,
@@ -140,7 +142,7 @@ impl fmt::Display for Symptom {
 }
 
 /// Formats a code, message or fault in brackets, for the end of a sentence; empty where there is none.
-fn behind(words: &str) -> String {
+fn in_brackets(words: &str) -> String {
     if words.is_empty() {
         String::new()
     } else {

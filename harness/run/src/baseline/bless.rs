@@ -177,18 +177,18 @@ fn fate(
     match (gone.is_empty(), left.is_empty()) {
         (true, _) if seen && matches!(state, EntryState::Expired(_)) => Fate::Undated,
         (true, _) => Fate::Kept,
-        (false, true) => Fate::Removed(told(&gone)),
-        (false, false) => Fate::Narrowed(universe.fold(&left), told(&gone)),
+        (false, true) => Fate::Removed(describe_verdicts(&gone)),
+        (false, false) => Fate::Narrowed(universe.fold(&left), describe_verdicts(&gone)),
     }
 }
 
 /// Describes the verdicts of those cases of an entry that no longer have the expected one.
-fn told(gone: &BTreeMap<Verdict, usize>) -> String {
-    let told = gone.iter().map(|(verdict, number)| match verdict {
+fn describe_verdicts(gone: &BTreeMap<Verdict, usize>) -> String {
+    let numbers = gone.iter().map(|(verdict, number)| match verdict {
         Verdict::Pass => format!("{number} now pass"),
         verdict => format!("{number} now {verdict}"),
     });
-    told.collect::<Vec<_>>().join(", ")
+    numbers.collect::<Vec<_>>().join(", ")
 }
 
 /// Returns new entries for the cases that did not pass and are not expected to fail.

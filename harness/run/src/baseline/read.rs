@@ -71,7 +71,7 @@ fn read(text: &str, stem: &str) -> Result<(String, Vec<Entry>), Mistake> {
         (at, error.message().trim_end().replace('\n', "; "))
     })?;
     let engine = match file.engine {
-        Some(engine) => said(engine, "engine")?,
+        Some(engine) => not_blank(engine, "engine")?,
         None => stem.to_owned(),
     };
     let entries = file.expected.into_iter().map(|table| {
@@ -83,10 +83,10 @@ fn read(text: &str, stem: &str) -> Result<(String, Vec<Entry>), Mistake> {
 
 fn entry(table: Table, line: u32) -> Result<Entry, Mistake> {
     Ok(Entry {
-        case: Filter::new(said(table.case, "case")?),
+        case: Filter::new(not_blank(table.case, "case")?),
         verdicts: verdicts(&table.verdict)?,
-        reason: said(table.reason, "reason")?,
-        link: table.link.map(|link| said(link, "link")).transpose()?,
+        reason: not_blank(table.reason, "reason")?,
+        link: table.link.map(|link| not_blank(link, "link")).transpose()?,
         versions: table.versions.as_ref().map(versions).transpose()?,
         until: table.until.as_ref().map(until).transpose()?,
         line,
@@ -94,7 +94,7 @@ fn entry(table: Table, line: u32) -> Result<Entry, Mistake> {
 }
 
 /// Returns the text of a key that must not be blank.
-fn said(text: Spanned<String>, key: &str) -> Result<String, Mistake> {
+fn not_blank(text: Spanned<String>, key: &str) -> Result<String, Mistake> {
     match text.get_ref().trim() {
         "" => Err((text.span().start, format!("`{key}` is empty"))),
         _ => Ok(text.into_inner()),
