@@ -1,9 +1,8 @@
-//! Real compilers behind the [`Engine`] trait: each adapter writes a program into a private folder, calls the compiler as
-//! a person would on a command line, and reads what it says.
+//! Adapters for real compilers behind the [`Engine`] trait: each adapter writes a program into a private folder, calls the
+//! compiler as a person would on a command line, and reads its output.
 //!
-//! Where a compiler shows no value of a variable, the program that it gets has further variables, which copy what is to
-//! be seen into something that it does show; no line of the program moves. What a compiler does wrong is its own: an
-//! adapter mends nothing.
+//! Where a compiler shows no value of a variable, the adapter adds variables to the program that copy the observed value into
+//! something that the compiler does show; no line of the program moves. An adapter corrects nothing that a compiler does wrong.
 
 mod builder;
 mod dependencies;
@@ -55,7 +54,7 @@ impl Compiler {
         Compiler::Strucpp,
     ];
 
-    /// The name of the engine.
+    /// Returns the name of the engine.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -66,13 +65,13 @@ impl Compiler {
         }
     }
 
-    /// The compiler of this name, if there is one.
+    /// Returns the compiler of this name, if there is one.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Compiler> {
         Compiler::ALL.into_iter().find(|compiler| compiler.name() == name)
     }
 
-    /// Returns the address of its project, which says how it is installed.
+    /// Returns the address of the compiler's project, which says how it is installed.
     #[must_use]
     pub const fn project(self) -> &'static str {
         match self {
@@ -83,7 +82,7 @@ impl Compiler {
         }
     }
 
-    /// The programs and folders that it needs.
+    /// Returns the programs and folders that the compiler needs.
     #[must_use]
     pub const fn dependencies(self) -> &'static [Dependency] {
         match self {
@@ -94,17 +93,17 @@ impl Compiler {
         }
     }
 
-    /// Finds the compiler on this machine by environment variables and PATH, and makes it an engine that is called `called`
-    /// in reports.
+    /// Finds the compiler on this machine by environment variables and PATH. Returns it as an engine that is called `called` in
+    /// reports.
     ///
     /// # Errors
-    /// [`EngineError`] where a program of it is not there or does not say its version, with what can tell where it is.
+    /// [`EngineError`] where one of its programs is missing or does not say its version, with the ways to name its path.
     pub fn engine(self, called: &str) -> Result<Box<dyn Engine>, EngineError> {
         self.seek(called, called, &DependencyPaths::default()).engine
     }
 
-    /// Finds the compiler on this machine, also by the paths that a person named, and makes it an engine that is called `called` in
-    /// reports; `table` is its name in `stickler.toml`, for messages.
+    /// Finds the compiler on this machine, also by the paths that a person named. The engine is called `called` in reports;
+    /// `table` is its name in `stickler.toml`, for messages.
     #[must_use]
     pub fn seek(self, called: &str, table: &str, paths: &DependencyPaths) -> CompilerSearch {
         let mut search = DependencySearch::new(table, paths);
@@ -126,9 +125,9 @@ impl Compiler {
 
 /// The result of looking for a compiler.
 pub struct CompilerSearch {
-    /// What of it is there; all that it needs where there is an engine.
+    /// The dependencies that were found; all that the compiler needs where there is an engine.
     pub located: Vec<FoundDependency>,
-    /// The engine, or what is missing or does not work.
+    /// The engine, or the error that says what is missing or does not work.
     pub engine: Result<Box<dyn Engine>, EngineError>,
 }
 

@@ -1,4 +1,4 @@
-//! A C or C++ compiler: it builds what a compiler under test wrote, together with a driver.
+//! Builds the output of a compiler under test together with a driver, by a C or C++ compiler.
 
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
@@ -22,7 +22,7 @@ pub(super) const CXX: Dependency = Dependency {
     name: "c++",
 };
 
-/// What a compiler under test writes.
+/// The language that a compiler under test writes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Language {
     /// C, for [`CC`].
@@ -31,7 +31,7 @@ pub(super) enum Language {
     Cpp,
 }
 
-/// What the two languages differ in.
+/// The differences between the two languages.
 struct Words {
     name: &'static str,
     compiler: Dependency,
@@ -43,7 +43,8 @@ struct Words {
 }
 
 impl Language {
-    /// Without optimisation, so that what C leaves undefined does what the machine does.
+    /// Returns the properties of the language. Programs are built without optimisation, so that what C leaves undefined does
+    /// what the machine does.
     const fn words(self) -> Words {
         match self {
             Language::C => Words {
@@ -68,13 +69,13 @@ impl Language {
     }
 }
 
-/// The programs that a C or C++ compiler has others do its work.
+/// The programs that a C or C++ compiler calls.
 const PROGRAMS: [&str; 4] = ["cc1", "cc1plus", "as", "ld"];
 
-/// The libraries of what it builds.
+/// The libraries of the programs that it builds.
 const LIBRARIES: [&str; 4] = ["libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1"];
 
-/// The environment variables that decide what it includes and links, and what a program runs with.
+/// The environment variables that decide what the compiler includes and links, and what a program runs with.
 ///
 /// Basis: gcc: *Environment Variables Affecting GCC*; linux: ld.so(8).
 const VARIABLES: [&str; 8] = [
@@ -88,18 +89,18 @@ const VARIABLES: [&str; 8] = [
     "LD_PRELOAD",
 ];
 
-/// The compiler, and the headers that every built program includes; they are compiled once, since that takes most of the time
-/// of building a small program. A compiler that makes no use of that reads them itself.
+/// A C or C++ compiler, and the headers that every built program includes; they are compiled once, since that takes most of the
+/// time of building a small program. A compiler that does not use the compiled headers reads them itself.
 pub(super) struct Builder {
     language: Language,
     compiler: PathBuf,
     headers: PathBuf,
-    /// Holds the header that includes the others, and what the compiler made of it.
+    /// The folder with the header that includes the others, and its compiled form.
     prepared: Folder,
 }
 
 impl Builder {
-    /// Finds a compiler and has it compile `text`, which includes headers of the folder `headers`. A driver includes it as
+    /// Finds a compiler and compiles `text`, which includes headers of the folder `headers`. A driver includes it as
     /// `stickler.h` or `stickler.hpp`.
     ///
     /// # Errors
@@ -133,10 +134,10 @@ impl Builder {
         ))
     }
 
-    /// A digest of all that decides what it builds; `None` where that cannot be known.
+    /// Returns a digest of everything that decides what the compiler builds; `None` where that cannot be known.
     pub(super) fn fingerprint(&self) -> Option<String> {
         let words = self.language.words();
-        // With every header that is included, and without the places where they are.
+        // The output has every header that is included, without the paths of the headers.
         let arguments = self.arguments(&[
             "-E",
             "-P",
@@ -159,7 +160,7 @@ impl Builder {
         for question in programs.iter().chain(&libraries) {
             let answer = call(&self.compiler, &[question], &self.prepared).ok()?;
             let path = PathBuf::from(answer.stdout.trim());
-            // What it does not have it names without a path.
+            // A program or library that the compiler does not have is named without a path.
             if path.is_absolute() && path.is_file() {
                 fingerprint = fingerprint.file(&path);
             }
@@ -170,8 +171,8 @@ impl Builder {
     /// Builds the program `driver` of a folder from the text of a driver and from what it includes there.
     ///
     /// # Errors
-    /// [`Outcome::Crashed`] where it cannot be built: the compiler under test neither rejected its program nor made one that
-    /// runs. Otherwise as [`call`].
+    /// [`Outcome::Crashed`] where the program cannot be built: the compiler under test neither rejected its program nor made
+    /// one that runs. Otherwise an outcome as [`call`] returns.
     pub(super) fn build(&self, driver: &str, folder: &Folder) -> Result<(), Outcome> {
         self.build_with(driver, &[], folder)
     }
@@ -179,7 +180,7 @@ impl Builder {
     /// Builds a program with further files and libraries to link.
     ///
     /// # Errors
-    /// As [`Builder::build`].
+    /// An outcome as [`Builder::build`] returns.
     pub(super) fn build_with(
         &self,
         driver: &str,
@@ -199,10 +200,11 @@ impl Builder {
         }
     }
 
-    /// As [`Builder::build_with`], and gives what the compiler said and how it ended.
+    /// Builds a program with further files and libraries to link, as [`Builder::build_with`] does. Returns the output and the
+    /// end of the compiler.
     ///
     /// # Errors
-    /// As [`call`].
+    /// An outcome as [`call`] returns.
     pub(super) fn try_build(
         &self,
         driver: &str,
@@ -217,7 +219,7 @@ impl Builder {
         call(&self.compiler, &arguments, folder)
     }
 
-    /// The arguments of every call, and these.
+    /// Returns the arguments of every call, followed by `further`.
     fn arguments(&self, further: &[&str]) -> Vec<OsString> {
         let options = self.language.words().options;
         let mut arguments: Vec<OsString> = options.iter().map(OsString::from).collect();

@@ -9,11 +9,11 @@ use std::path::{Path, PathBuf};
 /// A program or a folder that an adapter needs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Dependency {
-    /// Its key in a table `[engines.NAME]` of `stickler.toml`.
+    /// The key of the dependency in a table `[engines.NAME]` of `stickler.toml`.
     pub key: &'static str,
-    /// The environment variable that says where it is.
+    /// The environment variable that holds the path of the dependency.
     pub variable: &'static str,
-    /// What a program is called on PATH; of a folder, what it is.
+    /// The name of a program on PATH, or the description of a folder.
     pub name: &'static str,
 }
 
@@ -23,11 +23,12 @@ pub struct Dependency {
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct DependencyPaths {
     named: BTreeMap<String, Named>,
-    /// Environment variables belong to the compiler under its own name alone: of two versions of it, one must be another.
+    /// Whether environment variables are ignored: they belong to the compiler under its own name alone, so that a second
+    /// version of it must not use them.
     without_variables: bool,
 }
 
-/// A path, and where it is written.
+/// A path, and the place where it is written.
 #[derive(Clone, PartialEq, Eq, Debug)]
 struct Named {
     path: PathBuf,
@@ -35,14 +36,15 @@ struct Named {
 }
 
 impl DependencyPaths {
-    /// Adds the path of the dependency with this key; `written` is where a person wrote it, such as `stickler.toml:4`.
+    /// Adds the path of the dependency with this key; `written` is the place where a person wrote it, such as
+    /// `stickler.toml:4`.
     #[must_use]
     pub fn named(mut self, key: &str, path: PathBuf, written: String) -> DependencyPaths {
         self.named.insert(key.to_owned(), Named { path, written });
         self
     }
 
-    /// Leaves environment variables out of account.
+    /// Ignores environment variables.
     #[must_use]
     pub fn without_variables(mut self) -> DependencyPaths {
         self.without_variables = true;
@@ -53,24 +55,24 @@ impl DependencyPaths {
 /// A dependency that was found.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct FoundDependency {
-    /// Its [key](Dependency::key).
+    /// The [key](Dependency::key) of the dependency.
     pub key: &'static str,
-    /// Where it is, as an absolute path.
+    /// The absolute path of the dependency.
     pub path: PathBuf,
-    /// How it was found.
+    /// The way in which the dependency was found.
     pub by: FoundBy,
 }
 
-/// How a dependency was found.
+/// The way in which a dependency was found.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum FoundBy {
-    /// This environment variable names it.
+    /// By the environment variable of this name.
     Variable(&'static str),
-    /// A configuration names it; holds the file and the line.
+    /// By a configuration; holds the file and the line.
     Configuration(String),
-    /// It is on PATH.
+    /// On PATH.
     Path,
-    /// It lies where it belongs, beside another.
+    /// At its usual place beside another dependency.
     Beside,
 }
 
@@ -85,10 +87,10 @@ impl fmt::Display for FoundBy {
     }
 }
 
-/// Looks for the dependencies of one compiler, and keeps what it found.
+/// A search for the dependencies of one compiler, which keeps what it found.
 pub(super) struct DependencySearch<'p> {
     paths: &'p DependencyPaths,
-    /// The engine's name, as in `[engines.NAME]`.
+    /// The name of the engine, as in `[engines.NAME]`.
     engine: &'p str,
     located: Vec<FoundDependency>,
 }
@@ -142,10 +144,10 @@ impl<'p> DependencySearch<'p> {
         Ok(self.keep(dependency, found, FoundBy::Path))
     }
 
-    /// Finds a folder; where nobody said where it is, it is the first of `candidates` that there is.
+    /// Finds a folder; where no path was named, the first of `candidates` that exists.
     ///
     /// # Errors
-    /// As [`DependencySearch::script`].
+    /// A fragment that says what is missing and how to name it.
     pub(super) fn folder(
         &mut self,
         dependency: Dependency,
@@ -166,16 +168,16 @@ impl<'p> DependencySearch<'p> {
         Ok(self.keep(dependency, found, FoundBy::Beside))
     }
 
-    /// Returns the path that a person named, and how.
+    /// Returns the path that a person named, and the way in which it was named.
     fn named_path(&self, dependency: Dependency) -> Option<(PathBuf, FoundBy)> {
         let variable = match self.paths.without_variables {
             true => None,
-            // An empty variable is how some pipelines say that there is none.
-            false => env::var_os(dependency.variable).filter(|told| !told.is_empty()),
+            // Some pipelines set a variable to an empty text to say that there is none.
+            false => env::var_os(dependency.variable).filter(|path| !path.is_empty()),
         };
         let named = self.paths.named.get(dependency.key);
         variable
-            .map(|told| (PathBuf::from(told), FoundBy::Variable(dependency.variable)))
+            .map(|path| (PathBuf::from(path), FoundBy::Variable(dependency.variable)))
             .or_else(|| {
                 named.map(|named| (named.path.clone(), FoundBy::Configuration(named.written.clone())))
             })
@@ -206,7 +208,7 @@ fn existing(
     dependency: Dependency,
     is: fn(&Path) -> bool,
 ) -> Result<PathBuf, String> {
-    // The programs run in folders of their own, from which a relative path leads elsewhere.
+    // The programs run in folders of their own, where a relative path would lead elsewhere.
     match path.canonicalize() {
         Ok(path) if is(&path) => Ok(path),
         _ => Err(format!(
@@ -217,7 +219,7 @@ fn existing(
     }
 }
 
-/// Tells whether the system would start it.
+/// Tells whether the system would start the file as a program.
 #[cfg(unix)]
 pub(super) fn may_be_executed(path: &Path) -> bool {
     use std::os::unix::fs::PermissionsExt;
@@ -225,13 +227,13 @@ pub(super) fn may_be_executed(path: &Path) -> bool {
         .is_ok_and(|metadata| metadata.permissions().mode() & 0o111 != 0)
 }
 
-/// Elsewhere the name of a file says whether it can be started.
+/// Returns `true`: on systems other than Unix the name of a file says whether it can be started.
 #[cfg(not(unix))]
 pub(super) fn may_be_executed(_: &Path) -> bool {
     true
 }
 
-/// The program of this name in the folders of PATH, as a shell finds it.
+/// Returns the program of this name in the folders of PATH, as a shell finds it.
 pub(super) fn on_path(name: &str, path: Option<&OsStr>) -> Option<PathBuf> {
     let file = format!("{name}{}", env::consts::EXE_SUFFIX);
     env::split_paths(path?)
@@ -276,7 +278,7 @@ mod tests {
         let folder = Folder::new().unwrap();
         let there = folder.write("compiler", "").unwrap().canonicalize().unwrap();
         let paths = DependencyPaths::default().named("compiler", there.clone(), "stickler.toml:4".to_owned());
-        // Every shell has `sh` on PATH.
+        // `sh` is on PATH wherever there is a shell.
         let dependency = Dependency {
             name: "sh",
             ..DEPENDENCY

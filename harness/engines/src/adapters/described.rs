@@ -1,7 +1,7 @@
-//! A compiler that is described by data: commands, what their exit codes mean, and how they write diagnostics and values.
+//! Engines that a table describes: commands, the meaning of their exit codes, and the forms of diagnostics and values.
 //!
-//! Such an engine does what the adapters of this crate do, as far as a table can say it: it writes a program into a private
-//! folder, calls the compiler as a person would, and reads what it says.
+//! Such an engine does what the adapters of this crate do, as far as a table can express it: it writes a program into a private
+//! folder, calls the compiler as a person would, and reads its output.
 
 mod call;
 mod description;
@@ -28,7 +28,7 @@ use stickler_types::DialectName;
 use template::{Filling, Placeholder, Template};
 use values::Printed;
 
-/// An engine that is a description.
+/// A compiler whose command line a table describes.
 pub struct DescribedEngine {
     identity: Identity,
     description: Description,
@@ -37,10 +37,10 @@ pub struct DescribedEngine {
 }
 
 impl DescribedEngine {
-    /// Makes an engine of a description, to be called `called`; `here` is the folder from which its paths lead.
+    /// Makes an engine of a description, to be called `called`; `here` is the folder to which its paths are relative.
     ///
     /// # Errors
-    /// [`EngineError`] where one of its programs is not there, or it does not say its version.
+    /// [`EngineError`] where one of its programs is missing, or does not say its version.
     pub fn start(
         called: &str,
         description: Description,
@@ -70,7 +70,7 @@ impl DescribedEngine {
         Ok(engine)
     }
 
-    /// The programs of its commands that are on this machine.
+    /// Returns the programs of the commands that are on this machine.
     #[must_use]
     pub fn programs(description: &Description, here: &Path) -> Vec<FoundDependency> {
         let commands = description.commands().into_iter();
@@ -79,7 +79,7 @@ impl DescribedEngine {
             .collect()
     }
 
-    /// Returns what its command `version` says: the first number with a point in it, or otherwise the first line.
+    /// Returns the version that the command `version` prints: the first number with a point in it, or otherwise the first line.
     fn version(&self) -> Result<Option<String>, String> {
         let Some(template) = &self.description.version else {
             return Ok(None);
@@ -98,14 +98,14 @@ impl DescribedEngine {
         }
         let said = locate::said(&ended).ok_or("`version` prints nothing")?;
         let said = without_colours(&said);
-        // The expression is a constant that a test reads; without it the whole line is the version.
+        // The expression is a constant that a test compiles; without it the whole line is the version.
         let number = Regex::new(r"\d+(\.\d+)+[0-9A-Za-z.+-]*").ok();
         let number = number.and_then(|number| Some(number.find(&said)?.as_str().to_owned()));
         Ok(Some(number.unwrap_or(said)))
     }
 }
 
-/// Returns where the program of a command is; `None` for what a call of it makes itself.
+/// Returns the path of the program of a command; `None` for a program that a call itself makes.
 fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option<FoundDependency>, String> {
     let Some(program) = template.program(here) else {
         return Ok(None);
@@ -146,7 +146,7 @@ fn abilities(description: &Description) -> Vec<Ability> {
     abilities
 }
 
-/// Returns what the pattern of its diagnostics can tell.
+/// Returns the best grade that the pattern of the diagnostics allows.
 fn best_grade(description: &Description) -> Grade {
     match &description.diagnostic {
         Some(pattern) if pattern.0.tells("line") && pattern.0.tells("code") => Grade::Code,
@@ -165,7 +165,7 @@ impl Engine for DescribedEngine {
         Ok(Box::new(DescribedSession { engine: self, folder }))
     }
 
-    /// Of its description, its programs, the files that its commands name, and what it says to be its version.
+    /// Returns a digest of the description, its programs, the files that its commands name, and the version that it reports.
     fn fingerprint(&self) -> Option<String> {
         let mut fingerprint = Fingerprint::of("described")
             .text(&format!("{:?}", self.description))
@@ -181,7 +181,7 @@ impl Engine for DescribedEngine {
         fingerprint.finish()
     }
 
-    /// Its commands as its table has them, one after the other.
+    /// Returns the commands of the table, one after the other.
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         let description = &self.description;
         let word = self.word(dialect)?;
@@ -195,7 +195,7 @@ impl Engine for DescribedEngine {
             dialect: word,
             folder: Path::new("."),
             scans: 1,
-            // Where the table stands is this machine's own affair.
+            // The folder of the table differs from machine to machine.
             here: Path::new(""),
         };
         let templates = first.iter().flat_map(|commands| &commands.0).chain(run);
@@ -212,7 +212,7 @@ impl Engine for DescribedEngine {
 }
 
 impl DescribedEngine {
-    /// The compiler's own word for a dialect; `None` where it does not speak it.
+    /// Returns the compiler's own word for a dialect; `None` where it does not speak the dialect.
     fn word(&self, dialect: DialectName) -> Option<&str> {
         let asked_in = self.identity.asked_in(dialect)?;
         let mut dialects = self.description.dialects.iter();
@@ -222,7 +222,7 @@ impl DescribedEngine {
     }
 }
 
-/// A folder in which one program at a time is compiled and run.
+/// A session: a folder in which one program at a time is compiled and run.
 struct DescribedSession<'e> {
     engine: &'e DescribedEngine,
     folder: Folder,
@@ -255,7 +255,7 @@ impl DescribedSession<'_> {
             &description.run,
         ) {
             (Some(commands), _) => call.all(commands),
-            // What only runs programs accepts one by running it.
+            // A compiler that only runs programs accepts a program by running it.
             (None, Some(run)) => call.execute(&run.0, 1).map(|_| ()),
             (None, None) => Ok(()),
         }
@@ -272,7 +272,7 @@ impl DescribedSession<'_> {
         Ok(Outcome::Rendered { text: ended.stdout })
     }
 
-    /// Executes a program, with copies of what is no variable of its own.
+    /// Executes a program, with copies of observed values that are no variables of their own.
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let description = &self.engine.description;
         let (Some(run), Some(main)) = (&description.run, main_program(request.source)) else {
@@ -303,7 +303,7 @@ impl DescribedSession<'_> {
         self.outcome(request, &probes, &executions)
     }
 
-    /// Returns what came of the executions, one for each scan after which somebody wants to look.
+    /// Returns the outcome of the executions, one for each scan after which a value is observed.
     fn outcome(
         &self,
         request: &RunRequest<'_>,
@@ -327,7 +327,7 @@ impl DescribedSession<'_> {
             match (shown, fault) {
                 (Ok(value), _) => values.push((asked.key().to_string(), value)),
                 (Err(reason), None) => return Err(Outcome::Unsupported { reason }),
-                // A fault may have come before it.
+                // The fault may have come before the value was printed.
                 (Err(_), Some(_)) => {}
             }
         }
@@ -354,7 +354,7 @@ impl DescribedSession<'_> {
     }
 }
 
-/// The scans after which somebody wants to look.
+/// Returns the numbers of the scans after which a value is observed, and of the last.
 fn scans(request: &RunRequest<'_>) -> BTreeSet<u32> {
     let asked = request.observe.iter().filter_map(|asked| asked.after);
     asked.chain([request.scans]).collect()

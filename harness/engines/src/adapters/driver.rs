@@ -1,4 +1,4 @@
-//! A program that runs translated ones and prints what is observed of them.
+//! Drivers: programs that run translated programs and print the observed values.
 
 use super::locate::{self, failed};
 use super::printed::{self, Kind};
@@ -7,32 +7,33 @@ use crate::{NamedValue, Outcome, RunRequest};
 use std::fmt::Write;
 use stickler_types::{Fault, Value};
 
-/// The program, and how to read what it prints.
+/// A driver program, and how its output is read.
 pub(super) struct Driver<'r> {
     /// The program in C or C++.
     pub(super) text: String,
-    /// Whom it runs, in order.
+    /// The programs that the driver runs, in order.
     pub(super) subjects: Vec<DrivenProgram<'r>>,
-    /// Reads one value; gives nothing where it is nonsense.
+    /// Parses one printed value; returns `None` where the text is no such value.
     pub(super) read: fn(&Kind<'_>, &str) -> Option<Value>,
-    /// The exit codes by which it tells faults.
+    /// The exit codes by which the driver reports faults.
     pub(super) faults: &'static [(i32, Fault)],
 }
 
 /// A translated program that a driver runs.
 pub(super) struct DrivenProgram<'r> {
-    /// What was asked about it.
+    /// The request that the program answers.
     pub(super) request: RunRequest<'r>,
-    /// What is printed of each observed variable.
+    /// The kind of each observed value, in the order of the observations.
     pub(super) kinds: Vec<Kind<'r>>,
 }
 
-/// How long one of several programs may run, in seconds, before it is run alone.
+/// The time limit for one of several programs, in seconds, after which the program is run alone.
 const RUN_TIMEOUT_SECONDS: u32 = 5;
 
-/// The end of the text of a driver, which calls `runs(number)` for one of `count` programs and gives what that returns as
-/// its exit code. Where there are several it takes the number of one, or else runs all of them one after the other, each in
-/// a process of its own, so that none sees what another left behind, and one that fails is the only one that does.
+/// Returns the end of the text of a driver, which calls `runs(number)` for one of `count` programs and returns its result as
+/// the exit code. Where there are several programs, the driver takes the number of one, or else runs all of them one after the
+/// other, each in a process of its own, so that none sees what another left behind, and a failing program does not affect the
+/// others.
 pub(super) fn main(count: usize, runs: impl Fn(usize) -> String) -> String {
     if count == 1 {
         return format!("int main(void) {{\n    return {};\n}}\n", runs(0));
@@ -66,17 +67,17 @@ pub(super) fn main(count: usize, runs: impl Fn(usize) -> String) -> String {
     text
 }
 
-/// Before what a program printed that was run among others, and its number.
+/// The mark before the output of a program that is run among others; its number follows.
 const BEGINS: &str = "< ";
 
-/// Behind it, where the program ran to its end.
+/// The mark behind the output of a program that ran to its end; its number follows.
 const ENDS: &str = "> ";
 
 impl<'r> Driver<'r> {
-    /// Runs its only program, which was built in a folder.
+    /// Runs the driver's only program, which was built in a folder.
     ///
     /// # Errors
-    /// As [`locate::execute`], and [`Outcome::Error`] for what is no value.
+    /// An outcome as [`locate::execute`] returns, and [`Outcome::Error`] for output that is no value.
     pub(super) fn execute(&self, folder: &Folder) -> Result<Outcome, Outcome> {
         let only = self.subjects.first();
         let only = only.ok_or_else(|| failed("its driver runs nothing".to_owned()))?;
@@ -84,7 +85,7 @@ impl<'r> Driver<'r> {
         self.execute_one(only, &nothing, folder)
     }
 
-    /// Runs all of its programs, which were built in a folder.
+    /// Runs all programs of the driver, which were built in a folder.
     pub(super) fn execute_all(&self, folder: &Folder) -> Vec<Outcome> {
         let nothing: [&str; 0] = [];
         let ended = locate::execute(&folder.path().join("driver"), &nothing, folder).ok();
@@ -127,15 +128,16 @@ impl<'r> Driver<'r> {
             let values = self.values(&ended.stdout, subject).map_err(failed)?;
             return Ok(Outcome::Executed { values });
         }
-        let told = self.faults.iter().find(|(of, _)| *of == code);
-        told.map(|(_, fault)| faulted(*fault))
+        let listed = self.faults.iter().find(|(of, _)| *of == code);
+        listed
+            .map(|(_, fault)| faulted(*fault))
             .ok_or_else(|| ended.crashed())
     }
 
-    /// The values that it printed of a program.
+    /// Parses the values that the driver printed of a program.
     ///
     /// # Errors
-    /// A fragment that says what is wrong with what it printed.
+    /// A fragment that says what is wrong with the output.
     pub(super) fn values(
         &self,
         printed: &str,
@@ -145,7 +147,8 @@ impl<'r> Driver<'r> {
     }
 }
 
-/// Returns what was printed of each of so many programs that were run one after the other; `None` for one that did not run to its end.
+/// Splits the output of a driver that ran `count` programs one after the other. Returns the output of each program; `None` for
+/// a program that did not run to its end.
 fn parts(printed: &str, count: usize) -> Vec<Option<String>> {
     let mut parts: Vec<Option<String>> = vec![None; count];
     let mut part = String::new();

@@ -1,27 +1,27 @@
-//! What an engine of this crate is made of: the programs and files that decide what it answers.
+//! Fingerprints of engines: digests of the programs and files that decide their answers.
 
 use crate::Digest;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// A digest of this crate's source, which asks the compilers and reads what they say.
+/// A digest of this crate's source, which calls the compilers and reads their output.
 const ADAPTERS: &str = env!("STICKLER_ADAPTERS");
 
-/// A digest of what an engine is made of, gathered piece by piece; `None` once a piece could not be read.
+/// A digest of the parts of an engine, gathered piece by piece; `None` once a piece could not be read.
 pub(super) struct Fingerprint {
     digest: Option<Digest>,
 }
 
 impl Fingerprint {
-    /// That of an adapter, which `kind` names.
+    /// Returns the fingerprint of an adapter without its parts; `kind` names the adapter.
     pub(super) fn of(kind: &str) -> Fingerprint {
         let mut digest = Digest::new("engine");
         digest.text(ADAPTERS).text(kind);
         Fingerprint { digest: Some(digest) }
     }
 
-    /// With this text.
+    /// Adds a text.
     pub(super) fn text(mut self, text: &str) -> Fingerprint {
         if let Some(digest) = &mut self.digest {
             digest.text(text);
@@ -29,22 +29,22 @@ impl Fingerprint {
         self
     }
 
-    /// With a program. A script may call whatever it likes, and so there is no fingerprint where the program is one.
+    /// Adds a program. A script may call any program, and so there is no fingerprint where the program is a script.
     pub(super) fn program(self, path: &Path) -> Fingerprint {
         self.take(|digest| !is_script(path) && digest.file(path).is_ok())
     }
 
-    /// With what is in a file.
+    /// Adds the content of a file.
     pub(super) fn file(self, path: &Path) -> Fingerprint {
         self.take(|digest| digest.file(path).is_ok())
     }
 
-    /// With all that is in a folder and below it.
+    /// Adds everything in a folder and below it.
     pub(super) fn folder(self, path: &Path) -> Fingerprint {
         self.take(|digest| digest.folder(path).is_ok())
     }
 
-    /// With what is known of something else; without a fingerprint of that there is none of the whole.
+    /// Adds the fingerprint of another part; without it there is none of the whole.
     pub(super) fn with(self, other: Option<String>) -> Fingerprint {
         match other {
             Some(other) => self.text(&other),
@@ -52,7 +52,7 @@ impl Fingerprint {
         }
     }
 
-    /// With the values of environment variables that programs heed.
+    /// Adds the values of environment variables that programs heed.
     pub(super) fn variables(mut self, names: &[&str]) -> Fingerprint {
         for name in names {
             let value = std::env::var_os(name).unwrap_or_default();
@@ -61,7 +61,7 @@ impl Fingerprint {
         self
     }
 
-    /// The fingerprint; `None` where something of it could not be read.
+    /// Returns the fingerprint; `None` where a part could not be read.
     pub(super) fn finish(&self) -> Option<String> {
         self.digest.as_ref().map(Digest::finish)
     }
@@ -76,7 +76,7 @@ impl Fingerprint {
     }
 }
 
-/// Tells whether another program executes this one, or nobody can tell.
+/// Tells whether a program is a script, which another program executes; true where the file cannot be read.
 fn is_script(program: &Path) -> bool {
     let mut first = [0; 2];
     let read = File::open(program).and_then(|mut file| file.read_exact(&mut first));
@@ -110,7 +110,7 @@ mod tests {
         let text = "#!/bin/sh\nexec elsewhere/compiler \"$@\"\n";
         let script = folder.write("compiler", text).unwrap();
         assert_eq!(Fingerprint::of("test").program(&script).finish(), None);
-        // As one of the files that a compiler reads it is what it is.
+        // A script that a compiler only reads as a file has a fingerprint.
         assert!(Fingerprint::of("test").file(&script).finish().is_some());
     }
 }

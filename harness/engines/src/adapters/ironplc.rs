@@ -32,7 +32,7 @@ const MACHINE: Dependency = Dependency {
     name: "ironplcvm",
 };
 
-/// What is to be found.
+/// The dependencies of the adapter.
 pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, MACHINE];
 
 /// The compiler and its virtual machine.
@@ -43,10 +43,10 @@ pub(super) struct Ironplc {
 }
 
 impl Ironplc {
-    /// Finds both programs.
+    /// Finds the compiler and its virtual machine.
     ///
     /// # Errors
-    /// A fragment that says which is missing, or what the compiler did when it was asked for its version.
+    /// A fragment that says which program is missing, or what the compiler did when it was asked for its version.
     pub(super) fn find(called: &str, search: &mut DependencySearch<'_>) -> Result<Ironplc, String> {
         let compiler = search.program(COMPILER)?;
         let machine = search.program(MACHINE)?;
@@ -61,7 +61,7 @@ impl Ironplc {
                 DialectName::IronplcRusty,
             ],
             abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
-            // The registry's codes are its own.
+            // The registry's codes are those of this compiler.
             grade: Grade::Code,
         };
         Ok(Ironplc {
@@ -97,7 +97,7 @@ impl Engine for Ironplc {
     }
 }
 
-/// A folder in which one program at a time is compiled and run.
+/// A session: a folder in which one program at a time is compiled and run.
 struct IronplcSession<'e> {
     engine: &'e Ironplc,
     folder: Folder,
@@ -120,7 +120,7 @@ impl Session for IronplcSession<'_> {
     }
 }
 
-/// The compiler's name of a dialect.
+/// Returns the compiler's name of a dialect.
 fn dialect_name(dialect: DialectName) -> Result<&'static str, Outcome> {
     match dialect.base() {
         BuiltIn::IronplcEd2 => Ok("iec61131-3-ed2"),
@@ -133,8 +133,8 @@ fn dialect_name(dialect: DialectName) -> Result<&'static str, Outcome> {
 }
 
 impl IronplcSession<'_> {
-    /// Executes a program, with probes for what the dump does not show. Where the probes are not accepted, the
-    /// program alone decides whether it is.
+    /// Executes a program, with probe variables for values that the dump does not show. Where the compiler does not accept the
+    /// probe variables, the program is compiled without them, to tell whether it is accepted itself.
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         if !(request.clock.is_empty() && request.set.is_empty()) {
             return Err(Outcome::Unsupported {
@@ -148,7 +148,7 @@ impl IronplcSession<'_> {
                 session: self,
                 container: &container,
             };
-            // A second turn is taken for texts that turn out to be long, and for names that several variables have.
+            // A second run is needed for texts that turn out to be long, and for names that several variables have.
             match scans.outcome(request, &readbacks)? {
                 RunResult::Done(outcome) => return Ok(outcome),
                 RunResult::Retry(hints) => readbacks = Readbacks::of(request, hints),
@@ -169,11 +169,11 @@ impl IronplcSession<'_> {
         })
     }
 
-    /// Compiles a program and gives the path of its bytecode.
+    /// Compiles a program and returns the path of its bytecode.
     fn compile(&self, dialect: DialectName, source: &str) -> Result<PathBuf, Outcome> {
         let container = self.folder.path().join("program.iplc");
         let arguments = ["compile", "program.st", "-o", "program.iplc", "--dialect"];
-        // What an earlier program left behind must not be taken for this one.
+        // The bytecode of an earlier program must not be taken for that of this one.
         let _ = std::fs::remove_file(&container);
         let ended = self.on_program(&arguments, dialect, source)?;
         match ended.code()? {
@@ -201,7 +201,7 @@ impl IronplcSession<'_> {
     }
 }
 
-/// The outcome of a compiler that ended with an exit code other than 0.
+/// Returns the outcome of a compiler that ended with an exit code other than 0.
 fn rejected(ended: &Ended) -> Outcome {
     let diagnostics = diagnostics::read(&ended.stderr);
     // 1 means diagnostics; 101 is a panic of a Rust program.
@@ -211,18 +211,18 @@ fn rejected(ended: &Ended) -> Outcome {
     diagnostics::outcome(diagnostics)
 }
 
-/// What came of running a program and reading its values back.
+/// The result of running a program and reading its values back.
 enum RunResult {
     Done(Outcome),
     /// Some value was not shown; the next run has the probe variables that these hints ask for.
     Retry(RunHints),
 }
 
-/// How one execution ended.
+/// The end of one execution.
 enum Execution {
-    /// All scans were made; this was printed.
+    /// All scans were made; holds the output.
     Finished(String),
-    /// A fault came first.
+    /// A fault came first; holds the fault and the output.
     Faulted(Fault, String),
 }
 
@@ -233,7 +233,7 @@ struct Scans<'s> {
 }
 
 impl Scans<'_> {
-    /// Runs the program once for each scan after which a value is wanted.
+    /// Runs the program once for each scan after which a value is observed.
     fn outcome(&self, request: &RunRequest<'_>, readbacks: &Readbacks) -> Result<RunResult, Outcome> {
         let last = self.execute(request.scans)?;
         let mut values: Vec<NamedValue> = Vec::with_capacity(request.observe.len());
@@ -248,7 +248,7 @@ impl Scans<'_> {
                     Err(ReadbackError::Retry(hints)) => return Ok(RunResult::Retry(hints)),
                     Err(ReadbackError::Unsupported(reason)) => return Err(Outcome::Unsupported { reason }),
                 },
-                // The probes show what was before the fault; what they would show is left out.
+                // The probe variables hold the values from before the fault; values that only they would show are left out.
                 Execution::Faulted(_, text) => {
                     values.extend(
                         readbacks
@@ -293,7 +293,7 @@ impl Scans<'_> {
     }
 }
 
-/// The fault of a trap.
+/// Returns the fault of a trap.
 ///
 /// Basis: ironplc: problem codes of the virtual machine.
 fn fault(stderr: &str) -> Option<Fault> {

@@ -1,4 +1,4 @@
-//! Calls of a compiler's programs, and words about what came of them.
+//! Calls the programs of a compiler, and describes their errors.
 
 use crate::process::{Ended, Folder, ToolLimits, run_tool};
 use crate::{EngineError, Identity, Outcome, process};
@@ -7,17 +7,17 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::time::Duration;
 
-/// Returns what a program says when it is asked for its version: its first line that is not blank.
+/// Returns the version that a program reports: the first line of its output that is not blank.
 ///
 /// # Errors
-/// A fragment that says why it did not.
+/// A fragment that says why there is no version.
 pub(super) fn version(program: &Path, arguments: &[&str], folder: &Folder) -> Result<String, String> {
     let ended = process::run_tool(program, arguments, folder.path(), &ToolLimits::default())
         .map_err(|outcome| format!("`{}`: {outcome}", program.display()))?;
     said(&ended).ok_or_else(|| format!("`{}` does not say its version", program.display()))
 }
 
-/// The first line of what a program wrote that is not blank.
+/// Returns the first line of a program's output that is not blank.
 pub(super) fn said(ended: &Ended) -> Option<String> {
     let lines = ended.stdout.lines().chain(ended.stderr.lines());
     lines
@@ -26,10 +26,10 @@ pub(super) fn said(ended: &Ended) -> Option<String> {
         .map(str::to_owned)
 }
 
-/// A folder for a session of an engine.
+/// Creates a folder for a session of an engine.
 ///
 /// # Errors
-/// [`EngineError::NotStarted`] where none can be made.
+/// [`EngineError::NotStarted`] where the folder cannot be created.
 pub(super) fn session_folder(engine: &Identity) -> Result<Folder, EngineError> {
     Folder::new().map_err(|reason| EngineError::NotStarted {
         engine: engine.name.clone(),
@@ -37,14 +37,14 @@ pub(super) fn session_folder(engine: &Identity) -> Result<Folder, EngineError> {
     })
 }
 
-/// The outcome of an adapter that could not do its work.
+/// Returns the outcome of an adapter that could not do its work.
 pub(super) fn failed(message: String) -> Outcome {
     Outcome::Error { message }
 }
 
-/// Those of so many programs, by their numbers, that are to be asked about alone after a compiler did not come to an end of its
-/// own over all of them: every one where it took too long, for smaller packs would each take as long again, and alone only
-/// the one at fault does. Otherwise none, and smaller packs tell which it was.
+/// Returns the numbers of the programs that must be run alone after a compiler did not finish `programs` programs together: all
+/// of them where it took too long, since each smaller pack would take as long again, while alone only the program at fault
+/// does. Otherwise none, since smaller packs show which program it was.
 pub(super) fn suspects(outcome: &Outcome, programs: usize) -> BTreeSet<usize> {
     match outcome {
         Outcome::TimedOut { .. } => (0..programs).collect(),
@@ -52,10 +52,10 @@ pub(super) fn suspects(outcome: &Outcome, programs: usize) -> BTreeSet<usize> {
     }
 }
 
-/// The first line of what a C or C++ compiler wrote that tells an error.
+/// Returns the first line of the output of a C or C++ compiler that reports an error.
 pub(super) fn first_error(ended: &Ended) -> String {
-    let told = ended.stderr.lines().find(|line| line.contains("error"));
-    let line = told
+    let error = ended.stderr.lines().find(|line| line.contains("error"));
+    let line = error
         .or(ended.stderr.lines().next())
         .unwrap_or("it does not say why");
     line.chars().filter(|character| !character.is_control()).collect()
@@ -64,7 +64,7 @@ pub(super) fn first_error(ended: &Ended) -> String {
 /// Runs a compiler in a folder of a session, under the limits that every compiler gets.
 ///
 /// # Errors
-/// As [`run_tool`].
+/// An outcome as [`run_tool`] returns.
 pub(super) fn call<A: AsRef<OsStr>>(
     program: &Path,
     arguments: &[A],
@@ -73,14 +73,14 @@ pub(super) fn call<A: AsRef<OsStr>>(
     run_tool(program, arguments, folder.path(), &ToolLimits::default())
 }
 
-/// How long a program that was compiled may run. Those of cases and campaigns are done in milliseconds, so that one which is
-/// still at work has a loop that does not end.
+/// The time limit for running a compiled program. Programs of cases and campaigns take milliseconds, so that a program which
+/// still runs then has an endless loop.
 pub(super) const EXECUTION_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// Runs what was compiled, under the limits that every execution gets.
+/// Runs a compiled program, under the limits that every execution gets.
 ///
 /// # Errors
-/// As [`run_tool`].
+/// An outcome as [`run_tool`] returns.
 pub(super) fn execute<A: AsRef<OsStr>>(
     program: &Path,
     arguments: &[A],

@@ -1,5 +1,5 @@
-//! matiec: `iec2c` translates a program to C, a C compiler builds it together with a driver, and the driver prints what is
-//! observed, exactly.
+//! matiec: `iec2c` translates a program to C, a C compiler builds it together with a driver, and the driver prints the observed
+//! values exactly.
 //!
 //! A program that `iec2c` accepts and whose C cannot be built counts as a crash of the compiler: it neither rejected the
 //! program nor made one that runs.
@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use stickler_types::{BuiltIn, DialectName};
 
-/// The configuration without which no C is written. It stands behind the program and moves no line of it.
+/// Returns the configuration without which no C is written. It stands behind the program, so that no line of the program moves.
 fn configuration(program: &str) -> String {
     format!(
         "\nCONFIGURATION stickler_configuration RESOURCE stickler_resource ON PLC \
@@ -50,16 +50,16 @@ const LIBRARY: Dependency = Dependency {
     name: "the library of iec2c",
 };
 
-/// What is to be found.
+/// The dependencies of the adapter.
 pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, LIBRARY, builder::CC];
 
-/// The compiler, its library, and what builds its C.
+/// The compiler, its library, and the builder of its C.
 pub(super) struct Matiec {
     identity: Identity,
     compiler: PathBuf,
     library: PathBuf,
     builder: Builder,
-    /// See [`Matiec::taken`].
+    /// The names that programs in a pack must not declare; see [`Matiec::taken`].
     taken: OnceLock<HashSet<String>>,
 }
 
@@ -79,7 +79,7 @@ impl Matiec {
                 version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
                 dialects: vec![DialectName::Matiec],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
-                // It has no codes.
+                // The compiler has no diagnostic codes.
                 grade: Grade::Line,
             },
             compiler,
@@ -89,13 +89,14 @@ impl Matiec {
         })
     }
 
-    /// Returns every word of its library, in capitals. Structured Text is in the `.txt` files; beside them lie programs of other kinds.
+    /// Returns every word of the library, in capitals. Structured Text is in the `.txt` files; beside them lie programs of
+    /// other kinds.
     fn taken(&self) -> &HashSet<String> {
         self.taken.get_or_init(|| library_words(&self.library, "txt"))
     }
 }
 
-/// Returns where the library may be: in the source tree, or where it is installed.
+/// Returns the places where the library may be: in the source tree, or where it is installed.
 fn libraries(compiler: &Path) -> [PathBuf; 3] {
     let beside = |path: &str| compiler.parent().unwrap_or(Path::new("")).join(path);
     [
@@ -123,18 +124,19 @@ impl Engine for Matiec {
             .finish()
     }
 
-    /// From here on, what is spent on each start is less than what a culprit costs its pack.
+    /// Returns the size beyond which the cost of starting the compilers for each pack is less than that of a failing program to
+    /// its pack.
     fn pack_size(&self) -> usize {
         128
     }
 
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
-        // Its library is elsewhere on every machine.
+        // The path of the library differs from machine to machine.
         (dialect.base() == BuiltIn::Matiec).then(|| format!("iec2c -i -I lib -T . {file}"))
     }
 }
 
-/// A folder in which one program at a time is translated, built and run.
+/// A session: a folder in which one program at a time is translated, built and run.
 struct MatiecSession<'e> {
     engine: &'e Matiec,
     folder: Folder,
@@ -203,7 +205,7 @@ impl MatiecSession<'_> {
         diagnostics::outcome(&self.compile(source)?)
     }
 
-    /// Has the compiler say what it has to say of a program, and write its C.
+    /// Runs the compiler on a program, which reports its diagnostics and writes its C.
     fn compile(&self, source: &str) -> Result<Ended, Outcome> {
         self.folder.write("program.st", source).map_err(failed)?;
         for left in ["POUS.c", "POUS.h"] {

@@ -1,6 +1,6 @@
-//! Text as it would be read without a terminal.
+//! Removes the colours of a terminal from a text.
 
-/// The text without the sequences that steer a terminal: some compilers colour what they write whoever reads it.
+/// Returns the text without terminal control sequences: some compilers colour their output also where no terminal reads it.
 pub(super) fn without_colours(text: &str) -> String {
     anstream::adapter::strip_str(text).to_string()
 }

@@ -1,19 +1,19 @@
-//! What a driver prints of a program's values: a line for each, with the number of the observation and the value.
+//! Parses the values that a driver prints: a line for each, with the number of the observation and the value.
 
 use super::source::enumeration;
 use crate::{NamedValue, Observation, RunRequest};
 use stickler_types::{ElementaryType, Family, Value};
 
-/// What is printed of a value.
+/// The kind of a printed value.
 pub(super) enum Kind<'r> {
     /// A value of an elementary type.
     Elementary(ElementaryType),
-    /// The number of its place among the values of the enumeration of this name.
+    /// The position of a value in the enumeration of this name, whose values are listed.
     Enumerated(&'r str, Vec<String>),
 }
 
 impl Kind<'_> {
-    /// The value of an enumeration at this place, if there is one.
+    /// Returns the value of an enumeration at this position, if there is one.
     pub(super) fn enumerated(&self, place: u64) -> Option<Value> {
         match self {
             Kind::Enumerated(type_name, values) => {
@@ -25,7 +25,7 @@ impl Kind<'_> {
     }
 }
 
-/// Returns what is to be printed for a request, by a compiler that has values of these types.
+/// Returns the kinds of the values that a request observes, for a compiler that has values of the types of which `has` is true.
 ///
 /// # Errors
 /// A fragment that says what cannot be printed.
@@ -47,16 +47,16 @@ fn kind<'r>(
         Some(ty) => Err(format!("it has no values of {ty}")),
         None => match enumeration(source, &asked.type_name) {
             Some(values) => Ok(Kind::Enumerated(&asked.type_name, values)),
-            None if asked.type_name.is_empty() => Err(format!("the type of {} was not told", asked.name)),
+            None if asked.type_name.is_empty() => Err(format!("the type of {} was not given", asked.name)),
             None => Err(format!("values of {} cannot be shown", asked.type_name)),
         },
     }
 }
 
-/// The values that were printed, in the order asked for; `read` reads one, and gives nothing where it is nonsense.
+/// Parses the printed values, in the order asked for; `read` parses one, and returns `None` where it is no such value.
 ///
 /// # Errors
-/// A fragment that says what is wrong with what was printed.
+/// A fragment that says what is wrong with the output.
 pub(super) fn values(
     printed: &str,
     request: &RunRequest<'_>,
@@ -72,7 +72,7 @@ pub(super) fn values(
             .get(number)
             .zip(request.observe.get(number))
             .ok_or_else(nonsense)?;
-        // A compiler's own variable may hold what its type cannot, such as a duration of 2^63 seconds.
+        // A compiler's variable may hold a value that its type cannot have, such as a duration of 2^63 seconds.
         let no_value = || {
             format!(
                 "{} is `{shown}`, which is no value of {}",
@@ -89,7 +89,7 @@ pub(super) fn values(
     request.observe.iter().zip(values).map(named).collect()
 }
 
-/// The raw form of the bits of a variable. A BOOL that holds more than one bit is TRUE, as it is to every C condition.
+/// Returns the raw form of the bits of a variable. A BOOL that holds more than one bit is TRUE, as it is to every C condition.
 pub(super) fn raw(ty: ElementaryType, bits: u64) -> u64 {
     match ty.family() {
         Family::Boolean => u64::from(bits != 0),
@@ -98,7 +98,7 @@ pub(super) fn raw(ty: ElementaryType, bits: u64) -> u64 {
     }
 }
 
-/// The code units of a text that is printed with four hexadecimal digits each; `None` where that is nonsense.
+/// Parses the code units of a text that is printed as four hexadecimal digits each; `None` where the digits are invalid.
 pub(super) fn units(digits: &str) -> Option<Vec<u16>> {
     let units = digits.as_bytes().chunks(4);
     units

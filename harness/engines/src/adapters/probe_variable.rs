@@ -8,11 +8,11 @@ use stickler_types::ElementaryType;
 /// A variable that is added to a program and takes the value of an expression at the end of its main program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct ProbeVariable {
-    /// Its name, which no program has: see [`ProbeVariable::name`].
+    /// The name of the variable, which no program has: see [`ProbeVariable::name`].
     pub(super) name: String,
-    /// Its type, as it is declared.
+    /// The type of the variable, as it is declared.
     pub(super) type_name: String,
-    /// The expression whose value it takes.
+    /// The expression whose value the variable takes.
     pub(super) expression: String,
 }
 
@@ -27,8 +27,8 @@ impl ProbeVariable {
 /// them, to tell whether it is accepted itself.
 ///
 /// # Errors
-/// What `translate` says of the program without probe variables; [`Outcome::Unsupported`] where it accepts that, and the probe
-/// variables would show nothing or are not accepted.
+/// The error of `translate` for the program without probe variables; [`Outcome::Unsupported`] where that is accepted, and the
+/// probe variables would show nothing or are not accepted.
 pub(super) fn translate_with<T>(
     request: &RunRequest<'_>,
     main: &MainProgram,

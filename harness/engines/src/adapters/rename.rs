@@ -1,14 +1,14 @@
 //! Renames what programs declare, so that several of them can stand in one text.
 //!
-//! Every name that a program declares for all of its text, of its POUs, its types and the values of its enumerations, gets
-//! a suffix wherever it stands. No line moves, and a column can be led back.
+//! Every name that a program declares for all of its text (program organization units, types and the values of enumerations)
+//! gets a suffix wherever it occurs. No line moves, and columns can be translated back.
 
 use super::source::{Token, tokens, words};
 use crate::Diagnostic;
 use std::collections::HashSet;
 use std::path::Path;
 
-/// Sections whose names a whole configuration shares, and what makes such a configuration.
+/// The keywords of sections whose names a whole configuration shares, and of a configuration itself.
 const SHARED: &[&str] = &[
     "CONFIGURATION",
     "RESOURCE",
@@ -22,15 +22,15 @@ const SHARED: &[&str] = &[
     "USING",
 ];
 
-/// What may stand beside others in a text.
+/// The keywords of declarations that may stand beside others in a text.
 const UNITS: &[&str] = &["PROGRAM", "FUNCTION", "FUNCTION_BLOCK", "TYPE"];
 
-/// What else has an end of its own.
+/// The keywords of further constructs that have an end of their own.
 const BLOCKS: &[&str] = &["STRUCT", "IF", "CASE", "FOR", "WHILE", "REPEAT"];
 
-/// The names that a program declares for all of its text, in capitals; `None` where it cannot stand among others: it shares
-/// something with a configuration or with the machine, it is not whole, or what it declares is `taken`, by the language or
-/// by the library of a compiler.
+/// Returns the names that a program declares for all of its text, in capitals; `None` where the program cannot stand among
+/// others: it shares something with a configuration or with the machine, it is incomplete, or a name that it declares is
+/// `taken`, by the language or by the library of a compiler.
 #[must_use]
 pub fn declared(source: &str, taken: &HashSet<String>) -> Option<HashSet<String>> {
     let mut reader = Reader::default();
@@ -41,7 +41,7 @@ pub fn declared(source: &str, taken: &HashSet<String>) -> Option<HashSet<String>
     whole.then_some(reader.names)
 }
 
-/// What was read of a program so far.
+/// The state of reading a program.
 #[derive(Default)]
 struct Reader {
     /// The units and blocks that have not ended, in capitals.
@@ -50,16 +50,16 @@ struct Reader {
     last: Last,
     /// The last word, in capitals.
     word: String,
-    /// It was the first of its declaration.
+    /// Whether that word was the first of its declaration.
     first: bool,
-    /// Within the list of the values of an enumeration.
+    /// Whether the reader is within the list of the values of an enumeration.
     in_list: bool,
 }
 
-/// The last token, as far as it matters.
+/// The kind of the last token.
 #[derive(Clone, Copy, PartialEq, Eq, Default)]
 enum Last {
-    /// The keyword before the name of a POU.
+    /// The keyword before the name of a program organization unit.
     Unit,
     Word,
     /// A colon.
@@ -71,14 +71,15 @@ enum Last {
 }
 
 impl Reader {
-    /// Takes the next token; `None` where the program is no company for others.
+    /// Reads the next token; `None` where the program cannot stand among others.
     fn read(&mut self, token: Token<'_>) -> Option<()> {
         let last = std::mem::replace(&mut self.last, Last::Other);
         match token {
             Token::Unfinished | Token::Pragma | Token::Sign(b'%') => return None,
             Token::Word(word) => self.word(word.text.to_ascii_uppercase(), last)?,
             Token::Sign(b':') => {
-                // A name of a type stands before a colon, and not one of a field; that of another type before an assignment.
+                // The name of a type stands before a colon, unlike that of a field; the name of another type stands before an
+                // assignment.
                 let named = last == Last::Word && self.first;
                 if named && self.open.last().is_some_and(|open| open == "TYPE") {
                     self.names.insert(self.word.clone());
@@ -126,15 +127,15 @@ impl Reader {
     }
 }
 
-/// The text behind the names of a program in a pack, before the number of its place.
+/// The text behind the names of a program in a pack, before the number of the program's place.
 const PACK_SUFFIX: &str = "_in_pack_";
 
-/// Returns what stands behind the names of the program at this place of a pack.
+/// Returns the suffix of the names of the program at this place of a pack.
 pub(super) fn pack_suffix(place: usize) -> String {
     format!("{PACK_SUFFIX}{place}")
 }
 
-/// Tells whether a program has names that look as if they were renamed for a pack already.
+/// Tells whether a program has names that look as if they were already renamed for a pack.
 pub(super) fn has_pack_suffix(source: &str) -> bool {
     source.to_ascii_lowercase().contains(PACK_SUFFIX)
 }
@@ -163,7 +164,8 @@ pub(super) fn library_words(folder: &Path, extension: &str) -> HashSet<String> {
     taken
 }
 
-/// A suffix that was written behind a name: the line, the column at which it begins and its length, all as they are after it.
+/// A suffix that was inserted behind a name: its line, the column at which it begins, and its length, all as they are after the
+/// insertion.
 struct Insertion {
     line: u32,
     column: u32,
@@ -179,12 +181,12 @@ pub(super) struct Renamed {
 }
 
 impl Renamed {
-    /// Writes the suffix of a place in a pack behind every one of these names, which are in capitals.
+    /// Appends the suffix of a place in a pack to each occurrence of these names, which are in capitals.
     pub(super) fn in_pack(source: &str, names: &HashSet<String>, place: usize) -> Renamed {
         Renamed::of(source, names, &pack_suffix(place))
     }
 
-    /// Writes a suffix behind every one of these names, which are in capitals.
+    /// Appends a suffix to each occurrence of these names, which are in capitals.
     fn of(source: &str, names: &HashSet<String>, suffix: &str) -> Renamed {
         let mut renamed = Renamed {
             text: String::with_capacity(source.len() * 2),
@@ -209,13 +211,13 @@ impl Renamed {
     }
 
     /// Translates a diagnostic of the renamed text back to the program itself.
-    pub(super) fn original(&self, told: Diagnostic) -> Diagnostic {
+    pub(super) fn original(&self, diagnostic: Diagnostic) -> Diagnostic {
         let column = |line: Option<u32>, column: Option<u32>| Some(self.column(line?, column?));
         Diagnostic {
-            column: column(told.line, told.column).or(told.column),
-            end_column: column(told.end_line, told.end_column).or(told.end_column),
-            message: without(&told.message, &self.suffix),
-            ..told
+            column: column(diagnostic.line, diagnostic.column).or(diagnostic.column),
+            end_column: column(diagnostic.end_line, diagnostic.end_column).or(diagnostic.end_column),
+            message: without(&diagnostic.message, &self.suffix),
+            ..diagnostic
         }
     }
 
@@ -226,12 +228,12 @@ impl Renamed {
     }
 }
 
-/// Texts of programs are no longer than numbers of this kind reach.
+/// Returns a column as `u32`, which no program's text exceeds.
 fn column_of(number: usize) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
 }
 
-/// A text without a suffix, which may be written in capitals.
+/// Returns a text without a suffix, which may also be written in capitals.
 fn without(text: &str, suffix: &str) -> String {
     text.replace(suffix, "").replace(&suffix.to_ascii_uppercase(), "")
 }
@@ -293,7 +295,7 @@ mod tests {
             "FUNCTION f_in_pack_7 : INT (* f *)\n  f_in_pack_7 := 'f';\nEND_FUNCTION\n\
              PROGRAM p_in_pack_7 x := F_in_pack_7(f_in_pack_7(y)); END_PROGRAM"
         );
-        // Every column of the original, looked up in the text and led back.
+        // Every column of the original, looked up in the renamed text and translated back.
         for (number, (before, after)) in source.lines().zip(renamed.text.lines()).enumerate() {
             let line = column_of(number + 1);
             let kept = after.replace("_in_pack_7", "~~~~~~~~~~");
@@ -304,7 +306,7 @@ mod tests {
             let expected: Vec<u32> = (1..=column_of(before.len())).collect();
             assert_eq!(led_back, expected, "{before}");
         }
-        let told = renamed.original(Diagnostic {
+        let original = renamed.original(Diagnostic {
             line: Some(4),
             column: Some(26),
             end_line: Some(4),
@@ -312,7 +314,7 @@ mod tests {
             message: "no F_IN_PACK_7 and no f_in_pack_7".to_owned(),
             ..Diagnostic::default()
         });
-        assert_eq!((told.column, told.end_column), (Some(16), Some(17)));
-        assert_eq!(told.message, "no F and no f");
+        assert_eq!((original.column, original.end_column), (Some(16), Some(17)));
+        assert_eq!(original.message, "no F and no f");
     }
 }

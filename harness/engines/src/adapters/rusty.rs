@@ -1,7 +1,7 @@
 //! RuSTy: `plc` checks a program and compiles it to an object file, which is linked with a driver in C.
 //!
-//! What is observed the driver is told by functions of Structured Text that are compiled beside the program, which stays as it
-//! is but for the name of its main program, since `main` is where a C program begins.
+//! Functions of Structured Text that are compiled beside the program pass the observed values to the driver. The program itself
+//! is unchanged but for the name of its main program, since `main` is where a C program begins.
 //!
 //! Basis: rusty: its book, chapters *Using RuSTy*, *External Functions* and *Output format*, and what a build of April 2025
 //! does, with LLVM 14.
@@ -46,10 +46,10 @@ const LIBRARY: Dependency = Dependency {
     name: "the folder of RuSTy's standard library (`libiec61131std`)",
 };
 
-/// What is to be found.
+/// The dependencies of the adapter.
 pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, DECLARATIONS, LIBRARY, builder::CC];
 
-/// The compiler, its standard library, and what builds a program of its object files.
+/// The compiler, its standard library, and the builder of a program from its object files.
 pub(super) struct Rusty {
     identity: Identity,
     compiler: PathBuf,
@@ -57,7 +57,7 @@ pub(super) struct Rusty {
     library: PathBuf,
     builder: Builder,
     reader: Reader,
-    /// What programs must not declare if they are to stand among others; found when it is first asked for.
+    /// The names that programs in a pack must not declare; read when first needed.
     taken: OnceLock<HashSet<String>>,
 }
 
@@ -84,10 +84,10 @@ impl Rusty {
             identity: Identity {
                 name: called.to_owned(),
                 version: short(&version),
-                // It documents no dialect of ours; this one has what IronPLC takes over from it.
+                // RuSTy documents no dialect of Stickler; this dialect has what IronPLC takes over from RuSTy.
                 dialects: vec![DialectName::IronplcRusty],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
-                // Its codes divide mistakes otherwise than the registry does.
+                // The compiler's codes classify mistakes otherwise than the registry does.
                 grade: Grade::Line,
             },
             compiler,
@@ -99,12 +99,13 @@ impl Rusty {
         })
     }
 
-    /// Every word of the declarations of its library, in capitals.
+    /// Returns every word of the declarations of the library, in capitals.
     fn taken(&self) -> &HashSet<String> {
         self.taken.get_or_init(|| library_words(&self.declarations, "st"))
     }
 
-    /// Returns what a driver is linked with: the object file, the standard library, static where there is one, and what that is made of.
+    /// Returns the linker's inputs beside the driver: the object file, the standard library, static where there is one, and the
+    /// libraries that the standard library needs.
     fn linked(&self) -> Vec<OsString> {
         let folder = &self.library;
         let whole = folder.join("libiec61131std.a");
@@ -118,7 +119,7 @@ impl Rusty {
             }
         };
         words.extend(["-lm", "-lpthread", "-ldl"].map(OsString::from));
-        // Its object files hold addresses of texts, which a program that can be loaded anywhere must not.
+        // The object files hold addresses of texts, which a position-independent program must not have.
         if cfg!(target_os = "linux") {
             words.push("-no-pie".into());
         }
@@ -145,21 +146,22 @@ impl Engine for Rusty {
             .finish()
     }
 
-    /// From here on, what is spent on each start is less than what a culprit costs its pack.
+    /// Returns the size beyond which the cost of starting the compilers for each pack is less than that of a failing program to
+    /// its pack.
     fn pack_size(&self) -> usize {
         48
     }
 
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
-        // Its library is elsewhere on every machine.
+        // The path of the library differs from machine to machine.
         self.identity
             .speaks(dialect)
             .then(|| format!("plc --check {file} -i 'include/*.st'"))
     }
 }
 
-/// Returns what it says of its version, in short: `0.2.0 (Tue Apr 8 10:00:00 2025 +0200, 1a2b3c4)` is `0.2.0 (1a2b3c4)`. A build
-/// outside its repository has neither day nor revision.
+/// Shortens the version that the compiler reports: `0.2.0 (Tue Apr 8 10:00:00 2025 +0200, 1a2b3c4)` becomes `0.2.0 (1a2b3c4)`.
+/// A build outside the compiler's repository has neither day nor revision.
 fn short(said: &str) -> String {
     let number = said
         .split_whitespace()
@@ -176,7 +178,7 @@ fn short(said: &str) -> String {
     }
 }
 
-/// A folder in which programs are compiled, built and run.
+/// A session: a folder in which programs are compiled, built and run.
 struct RustySession<'e> {
     engine: &'e Rusty,
     folder: Folder,
@@ -216,12 +218,12 @@ fn speaks(dialect: DialectName) -> Result<(), Outcome> {
     }
 }
 
-/// The options that make an object file, without optimisation.
+/// The options that make an object file without optimisation.
 const OBJECT: [&str; 5] = ["-c", "-O", "none", "-o", OBJECT_FILE];
 
 const OBJECT_FILE: &str = "program.o";
 
-/// The file in which the functions stand that a driver calls.
+/// The file of the functions that a driver calls.
 const FUNCTIONS: &str = "stickler.st";
 
 impl RustySession<'_> {
@@ -245,41 +247,44 @@ impl RustySession<'_> {
         driver.execute(&self.folder).map_err(diagnostics::steady)
     }
 
-    /// Returns what errors say of the only program that was compiled.
+    /// Returns the outcome of the errors about the only program that was compiled.
     fn refused(&self, program: &Program<'_>, found: Vec<Found>) -> Outcome {
         let own = |(about, _): &Found| matches!(about, About::Program(_));
         let shows = |(about, _): &Found| matches!(about, About::Functions(_));
         if found.iter().any(own) {
             let own = found.into_iter().filter(own);
-            return diagnostics::rejected(own.map(|(_, told)| program.original(told)));
+            return diagnostics::rejected(own.map(|(_, diagnostic)| program.original(diagnostic)));
         }
-        let Some((_, told)) = found.iter().find(|found| shows(found)) else {
-            return diagnostics::rejected(found.into_iter().map(|(_, told)| told));
+        let Some((_, diagnostic)) = found.iter().find(|found| shows(found)) else {
+            return diagnostics::rejected(found.into_iter().map(|(_, diagnostic)| diagnostic));
         };
         // The program alone decides whether it is accepted.
         match self.accepts(&OBJECT, program.request.source) {
             Ok(()) => Outcome::Unsupported {
                 reason: format!(
                     "the functions that show its values are not accepted: {}",
-                    told.message
+                    diagnostic.message
                 ),
             },
             Err(outcome) => outcome,
         }
     }
 
-    /// Has the compiler say what it has to say of a program as it is.
+    /// Checks whether the compiler accepts a program as it is.
     fn accepts(&self, options: &[&str], source: &str) -> Result<(), Outcome> {
         let file = Program::file_of(0);
         self.folder.write(&file, source).map_err(failed)?;
         let found = self.call(&[file], options)?;
         match found.is_empty() {
             true => Ok(()),
-            false => Err(diagnostics::rejected(found.into_iter().map(|(_, told)| told))),
+            false => Err(diagnostics::rejected(
+                found.into_iter().map(|(_, diagnostic)| diagnostic),
+            )),
         }
     }
 
-    /// Makes an object file of programs and of the functions that show their values, unless there are errors.
+    /// Compiles programs and the functions that show their values to an object file, unless there are errors. Returns the
+    /// errors.
     fn compile(&self, programs: &[Program<'_>], functions: &str) -> Result<Vec<Found>, Outcome> {
         let mut files = Vec::with_capacity(programs.len() + 1);
         for program in programs {
@@ -292,7 +297,7 @@ impl RustySession<'_> {
         self.call(&files, &OBJECT)
     }
 
-    /// Calls the compiler.
+    /// Calls the compiler and returns its errors.
     fn call(&self, files: &[String], options: &[&str]) -> Result<Vec<Found>, Outcome> {
         let mut declarations = self.engine.declarations.clone();
         declarations.push("*.st");
@@ -307,7 +312,7 @@ impl RustySession<'_> {
             self.folder.path(),
             &limits,
             |start| {
-                // Where it panics, what it says of that is worth more than where it was called from.
+                // Where the compiler panics, its message is worth more than the backtrace.
                 start.env("RUST_BACKTRACE", "0");
             },
         )?;

@@ -1,33 +1,33 @@
-//! Just enough of a program's text to know where its main program begins and ends.
+//! Splits a program into words and signs, just enough to know where its main program begins and ends.
 //!
-//! It reads no grammar, so that a program which only one compiler accepts is found as well as any other.
+//! It knows no grammar, so that it finds the main program of a program that only one compiler accepts as well as of any other.
 
 use std::ops::Range;
 
 /// A word of a program: a keyword or a name; no word of a comment, a text or a number.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Word<'s> {
-    /// As it is written.
+    /// The word as it is written.
     pub text: &'s str,
-    /// Where it begins, in bytes.
+    /// The offset of the word, in bytes.
     pub at: usize,
 }
 
 impl Word<'_> {
-    /// Tells whether it is this keyword or name, in any case.
+    /// Tells whether the word is this keyword or name, in any case.
     #[must_use]
     pub fn is(&self, name: &str) -> bool {
         self.text.eq_ignore_ascii_case(name)
     }
 
-    /// Returns where it ends, in bytes.
+    /// Returns the offset of the end of the word, in bytes.
     #[must_use]
     pub fn end(&self) -> usize {
         self.at + self.text.len()
     }
 }
 
-/// What a program consists of, comments and pragmas left out.
+/// A token of a program; comments are none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Token<'s> {
     /// A keyword or a name.
@@ -40,19 +40,19 @@ pub enum Token<'s> {
     Unfinished,
 }
 
-/// The tokens of a program, in order.
+/// An iterator over the tokens of a program, in order.
 pub struct Tokens<'s> {
     source: &'s str,
     at: usize,
 }
 
-/// The tokens of a program, in order.
+/// Returns the tokens of a program, in order.
 #[must_use]
 pub fn tokens(source: &str) -> Tokens<'_> {
     Tokens { source, at: 0 }
 }
 
-/// The words of a program, in order.
+/// Returns the words of a program, in order.
 pub(super) fn words(source: &str) -> impl Iterator<Item = Word<'_>> {
     tokens(source).filter_map(|token| match token {
         Token::Word(word) => Some(word),
@@ -96,7 +96,8 @@ impl<'s> Iterator for Tokens<'s> {
     }
 }
 
-/// Returns how far something reaches that does or does not end, and what it is.
+/// Returns the length of a construct and its token; where the construct does not end, the rest of the text and
+/// [`Token::Unfinished`].
 fn skipped<'s>(rest: &[u8], length: Option<usize>, token: Option<Token<'s>>) -> (usize, Option<Token<'s>>) {
     match length {
         Some(length) => (length, token),
@@ -112,14 +113,14 @@ fn length(rest: &[u8], belongs: impl Fn(u8) -> bool) -> usize {
     rest.iter().take_while(|&&byte| belongs(byte)).count()
 }
 
-/// Returns how far something reaches that ends with `close`; `None` where that is missing.
+/// Returns the length of a construct that ends with `close`; `None` where that is missing.
 fn enclosed(rest: &[u8], open: usize, close: &[u8]) -> Option<usize> {
     let inside = &rest[open.min(rest.len())..];
     let found = inside.windows(close.len()).position(|window| window == close);
     found.map(|found| open + found + close.len())
 }
 
-/// Returns how far a text in quotes reaches, in which `$` takes the next character for itself; `None` where it does not end.
+/// Returns the length of a text in quotes, in which `$` escapes the next character; `None` where the text does not end.
 fn quoted(rest: &[u8], quote: u8) -> Option<usize> {
     let mut at = 1;
     while let Some(&byte) = rest.get(at) {
@@ -132,14 +133,14 @@ fn quoted(rest: &[u8], quote: u8) -> Option<usize> {
     None
 }
 
-/// Where the main program stands in a source text: the one that is called `main`, otherwise the first.
+/// The place of the main program in a source text: the program that is called `main`, otherwise the first.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct MainProgram {
-    /// Its name, as it is declared.
+    /// The name of the program, as it is declared.
     pub(super) name: String,
-    /// From behind its name, where sections of variables may stand, to before its `END_PROGRAM`.
+    /// The range from behind its name, where sections of variables may stand, to before its `END_PROGRAM`.
     pub(super) inside: Range<usize>,
-    /// Whether it may end before its last statement.
+    /// Whether the program may end before its last statement.
     pub(super) returns: bool,
 }
 
@@ -162,7 +163,7 @@ pub(super) fn main_program(source: &str) -> Option<MainProgram> {
     first
 }
 
-/// The rest of a program whose first word was read.
+/// Reads the rest of a program after its first word.
 fn program<'s>(words: &mut impl Iterator<Item = Word<'s>>) -> Option<MainProgram> {
     let name = words.next()?;
     let mut returns = false;
@@ -177,7 +178,7 @@ fn program<'s>(words: &mut impl Iterator<Item = Word<'s>>) -> Option<MainProgram
     })
 }
 
-/// The names of the values of an enumeration that is declared as `NAME : (A, B, C)`, in order; `None` where it is not
+/// Returns the names of the values of an enumeration that is declared as `NAME : (A, B, C)`, in order; `None` where it is not
 /// declared so.
 pub(super) fn enumeration(source: &str, name: &str) -> Option<Vec<String>> {
     words(source)
@@ -192,7 +193,7 @@ fn values(behind_the_name: &str) -> Option<Vec<String>> {
         .trim_start()
         .strip_prefix('(')?;
     let (list, _) = list.split_once(')')?;
-    // Numbers that somebody gave to the values are beyond this.
+    // Explicit numbers of the values are not supported.
     let plain = !list.contains(['=', '*', '#']);
     plain.then(|| words(list).map(|word| word.text.to_owned()).collect())
 }

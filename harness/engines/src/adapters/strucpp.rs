@@ -1,8 +1,8 @@
-//! STruC++: its compiler writes C++, which a C++ compiler builds together with a driver; the driver prints what is observed,
+//! STruC++: its compiler writes C++, which a C++ compiler builds together with a driver; the driver prints the observed values
 //! exactly.
 //!
-//! Its command line takes seconds to start, so a Node process of our own asks the same compiler for one program after
-//! another. A program that it accepts and whose C++ cannot be built counts as a crash of the compiler.
+//! The compiler's command line takes seconds to start, so a Node process of the adapter's own asks the same compiler for one
+//! program after another. A program that the compiler accepts and whose C++ cannot be built counts as a crash of the compiler.
 //!
 //! Basis: strucpp: `strucpp --help`, its `compile` function, and the C++ that it writes; measured on version 0.6.
 
@@ -26,7 +26,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use stickler_types::DialectName;
 
-/// The program that Node runs.
+/// The script that Node runs.
 const TRANSLATOR: &str = include_str!("strucpp/translator.mjs");
 
 /// The longest answer of the translator, in bytes: the C++ of a program is many times as long as the program.
@@ -44,23 +44,23 @@ const NODE: Dependency = Dependency {
     name: "node",
 };
 
-/// What is to be found.
+/// The dependencies of the adapter.
 pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, NODE, builder::CXX];
 
-/// The compiler, and what builds its C++.
+/// The compiler, and the builder of its C++.
 pub(super) struct Strucpp {
     identity: Identity,
     translator: CommandLine,
     builder: Builder,
     node: PathBuf,
     package: PathBuf,
-    /// Its run-time headers.
+    /// The folder of the compiler's run-time headers.
     headers: PathBuf,
-    /// See [`Strucpp::taken`].
+    /// The names that programs in a pack must not declare; see [`Strucpp::taken`].
     taken: OnceLock<HashSet<String>>,
-    /// Translators of sessions that are gone, for those to come: Node takes its time to start.
+    /// Translators of sessions that have ended, for later sessions: Node is slow to start.
     idle: Mutex<Vec<Connection>>,
-    /// Holds the program that Node runs.
+    /// The folder of the script that Node runs.
     _script: Folder,
 }
 
@@ -85,10 +85,10 @@ impl Strucpp {
             identity: Identity {
                 name: called.to_owned(),
                 version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
-                // It documents no dialect of ours; its language is the third edition with widening.
+                // STruC++ documents no dialect of Stickler; its language is the third edition with widening.
                 dialects: vec![DialectName::IronplcEd3],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
-                // It has no codes.
+                // The compiler has no diagnostic codes.
                 grade: Grade::Line,
             },
             translator: CommandLine::of(
@@ -103,11 +103,12 @@ impl Strucpp {
         })
     }
 
-    /// The names in capitals of its run-time headers, for it writes those of a program in capitals: what a program may not
-    /// call its own in a namespace of its own, where it would hide what it clashes with when it is alone.
+    /// Returns the names in the run-time headers, in capitals, since the compiler writes the names of a program in capitals. A
+    /// program that declares one of them clashes with the header when it is alone, and would hide it within a namespace of its
+    /// own.
     fn taken(&self) -> &HashSet<String> {
         self.taken.get_or_init(|| {
-            // What cannot be read is seen by the compiler, which then says so.
+            // A file that cannot be read is reported by the compiler.
             let files = std::fs::read_dir(&self.headers).into_iter().flatten().flatten();
             let texts = files.filter_map(|file| std::fs::read_to_string(file.path()).ok());
             texts.fold(HashSet::new(), |mut taken, text| {
@@ -121,13 +122,13 @@ impl Strucpp {
 fn capitals(text: &str) -> impl Iterator<Item = String> + '_ {
     let words = text.split(|character: char| !(character.is_ascii_alphanumeric() || character == '_'));
     let capitals = words.filter(|word| !word.bytes().any(|byte| byte.is_ascii_lowercase()));
-    // Of a type `X` it makes an `IEC_X` as well.
+    // For a type `X` the compiler also declares `IEC_X`.
     capitals.map(|word| word.strip_prefix("IEC_").unwrap_or(word).to_owned())
 }
 
-/// The package that a command belongs to: the nearest folder around it that has what is needed.
+/// Returns the package that a command belongs to: the nearest folder around it that has the needed files.
 fn package(command: &Path) -> Result<PathBuf, String> {
-    // On PATH stands a link into the package.
+    // The command on PATH is a link into the package.
     let command = command.canonicalize().map_err(|error| error.to_string())?;
     let has_all = |folder: &&Path| {
         folder.join("dist/index.js").is_file() && folder.join("src/runtime/include").is_dir()
@@ -162,7 +163,7 @@ impl Engine for Strucpp {
             .folder(&self.package.join("dist"))
             .folder(&self.headers)
             .with(self.builder.fingerprint());
-        // What else it is made of lies beside it or above, wherever its installer put it; that says what it put there.
+        // The compiler's other parts lie beside it or above, wherever its installer put them; these files list them.
         for file in [
             "package.json",
             "package-lock.json",
@@ -176,7 +177,7 @@ impl Engine for Strucpp {
         fingerprint.finish()
     }
 
-    /// More in one C++ text take more memory, and little less time for each.
+    /// Returns 48: larger packs take more memory, and save little time for each program.
     fn pack_size(&self) -> usize {
         48
     }
@@ -187,11 +188,11 @@ impl Engine for Strucpp {
     }
 }
 
-/// A translator that lives as long as it answers, and a folder in which one program at a time is built and run.
+/// A session: a translator that lives as long as it answers, and a folder in which one program at a time is built and run.
 struct StrucppSession<'e> {
     engine: &'e Strucpp,
     folder: Folder,
-    /// `None` before the first request and after a failure.
+    /// The running translator; `None` before the first request and after a failure.
     translator: Option<Connection>,
 }
 
@@ -225,7 +226,7 @@ impl Session for StrucppSession<'_> {
     }
 }
 
-/// What the translator answers.
+/// The answer of the translator.
 #[derive(Deserialize)]
 struct Translated {
     #[serde(default)]
@@ -236,11 +237,11 @@ struct Translated {
     program: String,
     #[serde(default)]
     header: String,
-    /// What the compiler threw, where it did.
+    /// The exception that the compiler threw, if any.
     crash: Option<String>,
 }
 
-/// A diagnostic of the compiler. Line 0 is no line.
+/// A diagnostic of the compiler. Line 0 stands for an unknown line.
 #[derive(Deserialize)]
 struct TranslatorError {
     message: String,
@@ -260,7 +261,7 @@ impl TranslatorError {
     }
 }
 
-/// A program that was accepted, and what its driver is to see of it.
+/// A program that was accepted, and the values that its driver observes.
 struct Accepted<'r> {
     subject: Subject<'r>,
     translated: Translated,
@@ -274,10 +275,10 @@ impl StrucppSession<'_> {
         }
     }
 
-    /// Has a program translated that is to be run; `None` where it has no main program and is accepted.
+    /// Translates a program that is to be run; `None` where it has no main program and is accepted.
     ///
     /// # Errors
-    /// What is to be said of a program that is not accepted.
+    /// The outcome of a program that is not accepted.
     fn accepted<'r>(&mut self, request: &RunRequest<'r>) -> Result<Option<Accepted<'r>>, Outcome> {
         let Some(main) = main_program(request.source) else {
             self.translate(request.source)?;
@@ -346,9 +347,9 @@ impl StrucppSession<'_> {
     }
 }
 
-/// The rejection that these errors are; warnings reject nothing.
+/// Returns the rejection for these errors; warnings reject nothing.
 fn rejected(errors: Vec<TranslatorError>) -> Outcome {
-    let errors = errors.into_iter().filter(|told| told.severity == "error");
+    let errors = errors.into_iter().filter(|error| error.severity == "error");
     let mut diagnostics: Vec<Diagnostic> = errors.map(TranslatorError::diagnostic).collect();
     if diagnostics.is_empty() {
         return Outcome::Crashed {
@@ -374,7 +375,10 @@ mod tests {
         let Outcome::Rejected { diagnostics } = rejected(translated.errors) else {
             panic!("not rejected")
         };
-        let places: Vec<_> = diagnostics.iter().map(|told| (told.line, told.column)).collect();
+        let places: Vec<_> = diagnostics
+            .iter()
+            .map(|diagnostic| (diagnostic.line, diagnostic.column))
+            .collect();
         assert_eq!(places, [(None, None), (Some(4), Some(2))]);
         assert!(matches!(rejected(Vec::new()), Outcome::Crashed { .. }));
     }

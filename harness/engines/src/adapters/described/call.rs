@@ -1,4 +1,4 @@
-//! One call of a command of a described compiler, and what the way it ended means.
+//! Calls the commands of a described compiler, and interprets how they end.
 
 use super::DescribedEngine;
 use super::description::{CodeMeaning, Commands, Description, Meaning, Parsed};
@@ -11,13 +11,13 @@ use crate::{Diagnostic, Outcome};
 use std::time::Duration;
 use stickler_types::Fault;
 
-/// What one execution wrote, and the fault at which it stopped.
+/// The output of one execution, and the fault at which it stopped.
 pub(super) struct Execution {
     pub(super) text: String,
     pub(super) fault: Option<Fault>,
 }
 
-/// Calls of the commands of an engine on one program.
+/// The calls of an engine's commands on one program.
 pub(super) struct Call<'c> {
     pub(super) engine: &'c DescribedEngine,
     pub(super) folder: &'c Folder,
@@ -69,7 +69,7 @@ impl Call<'_> {
         Ok(())
     }
 
-    /// Runs the program for so many scans.
+    /// Runs the program for `scans` scans.
     pub(super) fn execute(&self, template: &Template, scans: u32) -> Result<Execution, Outcome> {
         let description = self.description();
         let limits = self.limits(Some(locate::EXECUTION_TIMEOUT));
@@ -81,9 +81,11 @@ impl Call<'_> {
         }
         let code = ended.code()?;
         let meaning = match (&description.run_exit, &description.exit) {
-            (Some(meanings), _) => told(meanings.get(&code)),
-            // What only runs programs says with the same codes that it rejects one.
-            (None, Some(meanings)) if description.compile.is_none() => told(meanings.get(&code)),
+            (Some(meanings), _) => meaning_or_crashed(meanings.get(&code)),
+            // A compiler that only runs programs reports a rejection by the same codes.
+            (None, Some(meanings)) if description.compile.is_none() => {
+                meaning_or_crashed(meanings.get(&code))
+            }
             (None, None) if description.compile.is_none() => usual(code),
             (None, _) if code == 0 => Meaning::Accepted,
             (None, _) => Meaning::Crashed,
@@ -113,13 +115,13 @@ impl Call<'_> {
     pub(super) fn accepted(&self, ended: &Ended) -> Result<(), Outcome> {
         let code = ended.code()?;
         let meaning = match &self.description().exit {
-            Some(meanings) => told(meanings.get(&code)),
+            Some(meanings) => meaning_or_crashed(meanings.get(&code)),
             None => usual(code),
         };
         self.meant(meaning, ended)
     }
 
-    /// Returns what a command that ended so did with the program.
+    /// Interprets how a command ended, by the meaning of its exit code.
     fn meant(&self, meaning: Meaning, ended: &Ended) -> Result<(), Outcome> {
         match meaning {
             Meaning::Accepted => Ok(()),
@@ -142,7 +144,7 @@ impl Call<'_> {
         diagnostics
     }
 
-    /// The outcome of a command that says by its exit code that it rejects the program.
+    /// Returns the outcome of a command whose exit code means that it rejects the program.
     fn rejected(&self, ended: &Ended) -> Outcome {
         if self.description().diagnostic.is_none() {
             let message = locate::first_error(ended);
@@ -164,8 +166,8 @@ impl Call<'_> {
         self.about_the_program(diagnostics)
     }
 
-    /// A rejection where one of them is about the program; otherwise a compiler that says of itself that it went wrong has
-    /// crashed, and one that says that it cannot do this is asked too much.
+    /// Returns a rejection where a diagnostic is about the program; otherwise [`Outcome::Crashed`] where the compiler reports a
+    /// failure of its own, and [`Outcome::Unsupported`] where it reports that it does not support the program.
     fn about_the_program(&self, diagnostics: Vec<Diagnostic>) -> Outcome {
         let meaning = |diagnostic: &Diagnostic| {
             let meaning = self.description().codes.get(diagnostic.code.as_ref()?)?;
@@ -201,7 +203,7 @@ impl Call<'_> {
         Outcome::Rejected { diagnostics }
     }
 
-    /// Returns what a command may take; `time` is how long where the description does not say.
+    /// Returns the limits of a command; `time` is the time limit where the description names none.
     fn limits(&self, time: Option<Duration>) -> ToolLimits {
         let said = self.description().limits;
         let usual = ToolLimits::default();
@@ -219,11 +221,12 @@ impl Call<'_> {
     }
 }
 
-fn told(meaning: Option<&Parsed<Meaning>>) -> Meaning {
+/// Returns the meaning that the description gives to an exit code, and otherwise [`Meaning::Crashed`].
+fn meaning_or_crashed(meaning: Option<&Parsed<Meaning>>) -> Meaning {
     meaning.map_or(Meaning::Crashed, |meaning| meaning.0)
 }
 
-/// Returns what an exit code means where nobody says it.
+/// Returns the meaning of an exit code that the description does not mention.
 fn usual(code: i32) -> Meaning {
     match code {
         0 => Meaning::Accepted,
@@ -232,7 +235,7 @@ fn usual(code: i32) -> Meaning {
     }
 }
 
-/// A diagnostic in one line, with the compiler's own code.
+/// Formats a diagnostic in one line, with the compiler's own code.
 fn described(diagnostic: &Diagnostic) -> String {
     match &diagnostic.code {
         Some(code) => format!("{code}: {}", diagnostic.message),
@@ -240,7 +243,7 @@ fn described(diagnostic: &Diagnostic) -> String {
     }
 }
 
-/// The outcome that it cannot do this.
+/// Returns the outcome of a request that the engine does not support.
 pub(super) fn unsupported(reason: &str) -> Outcome {
     Outcome::Unsupported {
         reason: reason.to_owned(),

@@ -1,4 +1,4 @@
-//! What a table of `stickler.toml` says about a compiler.
+//! The description of a compiler by a table of `stickler.toml`.
 
 use super::pattern::{DiagnosticPattern, ValuePattern};
 use super::template::{Placeholder, Template};
@@ -16,74 +16,74 @@ use stickler_types::{Code, DialectName, Fault};
 pub struct Description {
     /// The compiler's own word for each dialect that it speaks.
     pub(super) dialects: BTreeMap<Parsed<DialectName>, String>,
-    /// Prints the version.
+    /// The command that prints the version.
     pub(super) version: Option<Parsed<Template>>,
-    /// Says whether a program is accepted.
+    /// The commands that check whether a program is accepted.
     pub(super) check: Option<Commands>,
-    /// Makes something of a program that `run` executes.
+    /// The commands that translate a program into something that `run` executes.
     pub(super) compile: Option<Commands>,
-    /// Executes it and prints the values of its variables.
+    /// The command that executes the program and prints the values of its variables.
     pub(super) run: Option<Parsed<Template>>,
-    /// Prints the program as normalised source.
+    /// The command that prints the program as normalised source.
     pub(super) render: Option<Parsed<Template>>,
-    /// What the file of the program is called.
+    /// The name of the file of the program.
     #[serde(default)]
     pub(super) file: FileName,
-    /// What stands behind the program in its file; `{program}` is the name of its main program.
+    /// The text behind the program in its file; `{program}` is the name of its main program.
     pub(super) append: Option<String>,
-    /// How a diagnostic is written.
+    /// The pattern of a diagnostic.
     pub(super) diagnostic: Option<Parsed<DiagnosticPattern>>,
-    /// How a value is written.
+    /// The pattern of a value.
     pub(super) value: Option<Parsed<ValuePattern>>,
-    /// What the exit codes of `check`, `compile` and `render` mean.
+    /// The meanings of the exit codes of `check`, `compile` and `render`.
     pub(super) exit: Option<BTreeMap<i32, Parsed<Meaning>>>,
-    /// What those of `run` mean.
+    /// The meanings of the exit codes of `run`.
     pub(super) run_exit: Option<BTreeMap<i32, Parsed<Meaning>>>,
-    /// Words that `run` writes where a program stops at a fault.
+    /// The texts that `run` writes where a program stops at a fault, and their faults.
     #[serde(default)]
     pub(super) faults: BTreeMap<String, Parsed<Fault>>,
-    /// What its codes mean.
+    /// The meanings of the compiler's diagnostic codes.
     #[serde(default)]
     pub(super) codes: BTreeMap<String, Parsed<CodeMeaning>>,
-    /// How exactly it can say what is wrong.
+    /// The best grade that can be asked of the compiler's rejections.
     pub(super) grade: Option<Grade>,
-    /// Environment variables of its commands.
+    /// The environment variables of the commands.
     #[serde(default)]
     pub(super) environment: BTreeMap<String, String>,
-    /// What each command may take.
+    /// The limits of each command.
     #[serde(default)]
     pub(super) limits: Limits,
-    /// Where its project is.
+    /// The address of the compiler's project.
     pub(super) project: Option<String>,
 }
 
-/// What each command may take; what is left out is as for compilers with an adapter.
+/// The limits of each command; the default of each is that of compilers with an adapter.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Limits {
-    /// How long the compiler may run.
+    /// The time for which the compiler may run, in seconds.
     pub(super) seconds: Option<u32>,
-    /// How long `run` may.
+    /// The time for which `run` may run, in seconds.
     pub(super) run_seconds: Option<u32>,
-    /// How much processor time each may take.
+    /// The processor time that each command may take, in seconds.
     pub(super) cpu_seconds: Option<u32>,
-    /// How much memory, with all that it starts.
+    /// The memory that a command and all that it starts may hold, in MiB.
     pub(super) memory_mib: Option<u32>,
-    /// How much it may write.
+    /// The amount that a command may write, in MiB.
     pub(super) output_mib: Option<u32>,
 }
 
 impl Description {
-    /// Returns the address of its project, if it names one.
+    /// Returns the address of the compiler's project, if the description names one.
     #[must_use]
     pub fn project(&self) -> Option<&str> {
         self.project.as_deref()
     }
 
-    /// Looks for what no key is wrong about by itself.
+    /// Checks rules that involve several keys.
     ///
     /// # Errors
-    /// The key at which to look, and what is wrong.
+    /// The key that is wrong, and the reason.
     pub fn check(&self) -> Result<(), (&'static str, String)> {
         if self.dialects.is_empty() {
             return Err((
@@ -116,7 +116,7 @@ impl Description {
         Ok(())
     }
 
-    /// Every command with its key.
+    /// Returns every command with its key.
     pub(super) fn commands(&self) -> Vec<(&'static str, &Template)> {
         let mut commands = Vec::new();
         for (key, template) in [
@@ -134,7 +134,7 @@ impl Description {
     }
 }
 
-/// A value that is written as a text, read by [`FromStr`].
+/// A value that is written as a text and parsed by [`FromStr`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Parsed<T>(pub(super) T);
 
@@ -200,18 +200,18 @@ impl<'de> Deserialize<'de> for FileName {
     }
 }
 
-/// What an exit code means.
+/// The meaning of an exit code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Meaning {
     /// The program is accepted, or ran to its end.
     Accepted,
-    /// It is rejected, for what the diagnostics say.
+    /// The program is rejected, for the reasons that the diagnostics give.
     Rejected,
-    /// It is rejected where there is a diagnostic, and otherwise accepted.
+    /// The program is rejected where there is a diagnostic, and otherwise accepted.
     Diagnosed,
     /// The compiler cannot do what was asked.
     Unsupported,
-    /// The compiler went wrong.
+    /// The compiler failed.
     Crashed,
     /// The program stopped at this fault.
     Faulted(Fault),
@@ -238,14 +238,14 @@ impl FromStr for Meaning {
     }
 }
 
-/// What a code of the compiler's own means.
+/// The meaning of a diagnostic code of the compiler's own.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum CodeMeaning {
-    /// It says the same as this code of the registry.
+    /// The same as this code of the registry.
     Code(Code),
     /// The compiler cannot do what was asked.
     Unsupported,
-    /// The compiler went wrong.
+    /// The compiler failed.
     Crashed,
 }
 

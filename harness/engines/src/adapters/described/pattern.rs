@@ -4,18 +4,18 @@ use crate::Diagnostic;
 use regex_lite::{Captures, Regex, RegexBuilder};
 use std::str::FromStr;
 
-/// How a compiler writes a diagnostic. Groups: `code`, `line`, `column`, `end_line`, `end_column`, `message` and `file`.
+/// The pattern of a compiler's diagnostics. Groups: `code`, `line`, `column`, `end_line`, `end_column`, `message` and `file`.
 #[derive(Clone, Debug)]
 pub struct DiagnosticPattern(Regex);
 
-/// How a program writes the value of a variable. Groups: `name` and `value`.
+/// The pattern of the values that a program prints. Groups: `name` and `value`.
 #[derive(Clone, Debug)]
 pub struct ValuePattern(Regex);
 
 impl FromStr for DiagnosticPattern {
     type Err = String;
 
-    /// `^` and `$` fit at line ends, of whatever kind.
+    /// Compiles a regular expression in which `^` and `$` match at line ends of any kind.
     fn from_str(text: &str) -> Result<DiagnosticPattern, String> {
         let known = [
             "code",
@@ -33,7 +33,7 @@ impl FromStr for DiagnosticPattern {
 impl FromStr for ValuePattern {
     type Err = String;
 
-    /// As that of [`DiagnosticPattern`]; both groups must be there.
+    /// Compiles a regular expression, in which `^` and `$` match at line ends of any kind; both groups must be there.
     fn from_str(text: &str) -> Result<ValuePattern, String> {
         let regex = compiled(text, &["name", "value"])?;
         match regex.capture_names().flatten().count() {
@@ -62,13 +62,13 @@ fn compiled(text: &str, known: &[&str]) -> Result<Regex, String> {
 }
 
 impl DiagnosticPattern {
-    /// Tells whether it has this group.
+    /// Tells whether the pattern has this group.
     pub(super) fn tells(&self, group: &str) -> bool {
         self.0.capture_names().flatten().any(|name| name == group)
     }
 
-    /// The diagnostics of a text about the file `program`, in the order in which they stand there. Of one about another file
-    /// the place is left out: it says nothing about a line of the program.
+    /// Returns the diagnostics of a text about the file `program`, in the order of the text. A diagnostic about another file
+    /// loses its place, which is no line of the program.
     pub(in crate::adapters) fn diagnostics(&self, text: &str, program: &str) -> Vec<Diagnostic> {
         let here =
             |file: Option<&str>| file.is_none_or(|file| file.rsplit(['/', '\\']).next() == Some(program));
@@ -76,22 +76,22 @@ impl DiagnosticPattern {
         self.0.captures_iter(text).map(read).collect()
     }
 
-    /// The same, of any file, each with the file that it is about where it says so.
+    /// Returns the diagnostics of a text about any file, each with its file where it names one.
     pub(in crate::adapters) fn by_file<'t>(&self, text: &'t str) -> Vec<(Option<&'t str>, Diagnostic)> {
         let read = |captures: Captures<'t>| (file(&captures), diagnostic(&captures, true));
         self.0.captures_iter(text).map(read).collect()
     }
 }
 
-/// The file that a diagnostic is about, where it says so.
+/// Returns the file that a diagnostic is about, where it names one.
 fn file<'t>(captures: &Captures<'t>) -> Option<&'t str> {
     captures.name("file").map(|group| group.as_str().trim())
 }
 
-/// A diagnostic; with its place only where that is of the program.
+/// Returns a diagnostic; its place is kept only where `here` says that it is in the program.
 fn diagnostic(captures: &Captures<'_>, here: bool) -> Diagnostic {
     let group = |name: &str| captures.name(name).map(|group| group.as_str().trim());
-    // Line 0 is how some compilers say that they do not know.
+    // Some compilers write line 0 for an unknown line.
     let number = |name: &str| {
         let number = group(name).filter(|_| here)?.parse().ok();
         number.filter(|&number: &u32| number > 0)
@@ -109,7 +109,7 @@ fn diagnostic(captures: &Captures<'_>, here: bool) -> Diagnostic {
 }
 
 impl ValuePattern {
-    /// The names and values of a text, in the order in which they stand there.
+    /// Returns the names and values of a text, in the order of the text.
     pub(super) fn values<'t>(&self, text: &'t str) -> Vec<(&'t str, &'t str)> {
         let both = |captures: Captures<'t>| {
             Some((captures.name("name")?.as_str(), captures.name("value")?.as_str()))
@@ -138,7 +138,7 @@ mod tests {
             (found[0].code.as_deref(), found[0].message.as_str()),
             (Some("E037"), "no way")
         );
-        // A line of a library is none of the program.
+        // A line of a library is not a line of the program.
         assert_eq!((found[1].line, found[1].code.as_deref()), (None, Some("E1")));
         assert!(pattern.tells("code") && !pattern.tells("end_line"));
     }

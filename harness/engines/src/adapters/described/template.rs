@@ -1,9 +1,9 @@
-//! Command lines with places for what differs from program to program, such as `st --check {file}`.
+//! Command lines with placeholders for what differs from program to program, such as `st --check {file}`.
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-/// What a `{word}` in a command stands for.
+/// A placeholder in a command, such as `{file}`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Placeholder {
     /// The file of the program.
@@ -37,16 +37,16 @@ impl Placeholder {
 #[derive(Clone, PartialEq, Eq, Debug)]
 enum Piece {
     Text(String),
-    Dependency(Placeholder),
+    Placeholder(Placeholder),
 }
 
-/// A command: words, each of pieces. The first is the program.
+/// A command: words, each made of pieces. The first word is the program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Template {
     words: Vec<Vec<Piece>>,
 }
 
-/// What the placeholders stand for in one call.
+/// The values of the placeholders in one call.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Filling<'f> {
     pub(super) file: &'f str,
@@ -57,7 +57,7 @@ pub(super) struct Filling<'f> {
 }
 
 impl<'f> Filling<'f> {
-    /// For what is the same in every call.
+    /// Returns the values for what is the same in every call.
     fn of_no_call(here: &'f Path) -> Filling<'f> {
         Filling {
             file: "",
@@ -72,8 +72,8 @@ impl<'f> Filling<'f> {
 impl FromStr for Template {
     type Err = String;
 
-    /// Splits a line into words as a POSIX shell does; no shell takes part, and nothing is expanded but `{file}` and its
-    /// like. `{{` and `}}` stand for braces.
+    /// Splits a line into words as a POSIX shell does; no shell takes part, and nothing is expanded but placeholders such as
+    /// `{file}`. `{{` and `}}` stand for braces.
     fn from_str(line: &str) -> Result<Template, String> {
         let words = shlex::split(line).ok_or("a quote or a backslash has no end")?;
         if words.first().is_none_or(String::is_empty) {
@@ -84,7 +84,7 @@ impl FromStr for Template {
     }
 }
 
-/// The pieces of one word.
+/// Splits one word into its pieces.
 fn pieces(word: &str) -> Result<Vec<Piece>, String> {
     let mut pieces = Vec::new();
     let mut text = String::new();
@@ -107,7 +107,7 @@ fn pieces(word: &str) -> Result<Vec<Piece>, String> {
             format!("`{{{name}}}` stands for nothing; there are {}", known.join(", "))
         })?;
         pieces.push(Piece::Text(std::mem::take(&mut text)));
-        pieces.push(Piece::Dependency(placeholder));
+        pieces.push(Piece::Placeholder(placeholder));
         rest = behind;
     }
     text.push_str(rest);
@@ -116,13 +116,13 @@ fn pieces(word: &str) -> Result<Vec<Piece>, String> {
 }
 
 impl Template {
-    /// Tells whether something in it stands for this.
+    /// Tells whether the template contains this placeholder.
     pub(super) fn has(&self, placeholder: Placeholder) -> bool {
-        let place = Piece::Dependency(placeholder);
+        let place = Piece::Placeholder(placeholder);
         self.words.iter().any(|pieces| pieces.contains(&place))
     }
 
-    /// The program and its arguments. A program that is named with a path is sought from the folder of `stickler.toml`.
+    /// Returns the program and its arguments. A program with a path is looked up from the folder of `stickler.toml`.
     pub(super) fn filled(&self, filling: &Filling<'_>) -> (PathBuf, Vec<String>) {
         let mut words = self.words.iter().map(|pieces| word(pieces, filling));
         let program = words.next().unwrap_or_default();
@@ -133,19 +133,19 @@ impl Template {
         (program, words.collect())
     }
 
-    /// The program, where no placeholder of one call is part of it.
+    /// Returns the program, where it has no placeholder that differs from call to call.
     pub(super) fn program(&self, here: &Path) -> Option<PathBuf> {
-        let fixed = |piece: &Piece| matches!(piece, Piece::Text(_) | Piece::Dependency(Placeholder::Here));
+        let fixed = |piece: &Piece| matches!(piece, Piece::Text(_) | Piece::Placeholder(Placeholder::Here));
         if !self.words.first()?.iter().all(fixed) {
             return None;
         }
         Some(self.filled(&Filling::of_no_call(here)).0)
     }
 
-    /// The files that its arguments name, whatever it is called on.
+    /// Returns the files that the arguments name in every call.
     pub(super) fn files(&self, here: &Path) -> Vec<PathBuf> {
         let arguments = self.filled(&Filling::of_no_call(here)).1.into_iter();
-        // A file without a path would be sought in the folder of a call.
+        // A file without a path would be looked up in the folder of a call.
         let paths = arguments.map(PathBuf::from).filter(|path| path.is_absolute());
         paths.filter(|path| path.is_file()).collect()
     }
@@ -156,11 +156,11 @@ fn word(pieces: &[Piece], filling: &Filling<'_>) -> String {
     for piece in pieces {
         match piece {
             Piece::Text(text) => word.push_str(text),
-            Piece::Dependency(Placeholder::File) => word.push_str(filling.file),
-            Piece::Dependency(Placeholder::Dialect) => word.push_str(filling.dialect),
-            Piece::Dependency(Placeholder::Folder) => word.push_str(&filling.folder.to_string_lossy()),
-            Piece::Dependency(Placeholder::Scans) => word.push_str(&filling.scans.to_string()),
-            Piece::Dependency(Placeholder::Here) => word.push_str(&filling.here.to_string_lossy()),
+            Piece::Placeholder(Placeholder::File) => word.push_str(filling.file),
+            Piece::Placeholder(Placeholder::Dialect) => word.push_str(filling.dialect),
+            Piece::Placeholder(Placeholder::Folder) => word.push_str(&filling.folder.to_string_lossy()),
+            Piece::Placeholder(Placeholder::Scans) => word.push_str(&filling.scans.to_string()),
+            Piece::Placeholder(Placeholder::Here) => word.push_str(&filling.here.to_string_lossy()),
         }
     }
     word

@@ -1,4 +1,4 @@
-//! Described compilers: the checking half of IronPLC beside its adapter, and stand-ins for others.
+//! Tests described compilers: the checking half of IronPLC beside its adapter, and stand-ins for others.
 
 use super::*;
 use crate::adapters::ironplc::tests::{scripts, stand_in};
@@ -7,12 +7,12 @@ use crate::{Observation, RunRequest};
 /// The checking half of the adapter `ironplc`, as a table.
 const IRONPLC: &str = include_str!("../../../tests/described/ironplc.toml");
 
-/// An engine of a table, whose paths lead from a folder.
+/// Returns an engine of a table, whose paths are relative to a folder.
 fn engine(table: &str, here: &Folder) -> DescribedEngine {
     DescribedEngine::start("described", toml::from_str(table).unwrap(), here.path()).unwrap()
 }
 
-/// An engine whose commands are this shell script, called with the name of the command.
+/// Returns an engine whose commands are this shell script, called with the name of the command.
 fn scripted(table: &str, script: &str) -> (DescribedEngine, Folder) {
     let folder = scripts(&[("st", script)]);
     (engine(table, &folder), folder)
@@ -81,7 +81,7 @@ fn the_checking_half_of_ironplc_needs_no_code() {
     assert_eq!(outcome, Outcome::Unsupported { reason });
 }
 
-/// A compiler that makes programs which print values.
+/// A table of a compiler whose compiled programs print values.
 const WHOLE: &str = r#"
 version = "{here}/st version"
 check = "{here}/st check {file}"
@@ -172,18 +172,18 @@ fn its_faults_rejections_and_crashes_are_told_apart() {
     let Outcome::Rejected { diagnostics } = ask(&engine, "reject", &[], 1) else {
         panic!("not rejected")
     };
-    let told: Vec<_> = diagnostics
+    let found: Vec<_> = diagnostics
         .iter()
-        .map(|told| {
+        .map(|diagnostic| {
             (
-                told.line.unwrap(),
-                told.code.as_deref().unwrap(),
-                told.message.as_str(),
+                diagnostic.line.unwrap(),
+                diagnostic.code.as_deref().unwrap(),
+                diagnostic.message.as_str(),
             )
         })
         .collect();
     assert_eq!(
-        told,
+        found,
         [(2, "E1", "nor does this"), (3, "P4035", "E037: does not fit")]
     );
     let reason = "error: no licence".to_owned();

@@ -1,4 +1,4 @@
-//! Values as a described compiler prints them.
+//! Parses the values that a described compiler prints.
 
 use super::pattern::ValuePattern;
 use crate::Observation;
@@ -6,12 +6,12 @@ use crate::adapters::source::enumeration;
 use std::collections::BTreeMap;
 use stickler_types::{ElementaryType, Value};
 
-/// What was printed of each variable, by its name in lower case; `None` where two different values were, as of two variables
-/// of one name.
+/// The printed text of each variable, by its name in lower case; `None` where two different values were printed, as for two
+/// variables of one name.
 pub(super) struct Printed<'t>(BTreeMap<String, Option<&'t str>>);
 
 impl<'t> Printed<'t> {
-    /// Reads what a program printed.
+    /// Parses the output of a program.
     pub(super) fn read(pattern: &ValuePattern, text: &'t str) -> Printed<'t> {
         let mut printed = BTreeMap::new();
         for (name, value) in pattern.values(text) {
@@ -24,10 +24,10 @@ impl<'t> Printed<'t> {
         Printed(printed)
     }
 
-    /// The value of an observed variable, which stands there as `variable`.
+    /// Returns the value of an observed variable, which the output calls `variable`.
     ///
     /// # Errors
-    /// A fragment that says why it is not to be seen.
+    /// A fragment that says why the value is not known.
     pub(super) fn value(&self, variable: &str, asked: &Observation, source: &str) -> Result<Value, String> {
         match self.0.get(&variable.to_lowercase()) {
             None => Err(format!("it does not show {}", asked.name)),
@@ -38,7 +38,7 @@ impl<'t> Printed<'t> {
     }
 }
 
-/// A value of a type as it may be written: as a typed literal, or as one without its type.
+/// Parses a value of a type: a typed literal, or one without its type.
 fn value(shown: &str, type_name: &str, source: &str) -> Option<Value> {
     let Some(ty) = ElementaryType::from_name(type_name) else {
         let (_, bare) = shown.rsplit_once('#').unwrap_or(("", shown));
@@ -65,7 +65,7 @@ fn value(shown: &str, type_name: &str, source: &str) -> Option<Value> {
     Value::parse(&format!("{ty}#{shown}")).ok()
 }
 
-/// Decimal digits are rounded to the type once; `inf` and `NaN` are what C and Rust write.
+/// Parses a real number. Decimal digits are rounded to the type once; `inf` and `NaN` are what C and Rust write.
 fn real(ty: ElementaryType, shown: &str) -> Option<Value> {
     let raw = match ty {
         ElementaryType::Real => u64::from(shown.parse::<f32>().ok()?.to_bits()),
@@ -101,8 +101,8 @@ mod tests {
             ("COLOR", "green", "COLOR#GREEN"),
             ("COLOR", "COLOR#RED", "COLOR#RED"),
         ] {
-            let told = value(shown, type_name, source).map(|value| value.to_string());
-            assert_eq!(told.as_deref(), Some(literal), "{shown}");
+            let read = value(shown, type_name, source).map(|value| value.to_string());
+            assert_eq!(read.as_deref(), Some(literal), "{shown}");
         }
         for (type_name, shown) in [
             ("INT", "32768"),
@@ -123,8 +123,8 @@ mod tests {
             printed.value("Y", &asked("Y", "INT"), ""),
             Ok(Value::parse("INT#2").unwrap())
         );
-        let told = |name| printed.value(name, &asked(name, "INT"), "").unwrap_err();
-        assert_eq!(told("x"), "it shows several values of x");
-        assert_eq!(told("z"), "it does not show z");
+        let error = |name| printed.value(name, &asked(name, "INT"), "").unwrap_err();
+        assert_eq!(error("x"), "it shows several values of x");
+        assert_eq!(error("z"), "it does not show z");
     }
 }

@@ -1,12 +1,12 @@
-//! The diagnostics that `ironplcc` writes to stderr, coloured whoever reads them.
+//! Parses the diagnostics that `ironplcc` writes to stderr, with colours whether or not a terminal reads them.
 //!
-//! Basis: ironplc: measured on version 0.239; each begins `error[P4035]: message`, and a later line `┌─ file:line:column`
-//! says where.
+//! Basis: ironplc: measured on version 0.239; each begins `error[P4035]: message`, and a later line `┌─ file:line:column` names
+//! the place.
 
 use crate::adapters::plain::without_colours;
 use crate::{Diagnostic, Outcome};
 
-/// All diagnostics of a text, sorted by line, column and code, each once.
+/// Returns all diagnostics of a text, sorted by line, column and code, each once.
 pub(super) fn read(stderr: &str) -> Vec<Diagnostic> {
     let plain = without_colours(stderr);
     let mut diagnostics: Vec<Diagnostic> = Vec::new();
@@ -24,7 +24,7 @@ pub(super) fn read(stderr: &str) -> Vec<Diagnostic> {
     diagnostics
 }
 
-/// `error[P4035]: message`.
+/// Parses a heading such as `error[P4035]: message`.
 fn heading(line: &str) -> Option<Diagnostic> {
     let (code, message) = line.strip_prefix("error[")?.split_once("]: ")?;
     Some(Diagnostic {
@@ -34,7 +34,7 @@ fn heading(line: &str) -> Option<Diagnostic> {
     })
 }
 
-/// `  ┌─ program.st:6:13`.
+/// Parses a place such as `  ┌─ program.st:6:13`.
 fn place(line: &str) -> Option<(u32, u32)> {
     let (_, place) = line.split_once("┌─ ")?;
     let mut parts = place.trim_end().rsplitn(3, ':');
@@ -43,7 +43,7 @@ fn place(line: &str) -> Option<(u32, u32)> {
     Some((line, column))
 }
 
-/// What the compiler says of itself rather than of the program.
+/// The subject of a diagnostic: the program, or the compiler itself.
 ///
 /// Basis: ironplc: `problem-codes.csv`: P9001 and P9997 to P9999.
 enum About {
@@ -60,8 +60,8 @@ fn about(diagnostic: &Diagnostic) -> About {
     }
 }
 
-/// The outcome that these diagnostics are: a rejection where one is about the program; otherwise a compiler that says of
-/// itself that it went wrong has crashed, and one that says that it cannot do this is asked too much.
+/// Returns the outcome of these diagnostics: a rejection where one is about the program; otherwise [`Outcome::Crashed`] where
+/// the compiler reports a failure of its own, and [`Outcome::Unsupported`] where it reports that something is not implemented.
 pub(super) fn outcome(diagnostics: Vec<Diagnostic>) -> Outcome {
     let first = |kind: fn(&About) -> bool| {
         let found = diagnostics.iter().find(|diagnostic| kind(&about(diagnostic)));
@@ -82,7 +82,7 @@ fn described(diagnostic: &Diagnostic) -> String {
     format!("{code}: {}", diagnostic.message)
 }
 
-/// Of `ironplcc compile` 0.239, on the program `a := b; c := a; q := 1;` of three types.
+/// The output of `ironplcc compile` 0.239 on the program `a := b; c := a; q := 1;` of three types.
 #[cfg(test)]
 pub(super) const RECORDED: &str = "\u{1b}[0m\u{1b}[1m\u{1b}[38;5;9merror[P4035]\u{1b}[0m\u{1b}[1m: Assignment value type does not match \
     assignment target type (target=a, target_type=int, value_type=dint)\u{1b}[0m\n  \

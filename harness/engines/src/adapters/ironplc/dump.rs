@@ -1,4 +1,4 @@
-//! The variables that `ironplcvm run --dump-vars` prints, one `NAME: VALUE` a line.
+//! Parses the variables that `ironplcvm run --dump-vars` prints, one `NAME: VALUE` a line.
 //!
 //! Basis: ironplc: measured on version 0.239. `TRUE`, `-5`, `16#00AB`, `T#1500ms`, reals in decimal digits without an
 //! exponent, `inf`, `NaN`; dates in seconds since 1970 and times of day in milliseconds, both as the signed number of their
@@ -6,31 +6,31 @@
 
 use stickler_types::{ElementaryType, Value};
 
-/// What is printed of the variables of a program and of all that it calls.
+/// The printed variables of a program and of all that it calls.
 pub(super) struct Dump<'d> {
     lines: Vec<(&'d str, &'d str)>,
 }
 
-/// What a dump says about a name.
+/// The entry of a dump for a name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Shown<'d> {
-    /// This value.
+    /// The value of the variable.
     Value(&'d str),
     /// Several variables have the name, in different parts of the program.
     Ambiguous,
-    /// Nothing.
+    /// The dump does not have the name.
     Missing,
 }
 
 impl<'d> Dump<'d> {
-    /// Reads what was printed.
+    /// Parses the output of the virtual machine.
     pub(super) fn read(text: &'d str) -> Dump<'d> {
         Dump {
             lines: text.lines().filter_map(|line| line.split_once(": ")).collect(),
         }
     }
 
-    /// Returns what it says about a variable, in any case of its name.
+    /// Returns the entry of a variable, in any case of its name.
     pub(super) fn find(&self, name: &str) -> Shown<'d> {
         let mut found = self
             .lines
@@ -44,10 +44,10 @@ impl<'d> Dump<'d> {
     }
 }
 
-/// The value of an elementary type that is printed so.
+/// Parses the value of an elementary type.
 ///
 /// # Errors
-/// A fragment that says what is wrong with it.
+/// A fragment that says what is wrong with the value.
 pub(super) fn value(ty: ElementaryType, shown: &str) -> Result<Value, String> {
     let shown = shown.trim();
     let wrong = || format!("it shows `{shown}` as {ty}");
@@ -58,7 +58,7 @@ pub(super) fn value(ty: ElementaryType, shown: &str) -> Result<Value, String> {
         ElementaryType::Date | ElementaryType::Dt => of_32_bits(ty, shown, 1_000_000_000).ok_or_else(wrong),
         ElementaryType::Tod => of_32_bits(ty, shown, 1_000_000).ok_or_else(wrong),
         _ => {
-            // A duration brings its own prefix.
+            // A duration has a prefix of its own.
             let bare = shown.strip_prefix("T#").or(shown.strip_prefix("LTIME#"));
             let literal = format!("{ty}#{}", bare.unwrap_or(shown));
             Value::parse(&literal).map_err(|_| wrong())
@@ -66,7 +66,7 @@ pub(super) fn value(ty: ElementaryType, shown: &str) -> Result<Value, String> {
     }
 }
 
-/// Shortest digits read back to the bits that they came from.
+/// Parses a real number; the shortest digits are read back to the bits that they came from.
 fn real(ty: ElementaryType, shown: &str) -> Option<Value> {
     let raw = match ty {
         ElementaryType::Real => u64::from(shown.parse::<f32>().ok()?.to_bits()),
@@ -75,7 +75,7 @@ fn real(ty: ElementaryType, shown: &str) -> Option<Value> {
     Some(Value::plain(ty, raw))
 }
 
-/// A count of something that is so many nanoseconds long, of which 32 bits without a sign are kept.
+/// Converts a count of units of `nanoseconds` each, of which the virtual machine keeps 32 bits without a sign.
 fn of_32_bits(ty: ElementaryType, shown: &str, nanoseconds: i64) -> Option<Value> {
     let count = shown.parse::<i32>().ok()?.cast_unsigned();
     let nanoseconds = i64::from(count).checked_mul(nanoseconds)?;
@@ -87,7 +87,7 @@ mod tests {
     use super::*;
     use ElementaryType as E;
 
-    /// Of `ironplcvm run --scans 1 --dump-vars` 0.239; `big` is a variable of the program and of a function.
+    /// The output of `ironplcvm run --scans 1 --dump-vars` 0.239; `big` is a variable of the program and of a function.
     const RECORDED: &str = "big: 100000\nsmall: 8\nstr: 0\nr: 1.5\nt: T#1500ms\nd: 1709164800\ntd: 45296000\nw: 16#00AB\n\
                             b: TRUE\narr: 260\nx: 1\nbig: 7\nF: 8\n";
 

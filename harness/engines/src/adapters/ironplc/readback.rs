@@ -1,4 +1,4 @@
-//! How each observed value is read back from a dump of variables, and the probe variables that make that possible.
+//! Reads each observed value back from a dump of variables, and chooses the probe variables that this needs.
 
 use super::dump::{self, Dump, Shown};
 use crate::adapters::probe_variable::ProbeVariable;
@@ -7,13 +7,13 @@ use crate::{Observation, RunRequest};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_types::{ElementaryType, Value};
 
-/// How many characters of a text are read before its length is known.
+/// The number of characters of a text that are read before its length is known.
 const INITIAL_CHARACTERS: usize = 16;
 
-/// The most characters of a text that are read. Each costs a probe variable and a call.
+/// The highest number of characters of a text that are read. Each costs a probe variable and a call.
 const MAX_CHARACTERS: usize = 512;
 
-/// How one value is read back.
+/// The way in which one value is read back.
 #[derive(Clone, PartialEq, Eq, Debug)]
 enum Readback {
     /// The dump shows the variable itself, which has this type.
@@ -41,7 +41,7 @@ pub(super) struct RunHints {
     lengths: BTreeMap<String, usize>,
 }
 
-/// How all values of a request are read back.
+/// The ways in which all values of a request are read back.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Readbacks {
     readbacks: BTreeMap<String, Readback>,
@@ -49,7 +49,7 @@ pub(super) struct Readbacks {
     hints: RunHints,
 }
 
-/// Why a value was not read back.
+/// The reason why a value was not read back.
 #[derive(Debug)]
 pub(super) enum ReadbackError {
     /// The program has to be run again with the probe variables that these hints ask for.
@@ -59,7 +59,7 @@ pub(super) enum ReadbackError {
 }
 
 impl Readbacks {
-    /// Chooses how to read back the values of a request; `hints` are those of earlier runs.
+    /// Chooses how to read back the values of a request; `hints` come from earlier runs.
     pub(super) fn of(request: &RunRequest<'_>, hints: RunHints) -> Readbacks {
         let mut readbacks = Readbacks {
             readbacks: BTreeMap::new(),
@@ -87,7 +87,7 @@ impl Readbacks {
                 Some(values) if by_name => Readback::Enumerated(asked.name.to_string(), values),
                 Some(values) => Readback::Enumerated(self.copy(&asked.name, &asked.type_name), values),
                 None if asked.type_name.is_empty() => {
-                    Readback::Unreadable(format!("the type of {} was not told", asked.name))
+                    Readback::Unreadable(format!("the type of {} was not given", asked.name))
                 }
                 None => Readback::Unreadable(format!("values of {} are not shown", asked.type_name)),
             };
@@ -180,13 +180,13 @@ impl Readbacks {
         }
     }
 
-    /// Returns what a dump shows of a variable or of the probe that stands for it.
+    /// Returns the text in a dump for a variable or for the probe variable that stands for it.
     fn shown<'d>(&self, path: &str, name: &str, dump: &Dump<'d>) -> Result<&'d str, ReadbackError> {
         match dump.find(name) {
             Shown::Value(value) => Ok(value),
             Shown::Ambiguous => {
                 let mut hints = self.hints.clone();
-                // A probe has a name of its own, so that this happens once for each path.
+                // A probe variable has a unique name, so that this happens once for each path.
                 hints.ambiguous.insert(path.to_owned());
                 Err(ReadbackError::Retry(hints))
             }
@@ -227,15 +227,15 @@ impl Readbacks {
     }
 }
 
-/// A literal of all characters that are visible, in order: FIND gives the place of one in it.
+/// Returns a literal of all visible characters, in order, in which FIND gives the position of a character.
 fn alphabet(ty: ElementaryType) -> String {
     let quote = if ty == ElementaryType::Wstring { '"' } else { '\'' };
     let inside: String = visible(ty).map(char::from).collect();
     format!("{quote}{inside}{quote}")
 }
 
-/// The characters that a text of a type can be seen to have. Those that have a meaning of their own in a literal are not
-/// among them, since how a compiler reads them is a question and no answer.
+/// Returns the characters that can be read back in a text of a type. Characters with a meaning of their own in a literal are
+/// not among them, since compilers may read them differently.
 fn visible(ty: ElementaryType) -> impl Iterator<Item = u8> {
     let quote = if ty == ElementaryType::Wstring {
         b'"'
@@ -351,7 +351,7 @@ mod tests {
         );
         assert_eq!(
             seen(&readbacks, &observe[1], "u: 1\n"),
-            "the type of u was not told"
+            "the type of u was not given"
         );
         assert_eq!(
             seen(&readbacks, &observe[2], "v: 1\n"),

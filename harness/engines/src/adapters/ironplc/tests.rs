@@ -1,10 +1,10 @@
-//! The adapter with stand-ins for both programs, which say what the real ones said, or do what those must not.
+//! Tests the adapter with stand-ins for both programs, which print recorded output, or misbehave.
 
 use super::*;
 use crate::Observation;
 use std::process::Command;
 
-/// Does what a comment in the program asks for; otherwise it writes bytecode, which here is the program itself.
+/// A stand-in that does what a comment in the program asks for; otherwise it writes bytecode, which here is the program itself.
 const COMPILER: &str = r#"#!/bin/sh
 case $(cat program.st) in
 *'please: reject'*)
@@ -30,12 +30,12 @@ case $(cat "$2") in
 esac
 "#;
 
-/// Programs in a folder of their own: names and shell scripts.
+/// Writes programs, given as names and shell scripts, into a folder of their own.
 pub(in crate::adapters) fn scripts(programs: &[(&str, &str)]) -> Folder {
     let folder = Folder::new().unwrap();
     for (name, text) in programs {
-        // Written by another process: a file that this one still had open for writing, in a child that another test is just
-        // starting, could not be run.
+        // Another process writes the file: one that this process still had open for writing, in a child that another test is
+        // just starting, could not be run.
         let written = Command::new("sh")
             .args(["-c", r#"printf %s "$1" >"$2" && chmod 700 "$2""#, "sh", text])
             .arg(folder.path().join(name))
@@ -45,7 +45,7 @@ pub(in crate::adapters) fn scripts(programs: &[(&str, &str)]) -> Folder {
     folder
 }
 
-/// The adapter with its stand-ins, and the folder that holds them.
+/// Returns the adapter with its stand-ins, and the folder that holds them.
 pub(in crate::adapters) fn stand_in() -> (Ironplc, Folder) {
     let folder = scripts(&[("ironplcc", COMPILER), ("ironplcvm", MACHINE)]);
     folder.write("recorded", diagnostics::RECORDED).unwrap();
@@ -123,9 +123,9 @@ fn where_copies_are_not_accepted_the_program_alone_is_judged() {
     let Outcome::Unsupported { reason } = asked("take no copies", &[("a[1]", "DINT")]) else {
         panic!("supported")
     };
-    let told = "with copies of its values: rejected: ";
+    let prefix = "with copies of its values: rejected: ";
     assert!(
-        reason.starts_with(told) && reason.ends_with("no such type"),
+        reason.starts_with(prefix) && reason.ends_with("no such type"),
         "{reason}"
     );
     assert!(matches!(

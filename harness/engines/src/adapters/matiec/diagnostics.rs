@@ -1,17 +1,17 @@
-//! What `iec2c` writes to stderr about a program.
+//! Parses the diagnostics that `iec2c` writes to stderr about a program.
 //!
-//! Basis: matiec: measured. A syntax error: `file:LINE: error: message`; any other: `file:L-C..L-C: error: message`, from
-//! 1, the last column within what is meant; `warning:` in place of `error:` rejects nothing. There are no codes; the first form is
+//! Basis: matiec: measured. A syntax error: `file:LINE: error: message`; any other: `file:L-C..L-C: error: message`, from 1,
+//! the last column within the range; `warning:` in place of `error:` rejects nothing. There are no codes; the first form is
 //! Stickler's P0002.
 
 use crate::process::Ended;
 use crate::{Diagnostic, Outcome};
 use stickler_types::Code;
 
-/// Tells whether the program is accepted.
+/// Checks whether the program is accepted.
 ///
 /// # Errors
-/// [`Outcome::Rejected`]; [`Outcome::Crashed`] where the compiler says so of itself, or does not say what is wrong.
+/// [`Outcome::Rejected`]; [`Outcome::Crashed`] where the compiler reports an internal error, or does not say what is wrong.
 pub(super) fn outcome(ended: &Ended) -> Result<(), Outcome> {
     let code = ended.code()?;
     if ended.stderr.contains("Internal compiler error") || ended.stdout.contains("Internal compiler error") {
@@ -27,12 +27,12 @@ pub(super) fn outcome(ended: &Ended) -> Result<(), Outcome> {
     Err(rejected(diagnostics))
 }
 
-/// The diagnostics among what it wrote, in its order.
+/// Returns the diagnostics in the output, in its order.
 pub(super) fn diagnostics(stderr: &str) -> Vec<Diagnostic> {
     stderr.lines().filter_map(diagnostic).collect()
 }
 
-/// The rejection that these diagnostics are.
+/// Returns the rejection with these diagnostics.
 pub(super) fn rejected(mut diagnostics: Vec<Diagnostic>) -> Outcome {
     diagnostics.sort_by_key(|diagnostic| (diagnostic.line, diagnostic.column));
     diagnostics.dedup();
@@ -40,10 +40,11 @@ pub(super) fn rejected(mut diagnostics: Vec<Diagnostic>) -> Outcome {
 }
 
 /// Tells whether these are all mistakes of programs that were read to their end. Then every mistake of every program is among
-/// them: it looks for all kinds, and a mistake keeps it from no other.
+/// them: the compiler looks for all kinds of mistakes, and none hides another.
 pub(super) fn are_complete(diagnostics: &[Diagnostic], stderr: &str) -> bool {
     let counted = format!("{} error(s) found. Bailing out!", diagnostics.len());
-    diagnostics.iter().all(|told| told.code.is_none()) && stderr.lines().any(|line| line.trim() == counted)
+    diagnostics.iter().all(|diagnostic| diagnostic.code.is_none())
+        && stderr.lines().any(|line| line.trim() == counted)
 }
 
 fn diagnostic(line: &str) -> Option<Diagnostic> {

@@ -1,4 +1,4 @@
-//! The C program that runs a translated one and prints what is observed of it.
+//! Writes the C program that runs a translated program and prints its observed values.
 //!
 //! Basis: matiec: the C that `iec2c` writes: `NAME_init__`, `NAME_body__`, a structure of the variables in upper case, each
 //! with its `value`; durations and dates are seconds and nanoseconds, a STRING its length and its bytes.
@@ -10,14 +10,14 @@ use crate::{RunRequest, Setting};
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
 
-/// What a driver is to run: what was asked about a program, what of it is copied, and the name of its main program.
+/// A translated program that a driver runs: its request, the copies of observed values, and the name of its main program.
 pub(super) struct Subject<'r, 'c> {
     pub(super) request: RunRequest<'r>,
     pub(super) probes: &'c ProbeVariables,
     pub(super) program: String,
 }
 
-/// The driver of translated programs, which stand in one text.
+/// Returns the driver of translated programs, which stand in one text.
 ///
 /// # Errors
 /// A fragment that says what cannot be observed or set.
@@ -46,8 +46,8 @@ pub(super) fn driver<'r>(subjects: &[Subject<'r, '_>]) -> Result<Driver<'r>, Str
     })
 }
 
-/// The variables of the programs. Only one program runs in a process, and so they have the same place: whatever one does
-/// beside its variables, it finds there what it would find alone.
+/// Writes the memory of the programs' variables. Only one program runs in a process, and so the programs share one place: a
+/// program that accesses memory beside its variables finds there what it would find alone.
 fn write_memory(text: &mut String, subjects: &[Subject<'_, '_>]) {
     text.push_str("static struct {\n    char before[65536];\n    union {\n");
     for (number, subject) in subjects.iter().enumerate() {
@@ -61,12 +61,12 @@ fn write_memory(text: &mut String, subjects: &[Subject<'_, '_>]) {
     text.push_str("    } program;\n    char behind[65536];\n} memory;\n");
 }
 
-/// Returns where a variable of a program is.
+/// Returns the C expression for a variable of a program.
 fn place(number: usize, variable: &str) -> String {
     format!("memory.program.p{number}.{}.value", variable.to_ascii_uppercase())
 }
 
-/// The function that runs a program.
+/// Writes the function that runs a program.
 fn write_run(text: &mut String, number: usize, subject: &Subject<'_, '_>) -> Result<(), String> {
     let program = subject.program.to_ascii_uppercase();
     let _ = write!(
@@ -89,7 +89,7 @@ fn has(ty: ElementaryType) -> bool {
     !ty.is_third_edition() && ty != ElementaryType::Wstring
 }
 
-/// One function for each form in which a value is printed.
+/// The C functions that print values, one for each printed form.
 const PRINTERS: &str = "\
 static void print_bits(int number, const void *value, size_t size) {
     unsigned long long bits = 0;
@@ -107,7 +107,7 @@ static void print_text(int number, STRING value) {
 }
 ";
 
-/// The function that prints what is to be seen after a scan; 0 stands for the end.
+/// Writes the function that prints the values observed after a scan; 0 stands for the end.
 fn write_look(text: &mut String, number: usize, subject: &Subject<'_, '_>, kinds: &[Kind<'_>]) {
     let _ = writeln!(text, "static void look_{number}(unsigned long scan) {{");
     for (asked_as, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
@@ -122,7 +122,7 @@ fn write_look(text: &mut String, number: usize, subject: &Subject<'_, '_>, kinds
     text.push_str("}\n");
 }
 
-/// Writes what happens before scans: the clock goes on, and variables are written.
+/// Writes the statements before each scan, which advance the clock and set variables.
 fn write_before(text: &mut String, number: usize, request: &RunRequest<'_>) -> Result<(), String> {
     for step in request.clock {
         let (seconds, rest) = split(step.nanoseconds);
@@ -143,7 +143,7 @@ fn write_before(text: &mut String, number: usize, request: &RunRequest<'_>) -> R
     Ok(())
 }
 
-/// The statement that writes a variable.
+/// Returns the statement that sets a variable.
 fn written(number: usize, setting: &Setting) -> Result<String, String> {
     let cannot = || format!("its driver cannot write {}", setting.name);
     let Value::Plain { ty, raw } = setting.value else {
@@ -161,7 +161,7 @@ fn written(number: usize, setting: &Setting) -> Result<String, String> {
     })
 }
 
-/// Seconds and nanoseconds of the same sign.
+/// Splits a duration into seconds and nanoseconds of the same sign.
 fn split(nanoseconds: i64) -> (i64, i64) {
     (nanoseconds / 1_000_000_000, nanoseconds % 1_000_000_000)
 }
@@ -170,7 +170,7 @@ fn is_time(ty: ElementaryType) -> bool {
     ty.is_duration() || ty.is_date_or_time()
 }
 
-/// A value as it was printed; `None` where that is nonsense.
+/// Parses a printed value; `None` where the text is no such value.
 fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
     let bits = || u64::from_str_radix(shown, 16).ok();
     match kind {
@@ -188,7 +188,7 @@ fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
     }
 }
 
-/// The bytes of a text in hexadecimal digits.
+/// Parses the bytes of a text in hexadecimal digits.
 fn text(digits: &str) -> Option<Vec<u16>> {
     let pairs = digits.as_bytes().chunks(2);
     pairs
@@ -206,7 +206,7 @@ mod tests {
         Observation::last(name, type_name)
     }
 
-    /// The driver of one program.
+    /// Returns the driver of one program.
     fn alone<'r>(request: &RunRequest<'r>) -> Result<Driver<'r>, String> {
         driver(&[Subject {
             request: *request,
@@ -334,7 +334,7 @@ mod tests {
         for (type_name, part) in [
             ("LTIME", "LTIME"),
             ("WSTRING", "WSTRING"),
-            ("", "not told"),
+            ("", "not given"),
             ("SHAPE", "SHAPE"),
         ] {
             let observe = [observation("x", type_name)];

@@ -1,8 +1,8 @@
-//! Many programs in one text: `iec2c` and the C compiler start once for all of them.
+//! Runs many programs in one text: `iec2c` and the C compiler start once for all of them.
 //!
-//! `iec2c` names the line of every mistake in the meaning of a program, and mistakes of one program keep it from those of no
-//! other: such programs are rejected at once, and the others go on without them. Where it does not get as far, or its C cannot be
-//! built, the programs that it complains of are asked about alone. What one program does when it runs, no other sees.
+//! `iec2c` names the line of every semantic mistake, and the mistakes of one program hide those of no other: such programs are
+//! rejected at once, and the others go on without them. Where it stops earlier, or its C cannot be built, the programs that are
+//! named in errors are run alone. No program sees what another does when it runs.
 
 use super::driver::{Subject, driver};
 use super::{MatiecSession, configuration, diagnostics};
@@ -16,12 +16,12 @@ use std::collections::{BTreeSet, HashSet};
 
 /// A program that may stand among others.
 struct Member<'r> {
-    /// Its place among the requests.
+    /// The place of the program among the requests.
     place: usize,
     request: RunRequest<'r>,
     probes: ProbeVariables,
     main: MainProgram,
-    /// The names that have to be kept apart.
+    /// The names that must be made unique.
     names: HashSet<String>,
 }
 
@@ -30,9 +30,9 @@ impl<'r> Member<'r> {
         let names = declared(request.source, taken)?;
         let main = main_program(request.source)?;
         let probes = ProbeVariables::of(request);
-        // Such a program may be asked about more than once.
+        // Such a program may need more than one run.
         let copied_for_nothing = !probes.list().is_empty() && (main.returns || request.scans == 0);
-        // The driver looks for variables under the names that they have.
+        // The driver accesses variables by the names that they have in the program.
         let seen = request.observe.iter().map(|asked| &asked.name);
         let set = request.set.iter().map(|setting| &setting.name);
         let renamed = seen.chain(set).any(|path| names.contains(&base(path)));
@@ -50,7 +50,7 @@ impl<'r> Member<'r> {
         format!("{}{}", self.main.name, pack_suffix(self.place))
     }
 
-    /// Its text, with its names kept apart.
+    /// Returns the text of the program, with its names made unique.
     fn renamed(&self) -> Renamed {
         let probes = self.probes.list();
         if probes.is_empty() {
@@ -61,13 +61,13 @@ impl<'r> Member<'r> {
     }
 }
 
-/// The variable that a path begins with, in capitals.
+/// Returns the variable that a path begins with, in capitals.
 fn base(path: &str) -> String {
     let end = path.find(['.', '[']).unwrap_or(path.len());
     path[..end].to_ascii_uppercase()
 }
 
-/// Several programs in one text, each with the line before its first.
+/// Several programs in one text, each with the number of the line before its first.
 struct Joined {
     text: String,
     members: Vec<(u32, Renamed)>,
@@ -94,7 +94,7 @@ impl Joined {
         joined
     }
 
-    /// The number of the member that has this line; `None` for what stands behind all of them.
+    /// Returns the number of the member that has this line; `None` for lines behind all of them.
     fn member(&self, line: u32) -> Option<usize> {
         let behind = self.members.partition_point(|(before, _)| *before < line);
         let number = behind.checked_sub(1)?;
@@ -103,21 +103,21 @@ impl Joined {
         (line - before <= lines).then_some(number)
     }
 
-    /// A diagnostic as it is of a program alone, and the number of that; `None` where it is of none.
-    fn original(&self, told: Diagnostic) -> Option<(usize, Diagnostic)> {
-        let number = self.member(told.line?)?;
+    /// Translates a diagnostic back to that of a program alone, with the number of the program; `None` where it is about none.
+    fn original(&self, diagnostic: Diagnostic) -> Option<(usize, Diagnostic)> {
+        let number = self.member(diagnostic.line?)?;
         let (before, renamed) = &self.members[number];
         let own = |line: Option<u32>| line.map(|line| line.saturating_sub(*before));
-        let told = Diagnostic {
-            line: own(told.line),
-            end_line: own(told.end_line),
-            ..told
+        let diagnostic = Diagnostic {
+            line: own(diagnostic.line),
+            end_line: own(diagnostic.end_line),
+            ..diagnostic
         };
-        Some((number, renamed.original(told)))
+        Some((number, renamed.original(diagnostic)))
     }
 }
 
-/// As [`Session::run_pack`](crate::Session::run_pack).
+/// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
 pub(super) fn run(session: &MatiecSession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
     let mut answers = vec![Packed::Alone; requests.len()];
     let taken = session.engine.taken();
@@ -144,43 +144,50 @@ fn look(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
     }
 }
 
-/// Takes out the programs that `iec2c` does not accept.
+/// Removes the programs that `iec2c` does not accept.
 fn refused(members: &[Member<'_>], joined: &Joined, stderr: &str) -> Round {
     let diagnostics = diagnostics::diagnostics(stderr);
     let complete = diagnostics::are_complete(&diagnostics, stderr);
-    let mut told: Vec<Vec<Diagnostic>> = joined.members.iter().map(|_| Vec::new()).collect();
+    let mut mistakes: Vec<Vec<Diagnostic>> = joined.members.iter().map(|_| Vec::new()).collect();
     for diagnostic in diagnostics {
         let Some((number, original)) = joined.original(diagnostic) else {
             return Round::nothing();
         };
-        told[number].push(original);
+        mistakes[number].push(original);
     }
     if complete {
-        return rejected(members, told);
+        return rejected(members, mistakes);
     }
     let mut suspects = BTreeSet::new();
-    for (number, told) in told.iter().enumerate().filter(|(_, told)| !told.is_empty()) {
+    for (number, mistakes) in mistakes
+        .iter()
+        .enumerate()
+        .filter(|(_, mistakes)| !mistakes.is_empty())
+    {
         suspects.insert(number);
-        // What is wrong at the beginning of a program may be the end of the one before.
-        if number > 0 && told.iter().any(|told| told.line == Some(1)) {
+        // A mistake at the beginning of a program may come from the end of the one before.
+        if number > 0 && mistakes.iter().any(|mistake| mistake.line == Some(1)) {
             suspects.insert(number - 1);
         }
     }
     Round::alone(suspects)
 }
 
-/// Takes out the programs that are rejected, by these diagnostics of each. One to which variables were added is to be asked about
-/// alone: it is not sure whose mistake it is.
-fn rejected(members: &[Member<'_>], told: Vec<Vec<Diagnostic>>) -> Round {
-    let told = told.into_iter().enumerate().filter(|(_, told)| !told.is_empty());
-    let known = told.map(|(number, told)| match members[number].probes.list() {
-        [] => (number, Packed::Answered(diagnostics::rejected(told))),
+/// Removes the programs that are rejected, by the diagnostics of each. A program with probe variables has to be run alone,
+/// since the mistake may be in the probe variables.
+fn rejected(members: &[Member<'_>], mistakes: Vec<Vec<Diagnostic>>) -> Round {
+    let mistakes = mistakes
+        .into_iter()
+        .enumerate()
+        .filter(|(_, mistakes)| !mistakes.is_empty());
+    let known = mistakes.map(|(number, mistakes)| match members[number].probes.list() {
+        [] => (number, Packed::Answered(diagnostics::rejected(mistakes))),
         _ => (number, Packed::Alone),
     });
     Round::TakenOut(known.collect())
 }
 
-/// Builds and runs what was translated.
+/// Builds and runs the translated programs.
 fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
     let subjects: Vec<Subject<'_, '_>> = members
         .iter()
@@ -219,7 +226,7 @@ fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
     )
 }
 
-/// The programs that a C compiler names in its errors, or in whose part of these files they stand.
+/// Returns the programs that a C compiler names in its errors, or in whose part of these files the errors are.
 fn named(stderr: &str, files: [(&str, String); 2]) -> BTreeSet<usize> {
     let mut named: BTreeSet<usize> = places_named(stderr).into_iter().collect();
     for line in stderr.lines().filter(|line| line.contains("error")) {
@@ -265,7 +272,7 @@ mod tests {
             .collect()
     }
 
-    /// The reference finds in the text of all of them what it finds in each alone.
+    /// The reference finds the same mistakes in the joined text as in each program alone.
     #[test]
     fn joined_programs_are_what_they_are_alone() {
         let reference = Reference::new();
@@ -278,16 +285,23 @@ mod tests {
         let joined = Joined::of(&members(&PROGRAMS, &[]));
         let mut found: Vec<Vec<Diagnostic>> = PROGRAMS.iter().map(|_| Vec::new()).collect();
         let (programs, _) = joined.text.split_once("\nCONFIGURATION").unwrap();
-        for told in check(programs) {
-            let (number, told) = joined.original(told).unwrap();
-            found[number].push(told);
+        for diagnostic in check(programs) {
+            let (number, diagnostic) = joined.original(diagnostic).unwrap();
+            found[number].push(diagnostic);
         }
         let alone: Vec<Vec<Diagnostic>> = PROGRAMS.iter().map(|program| check(program)).collect();
         assert_eq!(alone.iter().map(Vec::len).collect::<Vec<_>>(), [0, 2, 0, 1]);
         for (found, alone) in found.iter().zip(&alone) {
-            let places = |told: &[Diagnostic]| -> Vec<_> {
-                let place = |told: &Diagnostic| (told.line, told.column, told.end_column, told.code.clone());
-                told.iter().map(place).collect()
+            let places = |diagnostics: &[Diagnostic]| -> Vec<_> {
+                let place = |diagnostic: &Diagnostic| {
+                    (
+                        diagnostic.line,
+                        diagnostic.column,
+                        diagnostic.end_column,
+                        diagnostic.code.clone(),
+                    )
+                };
+                diagnostics.iter().map(place).collect()
             };
             assert_eq!(places(found), places(alone));
         }

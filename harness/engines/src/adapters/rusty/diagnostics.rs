@@ -1,4 +1,4 @@
-//! What `plc` says with `--error-format=clang`, and of which file.
+//! Parses the diagnostics of `plc --error-format=clang`, and finds the file that each is about.
 
 use super::FUNCTIONS;
 use super::program::Program;
@@ -9,35 +9,37 @@ use crate::{Diagnostic, Outcome};
 use std::path::Path;
 use stickler_types::Code;
 
-/// How it writes an error that it finds. Warnings and notes have their own words.
+/// The pattern of an error in the list of diagnostics. Warnings and notes begin with other words.
 const LISTED: &str = r"^(?:(?<file>[^:\n]+):(?<line>\d+):(?<column>\d+):(?:\{\d+:\d+-(?<end_line>\d+):(?<end_column>\d+)\}:)? )?error\[(?<code>\w+)\]: (?<message>.*)$";
 
-/// How it writes what stops it when it makes the object file: in a last line, with or without a place.
+/// The pattern of the last line about an error that prevents the object file, with or without a place.
 const LAST: &str = r"\A(?<message>.+?)(?: at: (?<file>[^:\n]+):(?<line>\d+):(?<column>\d+):?(?:\{\d+:\d+-(?<end_line>\d+):(?<end_column>\d+)\}:?)?)?\s*\z";
 
-/// What an error is about.
+/// The part of the compiled text that an error is about.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum About {
-    /// The program of this place.
+    /// The program at this place of the pack.
     Program(usize),
     /// The functions that show the values of the program of this number.
     Functions(usize),
-    /// Something else, or nobody knows.
+    /// Other text, or an unknown part.
     Elsewhere,
 }
 
-/// An error, and what it is about.
+/// An error, and the part that it is about.
 pub(super) type Found = (About, Diagnostic);
 
-/// Reads what the compiler writes.
+/// A parser of the compiler's output.
 pub(super) struct Reader {
     listed: DiagnosticPattern,
     last: DiagnosticPattern,
 }
 
 impl Reader {
+    /// Compiles the patterns of the compiler's output.
+    ///
     /// # Errors
-    /// Never, as the tests show.
+    /// None in practice: the patterns are constants that the tests compile.
     pub(super) fn new() -> Result<Reader, String> {
         Ok(Reader {
             listed: LISTED.parse()?,
@@ -45,10 +47,10 @@ impl Reader {
         })
     }
 
-    /// The errors that it tells, at least one; none where it accepts what it was given.
+    /// Parses the errors, at least one; none where the compiler accepts its input.
     ///
     /// # Errors
-    /// [`Outcome::Crashed`] where it neither accepts that nor says why not.
+    /// [`Outcome::Crashed`] where the compiler neither accepts its input nor says why not.
     pub(super) fn errors(&self, ended: &Ended) -> Result<Vec<Found>, Outcome> {
         let text = without_colours(&ended.stderr);
         match ended.status.code() {
@@ -57,9 +59,9 @@ impl Reader {
                 let mut found: Vec<Found> = self.listed.by_file(&text).into_iter().map(located).collect();
                 if found.is_empty() {
                     let last = text.lines().rfind(|line| !line.is_empty() && !is_noise(line));
-                    let told = self.last.by_file(last.unwrap_or_default()).into_iter();
-                    found = told
-                        .map(|(file, told)| located((file, from_one(file, told))))
+                    let read = self.last.by_file(last.unwrap_or_default()).into_iter();
+                    found = read
+                        .map(|(file, diagnostic)| located((file, from_one(file, diagnostic))))
                         .collect();
                 }
                 match found.is_empty() {
@@ -72,7 +74,7 @@ impl Reader {
     }
 }
 
-/// The outcome that says how it ended and what it said last.
+/// Returns the outcome that says how the compiler ended, with its last lines of output.
 fn died(ended: &Ended, text: &str) -> Outcome {
     let lines: Vec<&str> = text.lines().filter(|line| !is_noise(line)).collect();
     steady(
@@ -85,7 +87,7 @@ fn died(ended: &Ended, text: &str) -> Outcome {
     )
 }
 
-/// An outcome that is the same each time: of a crash, without the numbers of threads and of places in memory.
+/// Removes from a crash what differs from run to run: the numbers of threads and addresses in memory.
 pub(super) fn steady(outcome: Outcome) -> Outcome {
     let is_of_this_run = |word: &&str| {
         let inside = word.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
@@ -110,53 +112,53 @@ pub(super) fn steady(outcome: Outcome) -> Outcome {
     }
 }
 
-/// Tells whether a line says nothing of what stopped it.
+/// Tells whether a line says nothing about the cause of the end.
 fn is_noise(line: &str) -> bool {
     ["warning[", "info[", "note: run with"]
         .iter()
         .any(|of| line.contains(of))
 }
 
-/// Returns what a last line tells, in which the lines and columns of a file count from 0.
-fn from_one(file: Option<&str>, told: Diagnostic) -> Diagnostic {
+/// Translates the place in a last line, where the lines and columns of a file count from 0.
+fn from_one(file: Option<&str>, diagnostic: Diagnostic) -> Diagnostic {
     let next = |number: Option<u32>| file.map(|_| number.unwrap_or(0).saturating_add(1));
     Diagnostic {
-        line: next(told.line),
-        column: next(told.column),
-        end_line: next(told.end_line),
-        end_column: next(told.end_column),
-        ..told
+        line: next(diagnostic.line),
+        column: next(diagnostic.column),
+        end_line: next(diagnostic.end_line),
+        end_column: next(diagnostic.end_column),
+        ..diagnostic
     }
 }
 
-/// An error with what it is about, in place of the file.
-fn located((file, told): (Option<&str>, Diagnostic)) -> Found {
+/// Returns an error with the part that it is about, instead of the file.
+fn located((file, diagnostic): (Option<&str>, Diagnostic)) -> Found {
     let place = file.and_then(Program::place_of);
     let functions = || file.is_some_and(|file| Path::new(file).ends_with(FUNCTIONS));
-    match (place, told.line) {
-        (Some(place), _) => (About::Program(place), told),
-        // Those of each program have a line.
-        (None, Some(line)) if functions() => (About::Functions(line as usize - 1), told),
+    match (place, diagnostic.line) {
+        (Some(place), _) => (About::Program(place), diagnostic),
+        // The functions of each program stand on a line of their own.
+        (None, Some(line)) if functions() => (About::Functions(line as usize - 1), diagnostic),
         (None, _) => (
             About::Elsewhere,
             Diagnostic {
-                message: told.message,
-                code: told.code,
+                message: diagnostic.message,
+                code: diagnostic.code,
                 ..Diagnostic::default()
             },
         ),
     }
 }
 
-/// A rejection by these diagnostics.
-pub(super) fn rejected(told: impl Iterator<Item = Diagnostic>) -> Outcome {
-    let mut diagnostics: Vec<Diagnostic> = told.map(translated).collect();
+/// Returns a rejection with these diagnostics.
+pub(super) fn rejected(diagnostics: impl Iterator<Item = Diagnostic>) -> Outcome {
+    let mut diagnostics: Vec<Diagnostic> = diagnostics.map(translated).collect();
     diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
     diagnostics.dedup();
     Outcome::Rejected { diagnostics }
 }
 
-/// The compiler's codes that say what one of the registry says.
+/// The compiler's codes that mean the same as one of the registry.
 ///
 /// Basis: rusty: its reference of error codes, `plc explain`. Others, such as E048 of anything that is not declared, stand for
 /// several of the registry.
@@ -168,7 +170,7 @@ const CODES: [(&str, Code); 5] = [
     ("E058", Code::ArrayIndexOutOfBounds),
 ];
 
-/// A diagnostic with the registry's code where one of the compiler's says the same.
+/// Returns the diagnostic with the registry's code where the compiler's own means the same.
 fn translated(diagnostic: Diagnostic) -> Diagnostic {
     let own = diagnostic.code.as_deref().unwrap_or_default();
     match CODES.iter().find(|(code, _)| *code == own) {

@@ -1,10 +1,10 @@
-//! The C program that runs compiled ones, and the functions by which these show what is observed of them.
+//! Writes the C program that runs compiled programs, and the functions by which the programs show the observed values.
 //!
-//! The functions stand in a text of their own, so that the one under test is compiled as it is.
+//! The functions stand in a file of their own, so that the program under test is compiled as it is.
 //!
 //! Basis: rusty: book, *External Functions*: a function that is declared `{external}` is one of C; `VAR_INPUT {ref}` takes the
 //! address. Integers and bit strings have their width, BOOL a byte, durations and dates are nanoseconds in 64 bits, texts end
-//! with a zero. That one may look at the variables of a program from outside is a warning, E049.
+//! with a zero. Access to the variables of a program from outside is a warning, E049.
 
 use crate::RunRequest;
 use crate::adapters::driver::{self, DrivenProgram, Driver};
@@ -17,7 +17,7 @@ use stickler_types::{ElementaryType, Value};
 pub(super) const HEADER: &str =
     "#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n";
 
-/// One function for each form in which a value is printed, where it is asked for after this scan.
+/// The C functions that print values, one for each printed form. Each prints only after the scan for which the value is asked.
 const PRINTERS: &str = "\
 static const unsigned long *after;
 static unsigned long scan;
@@ -40,7 +40,7 @@ static void print_units(int32_t number, const uint16_t *text) {
 }
 ";
 
-/// What a driver is to run: what was asked about a program, and by what names that is to be found in what is compiled.
+/// A compiled program that a driver runs: its request, and the names of its parts in the compiled text.
 pub(super) struct Subject<'r> {
     pub(super) request: RunRequest<'r>,
     /// The main program.
@@ -49,8 +49,8 @@ pub(super) struct Subject<'r> {
     pub(super) observed: Vec<String>,
 }
 
-/// The driver of compiled programs. What sets the initial values of variables that the loader cannot set is named after the first
-/// file that the compiler was given.
+/// Returns the driver of compiled programs. The function that sets the initial values of variables that the loader cannot set
+/// is named after the first file that the compiler was given.
 ///
 /// Basis: rusty: book, *Variables*, *Pointer Initialization*: a runtime has to call it. Linkers that know of constructors do so,
 /// too, and to do it again changes nothing.
@@ -86,8 +86,8 @@ pub(super) fn driver<'r>(subjects: &[Subject<'r>], first_file: &str) -> Result<D
     })
 }
 
-/// The function that runs one of the programs after their initial values are set. Where the standard library panics, its own words
-/// are worth more than where it was called from.
+/// Returns the function that runs one of the programs after their initial values are set. Where the standard library panics,
+/// its message is worth more than a backtrace.
 fn initialisation(first_file: &str) -> String {
     let initialise = format!("__init___{}", first_file.replace('.', "_"));
     format!(
@@ -100,7 +100,7 @@ fn initialisation(first_file: &str) -> String {
     )
 }
 
-/// The function that a program calls to show a value of a type.
+/// Returns the declaration of the function that a program calls to show a value of a type.
 fn printer(name: &str, ty: ElementaryType) -> String {
     match ty {
         ElementaryType::String => format!(
@@ -116,7 +116,7 @@ fn printer(name: &str, ty: ElementaryType) -> String {
     }
 }
 
-/// The function that runs a program; before its first scan it is looked at where there is to be none.
+/// Writes the function that runs a program, which shows the observed values before the first scan and after each scan.
 fn write_run(text: &mut String, number: usize, request: &RunRequest<'_>) {
     let after = request
         .observe
@@ -137,7 +137,8 @@ fn write_run(text: &mut String, number: usize, request: &RunRequest<'_>) {
     );
 }
 
-/// The text of the functions that the driver calls: a line for each program, in order, and then what these call.
+/// Returns the text of the functions that the driver calls: a line for each program, in order, and then the functions that
+/// these call.
 pub(super) fn functions(subjects: &[Subject<'_>], driven: &[DrivenProgram<'_>]) -> String {
     let mut text = String::new();
     for (number, (subject, driven)) in subjects.iter().zip(driven).enumerate() {
@@ -163,7 +164,7 @@ pub(super) fn functions(subjects: &[Subject<'_>], driven: &[DrivenProgram<'_>]) 
     text
 }
 
-/// The type of a value as it is shown. The values of an enumeration are numbers.
+/// Returns the type as which a value is shown. The values of an enumeration are numbers.
 fn shown_as(kind: &Kind<'_>) -> ElementaryType {
     match kind {
         Kind::Elementary(ty) => *ty,
@@ -171,7 +172,7 @@ fn shown_as(kind: &Kind<'_>) -> ElementaryType {
     }
 }
 
-/// The functions by which values are shown, each once, and the type that each takes.
+/// Returns the functions by which values are shown, each once, with the type that each takes.
 fn shown(driven: &[DrivenProgram<'_>]) -> BTreeMap<String, ElementaryType> {
     let kinds = driven.iter().flat_map(|driven| &driven.kinds);
     kinds.map(|kind| (function(kind), shown_as(kind))).collect()
@@ -181,7 +182,7 @@ fn function(kind: &Kind<'_>) -> String {
     format!("stickler_show_{}", shown_as(kind).name().to_ascii_lowercase())
 }
 
-/// The type of C that has the bits of a value.
+/// Returns the C type that has the bits of a value.
 fn of_c(ty: ElementaryType) -> &'static str {
     match ty {
         ElementaryType::Real => "float",
@@ -198,7 +199,7 @@ fn of_c(ty: ElementaryType) -> &'static str {
     }
 }
 
-/// A value as it was printed; `None` where that is nonsense.
+/// Parses a printed value; `None` where the text is no such value.
 fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
     let bits = || u64::from_str_radix(shown, 16).ok();
     match kind {

@@ -1,8 +1,8 @@
-//! Many programs in one call of the compiler: it reads its library once for all of them, and the linker starts once.
+//! Runs many programs in one call of the compiler: it reads its library once for all of them, and the linker starts once.
 //!
-//! Each program is a file of its own, and so every diagnostic tells whose it is. Mistakes in one file keep the compiler from
-//! those of the same kind in no other: such programs are rejected at once, and the others go on without them. What it names
-//! after that, when it makes the object file, is asked about alone. What one program does when it runs, no other sees.
+//! Each program is a file of its own, and so every diagnostic names its program. Mistakes in one file hide no mistakes of the
+//! same kind in another: such programs are rejected at once, and the others go on without them. A program that the compiler
+//! names later, when it makes the object file, is run alone. No program sees what another does when it runs.
 
 use super::RustySession;
 use super::diagnostics::{About, Found, rejected, steady};
@@ -14,7 +14,7 @@ use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// As [`Session::run_pack`](crate::Session::run_pack).
+/// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
 pub(super) fn run(session: &RustySession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
     let mut answers = vec![Packed::Alone; requests.len()];
     let taken = session.engine.taken();
@@ -56,7 +56,7 @@ fn look(session: &RustySession<'_>, programs: &[Program<'_>]) -> Round {
     }
 }
 
-/// Returns what is known after something did not come to an end of its own.
+/// Returns the round of a pack that the compiler or a program did not finish.
 fn broken_off(outcome: &Outcome, programs: &[Program<'_>]) -> Round {
     let suspects = match outcome {
         Outcome::Crashed { reason } => {
@@ -69,9 +69,9 @@ fn broken_off(outcome: &Outcome, programs: &[Program<'_>]) -> Round {
     Round::alone(suspects)
 }
 
-/// Takes out the programs that the compiler does not accept.
+/// Removes the programs that the compiler does not accept.
 fn refused(programs: &[Program<'_>], found: Vec<Found>) -> Round {
-    let mut told: Vec<Vec<Diagnostic>> = programs.iter().map(|_| Vec::new()).collect();
+    let mut mistakes: Vec<Vec<Diagnostic>> = programs.iter().map(|_| Vec::new()).collect();
     let mut alone = BTreeSet::new();
     for (about, diagnostic) in found {
         match about {
@@ -80,7 +80,7 @@ fn refused(programs: &[Program<'_>], found: Vec<Found>) -> Round {
                 let Some(number) = number else {
                     return Round::nothing();
                 };
-                told[number].push(programs[number].original(diagnostic));
+                mistakes[number].push(programs[number].original(diagnostic));
             }
             About::Functions(number) if number < programs.len() => {
                 alone.insert(number);
@@ -88,10 +88,15 @@ fn refused(programs: &[Program<'_>], found: Vec<Found>) -> Round {
             About::Functions(_) | About::Elsewhere => return Round::nothing(),
         }
     }
-    // Functions that show the variables of a program with errors have some, too: what is rejected replaces what was suspected.
+    // The functions that show the variables of a program with errors have errors, too: a rejection replaces the suspicion.
     let mut known: BTreeMap<usize, Packed> =
         alone.into_iter().map(|number| (number, Packed::Alone)).collect();
-    let told = told.into_iter().enumerate().filter(|(_, told)| !told.is_empty());
-    known.extend(told.map(|(number, told)| (number, Packed::Answered(rejected(told.into_iter())))));
+    let mistakes = mistakes
+        .into_iter()
+        .enumerate()
+        .filter(|(_, mistakes)| !mistakes.is_empty());
+    known.extend(
+        mistakes.map(|(number, mistakes)| (number, Packed::Answered(rejected(mistakes.into_iter())))),
+    );
     Round::TakenOut(known)
 }

@@ -1,4 +1,4 @@
-//! A program as it is compiled: under names that meet neither those of C nor those of another program.
+//! A program as it is compiled: renamed, so that its names clash neither with those of C nor with those of another program.
 
 use super::driver::Subject;
 use crate::adapters::rename::{Renamed, declared, has_pack_suffix};
@@ -33,7 +33,7 @@ const BUILT_IN: &[&str] = &[
 
 /// A program that has a main program.
 pub(super) struct Program<'r> {
-    /// Its place among the requests.
+    /// The place of the program among the requests.
     pub(super) place: usize,
     pub(super) request: RunRequest<'r>,
     main: MainProgram,
@@ -43,21 +43,21 @@ pub(super) struct Program<'r> {
 }
 
 impl<'r> Program<'r> {
-    /// A program that is compiled alone: only the name of its main program changes, since `main` is where a C program begins.
-    /// `None` where it has no main program.
+    /// Returns a program that is compiled alone: only the name of its main program changes, since `main` is where a C program
+    /// begins. `None` where it has no main program.
     pub(super) fn alone(request: &RunRequest<'r>) -> Option<Program<'r>> {
         let main = main_program(request.source)?;
         let names = HashSet::from([main.name.to_ascii_uppercase()]);
         Some(Program::with(request, 0, main, names))
     }
 
-    /// A program among others, from which all its names are kept apart; `None` where it cannot stand there.
+    /// Returns a program among others, with all its names made unique; `None` where it cannot stand among others.
     pub(super) fn among_others(
         request: &RunRequest<'r>,
         place: usize,
         taken: &HashSet<String>,
     ) -> Option<Program<'r>> {
-        // The bits of a variable are no places of the machine.
+        // Accesses to the bits of a variable, such as `.%X0`, are no addresses of the machine.
         let names = declared(&request.source.replace(".%", ". "), taken)?;
         if names.iter().any(|name| BUILT_IN.contains(&name.as_str())) {
             return None;
@@ -83,23 +83,23 @@ impl<'r> Program<'r> {
         }
     }
 
-    /// The file in which the program of a place stands.
+    /// Returns the name of the file of the program at a place.
     pub(super) fn file_of(place: usize) -> String {
         format!("program_{place}.st")
     }
 
-    /// The place of the program that stands in a file.
+    /// Returns the place of the program in a file.
     pub(super) fn place_of(file: &str) -> Option<usize> {
         let name = Path::new(file).file_name()?.to_str()?;
         name.strip_prefix("program_")?.strip_suffix(".st")?.parse().ok()
     }
 
-    /// Its text.
+    /// Returns the renamed text of the program.
     pub(super) fn text(&self) -> &str {
         &self.renamed.text
     }
 
-    /// Returns what a driver is to run of the program.
+    /// Returns the program as a driver runs it.
     pub(super) fn subject(&self) -> Subject<'r> {
         let rename = |name: &str| Renamed::in_pack(name, &self.names, self.place).text;
         Subject {
@@ -115,7 +115,7 @@ impl<'r> Program<'r> {
     }
 
     /// Translates a diagnostic of the renamed text back to the program itself.
-    pub(super) fn original(&self, told: Diagnostic) -> Diagnostic {
-        self.renamed.original(told)
+    pub(super) fn original(&self, diagnostic: Diagnostic) -> Diagnostic {
+        self.renamed.original(diagnostic)
     }
 }

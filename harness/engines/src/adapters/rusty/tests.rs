@@ -1,4 +1,4 @@
-//! The adapter with what the compiler's book shows, and with a stand-in for the compiler.
+//! Tests the adapter with examples of the compiler's book, and with a stand-in for the compiler.
 
 use super::*;
 use crate::adapters::dependencies::DependencyPaths;
@@ -10,7 +10,7 @@ use std::os::unix::process::ExitStatusExt;
 use std::process::ExitStatus;
 use std::sync::LazyLock;
 
-/// What a build of April 2025 says of programs in which such mistakes were planted, with other names of the files.
+/// The output of a build of April 2025 about programs with these planted mistakes, with the names of the files changed.
 const SAID: &str = "program_0.st:3:7:{3:7-3:8}: warning[E067]: Implicit downcast from 'LREAL' to 'REAL'.\n\
                     program_0.st:6:5:{6:5-6:11}: error[E037]: Invalid assignment: cannot assign 'STRING' to 'INT'\n\
                     program_0.st:4:10:{4:10-4:17}: error[E048]: Could not resolve reference to unknown\n\
@@ -18,7 +18,8 @@ const SAID: &str = "program_0.st:3:7:{3:7-3:8}: warning[E067]: Implicit downcast
                     stickler.st:1:132:{1:132-1:133}: warning[E049]: Illegal access to private member main_in_pack_0.n\n\
                     Compilation aborted due to critical errors\n";
 
-/// Does what a comment in the first program asks for; otherwise it compiles C that does what the programs would.
+/// A stand-in that does what a comment in the first program asks for; otherwise it compiles C that does what the programs
+/// would.
 const COMPILER: &str = r#"#!/bin/sh
 case "$*" in *--version*) echo '0.2.0 (Tue Apr 8 10:00:00 2025 +0200, 1a2b3c4)'; exit 0 ;; esac
 case "$*" in *"/include/*.st"*) ;; *) echo 'no declarations' >&2; exit 2 ;; esac
@@ -62,7 +63,7 @@ done
 cc -c body.c -o program.o
 "#;
 
-/// The adapter with its stand-in; nothing, and a word about it, where there is no C compiler.
+/// Returns the adapter with its stand-in; prints why it is skipped where there is no C compiler.
 fn stand_in() -> Option<(Rusty, Folder)> {
     let folder = scripts(&[("plc", COMPILER)]);
     folder.write("said", SAID).unwrap();
@@ -84,7 +85,7 @@ fn stand_in() -> Option<(Rusty, Folder)> {
     }
 }
 
-/// What the programs of these tests are asked for.
+/// The observations of the requests in these tests.
 static OBSERVED: LazyLock<[Observation; 4]> = LazyLock::new(|| {
     let early = Observation {
         after: Some(2),
@@ -113,7 +114,7 @@ fn asked(engine: &Rusty, what: &str, scans: u32) -> Outcome {
     engine.session().unwrap().run(&request(&source(what), scans))
 }
 
-/// The values of an outcome, a line each.
+/// Returns the values of an outcome, one a line.
 fn values(outcome: &Outcome) -> Vec<String> {
     let Outcome::Executed { values } = outcome else {
         panic!("not executed: {outcome:?}")
@@ -147,16 +148,16 @@ fn rejections_crashes_and_faults_are_told_apart() {
     let Outcome::Rejected { diagnostics } = asked(&engine, "reject", 2) else {
         panic!("not rejected")
     };
-    let told = |told: &Diagnostic| {
+    let place = |diagnostic: &Diagnostic| {
         (
-            told.line,
-            told.column,
-            told.end_column,
-            told.code.clone().unwrap(),
+            diagnostic.line,
+            diagnostic.column,
+            diagnostic.end_column,
+            diagnostic.code.clone().unwrap(),
         )
     };
     assert_eq!(
-        diagnostics.iter().map(told).collect::<Vec<_>>(),
+        diagnostics.iter().map(place).collect::<Vec<_>>(),
         [
             (Some(4), Some(10), Some(17), "E048".to_owned()),
             (Some(6), Some(5), Some(11), "P4035".to_owned()),
@@ -189,8 +190,8 @@ fn a_pack_tells_of_each_program_what_is_told_of_it_alone() {
     };
     let sources = ["run", "wrong among others", "divide", "run"].map(source);
     let requests: Vec<RunRequest<'_>> = sources.iter().map(|source| request(source, 2)).collect();
-    let told = engine.session().unwrap().run_pack(&requests);
-    let outcome = |place: usize| match &told[place] {
+    let answers = engine.session().unwrap().run_pack(&requests);
+    let outcome = |place: usize| match &answers[place] {
         Packed::Answered(outcome) => outcome,
         other => panic!("{place}: {other:?}"),
     };
@@ -286,18 +287,22 @@ fn what_stops_the_compiler_is_told_the_same_each_time() {
     // Here it counts lines and columns from 0. Basis: rusty: book, chapter on the parser, with another name of the file.
     let said = "Unexpected token: expected KeywordSemicolon but found 'text: STRING' at: program_3.st:3:8:{3:8-3:20}: \n";
     let found = reader.errors(&ended(1 << 8, said)).unwrap();
-    let (about, told) = &found[0];
+    let (about, diagnostic) = &found[0];
     assert_eq!(*about, About::Program(3));
     assert_eq!(
-        (told.line, told.column, told.end_column),
+        (diagnostic.line, diagnostic.column, diagnostic.end_column),
         (Some(4), Some(9), Some(21))
     );
-    assert!(told.message.ends_with("'text: STRING'"), "{}", told.message);
+    assert!(
+        diagnostic.message.ends_with("'text: STRING'"),
+        "{}",
+        diagnostic.message
+    );
 }
 
 #[test]
 fn a_version_is_short_whatever_a_build_knows_of_itself() {
-    for (said, told) in [
+    for (said, shortened) in [
         (
             "0.2.0 (Tue Apr 8 10:00:00 2025 +0200, 1a2b3c4)",
             "0.2.0 (1a2b3c4)",
@@ -306,6 +311,6 @@ fn a_version_is_short_whatever_a_build_knows_of_itself() {
         ("plc 9.8.7", "9.8.7"),
         ("version information unavailable", "unknown"),
     ] {
-        assert_eq!(short(said), told);
+        assert_eq!(short(said), shortened);
     }
 }

@@ -1,4 +1,4 @@
-//! The C++ program that runs a translated one and prints what is observed of it.
+//! Writes the C++ program that runs a translated program and prints its observed values.
 //!
 //! Basis: strucpp: the C++ that it writes, and its run-time headers: a class for each program, its variables in upper case,
 //! each with `get`; durations and times of day are nanoseconds, dates days, both together nanoseconds.
@@ -10,7 +10,7 @@ use crate::adapters::probe_variable::ProbeVariables;
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Fault, Value};
 
-/// The exit code by which the driver tells a subscript outside its array.
+/// The exit code by which the driver reports a subscript outside its array.
 const SUBSCRIPT: i32 = 3;
 
 /// A day in nanoseconds.
@@ -37,7 +37,7 @@ pub(super) const HEADER: &str = "\
 #include <string>
 ";
 
-/// One function for each form in which a value is printed.
+/// The C++ functions that print values, one for each printed form.
 const PRINTERS: &str = "\
 template<class T> static void print_bits(int number, T value) {
     unsigned long long bits = 0;
@@ -55,15 +55,15 @@ template<class T> static void print_text(int number, const T &value) {
 }
 ";
 
-/// What a driver is to run: what was asked about a program, what of it is copied, and the name of its main program.
+/// A translated program that a driver runs: its request, the copies of observed values, and the name of its main program.
 pub(super) struct Subject<'r> {
     pub(super) request: RunRequest<'r>,
     pub(super) probes: ProbeVariables,
     pub(super) program: String,
 }
 
-/// The driver of translated programs: of the only one in `program.cpp`, or of several in `program_0.cpp` and so on, each in
-/// a namespace of its own.
+/// Returns the driver of translated programs: of the only one in `program.cpp`, or of several in `program_0.cpp` and so on,
+/// each in a namespace of its own.
 ///
 /// # Errors
 /// A fragment that says what cannot be observed or set.
@@ -103,10 +103,10 @@ pub(super) fn driver<'r>(subjects: &[&Subject<'r>]) -> Result<Driver<'r>, String
     })
 }
 
-/// Returns what can be printed of what is observed.
+/// Returns the kinds of the observed values.
 ///
 /// # Errors
-/// As [`driver`].
+/// A fragment that says what cannot be observed or set.
 pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<Kind<'r>>, String> {
     if !request.set.is_empty() {
         return Err("its driver writes no variables between scans".to_owned());
@@ -114,7 +114,7 @@ pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<Kind<'r>>, Strin
     printed::kinds(request, |_| true)
 }
 
-/// The functions that run a program and print what is to be seen after a scan; 0 stands for the end.
+/// Writes the functions that run a program and print the values observed after a scan; 0 stands for the end.
 fn write_run(text: &mut String, subject: &Subject<'_>, kinds: &[Kind<'_>]) {
     let program = subject.program.to_ascii_uppercase();
     let _ = write!(
@@ -152,13 +152,13 @@ fn write_run(text: &mut String, subject: &Subject<'_>, kinds: &[Kind<'_>]) {
     );
 }
 
-/// A value as it was printed; `None` where that is nonsense.
+/// Parses a printed value; `None` where the text is no such value.
 fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
     let bits = || u64::from_str_radix(shown, 16).ok();
     match kind {
         Kind::Enumerated(..) => kind.enumerated(bits()?),
         Kind::Elementary(ty @ (ElementaryType::Date | ElementaryType::Ldate)) => {
-            // A date beyond all that can be written is the last one, or the first.
+            // A date outside the range of dates is the last one, or the first.
             let days = bits()?.cast_signed().clamp(i64::MIN / DAY, i64::MAX / DAY);
             Some(Value::plain(*ty, (days * DAY).cast_unsigned()))
         }

@@ -1,7 +1,7 @@
-//! Many programs in one C++ program: the C++ compiler, which takes most of the time, starts once for all of them.
+//! Runs many programs in one C++ program: the C++ compiler, which takes most of the time, starts once for all of them.
 //!
-//! Each program is translated alone, and so whatever is not accepted is told at once. The C++ of those that are accepted stands
-//! side by side, each in a namespace of its own. What one program does when it runs, no other sees.
+//! Each program is translated alone, so that a rejection needs no further round. The C++ of accepted programs stands side by
+//! side, each in a namespace of its own. No program sees what another does when it runs.
 
 use super::driver::{Subject, driver};
 use super::{Accepted, StrucppSession};
@@ -11,10 +11,11 @@ use crate::adapters::rounds::{self, Round};
 use crate::{Outcome, Packed, RunRequest};
 use std::collections::BTreeSet;
 
-/// Fewer than [`rounds::MAX_ROUNDS`]: a round is a C++ compiler's work of seconds, and it names all programs that it complains of at once.
+/// The number of rounds of a pack, fewer than [`rounds::MAX_ROUNDS`]: each round costs seconds of a C++ compiler, which names
+/// all programs with errors at once.
 const MAX_ROUNDS: usize = 4;
 
-/// As [`Session::run_pack`](crate::Session::run_pack).
+/// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
 pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
     let mut answers = vec![Packed::Alone; requests.len()];
     let mut members = Vec::with_capacity(requests.len());
@@ -38,7 +39,8 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
 /// Builds and runs programs in one C++ program.
 ///
 /// # Errors
-/// The numbers of those that the C++ compiler complains of, or of all where it does not end; none where it says nothing of the kind.
+/// The numbers of the programs that the C++ compiler names in errors, or of all where it does not finish; none where it names
+/// no program.
 fn build_and_run(
     session: &StrucppSession<'_>,
     members: &[(usize, Accepted<'_>)],
@@ -69,7 +71,8 @@ fn build_and_run(
         .collect())
 }
 
-/// The C++ of a program without the lines that a namespace must not have: what they include is there already.
+/// Returns the C++ of a program without the lines that a namespace must not have: the headers that they include are included
+/// already.
 fn in_a_namespace(header: &str, program: &str) -> String {
     let kept = |line: &&str| {
         let line = line.trim_start();
@@ -79,7 +82,7 @@ fn in_a_namespace(header: &str, program: &str) -> String {
     lines.flat_map(|line| [line, "\n"]).collect()
 }
 
-/// The numbers between these marks in a text.
+/// Returns the numbers between these marks in a text.
 fn numbers(text: &str, mark: &str, end: char) -> Vec<usize> {
     let behind = text.split(mark).skip(1);
     let number = |behind: &str| behind.split_once(end)?.0.parse().ok();

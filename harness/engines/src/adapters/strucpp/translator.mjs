@@ -8,13 +8,13 @@ const { compile } = await import(pathToFileURL(process.argv[2]).href);
 function translated(source) {
     try {
         const { success, errors, cppCode, headerCode } = compile(source, {});
-        const told = (errors ?? []).map(({ message, line, column, severity }) => ({
+        const diagnostics = (errors ?? []).map(({ message, line, column, severity }) => ({
             message: String(message),
             line: line ?? 0,
             column: column ?? 0,
             severity: String(severity),
         }));
-        return { success: success === true, errors: told, program: cppCode ?? "", header: headerCode ?? "" };
+        return { success: success === true, errors: diagnostics, program: cppCode ?? "", header: headerCode ?? "" };
     } catch (error) {
         return { crash: String(error?.stack ?? error) };
     }
