@@ -1,4 +1,4 @@
-//! Measures the speed of the reference. Section 9 of the design states the aims: 100 MB/s through lexer and parser, 10 µs
+//! Measures the speed of the reference. Its aims: 100 MB/s through lexer and parser, 10 µs
 //! for a small case end to end, 2^32 conversions of an integer source in 10 s on two cores (4.6 ns each on one).
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};

@@ -1,5 +1,5 @@
-//! Measures the speed of lexer and parser, on ten megabytes of each of three kinds of text. The aim of section 9 of the
-//! design is 100 MB/s through lexer and parser on one core, for the usual text.
+//! Measures the speed of lexer and parser, on ten megabytes of each of three kinds of text. The aim
+//! is 100 MB/s through lexer and parser on one core, for the usual text.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;

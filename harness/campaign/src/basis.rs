@@ -68,7 +68,7 @@ fn of_conversion(signature: &Signature, operand: &Expression, dialect: DialectNa
     expected(signature, &[operand], dialect).basis.map(str::to_owned)
 }
 
-/// Basis: design, section 8, and the headings of the documents.
+/// Basis: the headings of the documents.
 fn of_widening(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> Option<String> {
     if dialect.base() == BuiltIn::Plcnext {
         return Some(format!("implicit-conversion-table: {from} to {to}"));

@@ -42,7 +42,7 @@ impl Exit {
 
     /// Returns the number with which the process ends.
     ///
-    /// Basis: section 5 of the design; 130 is what shells give a process that SIGINT ended.
+    /// Basis: harness/docs/testing-a-compiler.md (exit codes); 130 is what shells give a process that SIGINT ended.
     pub const fn number(self) -> u8 {
         match self {
             Exit::AsExpected => 0,
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn the_numbers_are_the_designs() {
+    fn the_numbers_are_the_documented_ones() {
         let numbers: Vec<u8> = Exit::ALL.iter().map(|exit| exit.number()).collect();
         assert_eq!(numbers, [0, 1, 2, 3, 4, 130]);
     }

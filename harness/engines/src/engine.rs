@@ -108,7 +108,7 @@ impl Identity {
     }
 }
 
-/// Something that an engine can do. Basis: design, section 4.
+/// Something that an engine can do.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]

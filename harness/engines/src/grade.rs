@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 
-/// The degree to which a rejection or a fault is right, the best first. Basis: design, section 6.
+/// The degree to which a rejection or a fault is right, the best first.
 ///
 /// An engine claims one of them as the best that can be asked of it: a compiler without codes of its own, or whose adapter
 /// cannot map them onto those of the registry, is right to the line at best.

@@ -2,7 +2,7 @@
 //!
 //! Nothing that such a process does harms a run: when it dies, hangs, floods its output or answers nonsense, the request at
 //! hand gets an outcome that says so, the process is killed with all that it started, and the next request starts a fresh one.
-//! Basis: design, sections 2 (crash is not reject) and 4.
+//! Basis: harness/engines/README.md (what happens when an adapter breaks the rules).
 
 mod child;
 mod command_line;

@@ -2,7 +2,7 @@
 //!
 //! [`Request`] and [`Reply`] are the two directions, [`serve`] answers requests with any
 //! [`Engine`](crate::Engine), and [`schemas`] gives the JSON Schemas that are published in
-//! `harness/engines/schemas/`. Basis: design, section 4.
+//! `harness/engines/schemas/`. Basis: harness/engines/README.md (the wire protocol).
 
 mod answer;
 mod lines;

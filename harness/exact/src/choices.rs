@@ -10,7 +10,7 @@ use stickler_types::{
 /// follows.
 ///
 /// Basis: ironplc-type-conversions: Explicit Conversion Functions and forgeiec-conversion-functions: Range and precision
-/// (truncation); stickler-design: §8 for all that is open. The texts of `matiec` are measured (10 digits, `16#ff`).
+/// (truncation); rule: not-stated for all that is open. The texts of `matiec` are measured (10 digits, `16#ff`).
 #[must_use]
 pub fn choices_of(dialect: DialectName) -> ConversionChoices {
     let base = of_base(dialect.base());

@@ -19,7 +19,7 @@ pub enum ImplicitResult {
 /// The result is the number (rounded once, to the nearest, where the target is a real), the zero-extended bits, the same
 /// duration, date or time of day in its long or short form, or for UDINT and TIME the same count of milliseconds.
 ///
-/// Basis: stickler-design: §3.2 and §8.
+/// Basis: conformance-cases/README.md (a matrix of types).
 #[must_use]
 pub fn implicit_result(value: &Value, to: ElementaryType) -> Option<ImplicitResult> {
     use ElementaryType::{Lreal, Real, Time, Udint};

@@ -29,7 +29,7 @@
 //! Where no document states the result of a call, the answer is *open*: [`Expected::basis`] is `None`, and the value is
 //! what IEC 60559 and two's complement suggest, by the choices of the dialect.
 //!
-//! Basis: stickler-design: §8 (arithmetic rules, and what *open* means); the rules themselves name theirs.
+//! Basis: the documents that each rule names; rule: not-stated for what is open.
 
 #![cfg_attr(not(test), deny(clippy::float_arithmetic))]
 

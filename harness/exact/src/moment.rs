@@ -3,7 +3,7 @@
 //! Numbers count a duration and a time of day in milliseconds, and a date and a date and time in seconds since 1970-01-01.
 //!
 //! Basis: forgeiec-conversion-functions: The naming pattern (`TIME_TO_DINT` "returns ms", `DINT_TO_TIME` "interprets as ms");
-//! stickler-design: §8. What the others count in no source says.
+//! what the others count no source says.
 
 use crate::quotient;
 use crate::real::{self, Real};

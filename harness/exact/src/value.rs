@@ -11,7 +11,7 @@ use stickler_types::{ConversionChoices, ElementaryType, Family, OutOfRange, Roun
 /// of its result type. For operands of other types, or another number of them, there is no such call: the result is then the
 /// default of the result type, 0 or the empty text.
 ///
-/// Basis: stickler-design: §8 (arithmetic rules); forgeiec-conversion-functions: The naming pattern, Range and precision.
+/// Basis: rule: integers-wrap; forgeiec-conversion-functions: The naming pattern, Range and precision.
 #[must_use]
 pub fn value(signature: &Signature, operands: &[Value], choices: &ConversionChoices) -> Value {
     let result = match operands {
@@ -114,8 +114,8 @@ fn convert(
 
 /// Converts a real number to an integer or bit string.
 ///
-/// Basis: forgeiec-conversion-functions: Range and precision ("fractional digits dropped … wraps"); stickler-design: §8 (the
-/// exact integer modulo 2^n, NaN and the infinities give 0).
+/// Basis: forgeiec-conversion-functions: Range and precision ("fractional digits dropped … wraps"); rule: not-stated (NaN and
+/// the infinities give 0).
 fn from_real(
     raw: u64,
     from: ElementaryType,

@@ -5,14 +5,14 @@ use stickler_types::{BuiltIn, DialectName};
 /// Returns whether a dialect has the elementary types of the third edition.
 ///
 /// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); ironplc-problem-codes: P0010;
-/// stickler-design: §8.
+/// rule: types-by-edition.
 pub(crate) const fn has_third_edition(dialect: DialectName) -> bool {
     !matches!(dialect.base(), BuiltIn::IronplcEd2 | BuiltIn::Matiec)
 }
 
 /// Returns whether the documents of a dialect know access to single bits.
 ///
-/// Basis: ironplc-bit-access: Valid Base Types; stickler-design: §8 (syntax error in matiec, open in PLCnext).
+/// Basis: ironplc-bit-access: Valid Base Types; measured for matiec (a syntax error), open in PLCnext.
 pub(crate) const fn has_bits(dialect: DialectName) -> bool {
     matches!(
         dialect.base(),
@@ -22,7 +22,7 @@ pub(crate) const fn has_bits(dialect: DialectName) -> bool {
 
 /// Returns whether a dialect knows `.%Xn`.
 ///
-/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax; stickler-design: §8.
+/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax; measured for matiec, open in PLCnext.
 pub(crate) const fn has_partial_access(dialect: DialectName) -> bool {
     matches!(dialect.base(), BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty)
 }

@@ -8,7 +8,7 @@ use stickler_types::{
 };
 
 /// The language rules of one documented system. Each field names a choice that the sources make differently
-/// (section 8 of the design, which names the basis of each); nothing else in this crate asks for a dialect's
+/// (conformance-cases/sources.toml and rules.md name the basis of each); nothing else in this crate asks for a dialect's
 /// name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Dialect {
@@ -45,7 +45,7 @@ pub struct Dialect {
 /// protocol has them.
 ///
 /// Basis: forgeiec-conversion-functions: Range and precision, matiec conformance; ironplc-type-conversions: Explicit Conversion
-/// Functions; stickler-design: §8 (what is open).
+/// Functions; rule: not-stated for what is open.
 pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
     rounding: Rounding::Truncate,
     out_of_range: OutOfRange::Wrap,
@@ -178,7 +178,7 @@ impl Dialect {
     /// matiec as the ForgeIEC page documents it; where that page is silent, as measured.
     ///
     /// Basis: forgeiec-conversion-functions: matiec conformance (no automatic widening), TRUNC vs. ROUND;
-    /// stickler-design: §8 (literals, bit access, the texts of reals and bit strings, measured). That the
+    /// literals, bit access, the texts of reals and bit strings are measured. That the
     /// compiler itself rounds half to even is no fact of this dialect: the page says that it truncates.
     #[must_use]
     pub const fn matiec() -> Dialect {
@@ -206,7 +206,7 @@ impl Dialect {
     /// PLCnext Engineer by its table of implicit conversions; what that leaves open is accepted, and computed
     /// as IEC 60559 and two's complement suggest.
     ///
-    /// Basis: implicit-conversion-table; implicit-conversion-rules; stickler-design: §8 (*open*).
+    /// Basis: implicit-conversion-table; implicit-conversion-rules; rule: not-stated.
     #[must_use]
     pub const fn plcnext() -> Dialect {
         Dialect {

@@ -2,7 +2,7 @@
 
 /// The longest source text that is read, in bytes; a longer one is diagnosed with S0002.
 ///
-/// Basis: a decision of the design (depth, size and step limits turn hostile input into a diagnostic).
+/// Basis: harness/README.md (depth, size and step limits turn hostile input into a diagnostic).
 pub const MAX_LENGTH: usize = 64 << 20;
 
 /// A half-open range of bytes in a source text. Texts are limited to 64 MiB, so 32 bits suffice.
@@ -42,7 +42,7 @@ impl Span {
 
 /// A line and a column as a person counts them: both from 1, columns in Unicode scalar values.
 ///
-/// Basis: section 4 of the design.
+/// Basis: harness/engines/README.md (lines and columns).
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Position {
     /// The line, counted from 1. A line ends with a line feed; a carriage return before it belongs to it.

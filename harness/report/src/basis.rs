@@ -12,7 +12,7 @@ pub struct Basis<'a> {
 }
 
 impl<'a> Basis<'a> {
-    /// Parses the `basis` of a case. Basis: section 3 of the design, `source: section`.
+    /// Parses the `basis` of a case. It is written `source: section`.
     pub fn of(basis: &'a str) -> Basis<'a> {
         let (source, section) = basis.split_once(':').unwrap_or((basis, ""));
         Basis {

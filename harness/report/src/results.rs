@@ -1,4 +1,4 @@
-//! `results.json`: the whole run as one JSON document, for programs. Section 5 of the design names its keys.
+//! `results.json`: the whole run as one JSON document, for programs. reports/README.md names its keys.
 //!
 //! A case that did not pass is in `cases` with all its properties. The cases that passed are in `passed`, each with only its
 //! arguments and its times, under the common properties of its probe.

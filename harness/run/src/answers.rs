@@ -12,7 +12,7 @@ pub struct Answers {
     pub rendering: Option<Rendering>,
 }
 
-/// The outcomes of rendering a program, and of rendering and running the rendered program. Basis: design, sections 3.1 and 4
+/// The outcomes of rendering a program, and of rendering and running the rendered program. Basis: harness/engines/README.md
 /// (rendering again changes nothing, and the rendered program means the same).
 #[derive(Clone, PartialEq, Debug)]
 pub struct Rendering {

@@ -1,5 +1,5 @@
 //! Baselines: the known deviations of an engine from its documents, each with its reason, so that a run fails only by new
-//! ones. Basis: issue "real compilers", *Verdicts*; design, section 1.
+//! ones. Basis: reports/README.md (baselines).
 //!
 //! A baseline changes no expectation and no claim: an expected failure still counts as failed for its document. Outdated
 //! entries are reported: an unexpected pass, an entry that fits no case and one past its last day each fail the run.

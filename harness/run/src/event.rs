@@ -1,5 +1,5 @@
 //! The events of a run: a header, one event for each case and engine, a footer. Every report is a projection of them and
-//! adds no facts; a stream without its footer is a truncated run. Basis: design, section 5.
+//! adds no facts; a stream without its footer is a truncated run. Basis: reports/README.md.
 
 mod baseline;
 mod totals;

@@ -11,7 +11,7 @@ use stickler_types::DialectName;
 /// 2. it contains a `*`: a pattern for the whole id or key, in which only `*` is special and stands for any text;
 /// 3. otherwise: every case whose key contains it.
 ///
-/// The first reading makes the rerun command of a report exact. Basis: design, section 3.2.
+/// The first reading makes the rerun command of a report exact. Basis: conformance-cases/README.md (ids).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Filter {
     text: String,

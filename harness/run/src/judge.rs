@@ -1,4 +1,5 @@
-//! Compares the answers of an engine with the expectation of a case. Basis: design, sections 3.1 and 6.
+//! Compares the answers of an engine with the expectation of a case. Basis: conformance-cases/README.md
+//! (marks) and reports/README.md (the words).
 
 mod bodies;
 mod diagnostics;

@@ -5,7 +5,7 @@
 //! which the answer to a pack says nothing are asked about again, in packs of half the size, until the culprit stands alone;
 //! so packing changes no outcome.
 //!
-//! Basis: design, section 6.
+//! Basis: harness/engines/README.md (packs).
 
 use crate::answers::{Answers, ask, ask_pack};
 use std::time::{Duration, Instant};

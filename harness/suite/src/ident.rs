@@ -1,6 +1,6 @@
 //! Ids of cases: ASCII, stable, and readable.
 //!
-//! Basis: stickler-design §3.2.
+//! Basis: conformance-cases/README.md (ids).
 
 use stickler_types::Fnv1a;
 

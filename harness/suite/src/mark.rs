@@ -1,6 +1,6 @@
 //! Marks, the comments `(*! … *)` in which a program states its expectation.
 //!
-//! Basis: stickler-design §3.1.
+//! Basis: conformance-cases/README.md (marks).
 
 use std::fmt::Display;
 use std::str::FromStr;

@@ -1,6 +1,6 @@
 //! Reads marks: from the text of a comment to a [`Mark`].
 //!
-//! Basis: stickler-design §3.1.
+//! Basis: conformance-cases/README.md (marks).
 
 use stickler_types::{Code, DialectName};
 

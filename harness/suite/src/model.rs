@@ -76,7 +76,7 @@ impl Case {
 
 /// The expectation of a case: the results of an engine that conforms.
 ///
-/// Basis: stickler-design §3.1.
+/// Basis: conformance-cases/README.md (marks).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Expectation {
     /// Whether the program must be accepted.

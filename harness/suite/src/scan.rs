@@ -2,7 +2,7 @@
 //!
 //! The scanner is the suite's own and knows only strings and comments, so that a mark means the same whatever a dialect makes
 //! of the rest. Strings end at the latest with their line, as the standard has them; so a stray quote hides one line at most.
-//! Basis: stickler-design §3.1.
+//! Basis: conformance-cases/README.md (marks).
 
 /// A mark as it stands in the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

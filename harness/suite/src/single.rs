@@ -1,6 +1,6 @@
 //! Reads `*.st` files: one annotated program becomes a case in each of its dialects.
 //!
-//! Basis: stickler-design §3.1.
+//! Basis: conformance-cases/README.md (marks).
 
 use std::sync::Arc;
 

@@ -12,7 +12,7 @@
 //! | May a probe claim that? | [`claim`] |
 //! | What stands in which cell? | [`cell`] |
 //! | Does the folder have the rows that it must have? | [`folder`] |
-//! | What does the design suggest where a table only records? | [`suggestion`] |
+//! | What do IEC 60559 and two's complement suggest where a table only records? | [`suggestion`] |
 //!
 //! *Architecture Invariant:* every expected value and every basis comes from `stickler_exact`. This crate must not know the
 //! reference implementation, which is held to what it writes, and it never reads a computed cell: a wrong one cannot survive.

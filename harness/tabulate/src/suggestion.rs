@@ -1,12 +1,12 @@
-//! The results that the design suggests where a table only records them.
+//! The results that IEC 60559 and two's complement suggest where a table only records them.
 
 use crate::folder::CallTable;
 use crate::table::Claim;
 use stickler_types::{DialectName, ElementaryType, Value};
 
-/// The result that the design suggests for a call of which a probe asserts nothing.
+/// The result that IEC 60559 and two's complement suggest for a call of which a probe asserts nothing.
 ///
-/// The suite records such a result and holds no engine to it. The reference says of itself that it does what the design suggests, so
+/// The suite records such a result and holds no engine to it. The reference says of itself that it does what they suggest, so
 /// its own test holds it to this.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Suggestion {
@@ -23,7 +23,7 @@ pub struct Suggestion {
 }
 
 impl CallTable {
-    /// Returns the result that the design suggests for each call that a probe only records.
+    /// Returns the suggested result of each call that a probe only records.
     #[must_use]
     pub fn suggestions(&self) -> Vec<Suggestion> {
         let mut suggestions = Vec::new();

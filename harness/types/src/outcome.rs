@@ -8,7 +8,7 @@ use std::fmt;
 /// [`Observation::key`](crate::Observation::key)).
 pub type NamedValue = (String, Value);
 
-/// The outcome of a request to an engine. Crashing is not rejecting (design, section 2, rule 3).
+/// The outcome of a request to an engine. Crashing is not rejecting.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Outcome {
     /// The program was accepted; nothing was executed.

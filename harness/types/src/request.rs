@@ -4,7 +4,7 @@ use crate::{DialectName, Value};
 use std::fmt;
 use std::sync::Arc;
 
-/// A program to execute and what to observe of it. It carries no expectation (design, section 2, rule 1).
+/// A program to execute and what to observe of it. It carries no expectation: an engine never sees one.
 #[derive(Clone, Copy, Debug)]
 pub struct RunRequest<'a> {
     /// The language rules to follow.

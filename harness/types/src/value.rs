@@ -90,7 +90,7 @@ impl Value {
     /// # Errors
     /// A [`LiteralError`] with its offset in `literal`; `Overflow` where the type has no such value.
     ///
-    /// Basis: iec-61131-3: Tables 5 to 9; stickler-design: §4 for what is not finite.
+    /// Basis: iec-61131-3: Tables 5 to 9; harness/engines/README.md (how values are written) for what is not finite.
     pub fn parse(literal: &str) -> Result<Value, LiteralError> {
         let Some((prefix, rest)) = literal.split_once('#') else {
             return Err(LiteralError::malformed(0, "a typed literal such as `INT#5`"));
@@ -214,7 +214,7 @@ fn is_identifier(name: &str) -> bool {
 impl fmt::Display for Value {
     /// Writes the canonical spelling.
     ///
-    /// Basis: stickler-design: §4.
+    /// Basis: harness/engines/README.md (how values are written).
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}#", self.type_name())?;
         match self {

@@ -12,7 +12,7 @@ pub struct EngineUnderTest<'e> {
     pub engine: &'e dyn Engine,
     /// The value of `--engine` that stands for the engine.
     pub asked_for: &'e str,
-    /// Whether the engine is the reference, which must also follow what only the design settles.
+    /// Whether the engine is the reference, which must also follow what only the rules settle.
     pub is_reference: bool,
 }
 

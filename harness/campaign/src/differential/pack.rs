@@ -4,7 +4,7 @@
 //! apart by a prefix. A pack that an engine agrees with acquits all its programs; one that it does not is halved until
 //! the culprits stand alone, so packing changes no verdict.
 //!
-//! Basis: design, section 6.
+//! Basis: harness/engines/README.md (packs).
 
 use super::comparison::Question;
 use super::evaluated::EvaluatedProgram;

@@ -133,7 +133,7 @@ pub const PROMOTE_EXAMPLES: &str = "\
 Examples:
   stickler promote my-compiler-value-int-3f2a91c0
   stickler promote reports/findings/my-compiler-value-int-3f2a91c0 \\
-      --name mod-of-a-negative-dividend --basis 'stickler-design: §8' \\
+      --name mod-of-a-negative-dividend --basis 'iec-61131-3: Table 29' \\
       --title 'MOD has the sign of its dividend'";
 
 /// The examples at the end of the help of `merge`.

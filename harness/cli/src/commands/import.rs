@@ -193,7 +193,7 @@ fn judged(
 
 fn tell(imported: &Imported, export: &Export, engine: &Identity) {
     imported.notes.iter().for_each(output::note);
-    // Basis: design, section 6.
+    // Basis: harness/docs/compilers-behind-an-editor.md.
     if imported.summary.totals.unexpected() > 0 {
         output::note(format!(
             "what is not as expected differs from {}, as its documents have it; it is no defect of {} by its own",

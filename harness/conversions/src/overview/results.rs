@@ -31,7 +31,7 @@ pub struct DialectResults {
 pub struct ComparedResult {
     /// The value that the engine gave, or its reason for giving none.
     pub got: Result<Value, Refusal>,
-    /// The value that a document demands, which is then the basis; without a basis, the value that Stickler's design suggests.
+    /// The value that a document demands, which is then the basis; without a basis, the value that IEC 60559 and two's complement suggest.
     pub expected: Expected,
 }
 

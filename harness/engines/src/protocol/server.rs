@@ -7,7 +7,7 @@ use std::io::{self, BufRead, Write};
 
 /// Answers requests until `bye` or the end of the input. Every reply is flushed as it is written; a malformed line is answered
 /// by an error (with the request's `id` where it can be read); blank lines are ignored; memory is bounded by [`MAX_LINE`] and
-/// what the engine needs for one program. Basis: design, section 4.
+/// what the engine needs for one program. Basis: harness/engines/README.md (the wire protocol).
 ///
 /// # Errors
 /// Errors of `input` and `output`, and of an engine of which no session can be opened.

@@ -71,7 +71,7 @@ impl Fraction {
 ///
 /// `is_lowest_of_binade` tells that the next smaller number is only half as far away as the next greater one.
 ///
-/// Basis: stickler-design: §4 (canonical spelling), which leaves the nearness open.
+/// Basis: harness/engines/README.md (how values are written), which leaves the nearness open.
 pub(super) fn shortest(
     significand: u64,
     exponent: i32,

@@ -17,7 +17,7 @@ use stickler_types::{BitStringText, ConversionChoices, ElementaryType, Family, R
 /// | TIME, LTIME | `T#1500ms`, `LTIME#1500000000ns` |
 /// | DATE … LDT | `D#2024-02-29`, `TOD#12:34:56.5`, `DT#2024-02-29-12:34:56.5`; the long forms behind `LDATE#`, `LTOD#`, `LDT#` |
 ///
-/// Basis: stickler-design: §4 (canonical spelling) and §8; for integers forgeiec-conversion-functions: The naming pattern.
+/// Basis: harness/engines/README.md (how values are written); for integers forgeiec-conversion-functions: The naming pattern.
 pub(crate) fn write(raw: u64, from: ElementaryType, choices: &ConversionChoices) -> String {
     let nanoseconds = i128::from(raw.cast_signed());
     match from.family() {

@@ -16,7 +16,7 @@ pub struct Evaluation {
 }
 
 impl Evaluation {
-    /// Returns whether the reference must give these values: the design answers every open question for the reference.
+    /// Returns whether the reference must give these values: IEC 60559 and two's complement answer every open question for it.
     #[must_use]
     pub fn binds_the_reference(&self) -> bool {
         self.opened
@@ -86,8 +86,8 @@ pub enum OpenQuestion {
 }
 
 impl OpenQuestion {
-    /// Returns whether stickler-design states the behaviour of the reference: the one that IEC 60559 and two's complement
-    /// suggest (§8).
+    /// Returns whether rules of the suite state the behaviour of the reference: the one that IEC 60559 and two's complement
+    /// suggest.
     #[must_use]
     pub const fn is_answered_by_the_design(self) -> bool {
         matches!(
@@ -106,10 +106,8 @@ impl OpenQuestion {
         match self {
             OpenQuestion::Conversion => "the dialect's page on conversion functions",
             OpenQuestion::ImplicitConversion => "the dialect's tables of implicit conversions",
-            OpenQuestion::RealDivisionByZero | OpenQuestion::NotANumber => {
-                "stickler-design: §8 and real-arithmetic"
-            }
-            OpenQuestion::LeastByMinusOne => "stickler-design: §8",
+            OpenQuestion::RealDivisionByZero | OpenQuestion::NotANumber => "IEC 60559 and real-arithmetic",
+            OpenQuestion::LeastByMinusOne => "rule: integers-wrap",
             OpenQuestion::ShiftCount | OpenQuestion::NegativeShiftCount => "iec-61131-3: Table 30",
             OpenQuestion::ZerosOfTwoSigns | OpenQuestion::MuxSelector | OpenQuestion::LimitsCrossed => {
                 "iec-61131-3: Table 32"

@@ -52,7 +52,7 @@ impl<'p> ModelEvaluator<'p> {
 
     /// Computes an implicit conversion: the value unchanged, or the nearest real, rounded once.
     ///
-    /// Basis: ironplc-type-conversions: Implicit Type Widening; implicit-conversion-table; stickler-design: §3.2 and §8.
+    /// Basis: ironplc-type-conversions: Implicit Type Widening; implicit-conversion-table; conformance-cases/README.md (a matrix of types).
     pub fn widened(
         &mut self,
         unit: Activation<'p>,

@@ -146,7 +146,7 @@ fn reals(ty: ElementaryType) -> Vec<Value> {
 /// Lists the least and the greatest subnormal number, the least normal one, numbers whose products are subnormal, and for
 /// LREAL the least number that REAL holds and one that must round to an even neighbour in one step.
 ///
-/// Basis: stickler-design: §8 (IEC 60559).
+/// Basis: iec-61131-3: Table 10 (IEC 60559).
 pub(super) fn tiny(ty: ElementaryType) -> &'static [u64] {
     const POWER: i64 = 1 << 52;
     const SINGLE: [u64; 5] = [

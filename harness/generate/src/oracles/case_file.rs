@@ -24,7 +24,7 @@ const MAX_CASES: usize = 200_000;
 /// 3. Each case has an id of its own in its dialect, a line of the file, a program, and a basis.
 /// 4. Reading the file again gives the same.
 ///
-/// Basis: stickler-design: §3 (the case format; ids are ASCII and never change their meaning).
+/// Basis: conformance-cases/README.md (the case format; ids are ASCII and never change their meaning).
 ///
 /// # Errors
 /// Symptoms: `nothing`, `error:place`, `error:message`, `case:id`, `case:place`, `case:source`, `case:basis`, `size`, `changes`.
@@ -106,7 +106,7 @@ fn check_cases(cases: &[Case], lines: usize) -> Result<(), OracleFailure> {
 mod tests {
     use super::*;
 
-    const PROGRAM: &str = "(*!\ntitle = \"Bits\"\nbasis = \"stickler-design: §4\"\ndialects = [\"all\"]\n*)\n\
+    const PROGRAM: &str = "(*!\ntitle = \"Bits\"\nbasis = \"rule: not-stated\"\ndialects = [\"all\"]\n*)\n\
         PROGRAM main\nVAR\n    r : INT;\nEND_VAR\n    r := 1;\nEND_PROGRAM\n(*! values\nr = INT#1\n*)\n";
 
     #[test]

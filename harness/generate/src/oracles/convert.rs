@@ -19,9 +19,9 @@ static CONVERSIONS: LazyLock<[Vec<Signature>; DialectName::ALL.len()]> = LazyLoc
 /// Judges one call: the first byte chooses the dialect, the next two the function, the rest its operands. The reference runs
 /// a program that calls the function with variables, which are set from outside.
 ///
-/// Where no document states the result, the reference must give that of the design.
+/// Where no document states the result, the reference must give what IEC 60559 and two's complement suggest.
 ///
-/// Basis: stickler-design: §8, and the basis that `stickler-exact` names for each call.
+/// Basis: rule: not-stated, and the basis that `stickler-exact` names for each call.
 ///
 /// # Errors
 /// Symptoms: `value:FUNCTION`, `rejected:CODE`, `fault:FAULT`, `internal-error`, `request`.
@@ -120,7 +120,7 @@ fn hold(
         return Ok(());
     }
     let got = got.map_or_else(|| "nothing".to_owned(), |value| value.to_string());
-    let basis = exact.basis.unwrap_or("open, by the design");
+    let basis = exact.basis.unwrap_or("open: no document says");
     Err(OracleFailure::new(
         format!("value:{}", signature.function),
         format!(

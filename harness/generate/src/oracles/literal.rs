@@ -10,7 +10,7 @@ use stickler_types::{ElementaryType, Family, LiteralError, Value, literal};
 /// If the first byte names a type by its index in [`ElementaryType::ALL`] (a control character, with which no literal
 /// begins), the following bytes are a value, which is written and read back; otherwise the bytes are a text.
 ///
-/// Basis: stickler-design: §4 (the canonical spelling); iec-61131-3: Tables 5 to 9.
+/// Basis: harness/engines/README.md (how values are written); iec-61131-3: Tables 5 to 9.
 ///
 /// # Errors
 /// Symptoms, each followed by the type: `value`, `accepted`, `rejected`, `canonical`; `place` for the offset of an error.
@@ -67,7 +67,7 @@ fn check_written(value: &Value) -> Result<(), OracleFailure> {
         Ok(again) if again != *value => wrong(&format!("of {value:?} reads to {again:?}")),
         Ok(again) if again.to_string() != written => wrong(&format!("is spelled {again} when read")),
         Ok(_) if expected_spelling(value).is_some_and(|spelling| spelling != written) => {
-            wrong(&format!("of {value:?} is not the one of the design"))
+            wrong(&format!("of {value:?} is not the canonical one"))
         }
         Ok(_) => Ok(()),
     }
@@ -75,7 +75,7 @@ fn check_written(value: &Value) -> Result<(), OracleFailure> {
 
 /// Returns the canonical spelling of an integer or bit string.
 ///
-/// Basis: stickler-design: §4 (`INT#-5`; upper-case digits, full width).
+/// Basis: harness/engines/README.md (how values are written: `INT#-5`; upper-case digits, full width).
 fn expected_spelling(value: &Value) -> Option<String> {
     let &Value::Plain { ty, raw } = value else {
         return None;

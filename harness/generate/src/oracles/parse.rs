@@ -37,7 +37,7 @@ const CHECKED_AGAIN: u32 = 2;
 ///
 /// That memory and time stay bounded is seen by libFuzzer's limits and by those on the sizes here.
 ///
-/// Basis: stickler-design: §2 (parsing never fails and never panics), §4 (spans, `render`).
+/// Basis: harness/README.md (parsing never fails and never panics); harness/engines/README.md (spans, `render`).
 ///
 /// # Errors
 /// Symptoms: `place`, `message`, `size`, `rendering:CODE`, `rendering:words`, `rendering:tree`, `rendering:changes`,

@@ -19,7 +19,7 @@ static ENGINE: LazyLock<Reference> = LazyLock::new(|| Reference::with_step_limit
 /// 4. Diagnostics are sorted, and each has a known code, a message and a place in the program.
 /// 5. Nothing makes the engine crash, or contradict itself.
 ///
-/// Basis: stickler-design: §4 (wire protocol).
+/// Basis: harness/engines/README.md (the wire protocol).
 ///
 /// # Errors
 /// Symptoms: `io`, `replies`, `reply`, `id`, `kind`, `values`, `diagnostics`, `crash`, `internal-error`.

@@ -22,7 +22,7 @@ fn there_are_many_kinds_each_of_its_own_name() {
 
 #[test]
 fn every_code_of_the_design_is_planted() {
-    // Section 7 of the design, in its order.
+    // The codes that errors are planted for.
     let listed = "P0001 P0002 P0003 P0004 P0010 P2008 P2026 P2027 P4007 P4011 P4014 P4016 P4017 P4018 P4021 P4022 P4023 \
                   P4024 P4025 P4026 P4027 P4033 P4035 P4039 P4040 P2038 P2039 P2040 P4005 P4049 P4053 P4058 P4059 P4069 P4072";
     for code in listed.split_whitespace() {

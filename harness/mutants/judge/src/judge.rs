@@ -1,6 +1,6 @@
 //! Comparing what the reference does with a case with what must happen; by code and line, as `stickler-run` judges it.
 //!
-//! Basis: stickler-design: §3.1, §4 and §6.
+//! Basis: conformance-cases/README.md (marks); reports/README.md (the words).
 
 #[path = "../../../run/src/judge/bodies.rs"]
 mod bodies;

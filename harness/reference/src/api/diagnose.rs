@@ -63,7 +63,7 @@ pub fn variables(source: &str, dialect: DialectName, most: usize) -> Vec<String>
         .map_or_else(Vec::new, |program| program.variables(most))
 }
 
-/// Gives a source text back in its normal form (design, section 4). What can be read is rendered, whether or
+/// Gives a source text back in its normal form (harness/engines/README.md). What can be read is rendered, whether or
 /// not its names and types are right.
 ///
 /// # Errors

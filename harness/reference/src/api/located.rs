@@ -1,7 +1,7 @@
 //! Diagnostics as a person reads them: sorted, each said once, with lines and columns.
 //!
-//! Basis: stickler-design: §4 (order, positions; a code that says a construct is not enabled suppresses every
-//! other diagnostic about that construct).
+//! Basis: harness/engines/README.md (order, positions); rule: every-mistake-once (a code that says a construct is not
+//! enabled suppresses every other diagnostic about that construct).
 
 use crate::diagnostic::SpannedDiagnostic;
 use crate::source::{LineIndex, Span};

@@ -25,19 +25,19 @@ pub enum ConversionRule {
     Keep,
     /// Integers, bit strings, BOOL and characters: the value modulo 2^n of the target; a bit string and a
     /// character count as unsigned.
-    /// Basis: stickler-design: §8 (arithmetic rules); forgeiec-conversion-functions: Range and precision.
+    /// Basis: rule: integers-wrap; forgeiec-conversion-functions: Range and precision.
     Wrap,
     /// Zero is FALSE, all else TRUE; -0.0 is zero, and a NaN is not.
     /// Basis: forgeiec-conversion-functions: The naming pattern ("0 → FALSE, anything else → TRUE").
     NonZero,
     /// The number that an integer or a bit string stands for, rounded to nearest, ties to even, once.
-    /// Basis: stickler-design: §8 (arithmetic rules).
+    /// Basis: iec-61131-3: Table 10 (IEC 60559).
     ToReal,
     /// REAL to LREAL exactly, LREAL to REAL rounded to nearest, ties to even.
     /// Basis: forgeiec-conversion-functions: Range and precision (`LREAL_TO_REAL`).
     BetweenReals,
     /// Rounded to an integer, which is then brought into the target; NaN gives 0.
-    /// Basis: stickler-design: §8 (arithmetic rules).
+    /// Basis: that of the rounding and of the range; rule: not-stated for NaN.
     FromReal(Rounding, OutOfRange),
     /// A duration, date or time of day as the number of its units, the fraction dropped, modulo 2^n.
     /// Basis: forgeiec-conversion-functions: The naming pattern (TIME in ms); dates and times of day are open.

@@ -33,7 +33,7 @@ pub(super) enum Callee {
 impl<'m> Lowering<'m> {
     /// Finds what an expression calls. A function of the text hides a standard one of the same name.
     ///
-    /// Basis: stickler-design: §3.1 (where acceptance is open the reference accepts).
+    /// Basis: conformance-cases/README.md (where acceptance is open the reference accepts).
     pub(super) fn callee(&mut self, id: ExpressionId) -> Callee {
         let ExpressionKind::Name(name) = self.expression(id).kind else {
             return match self.infer(id) {

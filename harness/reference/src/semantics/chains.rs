@@ -118,7 +118,7 @@ impl Lowering<'_> {
     /// result of a conversion function. Where it does not fit the type that is no error: the machine does what
     /// it does with variables.
     ///
-    /// Basis: stickler-design: §3.1 (where acceptance is open the reference accepts).
+    /// Basis: conformance-cases/README.md (where acceptance is open the reference accepts).
     fn folded_pair(&self, operator: BinaryOperator, action: Action) -> Option<u64> {
         let Action::Arithmetic(_, ty) = action else {
             return None;

@@ -1,7 +1,7 @@
 //! The types that values of different types have in common.
 //!
-//! Basis: stickler-design: §8 (if one converts implicitly to the other, it does; no third type is sought; an
-//! untyped literal takes the other's type).
+//! Basis: rule: mixed-operands (if one converts implicitly to the other, it does; no third type is sought);
+//! rule: untyped-literals (one takes the other's type).
 
 use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;

@@ -34,7 +34,7 @@ pub(super) enum ValueContext {
 impl ValueContext {
     /// The code of a value that does not fit here.
     ///
-    /// Basis: stickler-design: §7 ("Which code where").
+    /// Basis: rule: code-by-place.
     pub(super) const fn code(self) -> Code {
         match self {
             ValueContext::Assignment
@@ -51,7 +51,7 @@ impl ValueContext {
 
     /// Whether an untyped integer literal is a bit string here.
     ///
-    /// Basis: stickler-design: §8 (an initializer always takes one; a parameter and the target of an assignment
+    /// Basis: rule: untyped-literals (an initializer always takes one; a parameter and the target of an assignment
     /// by dialect). An operand takes the other's type in every dialect.
     fn takes_integer_as_bits(self, dialect: &Dialect) -> bool {
         dialect.integer_literal_as_bit_string
@@ -75,7 +75,7 @@ pub(super) enum Fit {
 
 /// Whether a value may stand where `target` is expected, `target` being a value's type.
 ///
-/// Basis: stickler-design: §8; for elementary types the rule is [`implicit`]. Enumerations, structures and
+/// For elementary types the rule is [`implicit`]. Enumerations, structures and
 /// arrays convert to nothing but themselves.
 pub(super) fn fit(
     value: Inferred,

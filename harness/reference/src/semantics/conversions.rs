@@ -27,7 +27,7 @@ impl Lowering<'_> {
 
     /// Returns the type, among those that it may have, that the result of a conversion function takes from its target.
     ///
-    /// Basis: stickler-design: §8 (the result of BCD_TO_INT and INT_TO_BCD takes the type of its target).
+    /// Basis: forgeiec-conversion-functions: BCD encoding (the result of BCD_TO_INT and INT_TO_BCD takes the type of its target).
     pub(super) fn flexible_result(&mut self, id: ExpressionId, target: TypeId) -> Option<ElementaryType> {
         let ExpressionKind::Call { callee, arguments } = &self.expression(self.model.source.bare(id)).kind
         else {

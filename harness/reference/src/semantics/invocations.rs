@@ -137,7 +137,7 @@ impl<'m> Lowering<'m> {
 
     /// Puts the address of an argument on the stack.
     ///
-    /// Basis: stickler-design: §8 (VAR_IN_OUT needs the same type); ironplc-problem-codes: P4058, P4059, P4060.
+    /// Basis: iec-61131-3: 6.6.1 (VAR_IN_OUT needs the same type); ironplc-problem-codes: P4058, P4059, P4060.
     fn pass_by_reference(&mut self, argument: ExpressionId, parameter: &DeclaredVariable<'_>) {
         let ty = parameter.ty;
         let span = self.span(argument);

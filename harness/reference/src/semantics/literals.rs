@@ -1,7 +1,7 @@
 //! Literals: the type that one has, and the value that it is read to in the type it takes.
 //!
-//! Basis: iec-61131-3: Tables 5 to 9; stickler-design: §7 (a sign directly before an untyped literal belongs to
-//! it), §8 (untyped literals); ironplc-problem-codes: P2026, P2038, P2039, P2040.
+//! Basis: iec-61131-3: Tables 5 to 9; rule: untyped-literals (a sign directly before one belongs to
+//! it); ironplc-problem-codes: P2026, P2038, P2039, P2040.
 
 use super::common::settle;
 use super::inferred::{Inferred, Magnitude};

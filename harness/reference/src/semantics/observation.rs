@@ -195,7 +195,7 @@ impl CheckedProgram {
     /// # Errors
     /// A message where nothing has that name, or what has it is of no elementary type.
     ///
-    /// Basis: stickler-design: §3.1, §4 (an observed name may be a path to an elementary value).
+    /// Basis: harness/engines/README.md (an observed name may be a path to an elementary value).
     pub fn resolve(&self, path: &str) -> Result<ObservedVariable, String> {
         let directory = &self.directory;
         let (mut ty, mut address, mut rest) = directory.root(path)?;

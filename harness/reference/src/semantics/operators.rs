@@ -1,6 +1,6 @@
 //! The operand types for which operators are defined, and the types of their results.
 //!
-//! Basis: stickler-design: §8 (mixed operands: one converts to the other, or nothing; no third type is sought);
+//! Basis: rule: mixed-operands (one converts to the other, or nothing; no third type is sought);
 //! iec-61131-3: the tables of the arithmetic, comparison, bitwise and time functions.
 
 use super::common::TypeRules;

@@ -1,6 +1,6 @@
 //! Variables as expressions name them: with elements, fields and bits; for reading and for writing.
 //!
-//! Basis: ironplc-bit-access: Valid Base Types; stickler-design: §7 (P2027, P4007, P4025, P4069). A wrong number
+//! Basis: ironplc-bit-access: Valid Base Types; ironplc-problem-codes: P2027, P4007, P4025, P4069. A wrong number
 //! of subscripts is P2024, and a subscript of what is no array P4049.
 
 use super::contexts::ValueContext;
@@ -113,7 +113,7 @@ impl<'m> Lowering<'m> {
     /// The element. What is wrong with a subscript is said, and changes nothing of the element's type, nor of whether it can
     /// be written: what is wrong with those is said too.
     ///
-    /// Basis: stickler-design: §4 (all that a person would want at once).
+    /// Basis: rule: every-mistake-once.
     fn subscripts(
         &mut self,
         place: VariablePlace,
@@ -175,7 +175,7 @@ impl<'m> Lowering<'m> {
 
     /// Puts an integer of any type on the stack, an untyped one in the type that is wanted.
     ///
-    /// Basis: stickler-design: §8 (subscripts, CASE selectors and FOR bounds take any integer).
+    /// Basis: rule: any-integer (subscripts, CASE selectors and FOR bounds).
     pub(super) fn integer(
         &mut self,
         id: ExpressionId,
@@ -200,8 +200,7 @@ impl<'m> Lowering<'m> {
     /// A bit. One that the type does not have is a BOOL all the same, of a variable that can be written or not: what is wrong
     /// with it as such is said too, as with an element. Of what has no bits there is none that could be anything.
     ///
-    /// Basis: ironplc-bit-access: Bit Access ("reads and writes as a BOOL"); stickler-design: §4 (all that a person would want at
-    /// once).
+    /// Basis: ironplc-bit-access: Bit Access ("reads and writes as a BOOL"); rule: every-mistake-once.
     fn bit(&mut self, base: ExpressionId, index: u64, span: Span) -> Option<VariablePlace> {
         if !self.names_a_place(base) {
             let value = self.value(base, None);

@@ -53,7 +53,7 @@ impl<'u> Declarer<'u, '_> {
 
     /// The type of a name.
     ///
-    /// Basis: stickler-design: §7 (P2008); P0010 for types of the third edition where the dialect lacks them,
+    /// Basis: ironplc-problem-codes: P2008; P0010 for types of the third edition where the dialect lacks them,
     /// unless the text declares a type of that name.
     pub(super) fn named(&mut self, name: Name<'u>) -> TypeId {
         let elementary = ElementaryType::from_name(name.text);

@@ -1,4 +1,4 @@
-//! Extracts the bodies of program organization units from a rendered text. Basis: design, sections 3.1 and 4.
+//! Extracts the bodies of program organization units from a rendered text. Basis: conformance-cases/README.md (marks).
 //!
 //! The judge of mutated references includes this file too (`harness/mutants/judge`), so it needs nothing but the standard
 //! library.
@@ -7,7 +7,7 @@
 ///
 /// A body is the text between a POU's header or its last `END_VAR` and its `END_PROGRAM`, `END_FUNCTION` or
 /// `END_FUNCTION_BLOCK`. Headers, variable blocks, TYPE declarations and configurations are left out. Each of those words is
-/// recognized only at the beginning of a line, where a renderer puts it. Basis: design, sections 3.1 and 4.
+/// recognized only at the beginning of a line, where a renderer puts it. Basis: conformance-cases/README.md (marks).
 #[must_use]
 pub fn rendered_bodies(text: &str) -> Vec<&str> {
     let mut room = Room::Outside;

@@ -1,7 +1,7 @@
-//! Tests that the reference follows the design's suggestions where no document says what a conversion function gives.
+//! Tests that the reference gives what IEC 60559 and two's complement suggest where no document says what a function gives.
 //!
 //! The suite only records such values, so no case could find the reference to be wrong there. The reference says of itself that it
-//! gives what IEC 60559 and two's complement suggest (section 8 of the design); here the exact arithmetic holds it to that.
+//! gives them; here the exact arithmetic holds it to that.
 
 use std::path::Path;
 use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};

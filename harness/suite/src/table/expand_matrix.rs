@@ -1,6 +1,6 @@
 //! Expands a matrix into a case for every cell × probe × value × dialect.
 //!
-//! Basis: stickler-design §3.2.
+//! Basis: conformance-cases/README.md (a matrix of types).
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! Expands a table of rows into a case for every row × probe × dialect.
 //!
-//! Basis: stickler-design §3.2.
+//! Basis: conformance-cases/README.md (a table of rows).
 
 use stickler_types::{DialectName, Value};
 use toml::Spanned;

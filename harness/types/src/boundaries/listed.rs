@@ -1,6 +1,6 @@
 //! The list of boundary values of each elementary type, as the tables of the suite go through it.
 //!
-//! Basis: stickler-design: §3.2.
+//! Basis: conformance-cases/README.md (boundary values).
 
 use crate::{ElementaryType, Family, Value, WrittenValue};
 

@@ -17,7 +17,7 @@ const DAY: i64 = 86_400 * SECOND;
 /// `Malformed` where the text is anything else; `Overflow` for a day that the calendar does not have (2023-02-29) and for a day
 /// whose start 64 bits do not reach: the first is 1677-09-22, the last 2262-04-11.
 ///
-/// Basis: iec-61131-3: Table 9 (date literals); stickler-design: the raw form of a date.
+/// Basis: iec-61131-3: Table 9 (date literals); the raw form of a date is that of [`Value`](crate::Value).
 pub fn date(text: &str) -> Result<i64, LiteralError> {
     let mut fields = Fields::new(text);
     let day = fields.date()?;
@@ -46,7 +46,7 @@ pub fn time_of_day(text: &str) -> Result<i64, LiteralError> {
 /// # Errors
 /// Those of [`date`] and [`time_of_day`]; the range is 1677-09-21-00:12:43.145224192 to 2262-04-11-23:47:16.854775807.
 ///
-/// Basis: iec-61131-3: Table 9 (date and time literals); stickler-design: the raw form of a date and time.
+/// Basis: iec-61131-3: Table 9 (date and time literals); the raw form is that of [`Value`](crate::Value).
 pub fn date_and_time(text: &str) -> Result<i64, LiteralError> {
     let mut fields = Fields::new(text);
     let day = fields.date()?;
@@ -172,7 +172,7 @@ fn civil_from_days(days: i64) -> (i64, i64, i64) {
 
 /// Writes the day on which a date, or a date and time, lies: `2024-02-29`.
 ///
-/// Basis: stickler-design: §4.
+/// Basis: harness/engines/README.md (how values are written).
 pub fn write_date(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Result {
     let (year, month, day) = civil_from_days(nanoseconds.div_euclid(DAY));
     write!(out, "{year:04}-{month:02}-{day:02}")
@@ -182,7 +182,7 @@ pub fn write_date(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Result {
 ///
 /// A number outside the range of a time of day is taken modulo a day.
 ///
-/// Basis: stickler-design: §4.
+/// Basis: harness/engines/README.md (how values are written).
 pub fn write_time_of_day(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Result {
     let time = nanoseconds.rem_euclid(DAY);
     let seconds = time / SECOND;
@@ -198,7 +198,7 @@ pub fn write_time_of_day(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Re
 
 /// Writes a date and time: `2024-02-29-12:34:56.5`.
 ///
-/// Basis: stickler-design: §4.
+/// Basis: harness/engines/README.md (how values are written).
 pub fn write_date_and_time(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Result {
     write_date(out, nanoseconds)?;
     out.write_char('-')?;

@@ -121,7 +121,7 @@ pub(super) fn fraction_of(digits: &[u8], unit: u64) -> u64 {
 
 /// Writes nanoseconds as canonical milliseconds: `1500ms`, `-1.5ms`, `0.000001ms`.
 ///
-/// Basis: stickler-design: §4.
+/// Basis: harness/engines/README.md (how values are written).
 pub fn write_milliseconds(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Result {
     let sign = if nanoseconds < 0 { "-" } else { "" };
     let magnitude = nanoseconds.unsigned_abs();
@@ -132,7 +132,7 @@ pub fn write_milliseconds(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::R
 
 /// Writes nanoseconds as canonical nanoseconds: `1500000000ns`.
 ///
-/// Basis: stickler-design: §4.
+/// Basis: harness/engines/README.md (how values are written).
 pub fn write_nanoseconds(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Result {
     write!(out, "{nanoseconds}ns")
 }

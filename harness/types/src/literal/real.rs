@@ -105,7 +105,7 @@ fn digits_at(bytes: &[u8], at: usize) -> Result<usize, LiteralError> {
 /// The result has the fewest decimal digits that read back to the same bits, always a point, and an exponent below 1E-4 and
 /// from 1E16. A NaN has no sign and no payload.
 ///
-/// Basis: stickler-design: §4.
+/// Basis: harness/engines/README.md (how values are written).
 pub fn write_real(out: &mut impl fmt::Write, raw: u64, ty: ElementaryType) -> fmt::Result {
     if ty == ElementaryType::Real {
         let value = f32::from_bits(raw as u32);

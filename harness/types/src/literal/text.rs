@@ -81,7 +81,7 @@ fn hexadecimal(digits: &[u8]) -> Option<u16> {
 /// A dollar sign and the string's own quote get a `$` in front; what is outside 16#20 to 16#7E becomes `$` with two digits, or
 /// if `wide` four. A unit above 16#FF has no place in single quotes: it is written with four digits, which do not read back.
 ///
-/// Basis: stickler-design: §4.
+/// Basis: harness/engines/README.md (how values are written).
 pub fn write_text(out: &mut impl fmt::Write, units: &[u16], wide: bool) -> fmt::Result {
     let quote = if wide { '"' } else { '\'' };
     let digits = if wide { 4 } else { 2 };

@@ -8,8 +8,8 @@ use stickler_workers::WorkerPool;
 /// The type of a value, and the type of the variable to which it is assigned.
 pub type Pair = (ElementaryType, ElementaryType);
 
-/// The reaction of an engine to a value of one type in a variable of another. Basis: design, section 2, rule 3 (a crash is no
-/// rejection).
+/// The reaction of an engine to a value of one type in a variable of another. A crash is no
+/// rejection.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Answer {
     /// The engine accepts the program.

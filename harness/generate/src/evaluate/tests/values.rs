@@ -170,7 +170,7 @@ fn what_no_document_settles_is_told_with_its_place() {
     let opened: Vec<String> = evaluation.opened.iter().map(ToString::to_string).collect();
     assert_eq!(
         opened[0],
-        "a real divided by zero (main: Divide of REAL; sought in stickler-design: §8 and real-arithmetic)"
+        "a real divided by zero (main: Divide of REAL; sought in IEC 60559 and real-arithmetic)"
     );
     assert!(
         opened[1].starts_with("the initial value of a date (main: it is read;"),

@@ -9,7 +9,7 @@ use stickler_types::{DialectName, ElementaryType};
 
 /// Plants an untyped integer literal beyond the type of its target, or below it.
 ///
-/// Basis: stickler-design: §7 (*a literal that does not fit its type: P2026*; the sign belongs to it).
+/// Basis: ironplc-problem-codes: P2026; rule: untyped-literals (the sign belongs to the literal).
 pub(super) fn integer_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     too_large(fault, |site, expression| {
@@ -67,7 +67,7 @@ fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
 
 /// Plants a based literal with more bits than its bit string has, where the dialect takes one.
 ///
-/// Basis: stickler-design: §8; widening/literal-too-long-for-a-bit-string.toml.
+/// Basis: ironplc-problem-codes: P2026; widening/literal-too-long-for-a-bit-string.toml.
 pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let everywhere = matches!(original.dialect, DialectName::IronplcRusty | DialectName::Matiec);

@@ -1,7 +1,6 @@
 //! Values whose types do not fit their places.
 //!
-//! Basis of all codes here: stickler-design: §7 (*which code where*), and for all places other than an initial value, an
-//! argument and the bare result of a call: *all else P4035*, widening/contexts.toml.
+//! Basis of all codes here: rule: code-by-place; widening/contexts.toml.
 
 use super::super::fault_site::{FaultSite, literal};
 use super::super::scope::{elementary, types};

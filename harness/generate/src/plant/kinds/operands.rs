@@ -1,6 +1,6 @@
 //! Operators with operands for which they are not defined.
 //!
-//! Basis: ironplc-problem-codes: P4049; stickler-design: §8 (*mixed operands*).
+//! Basis: ironplc-problem-codes: P4049; rule: mixed-operands.
 
 use super::super::fault_site::FaultSite;
 use super::super::scope::types;

@@ -91,7 +91,7 @@ fn value(expression: &Expression) -> Option<i128> {
 
 /// Plants an unclosed comment; no statement after it can be said to be wrong.
 ///
-/// Basis: ironplc-problem-codes: P0001; the line: stickler-design: §3.1.
+/// Basis: ironplc-problem-codes: P0001; the line: conformance-cases/README.md (marks).
 pub(super) fn open_comment(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     fault.insert_text(|fault, _| {
         let texts = [

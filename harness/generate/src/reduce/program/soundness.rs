@@ -4,8 +4,8 @@
 //! constants: so a well-typed model can be spelled as a text that means something else, or is rejected. The generator makes
 //! no such programs; the passes may, and then the search refuses the candidate.
 //!
-//! Basis: stickler-design: §8 (an untyped literal takes the type of the other operand; no third type is sought), §7 (P4039,
-//! P4040, P2027).
+//! Basis: rule: untyped-literals (a literal takes the type of the other operand); rule: mixed-operands (no third type is sought);
+//! ironplc-problem-codes: P4039, P4040, P2027.
 
 use super::usage::{variable_of, variable_type};
 use crate::model::visit::{Visitor, walk_expression, walk_place, walk_program, walk_statement};

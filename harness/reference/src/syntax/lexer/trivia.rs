@@ -8,7 +8,7 @@ impl Lexer<'_, '_> {
     /// `(* … *)`, nested where the dialect nests comments. A comment that is not closed is diagnosed where it
     /// opens.
     ///
-    /// Basis: Table 3 of the third edition; the line of P0001: section 3.1 of the design.
+    /// Basis: Table 3 of the third edition; the line of P0001: conformance-cases/README.md (marks).
     pub(super) fn block_comment(&mut self) {
         let start = self.at;
         self.at += 2;

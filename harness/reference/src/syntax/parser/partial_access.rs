@@ -22,7 +22,7 @@ impl Parser<'_, '_> {
     /// diagnosed, and nothing else is said about the construct.
     ///
     /// Basis: ironplc-bit-access: Syntax, Edition 3 Partial-Access Syntax, Byte / Word / Dword / Lword Partial
-    /// Access; matiec: no bit access at all (stickler-design: §8).
+    /// Access; matiec, measured: no bit access at all.
     pub(super) fn partial_access(&mut self, base: ExpressionId, dot: Token) -> ExpressionId {
         let (form, index) = form_and_index(self.kind(), self.word());
         let suffix = dot.span.to(self.bump().span);

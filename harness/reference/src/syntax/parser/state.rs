@@ -12,7 +12,7 @@ use stickler_types::Code;
 /// The greatest depth of parentheses, subscripts, calls, prefix operators, statements, types and initial values in
 /// one another; anything deeper is diagnosed with S0002.
 ///
-/// Basis: a decision of the design (depth, size and step limits turn hostile input into a diagnostic).
+/// Basis: harness/README.md (depth, size and step limits turn hostile input into a diagnostic).
 pub const MAX_NESTING: usize = 200;
 
 /// The greatest depth of an expression's tree, the left operands of infix operators not counted. It is more than

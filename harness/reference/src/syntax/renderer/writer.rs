@@ -11,7 +11,7 @@ use crate::syntax::tree::{Expression, ExpressionId, ExpressionKind, SourceUnit};
 /// without diagnostics comes back whole. Rendering the result again changes nothing. Takes time in proportion to
 /// the text.
 ///
-/// Basis: section 4 of the design; ironplc-bit-access: Edition 3 Partial-Access Syntax (the renderer normalizes
+/// Basis: harness/engines/README.md (`render`); ironplc-bit-access: Edition 3 Partial-Access Syntax (the renderer normalizes
 /// both surface forms to `.n`).
 #[must_use]
 pub fn render(unit: &SourceUnit, text: &str) -> String {
