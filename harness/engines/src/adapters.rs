@@ -15,13 +15,14 @@ mod matiec;
 mod plain;
 mod printed;
 mod probe_variable;
+mod readable;
 mod rename;
 mod rounds;
 mod rusty;
 mod source;
 mod strucpp;
 
-use crate::{Engine, EngineError};
+use crate::{Ability, Engine, EngineError, NoReproduction, Reproduction, RunRequest};
 use dependencies::DependencySearch;
 pub use dependencies::{Dependency, DependencyPaths, FoundBy, FoundDependency};
 pub use described::{DescribedEngine, Description};
@@ -90,6 +91,24 @@ impl Compiler {
             Compiler::Matiec => matiec::DEPENDENCIES,
             Compiler::Rusty => rusty::DEPENDENCIES,
             Compiler::Strucpp => strucpp::DEPENDENCIES,
+        }
+    }
+
+    /// Returns the files and commands by which a person runs a program on this compiler without Stickler. The compiler need not
+    /// be on this machine.
+    ///
+    /// # Errors
+    /// [`NoReproduction`], as [`Engine::reproduce`] says.
+    pub fn reproduce(
+        self,
+        request: &RunRequest<'_>,
+        ability: Ability,
+    ) -> Result<Reproduction, NoReproduction> {
+        match self {
+            Compiler::Ironplc => ironplc::reproduce(request, ability),
+            Compiler::Matiec => matiec::reproduce(request, ability),
+            Compiler::Rusty => rusty::reproduce(request, ability),
+            Compiler::Strucpp => strucpp::reproduce(request, ability),
         }
     }
 

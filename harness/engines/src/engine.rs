@@ -1,6 +1,6 @@
 //! The interface of an engine: its identity, and sessions that answer requests.
 
-use crate::Grade;
+use crate::{Grade, NoReproduction, Reproduction};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use stickler_types::{DialectName, Outcome, RunRequest};
@@ -23,6 +23,18 @@ pub trait Engine: Send + Sync {
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         let _ = (dialect, file);
         None
+    }
+
+    /// Returns the files and commands by which a person runs a program on this engine without Stickler, and sees the values
+    /// that `request` observes. `ability` tells what is run: [`Ability::Check`] shows whether the program is accepted,
+    /// [`Ability::Execute`] and [`Ability::Scans`] execute it, [`Ability::Render`] prints it as normalised source.
+    ///
+    /// # Errors
+    /// [`NoReproduction::NoTools`] for an engine without a command line of its own; [`NoReproduction::Unsupported`] where the
+    /// engine does not speak the dialect, or would not do what the request needs.
+    fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
+        let _ = (request, ability);
+        Err(NoReproduction::NoTools(self.identity().name.clone()))
     }
 
     /// Returns a digest of everything that decides the engine's answers: its programs, their parts, their options, and how they

@@ -69,6 +69,23 @@ impl Language {
     }
 }
 
+impl Language {
+    /// Returns the options of every call of the compiler.
+    pub(super) const fn options(self) -> &'static [&'static str] {
+        self.words().options
+    }
+
+    /// Returns the libraries that every program is linked with.
+    pub(super) const fn libraries(self) -> &'static [&'static str] {
+        self.words().libraries
+    }
+
+    /// Returns the name of the file of a driver.
+    pub(super) const fn driver(self) -> &'static str {
+        self.words().driver
+    }
+}
+
 /// The programs that a C or C++ compiler calls.
 const PROGRAMS: [&str; 4] = ["cc1", "cc1plus", "as", "ld"];
 

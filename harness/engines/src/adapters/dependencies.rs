@@ -17,6 +17,15 @@ pub struct Dependency {
     pub name: &'static str,
 }
 
+impl Dependency {
+    /// Returns the name of the variable that holds the path of the dependency in the scripts of
+    /// [reproductions](crate::Reproduction), which do not know Stickler.
+    #[must_use]
+    pub fn shell_variable(&self) -> &'static str {
+        self.variable.strip_prefix("STICKLER_").unwrap_or(self.variable)
+    }
+}
+
 /// The paths of the programs and folders of one compiler, as a person named them.
 ///
 /// Basis: README of this crate: an environment variable counts before `stickler.toml`, and that before PATH.

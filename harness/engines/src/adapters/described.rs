@@ -6,6 +6,7 @@
 mod call;
 mod description;
 mod pattern;
+mod reproduction;
 mod template;
 mod values;
 
@@ -16,7 +17,10 @@ use super::plain::without_colours;
 use super::probe_variable::{ProbeVariables, translate_with};
 use super::source::main_program;
 use crate::process::Folder;
-use crate::{Ability, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session};
+use crate::{
+    Ability, Engine, EngineError, Grade, Identity, NamedValue, NoReproduction, Outcome, Reproduction,
+    RunRequest, Session,
+};
 use call::{Call, Execution, unsupported};
 pub use description::Description;
 pub(super) use pattern::DiagnosticPattern;
@@ -181,6 +185,12 @@ impl Engine for DescribedEngine {
         fingerprint.finish()
     }
 
+    fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
+        let word = self.word(request.dialect);
+        let word = word.ok_or_else(|| speaks_not(request.dialect))?;
+        reproduction::reproduce(&self.description, word, request, ability)
+    }
+
     /// Returns the commands of the table, one after the other.
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         let description = &self.description;
@@ -263,7 +273,7 @@ impl DescribedSession<'_> {
 
     fn try_render(&self, dialect: DialectName, source: &str) -> Result<Outcome, Outcome> {
         let Some(render) = &self.engine.description.render else {
-            return Err(unsupported("it gives no normalised source"));
+            return Err(no_rendering());
         };
         let call = self.call(dialect)?;
         call.write(source)?;
@@ -280,14 +290,7 @@ impl DescribedSession<'_> {
                 .try_check(request.dialect, request.source)
                 .map(|()| Outcome::Accepted);
         };
-        if !(request.clock.is_empty() && request.set.is_empty()) {
-            return Err(unsupported(
-                "its commands take neither a clock nor values between scans",
-            ));
-        }
-        if request.needs_scans() && !run.0.has(Placeholder::Scans) {
-            return Err(unsupported("its command `run` takes no number of scans"));
-        }
+        takes_scans(&run.0, request)?;
         let call = self.call(request.dialect)?;
         let probes = ProbeVariables::of(request);
         let executions = translate_with(request, &main, probes.list(), |text| {
@@ -342,16 +345,37 @@ impl DescribedSession<'_> {
     }
 
     fn call(&self, dialect: DialectName) -> Result<Call<'_>, Outcome> {
-        let word = self
-            .engine
-            .word(dialect)
-            .ok_or_else(|| unsupported(&format!("it does not speak {dialect}")))?;
+        let word = self.engine.word(dialect).ok_or_else(|| speaks_not(dialect))?;
         Ok(Call {
             engine: self.engine,
             folder: &self.folder,
             dialect: word,
         })
     }
+}
+
+fn speaks_not(dialect: DialectName) -> Outcome {
+    unsupported(&format!("it does not speak {dialect}"))
+}
+
+fn no_rendering() -> Outcome {
+    unsupported("it gives no normalised source")
+}
+
+/// Checks that a command makes the scans of a request.
+///
+/// # Errors
+/// [`Outcome::Unsupported`] where it cannot.
+fn takes_scans(run: &Template, request: &RunRequest<'_>) -> Result<(), Outcome> {
+    if !(request.clock.is_empty() && request.set.is_empty()) {
+        return Err(unsupported(
+            "its commands take neither a clock nor values between scans",
+        ));
+    }
+    if request.needs_scans() && !run.has(Placeholder::Scans) {
+        return Err(unsupported("its command `run` takes no number of scans"));
+    }
+    Ok(())
 }
 
 /// Returns the numbers of the scans after which a value is observed, and of the last.

@@ -7,6 +7,7 @@
 mod diagnostics;
 mod dump;
 mod readback;
+mod reproduction;
 
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
@@ -14,9 +15,13 @@ use super::locate::{self, call, failed};
 use super::probe_variable::translate_with;
 use super::source::main_program;
 use crate::process::{Ended, Folder};
-use crate::{Ability, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session};
+use crate::{
+    Ability, Engine, EngineError, Grade, Identity, NamedValue, NoReproduction, Outcome, Reproduction,
+    RunRequest, Session,
+};
 use dump::Dump;
 use readback::{ReadbackError, Readbacks, RunHints};
+pub(super) use reproduction::reproduce;
 use std::path::{Path, PathBuf};
 use stickler_types::{BuiltIn, DialectName, Fault};
 
@@ -89,6 +94,10 @@ impl Engine for Ironplc {
             .finish()
     }
 
+    fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
+        reproduce(request, ability)
+    }
+
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         let dialect = dialect_name(dialect).ok()?;
         Some(format!(
@@ -132,15 +141,24 @@ fn dialect_name(dialect: DialectName) -> Result<&'static str, Outcome> {
     }
 }
 
+/// Checks that a request needs nothing between scans.
+///
+/// # Errors
+/// [`Outcome::Unsupported`] where it does.
+fn takes_no_settings(request: &RunRequest<'_>) -> Result<(), Outcome> {
+    match request.clock.is_empty() && request.set.is_empty() {
+        true => Ok(()),
+        false => Err(Outcome::Unsupported {
+            reason: "ironplcvm takes neither a clock nor values between scans".to_owned(),
+        }),
+    }
+}
+
 impl IronplcSession<'_> {
     /// Executes a program, with probe variables for values that the dump does not show. Where the compiler does not accept the
     /// probe variables, the program is compiled without them, to tell whether it is accepted itself.
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
-        if !(request.clock.is_empty() && request.set.is_empty()) {
-            return Err(Outcome::Unsupported {
-                reason: "ironplcvm takes neither a clock nor values between scans".to_owned(),
-            });
-        }
+        takes_no_settings(request)?;
         let mut readbacks = Readbacks::of(request, RunHints::default());
         loop {
             let container = self.compile_with_probes(request, &readbacks)?;

@@ -9,6 +9,7 @@
 mod diagnostics;
 mod driver;
 mod pack;
+mod reproduction;
 
 use super::builder::{self, Builder, Language};
 use super::dependencies::{Dependency, DependencySearch};
@@ -16,10 +17,14 @@ use super::fingerprint::Fingerprint;
 use super::locate::{self, call, failed};
 use super::probe_variable::{ProbeVariables, translate_with};
 use super::rename::library_words;
-use super::source::{main_program, words};
+use super::source::{MainProgram, main_program, words};
 use crate::process::{Ended, Folder};
-use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session};
+use crate::{
+    Ability, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
+    Session,
+};
 use driver::{Subject, driver};
+pub(super) use reproduction::reproduce;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -28,10 +33,18 @@ use stickler_types::{BuiltIn, DialectName};
 /// Returns the configuration without which no C is written. It stands behind the program, so that no line of the program moves.
 fn configuration(program: &str) -> String {
     format!(
-        "\nCONFIGURATION stickler_configuration RESOURCE stickler_resource ON PLC \
-         TASK stickler_task(INTERVAL := T#1s, PRIORITY := 0); \
-         PROGRAM stickler_instance WITH stickler_task : {program}; END_RESOURCE END_CONFIGURATION\n"
+        "\nCONFIGURATION stickler_configuration\n  RESOURCE stickler_resource ON PLC\n    \
+         TASK stickler_task(INTERVAL := T#1s, PRIORITY := 0);\n    \
+         PROGRAM stickler_instance WITH stickler_task : {program};\n  END_RESOURCE\nEND_CONFIGURATION\n"
     )
+}
+
+/// Returns the configuration that has to stand behind a program; nothing where the program brings its own.
+fn added_configuration(source: &str, main: &MainProgram) -> String {
+    match words(source).any(|word| word.is("CONFIGURATION")) {
+        true => String::new(),
+        false => configuration(&main.name),
+    }
 }
 
 /// The header that every built program includes; it is compiled once.
@@ -130,6 +143,10 @@ impl Engine for Matiec {
         128
     }
 
+    fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
+        reproduce(request, ability)
+    }
+
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         // The path of the library differs from machine to machine.
         (dialect.base() == BuiltIn::Matiec).then(|| format!("iec2c -i -I lib -T . {file}"))
@@ -159,9 +176,13 @@ impl Session for MatiecSession<'_> {
     }
 
     fn render(&mut self, _: DialectName, _: &str) -> Outcome {
-        Outcome::Unsupported {
-            reason: "iec2c gives no normalised source".to_owned(),
-        }
+        no_rendering()
+    }
+}
+
+fn no_rendering() -> Outcome {
+    Outcome::Unsupported {
+        reason: "iec2c gives no normalised source".to_owned(),
     }
 }
 
@@ -188,11 +209,7 @@ impl MatiecSession<'_> {
             program: main.name.clone(),
         };
         let driver = driver(&[subject]).map_err(|reason| Outcome::Unsupported { reason })?;
-        let has_its_own = words(request.source).any(|word| word.is("CONFIGURATION"));
-        let configuration = match has_its_own {
-            true => String::new(),
-            false => configuration(&main.name),
-        };
+        let configuration = added_configuration(request.source, &main);
         translate_with(request, &main, probes.list(), |text| {
             self.translate(&format!("{text}{configuration}"))
         })?;

@@ -38,18 +38,35 @@ pub(super) fn translate_with<T>(
     if probes.is_empty() {
         return translate(request.source);
     }
-    let reason = if main.returns {
-        "a program that may return early shows only its simple variables".to_owned()
-    } else if request.scans == 0 {
-        "before the first scan only simple variables are shown".to_owned()
-    } else {
-        match translate(&with_probes(request.source, main, probes)) {
+    let reason = match with_shown_probes(request, main, probes) {
+        Err(reason) => reason,
+        Ok(text) => match translate(&text) {
             Ok(translated) => return Ok(translated),
             Err(outcome) => format!("with copies of its values: {outcome}"),
-        }
+        },
     };
     translate(request.source)?;
     Err(Outcome::Unsupported { reason })
+}
+
+/// Adds probe variables to the program of a request, as [`with_probes`] does.
+///
+/// # Errors
+/// A fragment that says why the probe variables would show nothing.
+pub(super) fn with_shown_probes(
+    request: &RunRequest<'_>,
+    main: &MainProgram,
+    probes: &[ProbeVariable],
+) -> Result<String, String> {
+    if probes.is_empty() {
+        Ok(request.source.to_owned())
+    } else if main.returns {
+        Err("a program that may return early shows only its simple variables".to_owned())
+    } else if request.scans == 0 {
+        Err("before the first scan only simple variables are shown".to_owned())
+    } else {
+        Ok(with_probes(request.source, main, probes))
+    }
 }
 
 /// Adds probe variables to a program. Each line keeps its number: the declarations stand behind the program's

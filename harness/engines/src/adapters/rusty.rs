@@ -10,6 +10,7 @@ mod diagnostics;
 mod driver;
 mod pack;
 mod program;
+mod reproduction;
 
 use super::builder::{self, Builder, Language};
 use super::dependencies::{Dependency, DependencySearch};
@@ -17,10 +18,14 @@ use super::fingerprint::Fingerprint;
 use super::locate::{self, failed};
 use super::rename::library_words;
 use crate::process::{Folder, ToolLimits, run_tool_with};
-use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session};
+use crate::{
+    Ability, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
+    Session,
+};
 use diagnostics::{About, Found, Reader};
 use driver::{HEADER, driver, functions};
 use program::Program;
+pub(super) use reproduction::reproduce;
 use std::collections::HashSet;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -152,6 +157,10 @@ impl Engine for Rusty {
         48
     }
 
+    fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
+        reproduce(request, ability)
+    }
+
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         // The path of the library differs from machine to machine.
         self.identity
@@ -201,8 +210,12 @@ impl Session for RustySession<'_> {
     }
 
     fn render(&mut self, _: DialectName, _: &str) -> Outcome {
-        unsupported("plc gives no normalised source")
+        no_rendering()
     }
+}
+
+fn no_rendering() -> Outcome {
+    unsupported("plc gives no normalised source")
 }
 
 fn unsupported(reason: &str) -> Outcome {

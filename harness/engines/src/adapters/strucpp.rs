@@ -8,6 +8,7 @@
 
 mod driver;
 mod pack;
+mod reproduction;
 
 use super::builder::{self, Builder, Language};
 use super::dependencies::{Dependency, DependencySearch};
@@ -17,14 +18,19 @@ use super::probe_variable::{ProbeVariables, translate_with};
 use super::source::main_program;
 use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits};
 use crate::{
-    Ability, Diagnostic, Engine, EngineError, Grade, Identity, Outcome, Packed, RunRequest, Session,
+    Ability, Diagnostic, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
+    RunRequest, Session,
 };
 use driver::{HEADER, Subject, driver};
+pub(super) use reproduction::reproduce;
 use serde::Deserialize;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use stickler_types::DialectName;
+
+/// STruC++ documents no dialect of Stickler; its language is the third edition with widening.
+const DIALECT: DialectName = DialectName::IronplcEd3;
 
 /// The script that Node runs.
 const TRANSLATOR: &str = include_str!("strucpp/translator.mjs");
@@ -85,8 +91,7 @@ impl Strucpp {
             identity: Identity {
                 name: called.to_owned(),
                 version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
-                // STruC++ documents no dialect of Stickler; its language is the third edition with widening.
-                dialects: vec![DialectName::IronplcEd3],
+                dialects: vec![DIALECT],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
                 // The compiler has no diagnostic codes.
                 grade: Grade::Line,
@@ -182,6 +187,10 @@ impl Engine for Strucpp {
         48
     }
 
+    fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
+        reproduce(request, ability)
+    }
+
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         let speaks = self.identity.speaks(dialect);
         speaks.then(|| format!("strucpp --no-default-libs {file} -o program.cpp --build --cxx-flags -w"))
@@ -220,9 +229,13 @@ impl Session for StrucppSession<'_> {
     }
 
     fn render(&mut self, _: DialectName, _: &str) -> Outcome {
-        Outcome::Unsupported {
-            reason: "it gives no normalised source".to_owned(),
-        }
+        no_rendering()
+    }
+}
+
+fn no_rendering() -> Outcome {
+    Outcome::Unsupported {
+        reason: "it gives no normalised source".to_owned(),
     }
 }
 

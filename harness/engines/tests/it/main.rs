@@ -4,5 +4,7 @@ mod compilers;
 #[cfg(unix)]
 mod process;
 mod reference;
+#[cfg(unix)]
+mod reproduction;
 mod server;
 mod transcript;

@@ -5,7 +5,6 @@ use super::description::{CodeMeaning, Commands, Description, Meaning, Parsed};
 use super::template::{Filling, Template};
 use crate::adapters::locate::{self, failed};
 use crate::adapters::plain::without_colours;
-use crate::adapters::source::main_program;
 use crate::process::{Ended, Folder, ToolLimits, run_tool_with};
 use crate::{Diagnostic, Outcome};
 use std::time::Duration;
@@ -33,11 +32,7 @@ impl Call<'_> {
     /// Writes the file of the program.
     pub(super) fn write(&self, source: &str) -> Result<(), Outcome> {
         let description = self.description();
-        let mut text = source.to_owned();
-        if let (Some(append), Some(main)) = (&description.append, main_program(source)) {
-            text.push('\n');
-            text.push_str(&append.replace("{program}", &main.name));
-        }
+        let text = description.whole(source);
         self.folder.write(&description.file.0, &text).map_err(failed)?;
         Ok(())
     }

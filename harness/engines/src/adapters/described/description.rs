@@ -3,6 +3,7 @@
 use super::pattern::{DiagnosticPattern, ValuePattern};
 use super::template::{Placeholder, Template};
 use crate::Grade;
+use crate::adapters::source::main_program;
 use serde::de::{self, SeqAccess, Visitor, value::SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -114,6 +115,16 @@ impl Description {
             }
         }
         Ok(())
+    }
+
+    /// Returns the text of the file of a program: the program, and what stands behind it.
+    pub(super) fn whole(&self, program: &str) -> String {
+        let mut text = program.to_owned();
+        if let (Some(append), Some(main)) = (&self.append, main_program(program)) {
+            text.push('\n');
+            text.push_str(&append.replace("{program}", &main.name));
+        }
+        text
     }
 
     /// Returns every command with its key.

@@ -1,5 +1,7 @@
 //! Command lines with placeholders for what differs from program to program, such as `st --check {file}`.
 
+use crate::shell_quote;
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -149,6 +151,55 @@ impl Template {
         let paths = arguments.map(PathBuf::from).filter(|path| path.is_absolute());
         paths.filter(|path| path.is_file()).collect()
     }
+}
+
+/// The variable of a shell script for the folder of `stickler.toml`.
+pub(super) const HERE: &str = "HERE";
+
+/// A command as a person types it into a shell.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct ShellCommand {
+    /// The name of the program; one without a folder is a program of the compiler, any other is made by an earlier command.
+    pub(super) program: String,
+    /// The arguments, quoted for the shell; the folder of `stickler.toml` is [`HERE`].
+    pub(super) arguments: String,
+}
+
+impl Template {
+    /// Returns the command for a shell in the folder of a reproduction. No path of this machine is in it, unless an argument of
+    /// the template itself is one.
+    pub(super) fn for_shell(&self, filling: &Filling<'_>) -> ShellCommand {
+        let program = self.words.first().map_or(&[][..], Vec::as_slice);
+        let made = program.contains(&Piece::Placeholder(Placeholder::Folder));
+        let filled = PathBuf::from(word(program, filling));
+        let name = filled.file_name().unwrap_or_default().to_string_lossy();
+        let arguments = self.words.iter().skip(1);
+        let arguments: Vec<String> = arguments.map(|pieces| shell_word(pieces, filling)).collect();
+        ShellCommand {
+            program: if made {
+                format!("./{name}")
+            } else {
+                name.into_owned()
+            },
+            arguments: arguments.join(" "),
+        }
+    }
+}
+
+/// Returns a word for a shell.
+fn shell_word(pieces: &[Piece], filling: &Filling<'_>) -> String {
+    let mut shell = String::new();
+    for piece in pieces {
+        match piece {
+            Piece::Placeholder(Placeholder::Here) => {
+                // Writing into a String does not fail.
+                let _ = write!(shell, "\"${HERE}\"");
+            }
+            Piece::Text(text) if text.is_empty() => {}
+            piece => shell.push_str(&shell_quote(&word(std::slice::from_ref(piece), filling))),
+        }
+    }
+    if shell.is_empty() { "''".to_owned() } else { shell }
 }
 
 fn word(pieces: &[Piece], filling: &Filling<'_>) -> String {

@@ -61,9 +61,14 @@ fn write_memory(text: &mut String, subjects: &[Subject<'_, '_>]) {
     text.push_str("    } program;\n    char behind[65536];\n} memory;\n");
 }
 
-/// Returns the C expression for a variable of a program.
-fn place(number: usize, variable: &str) -> String {
-    format!("memory.program.p{number}.{}.value", variable.to_ascii_uppercase())
+/// Returns the C expression for the instance of a program among others.
+fn instance(number: usize) -> String {
+    format!("memory.program.p{number}")
+}
+
+/// Returns the C expression for a variable of the instance of a program.
+pub(super) fn place(instance: &str, variable: &str) -> String {
+    format!("{instance}.{}.value", variable.to_ascii_uppercase())
 }
 
 /// Writes the function that runs a program.
@@ -75,7 +80,9 @@ fn write_run(text: &mut String, number: usize, subject: &Subject<'_, '_>) -> Res
          for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
         subject.request.scans
     );
-    write_before(text, number, &subject.request)?;
+    for (scan, statement) in before(&instance(number), &subject.request)? {
+        let _ = writeln!(text, "        if (scan == {scan}UL) {{ {statement} }}");
+    }
     let _ = write!(
         text,
         "        {program}_body__(&memory.program.p{number});\n        look_{number}(scan);\n    }}\n    \
@@ -85,7 +92,7 @@ fn write_run(text: &mut String, number: usize, subject: &Subject<'_, '_>) -> Res
 }
 
 /// Tells whether the compiler has values of a type.
-fn has(ty: ElementaryType) -> bool {
+pub(super) fn has(ty: ElementaryType) -> bool {
     !ty.is_third_edition() && ty != ElementaryType::Wstring
 }
 
@@ -111,7 +118,7 @@ static void print_text(int number, STRING value) {
 fn write_look(text: &mut String, number: usize, subject: &Subject<'_, '_>, kinds: &[Kind<'_>]) {
     let _ = writeln!(text, "static void look_{number}(unsigned long scan) {{");
     for (asked_as, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
-        let variable = place(number, subject.probes.variable(asked));
+        let variable = place(&instance(number), subject.probes.variable(asked));
         let call = match kind {
             Kind::Elementary(ty) if is_time(*ty) => format!("print_time({asked_as}, {variable})"),
             Kind::Elementary(ty) if ty.is_text() => format!("print_text({asked_as}, {variable})"),
@@ -122,29 +129,28 @@ fn write_look(text: &mut String, number: usize, subject: &Subject<'_, '_>, kinds
     text.push_str("}\n");
 }
 
-/// Writes the statements before each scan, which advance the clock and set variables.
-fn write_before(text: &mut String, number: usize, request: &RunRequest<'_>) -> Result<(), String> {
-    for step in request.clock {
+/// Returns the statements before scans, which advance the clock and set variables of the instance of a program, each with the
+/// number of its scan.
+///
+/// # Errors
+/// A fragment that says what cannot be set.
+pub(super) fn before(instance: &str, request: &RunRequest<'_>) -> Result<Vec<(u32, String)>, String> {
+    let clock = request.clock.iter().map(|step| {
         let (seconds, rest) = split(step.nanoseconds);
-        let _ = writeln!(
-            text,
-            "        if (scan == {}UL) __CURRENT_TIME = (TIME){{{seconds}, {rest}}};",
-            step.before
-        );
-    }
-    for setting in request.set {
-        let _ = writeln!(
-            text,
-            "        if (scan == {}UL) {{ {} }}",
-            setting.before,
-            written(number, setting)?
-        );
-    }
-    Ok(())
+        Ok((
+            step.before,
+            format!("__CURRENT_TIME = (TIME){{{seconds}, {rest}}};"),
+        ))
+    });
+    let set = request
+        .set
+        .iter()
+        .map(|setting| Ok((setting.before, written(instance, setting)?)));
+    clock.chain(set).collect()
 }
 
 /// Returns the statement that sets a variable.
-fn written(number: usize, setting: &Setting) -> Result<String, String> {
+fn written(instance: &str, setting: &Setting) -> Result<String, String> {
     let cannot = || format!("its driver cannot write {}", setting.name);
     let Value::Plain { ty, raw } = setting.value else {
         return Err(cannot());
@@ -152,7 +158,7 @@ fn written(number: usize, setting: &Setting) -> Result<String, String> {
     if setting.name.contains(['.', '[']) {
         return Err(cannot());
     }
-    let variable = place(number, &setting.name);
+    let variable = place(instance, &setting.name);
     Ok(if is_time(ty) {
         let (seconds, rest) = split(raw.cast_signed());
         format!("{variable} = (TIME){{{seconds}, {rest}}};")
@@ -166,7 +172,7 @@ fn split(nanoseconds: i64) -> (i64, i64) {
     (nanoseconds / 1_000_000_000, nanoseconds % 1_000_000_000)
 }
 
-fn is_time(ty: ElementaryType) -> bool {
+pub(super) fn is_time(ty: ElementaryType) -> bool {
     ty.is_duration() || ty.is_date_or_time()
 }
 
@@ -299,7 +305,7 @@ mod tests {
             "if (scan == 2UL) print_bits(1, &memory.program.p0.STICKLER_PROBE_0.value, sizeof memory.program.p0.STICKLER_PROBE_0.value);",
             "if (scan == 0UL) print_bits(2, &memory.program.p0.STICKLER_PROBE_0.value, sizeof memory.program.p0.STICKLER_PROBE_0.value);",
             "if (scan == 0UL) print_bits(3, &memory.program.p0.STICKLER_PROBE_1.value, sizeof memory.program.p0.STICKLER_PROBE_1.value);",
-            "if (scan == 2UL) __CURRENT_TIME = (TIME){1, 500000000};",
+            "if (scan == 2UL) { __CURRENT_TIME = (TIME){1, 500000000}; }",
             "if (scan == 3UL) { unsigned long long bits = 18446744073709551614ULL;",
             "scan <= 3UL;",
         ] {

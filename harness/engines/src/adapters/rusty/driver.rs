@@ -60,12 +60,9 @@ pub(super) struct Subject<'r> {
 pub(super) fn driver<'r>(subjects: &[Subject<'r>], first_file: &str) -> Result<Driver<'r>, String> {
     let mut driven = Vec::with_capacity(subjects.len());
     for Subject { request, .. } in subjects {
-        if !(request.clock.is_empty() && request.set.is_empty()) {
-            return Err("its driver takes neither a clock nor values between scans".to_owned());
-        }
         driven.push(DrivenProgram {
             request: *request,
-            kinds: printed::kinds(request, |_| true)?,
+            kinds: kinds(request)?,
         });
     }
     let mut text = format!("#include \"stickler.h\"\n{PRINTERS}");
@@ -86,10 +83,26 @@ pub(super) fn driver<'r>(subjects: &[Subject<'r>], first_file: &str) -> Result<D
     })
 }
 
+/// Returns the kinds of the observed values.
+///
+/// # Errors
+/// A fragment that says what cannot be observed or set.
+pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<Kind<'r>>, String> {
+    if !(request.clock.is_empty() && request.set.is_empty()) {
+        return Err("its driver takes neither a clock nor values between scans".to_owned());
+    }
+    printed::kinds(request, |_| true)
+}
+
+/// Returns the name of the function that sets the initial values of the variables of programs.
+pub(super) fn initialise(first_file: &str) -> String {
+    format!("__init___{}", first_file.replace('.', "_"))
+}
+
 /// Returns the function that runs one of the programs after their initial values are set. Where the standard library panics,
 /// its message is worth more than a backtrace.
 fn initialisation(first_file: &str) -> String {
-    let initialise = format!("__init___{}", first_file.replace('.', "_"));
+    let initialise = initialise(first_file);
     format!(
         "__attribute__((weak)) void {initialise}(void);\n\
          static int run_initialised(int (*run)(void)) {{\n\
@@ -165,7 +178,7 @@ pub(super) fn functions(subjects: &[Subject<'_>], driven: &[DrivenProgram<'_>]) 
 }
 
 /// Returns the type as which a value is shown. The values of an enumeration are numbers.
-fn shown_as(kind: &Kind<'_>) -> ElementaryType {
+pub(super) fn shown_as(kind: &Kind<'_>) -> ElementaryType {
     match kind {
         Kind::Elementary(ty) => *ty,
         Kind::Enumerated(..) => ElementaryType::Dint,
@@ -183,7 +196,7 @@ fn function(kind: &Kind<'_>) -> String {
 }
 
 /// Returns the C type that has the bits of a value.
-fn of_c(ty: ElementaryType) -> &'static str {
+pub(super) fn of_c(ty: ElementaryType) -> &'static str {
     match ty {
         ElementaryType::Real => "float",
         ElementaryType::Lreal => "double",

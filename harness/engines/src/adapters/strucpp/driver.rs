@@ -116,20 +116,20 @@ pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<Kind<'r>>, Strin
 
 /// Writes the functions that run a program and print the values observed after a scan; 0 stands for the end.
 fn write_run(text: &mut String, subject: &Subject<'_>, kinds: &[Kind<'_>]) {
-    let program = subject.program.to_ascii_uppercase();
+    let class = class(&subject.program);
     let _ = write!(
         text,
-        "static strucpp::Program_{program} program;\nstatic void look(unsigned long scan) {{\n"
+        "static {class} program;\nstatic void look(unsigned long scan) {{\n"
     );
     for (number, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
-        let variable = subject.probes.variable(asked).to_ascii_uppercase();
+        let variable = place(subject.probes.variable(asked));
         let printer = match kind {
             Kind::Elementary(ty) if ty.is_text() => "print_text",
             _ => "print_bits",
         };
         let _ = writeln!(
             text,
-            "    if (scan == {}UL) {printer}({number}, program.{variable}.get());",
+            "    if (scan == {}UL) {printer}({number}, {variable});",
             asked.after.unwrap_or(0)
         );
     }
@@ -138,18 +138,37 @@ fn write_run(text: &mut String, subject: &Subject<'_>, kinds: &[Kind<'_>]) {
         "}}\nstatic int run_subject() try {{\n    for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
         subject.request.scans
     );
-    for step in subject.request.clock {
-        let _ = writeln!(
-            text,
-            "        if (scan == {}UL) strucpp::__CURRENT_TIME_NS = {}LL;",
-            step.before, step.nanoseconds
-        );
+    for (scan, statement) in before(&subject.request) {
+        let _ = writeln!(text, "        if (scan == {scan}UL) {statement}");
     }
     let _ = write!(
         text,
         "        program.run();\n        look(scan);\n    }}\n    look(0);\n    return 0;\n\
          }} catch (const std::out_of_range &) {{\n    return {SUBSCRIPT};\n}}\n"
     );
+}
+
+/// Returns the C++ name of the class of a program.
+pub(super) fn class(program: &str) -> String {
+    format!("strucpp::Program_{}", program.to_ascii_uppercase())
+}
+
+/// Returns the C++ expression for the value of a variable of the program.
+pub(super) fn place(variable: &str) -> String {
+    format!("program.{}.get()", variable.to_ascii_uppercase())
+}
+
+/// Returns the statements before scans, which advance the clock, each with the number of its scan.
+pub(super) fn before(request: &RunRequest<'_>) -> Vec<(u32, String)> {
+    let clock = request.clock.iter();
+    clock
+        .map(|step| {
+            (
+                step.before,
+                format!("strucpp::__CURRENT_TIME_NS = {}LL;", step.nanoseconds),
+            )
+        })
+        .collect()
 }
 
 /// Parses a printed value; `None` where the text is no such value.

@@ -1,0 +1,145 @@
+//! Writes what a person needs to run a program with `iec2c` and a C compiler alone.
+
+use super::driver::{before, has, is_time, place};
+use super::{COMPILER, HEADER, LIBRARY, added_configuration};
+use crate::adapters::builder::{CC, Language};
+use crate::adapters::printed::{self, Kind};
+use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
+use crate::adapters::readable::{self, Expression, Main};
+use crate::adapters::source::{MainProgram, main_program};
+use crate::reproduction::{PROGRAM, command_line};
+use crate::{Ability, NoReproduction, Observation, Reproduction, RunRequest};
+
+/// The C expression for the instance of the program.
+const INSTANCE: &str = "program";
+
+/// Returns the reproduction of a request.
+///
+/// # Errors
+/// [`NoReproduction::Unsupported`] where the adapter would not run the program either.
+pub(in crate::adapters) fn reproduce(
+    request: &RunRequest<'_>,
+    ability: Ability,
+) -> Result<Reproduction, NoReproduction> {
+    super::speaks(request.dialect)?;
+    match (ability, main_program(request.source)) {
+        (Ability::Render, _) => Err(super::no_rendering().into()),
+        (Ability::Execute | Ability::Scans, Some(main)) => execution(request, &main),
+        (Ability::Check, _) | (_, None) => Ok(translation(request.source.to_owned()).accepted()),
+    }
+}
+
+/// Returns the reproduction that only translates a program.
+fn translation(program: String) -> Reproduction {
+    let compiler = COMPILER.shell_variable();
+    let library = LIBRARY.shell_variable();
+    Reproduction::of(PROGRAM, program)
+        .tool(compiler, COMPILER.name)
+        .tool(
+            library,
+            &format!("$(dirname \"$(command -v \"${compiler}\")\")/lib"),
+        )
+        .command(format!("\"${compiler}\" -i -I \"${library}\" -T . {PROGRAM}"))
+}
+
+fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproduction, NoReproduction> {
+    let probes = ProbeVariables::of(request);
+    let mut program = with_shown_probes(request, main, probes.list())?;
+    program.push_str(&added_configuration(request.source, main));
+    let cc = CC.shell_variable();
+    let library = LIBRARY.shell_variable();
+    let driver = Language::C.driver();
+    let options = command_line(Language::C.options().iter().copied());
+    let libraries = command_line(Language::C.libraries().iter().copied());
+    Ok(translation(program)
+        .tool(cc, CC.name)
+        .file(driver, text(request, main, &probes)?)
+        .command(format!(
+            "\"${cc}\" {options} -I \"${library}/C\" -I . {driver} -o driver {libraries}"
+        ))
+        .command("./driver"))
+}
+
+/// Returns the driver.
+fn text(
+    request: &RunRequest<'_>,
+    main: &MainProgram,
+    probes: &ProbeVariables,
+) -> Result<String, NoReproduction> {
+    let kinds = printed::kinds(request, has)?;
+    let program = main.name.to_ascii_uppercase();
+    let observed = request.observe.iter().zip(&kinds);
+    let main = Main {
+        scans: request.scans,
+        start: vec![format!("{program}_init__(&{INSTANCE}, 0);")],
+        before: before(INSTANCE, request)?,
+        scan: format!("{program}_body__(&{INSTANCE});"),
+        after: observed
+            .map(|(asked, kind)| {
+                let variable = place(INSTANCE, probes.variable(asked));
+                (asked.after, print(asked, kind, variable))
+            })
+            .collect(),
+    }
+    .text();
+    Ok(format!(
+        "{HEADER}#include <time.h>\n\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n#include \"POUS.c\"\n\n\
+         static {program} {INSTANCE};\n\n{}{main}",
+        readable::functions(&main)
+    ))
+}
+
+fn print(asked: &Observation, kind: &Kind<'_>, variable: String) -> String {
+    let value = match kind {
+        Kind::Elementary(ty) if is_time(*ty) => Expression::Timespec(variable),
+        Kind::Elementary(ty) if ty.is_text() => Expression::Text {
+            condition: format!("at < {variable}.len"),
+            unit: format!("{variable}.body[at]"),
+        },
+        _ => Expression::Number(variable),
+    };
+    readable::statement(asked, kind, &value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::DialectName;
+
+    fn reproduction(source: &str, observe: &[Observation]) -> Reproduction {
+        let request = RunRequest::once(DialectName::Matiec, source, observe);
+        reproduce(&request, Ability::Execute).unwrap()
+    }
+
+    #[test]
+    fn a_program_is_translated_built_and_run_by_three_commands() {
+        let source = "PROGRAM main\nVAR x : INT; END_VAR\n  x := 5;\nEND_PROGRAM\n";
+        let shown = reproduction(source, &[Observation::last("x", "INT")]);
+        assert_eq!(
+            shown.commands,
+            [
+                "\"$IEC2C\" -i -I \"$MATIEC_LIB\" -T . program.st",
+                "\"$CC\" -O0 -w -I \"$MATIEC_LIB/C\" -I . driver.c -o driver -lm",
+                "./driver"
+            ]
+        );
+        let [program, driver] = &shown.files[..] else {
+            panic!("{shown:?}")
+        };
+        assert_eq!(program.name, "program.st");
+        assert!(program.text.starts_with(source), "no line of the program moves");
+        assert!(
+            program
+                .text
+                .contains("PROGRAM stickler_instance WITH stickler_task : main;")
+        );
+        assert_eq!(
+            driver.text,
+            format!(
+                "{HEADER}#include <time.h>\n\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n#include \"POUS.c\"\n\n\
+                 static MAIN program;\n\nint main(void) {{\n    MAIN_init__(&program, 0);\n    MAIN_body__(&program);\n    \
+                 printf(\"x = %d\\n\", (int)program.X.value);\n    return 0;\n}}\n"
+            )
+        );
+    }
+}

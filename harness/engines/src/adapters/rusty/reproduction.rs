@@ -1,0 +1,188 @@
+//! Writes what a person needs to run a program with `plc` and a C compiler alone.
+
+use super::driver::{HEADER, initialise, kinds, of_c, shown_as};
+use super::{COMPILER, DECLARATIONS, LIBRARY, OBJECT, OBJECT_FILE};
+use crate::adapters::builder::{CC, Language};
+use crate::adapters::printed::Kind;
+use crate::adapters::readable::{self, Expression, Main};
+use crate::adapters::source::{MainProgram, main_program, words};
+use crate::reproduction::{PROGRAM, command_line};
+use crate::{Ability, NoReproduction, Observation, Reproduction, RunRequest};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use stickler_types::ElementaryType;
+
+/// The file of the functions that show the observed values.
+const FUNCTIONS: &str = "show.st";
+
+/// The name that a program gets which is called as the place where a C program begins.
+const MAIN: &str = "main_program";
+
+/// Returns the reproduction of a request.
+///
+/// # Errors
+/// [`NoReproduction::Unsupported`] where the adapter would not run the program either.
+pub(in crate::adapters) fn reproduce(
+    request: &RunRequest<'_>,
+    ability: Ability,
+) -> Result<Reproduction, NoReproduction> {
+    super::speaks(request.dialect)?;
+    match (ability, main_program(request.source)) {
+        (Ability::Render, _) => Err(super::no_rendering().into()),
+        (Ability::Execute | Ability::Scans, Some(main)) => execution(request, &main),
+        (Ability::Check, _) | (_, None) => {
+            Ok(compilation(request.source.to_owned(), &[PROGRAM], &["--check"]).accepted())
+        }
+    }
+}
+
+/// Returns the reproduction that only compiles a program.
+fn compilation(program: String, files: &[&str], options: &[&str]) -> Reproduction {
+    let (plc, declarations) = (COMPILER.shell_variable(), DECLARATIONS.shell_variable());
+    let files = files.join(" ");
+    let options = command_line(options.iter().copied());
+    Reproduction::of(PROGRAM, program)
+        .tool(plc, COMPILER.name)
+        .tool(declarations, &beside("include"))
+        .command(format!(
+            "\"${plc}\" {files} -i \"${declarations}/*.st\" {options}"
+        ))
+}
+
+/// Returns the usual place of a folder of the library.
+fn beside(folder: &str) -> String {
+    format!(
+        "$(dirname \"$(command -v \"${}\")\")/{folder}",
+        COMPILER.shell_variable()
+    )
+}
+
+fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproduction, NoReproduction> {
+    let kinds = kinds(request)?;
+    let (library, cc) = (LIBRARY.shell_variable(), CC.shell_variable());
+    let driver = Language::C.driver();
+    let options = command_line(Language::C.options().iter().copied());
+    Ok(compilation(renamed(request.source), &[PROGRAM, FUNCTIONS], &OBJECT)
+        .tool(library, &beside("lib"))
+        .tool(cc, CC.name)
+        .file(FUNCTIONS, functions(request, &renamed(&main.name), &kinds))
+        .file(driver, text(request, &kinds))
+        .command(format!(
+            "\"${cc}\" {options} {driver} {OBJECT_FILE} -o driver -L \"${library}\" -Wl,-rpath,\"${library}\" \
+             -liec61131std -lm -lpthread -ldl -no-pie"
+        ))
+        .command("./driver"))
+}
+
+/// Returns a text without the name at which a C program begins.
+fn renamed(source: &str) -> String {
+    let mut text = String::with_capacity(source.len());
+    let mut behind = 0;
+    for word in words(source).filter(|word| word.is("main")) {
+        text.push_str(&source[behind..word.at]);
+        text.push_str(MAIN);
+        behind = word.end();
+    }
+    text.push_str(&source[behind..]);
+    text
+}
+
+/// Returns the function that shows the values observed after a scan; `None` stands for the last.
+fn show(after: Option<u32>) -> String {
+    match after {
+        Some(scan) => format!("show_after_{scan}"),
+        None => "show".to_owned(),
+    }
+}
+
+/// Returns the functions of Structured Text that pass the observed values to the driver.
+fn functions(request: &RunRequest<'_>, program: &str, kinds: &[Kind<'_>]) -> String {
+    let mut shown: BTreeMap<Option<u32>, String> = BTreeMap::from([(None, String::new())]);
+    let mut external = String::new();
+    for (number, (asked, kind)) in request.observe.iter().zip(kinds).enumerate() {
+        let ty = shown_as(kind);
+        let by = if ty.is_text() { " {ref}" } else { "" };
+        // Writing into a String does not fail.
+        let _ = writeln!(
+            shown.entry(asked.after).or_default(),
+            "  show_{number}({program}.{});",
+            renamed(&asked.name)
+        );
+        let _ = writeln!(
+            external,
+            "{{external}} FUNCTION show_{number} : DINT VAR_INPUT{by} value : {ty}; END_VAR END_FUNCTION"
+        );
+    }
+    let mut text = format!("FUNCTION scan : DINT\n  {program}();\nEND_FUNCTION\n");
+    for (after, statements) in shown {
+        let _ = write!(
+            text,
+            "FUNCTION {} : DINT\n{statements}END_FUNCTION\n",
+            show(after)
+        );
+    }
+    text + &external
+}
+
+/// Returns the driver.
+fn text(request: &RunRequest<'_>, kinds: &[Kind<'_>]) -> String {
+    let observed = request.observe.iter().zip(kinds).enumerate();
+    let mut printers = String::new();
+    for (number, (asked, kind)) in observed {
+        let _ = writeln!(
+            printers,
+            "int32_t show_{number}({}value) {{ {} return 0; }}",
+            parameter(kind),
+            print(asked, kind)
+        );
+    }
+    let mut after: Vec<Option<u32>> = request.observe.iter().map(|asked| asked.after).collect();
+    after.push(None);
+    after.sort_unstable();
+    after.dedup();
+    let declared: String = after
+        .iter()
+        .map(|after| format!("int32_t {}(void);\n", show(*after)))
+        .collect();
+    let initialise = initialise(PROGRAM);
+    let main = Main {
+        scans: request.scans,
+        start: vec![format!("if ({initialise}) {initialise}();")],
+        before: Vec::new(),
+        scan: "scan();".to_owned(),
+        after: after
+            .iter()
+            .map(|after| (*after, format!("{}();", show(*after))))
+            .collect(),
+    };
+    format!(
+        "{HEADER}#include <time.h>\n\n{}{printers}\nint32_t scan(void);\n{declared}\
+         __attribute__((weak)) void {initialise}(void);\n\n{}",
+        readable::functions(&printers),
+        main.text()
+    )
+}
+
+/// Returns the C type of the parameter that takes a value, with the blank or star behind it. Numbers with a sign have one here.
+fn parameter(kind: &Kind<'_>) -> String {
+    let ty = shown_as(kind);
+    match ty {
+        ElementaryType::String => "unsigned char *".to_owned(),
+        ElementaryType::Wstring => "uint16_t *".to_owned(),
+        _ if ty.is_signed() => format!("{} ", of_c(ty).trim_start_matches('u')),
+        _ => format!("{} ", of_c(ty)),
+    }
+}
+
+fn print(asked: &Observation, kind: &Kind<'_>) -> String {
+    let value = || "value".to_owned();
+    let value = match kind {
+        Kind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => Expression::Nanoseconds(value()),
+        Kind::Elementary(ty) if ty.is_text() => Expression::Text {
+            condition: "value[at]".to_owned(),
+            unit: "value[at]".to_owned(),
+        },
+        _ => Expression::Number(value()),
+    };
+    readable::statement(asked, kind, &value)
+}

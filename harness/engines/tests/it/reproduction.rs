@@ -1,0 +1,139 @@
+//! Tests reproductions: their files, and what their scripts print where the compiler is here.
+
+use std::io::Write;
+use std::process::Command;
+use stickler_engines::{
+    Ability, Compiler, DependencyPaths, FoundDependency, NoReproduction, Observation, Reproduction,
+    RunRequest,
+};
+use stickler_types::DialectName;
+
+const SOURCE: &str = "TYPE PAIR : STRUCT a : INT; b : DINT; END_STRUCT; END_TYPE\n\
+                      PROGRAM main\nVAR\n    n : INT;\n    x : BOOL;\n    list : ARRAY[1..2] OF INT;\n    both : PAIR;\n    \
+                      ratio : REAL := 0.1;\nEND_VAR\n    n := n - 1;\n    x := n < -1;\n    list[2] := n;\n    \
+                      both.b := 7;\nEND_PROGRAM\n";
+
+fn dialect(compiler: Compiler) -> DialectName {
+    match compiler {
+        Compiler::Ironplc | Compiler::Strucpp => DialectName::IronplcEd3,
+        Compiler::Matiec => DialectName::Matiec,
+        Compiler::Rusty => DialectName::IronplcRusty,
+    }
+}
+
+fn observe(asked: &[(&str, &str, Option<u32>)]) -> Vec<Observation> {
+    let observation = |&(name, type_name, after): &(&str, &str, Option<u32>)| Observation {
+        after,
+        ..Observation::last(name, type_name)
+    };
+    asked.iter().map(observation).collect()
+}
+
+/// Returns the paths of a compiler; prints why it is skipped where it is not here.
+fn here(compiler: Compiler) -> Option<Vec<FoundDependency>> {
+    let search = compiler.seek(compiler.name(), compiler.name(), &DependencyPaths::default());
+    match search.engine {
+        Ok(_) => Some(search.located),
+        Err(error) => {
+            // Not `eprintln`, which nobody sees when the test passes.
+            let _ = writeln!(std::io::stderr(), "skipped: {error}");
+            None
+        }
+    }
+}
+
+/// Writes the files of a reproduction and runs its script. Returns whether it succeeded, and all that it printed.
+fn run(reproduction: &Reproduction, compiler: Compiler, located: &[FoundDependency]) -> (bool, String) {
+    let folder = tempfile::tempdir().unwrap();
+    for file in reproduction.files.iter().chain([&reproduction.script()]) {
+        std::fs::write(folder.path().join(&file.name), &file.text).unwrap();
+    }
+    let mut command = Command::new("sh");
+    // Not in the folder, which the script finds itself.
+    command.arg(folder.path().join("run.sh"));
+    for found in located {
+        let of = |dependency: &&stickler_engines::Dependency| dependency.key == found.key;
+        let dependency = compiler.dependencies().iter().find(of).unwrap();
+        command.env(dependency.shell_variable(), &found.path);
+    }
+    let output = command.output().unwrap();
+    let text = [output.stdout, output.stderr].concat();
+    (
+        output.status.success(),
+        String::from_utf8_lossy(&text).into_owned(),
+    )
+}
+
+#[test]
+fn a_script_prints_the_values_of_a_program_without_stickler() {
+    let observe = observe(&[
+        ("n", "INT", None),
+        ("n", "INT", Some(1)),
+        ("x", "BOOL", None),
+        ("list[2]", "INT", None),
+        ("both.b", "DINT", None),
+        ("ratio", "REAL", None),
+    ]);
+    for compiler in Compiler::ALL {
+        let request = RunRequest {
+            scans: 2,
+            ..RunRequest::once(dialect(compiler), SOURCE, &observe)
+        };
+        let reproduction = compiler.reproduce(&request, Ability::Execute).unwrap();
+        let Some(located) = here(compiler) else { continue };
+        let (success, printed) = run(&reproduction, compiler, &located);
+        let expected: &[&str] = match compiler {
+            Compiler::Ironplc => &[
+                "n: -1",
+                "n: -2",
+                "x: TRUE",
+                "stickler_probe_0: -2",
+                "stickler_probe_1: 7",
+                "ratio: 0.1",
+            ],
+            _ => &[
+                "n@1 = -1",
+                "n = -2",
+                "x = 1",
+                "list[2] = -2",
+                "both.b = 7",
+                "ratio = 0.100000001",
+            ],
+        };
+        for line in expected {
+            assert!(
+                success && printed.lines().any(|printed| printed == *line),
+                "{line}: {printed}\n{reproduction:#?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_script_shows_whether_a_program_is_accepted() {
+    let wrong = SOURCE.replace("n - 1", "n - unknown");
+    for compiler in Compiler::ALL {
+        let Some(located) = here(compiler) else { continue };
+        for (source, accepted) in [(SOURCE, true), (&wrong, false)] {
+            let request = RunRequest::once(dialect(compiler), source, &[]);
+            let reproduction = compiler.reproduce(&request, Ability::Check).unwrap();
+            assert_eq!(reproduction.files[0].text, source);
+            let (success, printed) = run(&reproduction, compiler, &located);
+            assert_eq!(success, accepted, "{printed}\n{reproduction:#?}");
+            // Of `program.st:10`, wherever a compiler says it.
+            assert_eq!(printed.contains("10"), !accepted, "{printed}");
+        }
+    }
+}
+
+#[test]
+fn who_speaks_another_dialect_is_no_help() {
+    for compiler in Compiler::ALL {
+        let request = RunRequest::once(DialectName::Plcnext, SOURCE, &[]);
+        let reason = "it does not speak plcnext".to_owned();
+        assert_eq!(
+            compiler.reproduce(&request, Ability::Check),
+            Err(NoReproduction::Unsupported(reason))
+        );
+    }
+}
