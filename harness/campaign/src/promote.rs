@@ -261,7 +261,7 @@ mod tests {
     fn cases() -> tempfile::TempDir {
         let folder = tempfile::tempdir().unwrap();
         let real = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
-        for file in ["suite.toml", "dialects.toml"] {
+        for file in ["suite.toml", "dialects.toml", "sources.toml", "rules.md"] {
             fs::copy(real.join(file), folder.path().join(file)).unwrap();
         }
         let found = folder.path().join(FOUND);

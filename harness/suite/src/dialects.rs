@@ -26,8 +26,6 @@ pub struct DialectEntry {
     pub title: String,
     /// A description of the system or the rules that the dialect stands for.
     pub description: String,
-    /// The sources that its rules come from.
-    pub sources: Vec<String>,
     /// The dialect whose cases it takes over.
     pub extends: Option<DialectName>,
 }
@@ -46,8 +44,6 @@ struct DialectsFile {
 struct EntryFile {
     title: String,
     description: String,
-    #[serde(default)]
-    sources: Vec<Spanned<String>>,
     extends: Option<Spanned<String>>,
 }
 
@@ -169,16 +165,9 @@ impl Reader {
     }
 
     fn entry(&mut self, entry: EntryFile, key: &str) -> DialectEntry {
-        for source in &entry.sources {
-            if crate::basis::source(source.get_ref()).is_none() {
-                let message = format!("no source `{}`", source.get_ref());
-                self.mistake(source, key, message);
-            }
-        }
         DialectEntry {
             title: entry.title,
             description: entry.description,
-            sources: entry.sources.into_iter().map(Spanned::into_inner).collect(),
             extends: entry.extends.and_then(|base| self.dialect(&base, key)),
         }
     }
@@ -242,7 +231,7 @@ mod tests {
     fn mistakes_have_their_line_and_the_rest_is_used() {
         let (dialects, mistakes) = Dialects::read(
             "[groups]\nsome = [\"matiec\",\n\"matieck\"]\n[dialect.codesys]\ntitle=''\ndescription=''\n\
-             [dialect.matiec]\ntitle=''\ndescription=''\nsources=['nowhere']",
+             [dialect.matiec]\ntitle=''\ndescription=''\nextends='nowhere'",
         );
         assert_eq!(
             mistakes.iter().map(|mistake| mistake.line).collect::<Vec<_>>(),

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use rustc_hash::FxHashSet;
 use stickler_types::DialectName;
 use toml::Spanned;
 
@@ -10,6 +11,7 @@ use crate::dialects::Dialects;
 use crate::error::Mistake;
 use crate::model::{Case, MatrixCell};
 use crate::place::Lines;
+use crate::sources::Sources;
 use crate::table::Budget;
 
 /// A case file that is being expanded, with its text and the dialects of the suite.
@@ -23,6 +25,7 @@ pub(crate) struct FileContext<'a> {
     pub(crate) text: &'a str,
     pub(crate) lines: Lines,
     pub(crate) dialects: &'a Dialects,
+    pub(crate) sources: &'a Sources,
     pub(crate) type_names: &'a TypeNames,
     /// The limits on the expansion of the file.
     pub(crate) budget: Budget,
@@ -42,6 +45,8 @@ pub(crate) struct Group<'a> {
     pub(crate) id: Arc<str>,
     pub(crate) title: Arc<str>,
     pub(crate) basis: Arc<str>,
+    /// The line of the case file to which a mistake in the basis belongs.
+    pub(crate) basis_line: u32,
     pub(crate) line: u32,
     pub(crate) source: Arc<str>,
     pub(crate) assembly: Assembly,
@@ -55,6 +60,8 @@ pub(crate) struct Harvest {
     pub(crate) mistakes: Vec<Mistake>,
     /// The warnings of lint about the file, beside its mistakes.
     pub(crate) remarks: Vec<Mistake>,
+    /// The bases that were checked, each in its dialects.
+    pub(crate) checked: FxHashSet<(Arc<str>, DialectName)>,
 }
 
 impl Harvest {
@@ -93,7 +100,17 @@ impl Harvest {
                 observe: Arc::clone(&group.assembly.observe),
                 cell: group.cell.map(Arc::clone),
             };
+            if !case.is_stated() && self.checked.insert((Arc::clone(&case.basis), dialect)) {
+                self.check_basis(context.sources, group);
+            }
             self.cases.push(case);
+        }
+    }
+
+    /// Adds a warning if no source has the basis of a group.
+    fn check_basis(&mut self, sources: &Sources, group: &Group<'_>) {
+        if let Err(message) = sources.check(&group.basis) {
+            self.remark(Mistake::new(group.basis_line, message).key("basis"));
         }
     }
 }

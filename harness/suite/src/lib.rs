@@ -8,7 +8,7 @@
 //! | what is a case? | [`Case`]: a program, a dialect and an [`Expectation`] |
 //! | which dialects and groups may case files name? | [`Dialects`] |
 //! | what is doubtful in the files? | [`lint`](fn@lint) |
-//! | which documents may a case cite? | [`basis`] |
+//! | which documents may a case cite, and for whom do they speak? | [`Sources`] |
 //!
 //! Whatever stands in a file, the rest of the suite still loads: mistakes are
 //! [`CaseFileError`]s, with file, line, key and a hint. [`lint`](fn@lint) also says what only a reader of the files would notice.
@@ -18,7 +18,6 @@
 
 mod assemble;
 mod assembly;
-pub mod basis;
 mod condition;
 mod conversion_call;
 mod defined;
@@ -37,6 +36,7 @@ mod place;
 mod program;
 mod scan;
 mod single;
+mod sources;
 mod suite;
 mod table;
 mod template;
@@ -49,5 +49,6 @@ pub use lint::{Finding, Severity, lint};
 pub use model::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
 };
+pub use sources::{Source, SourceKind, Sources};
 pub use suite::{Suite, load_file, read_case_file};
 pub use table::Generate;

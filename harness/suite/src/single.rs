@@ -127,6 +127,7 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
                     id,
                     title,
                     basis,
+                    basis_line: lines.line(header.basis.span().start),
                     line: 1,
                     source,
                     assembly,
@@ -142,10 +143,6 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
                     .push(Mistake::new(mistake.line.max(1), mistake.message).hint(hint));
             }
         }
-    }
-    if let Err(message) = crate::basis::check(&basis) {
-        let line = lines.line(header.basis.span().start);
-        harvest.remarks.push(Mistake::new(line, message).key("basis"));
     }
 }
 

@@ -13,8 +13,8 @@ use crate::error::Mistake;
 use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
-use crate::{Case, CaseFileError, Dialects};
-use crate::{files, ident, single, table, toml_text};
+use crate::{Case, CaseFileError, Dialects, Sources};
+use crate::{files, ident, single, sources, table, toml_text};
 
 /// The cases of a folder, and the mistakes in its files.
 #[derive(Clone, Debug, Default)]
@@ -27,6 +27,8 @@ pub struct Suite {
     pub errors: Vec<CaseFileError>,
     /// The dialects and groups that case files may name, from `dialects.toml`.
     pub dialects: Dialects,
+    /// The sources that cases may cite, from `sources.toml` and `rules.md`.
+    pub sources: Sources,
     /// The warnings of lint about the files, beside their mistakes.
     pub(crate) remarks: Vec<CaseFileError>,
 }
@@ -38,7 +40,7 @@ struct SuiteFile {
 }
 
 impl Suite {
-    /// Reads every case file below `dir`, the folder that has `suite.toml` and `dialects.toml`.
+    /// Reads every case file below `dir`, the folder that has `suite.toml`, `dialects.toml` and `sources.toml`.
     ///
     /// Loading never fails: mistakes are listed in [`Suite::errors`], also if `dir` does not exist.
     pub fn load(dir: &Path) -> Suite {
@@ -65,6 +67,10 @@ impl Suite {
         suite.read_version(&root);
         suite.read_dialects(&root);
         suite.dialects = std::mem::take(&mut suite.dialects).with_defined(defined);
+        let read = sources::read(&root, &suite.dialects);
+        suite.errors.extend(read.errors);
+        suite.remarks.extend(read.remarks);
+        let sources = read.sources;
         let type_names = TypeNames::default();
         let mut listing = files::list(&root);
         listing
@@ -72,9 +78,13 @@ impl Suite {
             .retain(|file| is_wanted(ident::stem(&file.below_root), file.kind));
         suite.errors.extend(listing.errors);
         suite.remarks.extend(listing.remarks);
-        let dialects = &suite.dialects;
+        let names = Names {
+            dialects: &suite.dialects,
+            sources: &sources,
+            types: &type_names,
+        };
         let read = |file: &files::CaseFile| {
-            let mut harvest = read_file(file, dialects, &type_names);
+            let mut harvest = read_file(file, names);
             let cases = harvest.cases.iter_mut();
             cases
                 .filter(|case| case.dialect.definition().is_some())
@@ -91,6 +101,7 @@ impl Suite {
         for (file, harvest) in listing.files.iter().zip(harvests) {
             suite.take(&file.shown, harvest);
         }
+        suite.sources = sources;
         suite.errors.sort();
         suite
     }
@@ -133,7 +144,14 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
             return (Vec::new(), errors);
         }
     };
-    let harvest = read_file(&file, &dialects, &TypeNames::default());
+    let read = sources::read(&root, &dialects);
+    errors.extend(read.errors);
+    let names = Names {
+        dialects: &dialects,
+        sources: &read.sources,
+        types: &TypeNames::default(),
+    };
+    let harvest = read_file(&file, names);
     let (cases, mistakes) = alone(harvest, &file.shown);
     errors.extend(mistakes);
     (cases, errors)
@@ -143,8 +161,13 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
 /// (`.st`) or a table (`.toml`). Returns the cases to run and the mistakes.
 #[must_use]
 pub fn read_case_file(name: &str, text: &str, dialects: &Dialects) -> (Vec<Case>, Vec<CaseFileError>) {
+    let names = Names {
+        dialects,
+        sources: &Sources::default(),
+        types: &TypeNames::default(),
+    };
     let harvest = match files::kind(name) {
-        Some(kind) => read_text(name, name, kind, text, dialects, &TypeNames::default()),
+        Some(kind) => read_text(name, name, kind, text, names),
         None => wrong(Mistake::new(1, files::NO_CASE_FILE)),
     };
     alone(harvest, name)
@@ -157,6 +180,14 @@ fn alone(harvest: Harvest, shown: &str) -> (Vec<Case>, Vec<CaseFileError>) {
     (harvest.cases, errors)
 }
 
+/// The names that the files of a suite may use.
+#[derive(Clone, Copy)]
+struct Names<'a> {
+    dialects: &'a Dialects,
+    sources: &'a Sources,
+    types: &'a TypeNames,
+}
+
 fn dialects(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
     let shown = root.shown("dialects.toml");
     match files::read(&root.path().join("dialects.toml")) {
@@ -165,16 +196,9 @@ fn dialects(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
     }
 }
 
-fn read_file(file: &files::CaseFile, dialects: &Dialects, type_names: &TypeNames) -> Harvest {
+fn read_file(file: &files::CaseFile, names: Names<'_>) -> Harvest {
     match files::read(&file.path) {
-        Ok(text) => read_text(
-            &file.below_root,
-            &file.shown,
-            file.kind,
-            &text,
-            dialects,
-            type_names,
-        ),
+        Ok(text) => read_text(&file.below_root, &file.shown, file.kind, &text, names),
         Err(mistake) => wrong(mistake),
     }
 }
@@ -187,14 +211,7 @@ fn wrong(mistake: Mistake) -> Harvest {
     }
 }
 
-fn read_text(
-    below_root: &str,
-    shown: &str,
-    kind: FileKind,
-    text: &str,
-    dialects: &Dialects,
-    type_names: &TypeNames,
-) -> Harvest {
+fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: Names<'_>) -> Harvest {
     let id = match ident::of_file(below_root) {
         Ok(id) => id,
         Err(message) => return wrong(Mistake::new(1, message).hint("rename the file or its folder")),
@@ -206,8 +223,9 @@ fn read_text(
         id: id.clone(),
         text,
         lines: Lines::new(text),
-        dialects,
-        type_names,
+        dialects: names.dialects,
+        sources: names.sources,
+        type_names: names.types,
         budget: table::Budget::default(),
     };
     let mut harvest = match kind {

@@ -166,7 +166,7 @@ fn a_finding_is_saved_judged_again_and_promoted() {
     let found = folder.path().join("found");
     fs::create_dir(&found).unwrap();
     fs::write(found.join("README.md"), "Found.").unwrap();
-    for file in ["suite.toml", "dialects.toml"] {
+    for file in ["suite.toml", "dialects.toml", "sources.toml", "rules.md"] {
         fs::copy(cases.join(file), folder.path().join(file)).unwrap();
     }
     let words = CaseHead {

@@ -12,9 +12,11 @@ use tempfile::TempDir;
 const SUITE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../conformance-cases");
 
 /// The case files of the tests, with cases for each kind of override.
-const FILES: [&str; 8] = [
+const FILES: [&str; 10] = [
     "suite.toml",
     "dialects.toml",
+    "sources.toml",
+    "rules.md",
     "widening/integer.toml",
     "widening/bool.toml",
     "widening/cross-family.toml",

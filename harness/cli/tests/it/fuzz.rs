@@ -92,7 +92,7 @@ fn a_defect_is_found_judged_again_merged_and_promoted() {
     let cases = folder.path().join("cases");
     fs::create_dir_all(cases.join("found")).expect("a folder of cases");
     fs::write(cases.join("found/README.md"), "Found.").expect("a README");
-    for file in ["suite.toml", "dialects.toml"] {
+    for file in ["suite.toml", "dialects.toml", "sources.toml", "rules.md"] {
         let real = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
         fs::copy(real.join(file), cases.join(file)).expect("a copy");
     }

@@ -166,16 +166,10 @@ fn a_reader_that_goes_away_does_not_turn_a_rejection_into_success() {
 fn slow_suite(folder: &Path) {
     let cases = folder.join("conformance-cases/language");
     fs::create_dir_all(&cases).expect("a folder of cases");
-    fs::copy(
-        format!("{SUITE}/dialects.toml"),
-        folder.join("conformance-cases/dialects.toml"),
-    )
-    .expect("dialects");
-    fs::copy(
-        format!("{SUITE}/suite.toml"),
-        folder.join("conformance-cases/suite.toml"),
-    )
-    .expect("a version");
+    for file in ["suite.toml", "dialects.toml", "sources.toml", "rules.md"] {
+        let copied = folder.join("conformance-cases").join(file);
+        fs::copy(format!("{SUITE}/{file}"), copied).expect("a file that describes the suite");
+    }
     let rows: String = (0..2000).map(|number| format!("[\"{number}\"],\n")).collect();
     let table = format!(
         "title = \"Endless\"\nbasis = \"stickler-design: §4\"\ndialects = [\"matiec\"]\n\

@@ -301,7 +301,6 @@ impl Expander<'_, '_> {
                 .unwrap_or(&self.table.basis)
                 .fill(&mut self.scratch, texts),
         };
-        self.table.check_basis(&basis, line, self.harvest);
         let title = match self
             .special
             .title
@@ -319,6 +318,7 @@ impl Expander<'_, '_> {
             id: self.id(probe, texts).into(),
             title,
             basis,
+            basis_line: line,
             line,
             source,
             assembly,

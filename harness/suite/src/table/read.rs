@@ -1,7 +1,5 @@
 //! Reads a table file and expands it into its cases.
 
-use std::sync::Arc;
-
 use stickler_types::DialectName;
 
 use crate::error::Mistake;
@@ -93,21 +91,13 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
     harvest.remarks.append(&mut remarks.0);
 }
 
-impl Table<'_> {
-    /// Reports a basis that no source has.
-    pub(crate) fn check_basis(&self, basis: &Arc<str>, line: u32, harvest: &mut Harvest) {
-        if let Err(message) = crate::basis::check(basis) {
-            harvest.remark(Mistake::new(line, message).key("basis"));
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::assembly::TypeNames;
     use crate::dialects::Dialects;
     use crate::place::Lines;
+    use crate::sources::Sources;
     use crate::table::Budget;
 
     fn harvest(text: &str, budget: Budget) -> Harvest {
@@ -118,6 +108,7 @@ mod tests {
             text,
             lines: Lines::new(text),
             dialects: &Dialects::default(),
+            sources: &Sources::default(),
             type_names: &TypeNames::default(),
             budget,
         })

@@ -8,6 +8,10 @@ use stickler_suite::{Case, Suite};
 pub const DIALECTS: &str = "[groups]\nironplc = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\"]\n\
     all = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\", \"matiec\", \"plcnext\"]\n";
 
+/// The `sources.toml` of every test suite.
+pub const SOURCES: &str = "[iec-61131-3]\ntitle = \"t\"\npublisher = \"IEC\"\nkind = \"standard\"\n\
+    address = \"https://example.org\"\nread = \"3\"\nsections = \"clauses\"\n";
+
 /// Writes `text` to `path` below `root`.
 pub fn write(root: &Path, path: &str, text: impl AsRef<[u8]>) {
     let path = root.join(path);
@@ -15,12 +19,13 @@ pub fn write(root: &Path, path: &str, text: impl AsRef<[u8]>) {
     std::fs::write(path, text).unwrap();
 }
 
-/// A folder `cases` with these files, and with `suite.toml`, `dialects.toml` and READMEs.
+/// A folder `cases` with these files, and with `suite.toml`, `dialects.toml`, `sources.toml` and READMEs.
 pub fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let root = folder.path().join("cases");
     write(&root, "suite.toml", "version = \"1.2.3\"\n");
     write(&root, "dialects.toml", DIALECTS);
+    write(&root, "sources.toml", SOURCES);
     write(&root, "README.md", "");
     for (path, text) in files {
         write(&root, path, text);

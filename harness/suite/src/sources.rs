@@ -1,0 +1,296 @@
+//! The sources that an expectation may come from, and their sections.
+//!
+//! A basis is written `source: section`: a key of `sources.toml`, or `rule` for one of Stickler's own rules in `rules.md`, and a
+//! section by the name that it has there, so that a claim can be traced from a report to the sentence.
+
+mod near;
+mod read;
+mod sections;
+
+use stickler_types::DialectName;
+
+use crate::place::Lines;
+use near::suggestion;
+pub(crate) use read::read;
+use sections::Sections;
+
+/// The key of the source whose sections are Stickler's own rules.
+const RULE: &str = "rule";
+
+/// The sources that the cases of a folder may cite.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sources {
+    /// Ordered by key; the rules stand last.
+    sources: Vec<Source>,
+}
+
+/// A public text, a recording or a measurement that expectations come from, or Stickler's own rules.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Source {
+    /// The name that a basis begins with.
+    pub key: String,
+    /// The title, for a person.
+    pub title: String,
+    /// The person or organization that answers for the text.
+    pub publisher: String,
+    /// The kind, which decides whom a claim of the source binds.
+    pub kind: SourceKind,
+    /// The address as the file gives it, in which `{section}` and `{anchor}` stand for a section, and a path is one below the
+    /// parent of the folder of cases. [`Source::address_of`] returns it for a section.
+    pub address: String,
+    /// The edition, version, commit or date at which the text was read.
+    pub read: String,
+    /// The built-in engines for which the source speaks. A standard and the rules name none.
+    pub engines: Vec<String>,
+    /// The dialects for which the source speaks. A standard and the rules name none.
+    pub dialects: Vec<DialectName>,
+    pub(crate) sections: Sections,
+    /// The line of `sources.toml` on which the source begins; 1 for the rules.
+    pub(crate) line: u32,
+}
+
+/// The kind of a source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SourceKind {
+    /// A text that the publisher of a compiler or of a programming system gives out about it.
+    Document,
+    /// A standard, which speaks for all compilers.
+    Standard,
+    /// The values or messages that a product of a named version was recorded to give.
+    Recording,
+    /// The answers of an open compiler of a named version, which anybody can build and ask again.
+    Measurement,
+    /// A decision of Stickler itself, where no public text says anything.
+    Rule,
+}
+
+impl SourceKind {
+    /// Every kind.
+    pub const ALL: [SourceKind; 5] = [
+        SourceKind::Document,
+        SourceKind::Standard,
+        SourceKind::Recording,
+        SourceKind::Measurement,
+        SourceKind::Rule,
+    ];
+
+    /// Returns the kind's name in `sources.toml` and in reports.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            SourceKind::Document => "document",
+            SourceKind::Standard => "standard",
+            SourceKind::Recording => "recording",
+            SourceKind::Measurement => "measurement",
+            SourceKind::Rule => "rule",
+        }
+    }
+
+    /// Returns whether a source of this kind speaks for every dialect.
+    const fn speaks_for_all(self) -> bool {
+        matches!(self, SourceKind::Standard | SourceKind::Rule)
+    }
+}
+
+impl Sources {
+    /// Returns every source, ordered by key, with the rules last.
+    pub fn iter(&self) -> impl Iterator<Item = &Source> {
+        self.sources.iter()
+    }
+
+    /// Returns the source with this key.
+    #[must_use]
+    pub fn get(&self, key: &str) -> Option<&Source> {
+        self.sources.iter().find(|source| source.key == key)
+    }
+
+    /// Returns the source that a basis such as `ironplc-bit-access: Syntax` begins with, and the rest of the basis. Does not ask
+    /// whether the source has the section.
+    #[must_use]
+    pub fn of<'s, 'b>(&'s self, basis: &'b str) -> Option<(&'s Source, &'b str)> {
+        let (key, section) = basis.split_once(':')?;
+        Some((self.get(key)?, section.trim()))
+    }
+
+    /// Returns the source and the section that a basis such as `ironplc-bit-access: Syntax` names.
+    ///
+    /// # Errors
+    /// A message that says which part is unknown, and what there is.
+    pub fn check<'s, 'b>(&'s self, basis: &'b str) -> Result<(&'s Source, &'b str), String> {
+        let Some((key, section)) = basis.split_once(':') else {
+            return Err(format!("`{basis}` is not written `source: section`"));
+        };
+        let Some(source) = self.get(key) else {
+            let known = self.sources.iter().map(|source| source.key.as_str());
+            return Err(format!("no source `{key}`; {}", suggestion(key, known)));
+        };
+        let section = section.trim();
+        match source.sections.unknown(section) {
+            None => Ok((source, section)),
+            Some(expected) if source.kind == SourceKind::Rule => {
+                Err(format!("no rule `{section}`; {expected}"))
+            }
+            Some(expected) => Err(format!("`{key}` has no section `{section}`; {expected}")),
+        }
+    }
+}
+
+impl Source {
+    /// Returns whether the source speaks for a dialect, so that a case of the dialect may cite it.
+    #[must_use]
+    pub fn speaks_for(&self, dialect: DialectName) -> bool {
+        self.kind.speaks_for_all() || self.dialects.contains(&dialect)
+    }
+
+    /// Returns the address at which a section stands: an address of the web, or a path below the parent of the folder of cases.
+    #[must_use]
+    pub fn address_of(&self, section: &str) -> String {
+        self.address
+            .replace("{section}", section)
+            .replace("{anchor}", &sections::anchor(section))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::{Dialects, files};
+
+    const SOURCE: &str = "[page]\ntitle = 't'\npublisher = 'p'\nkind = 'document'\naddress = 'https://example.org/{section}#{anchor}'\n\
+                          read = '1'\nengines = ['matiec']\ndialects = ['matiec']\nsections = ['A heading', 'Another', 'cells', 'codes']\n";
+
+    /// Reads a `sources.toml` and `rules.md`; returns the sources and what is wrong with them.
+    fn read_texts(sources: &str) -> (Sources, Vec<String>) {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |path: &str, text: &str| std::fs::write(folder.path().join(path), text).unwrap();
+        write("sources.toml", sources);
+        write("rules.md", "# Rules\n\n## one-rule\n\n## another-rule\n");
+        write("measured.md", "## x := 1.5\n");
+        let found = read(&files::Root::new(folder.path()), &Dialects::default());
+        let errors = found.errors.into_iter().chain(found.remarks).map(|error| {
+            let said = error.to_string();
+            said[said.find("sources.toml").unwrap_or_default()..].to_owned()
+        });
+        (found.sources, errors.collect())
+    }
+
+    #[test]
+    fn a_known_basis_gives_its_source_and_section() {
+        let (sources, errors) = read_texts(&format!(
+            "{SOURCE}[std]\ntitle = 't'\npublisher = 'IEC'\nkind = 'standard'\naddress = 'https://example.org'\nread = '3'\nsections = 'clauses'\n\
+             [run]\ntitle = 't'\npublisher = 'p'\nkind = 'measurement'\naddress = 'measured.md'\nread = '1'\nengines = []\ndialects = []\n"
+        ));
+        assert!(errors.is_empty(), "{errors:?}");
+        for (basis, key, section) in [
+            ("page: A heading", "page", "A heading"),
+            ("page: UDINT to TIME", "page", "UDINT to TIME"),
+            ("page: P4035", "page", "P4035"),
+            ("std: 6.3.4", "std", "6.3.4"),
+            ("std: Table 3", "std", "Table 3"),
+            ("std: Annex B.2", "std", "Annex B.2"),
+            ("run: x := 1.5", "run", "x := 1.5"),
+            ("rule: one-rule", "rule", "one-rule"),
+        ] {
+            let found = sources
+                .check(basis)
+                .map(|(source, section)| (source.key.as_str(), section));
+            assert_eq!(found, Ok((key, section)));
+            assert_eq!(
+                sources.of(basis).map(|(source, _)| source.key.as_str()),
+                Some(key)
+            );
+        }
+        let speaks = |key: &str, dialect| sources.get(key).is_some_and(|source| source.speaks_for(dialect));
+        assert!(speaks("page", DialectName::Matiec) && !speaks("page", DialectName::Plcnext));
+        assert!(speaks("std", DialectName::Plcnext) && speaks("rule", DialectName::Plcnext));
+        let page = sources.get("page").unwrap();
+        assert_eq!(
+            page.address_of("A heading"),
+            "https://example.org/A heading#a-heading"
+        );
+    }
+
+    #[test]
+    fn a_typo_in_a_basis_is_found() {
+        let (sources, _) = read_texts(SOURCE);
+        for (basis, said) in [
+            ("page", "is not written `source: section`"),
+            ("pages: A heading", "no source `pages`; did you mean `page`?"),
+            ("elsewhere: x", "no source `elsewhere`; there are page · rule"),
+            ("page: A Heading", "did you mean `A heading`?, or write a cell"),
+            ("page: P9876", "a code: `P4035`"),
+            ("rule: one-rul", "no rule `one-rul`; did you mean `one-rule`?"),
+        ] {
+            let message = sources.check(basis).unwrap_err();
+            assert!(message.contains(said), "{basis}: {message}");
+        }
+    }
+
+    #[test]
+    fn a_mistake_in_a_source_has_its_line() {
+        for (from, to, said) in [
+            (
+                "'document'",
+                "'documents'",
+                "sources.toml:4: `page`: no kind `documents`; did you mean `document`?",
+            ),
+            (
+                "'document'",
+                "'rule'",
+                "sources.toml:4: `page`: rules are not listed here",
+            ),
+            (
+                "address",
+                "#",
+                "sources.toml:1: `page`: a document needs an `address` that opens",
+            ),
+            (
+                "https://example.org/{section}",
+                "nowhere.md",
+                "sources.toml:5: `page`: `nowhere.md` is neither",
+            ),
+            (
+                "{section}",
+                "{sections}",
+                "sources.toml:5: `page`: an address has no spaces",
+            ),
+            (
+                "dialects = ['matiec']",
+                "dialects = ['matieck']",
+                "sources.toml:8: `page`: no dialect or group `matieck`",
+            ),
+            (
+                "engines",
+                "#",
+                "sources.toml:1: `page`: a document needs `engines` and `dialects`",
+            ),
+            (
+                "sections =",
+                "#",
+                "sources.toml:1: `page`: the source has no `sections`",
+            ),
+            ("title", "titel", "sources.toml:2: `page`: unknown field `titel`"),
+            ("[page]", "[rule]", "sources.toml:1: `rule`: a source's key"),
+            ("[page]", "[page", "sources.toml:1: "),
+        ] {
+            let (_, errors) = read_texts(&SOURCE.replacen(from, to, 1));
+            assert!(
+                errors.len() == 1 && errors[0].starts_with(said),
+                "{said}: {errors:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_folder_without_sources_is_told_where_they_are_described() {
+        let errors = read(&files::Root::new(Path::new("/nowhere")), &Dialects::default()).errors;
+        assert_eq!(errors.len(), 1);
+        let said = errors[0].to_string();
+        assert!(
+            said.contains("sources.toml:1: cannot be read") && said.contains("README.md"),
+            "{said}"
+        );
+    }
+}

@@ -1,0 +1,245 @@
+//! Reads `sources.toml` and `rules.md`.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::near::suggestion;
+use super::sections::{Form, headings};
+use super::{Lines, RULE, Sections, Source, SourceKind, Sources};
+use crate::error::{CaseFileError, Mistake};
+use crate::toml_text::{self, Strings};
+use crate::{Dialects, files};
+
+/// The file of the sources, below the root of a suite.
+const SOURCES: &str = "sources.toml";
+/// The file of Stickler's own rules, below the root of a suite.
+const RULES: &str = "rules.md";
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Entry {
+    title: String,
+    publisher: String,
+    kind: Spanned<String>,
+    address: Option<Spanned<String>>,
+    read: String,
+    engines: Option<Vec<String>>,
+    dialects: Option<Vec<Spanned<String>>>,
+    sections: Option<Strings>,
+}
+
+/// The sources of a suite, and what is wrong with their files.
+#[derive(Debug)]
+pub(crate) struct SourcesRead {
+    pub(crate) sources: Sources,
+    pub(crate) errors: Vec<CaseFileError>,
+    /// The warnings of lint.
+    pub(crate) remarks: Vec<CaseFileError>,
+}
+
+/// Reads the usable part of the sources of the suite at `root`. A suite without `rules.md` has no rules.
+pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
+    let shown = root.shown(SOURCES);
+    let text = files::read(&root.path().join(SOURCES)).map_err(|mistake| {
+        mistake.hint(
+            "it lists the documents that the cases cite; see \"Sources\" in conformance-cases/README.md",
+        )
+    });
+    let lines = Lines::new(text.as_deref().unwrap_or_default());
+    let entries = text.and_then(|text| toml_text::read::<BTreeMap<Spanned<String>, Entry>>(&text, 0, &lines));
+    let mut reader = Reader {
+        root,
+        dialects,
+        lines,
+        mistakes: Vec::new(),
+        remarks: Vec::new(),
+    };
+    let mut sources = Vec::new();
+    match entries {
+        Ok(entries) => sources.extend(
+            entries
+                .into_iter()
+                .filter_map(|(key, entry)| reader.source(&key, entry)),
+        ),
+        Err(mistake) => reader.mistakes.push(mistake),
+    }
+    let in_file = |mistakes: Vec<Mistake>| -> Vec<CaseFileError> {
+        let mistakes = mistakes.into_iter();
+        mistakes.map(|mistake| mistake.in_file(&shown)).collect()
+    };
+    let (mut errors, remarks) = (in_file(reader.mistakes), in_file(reader.remarks));
+    let (rules, mistake) = rules(root);
+    sources.push(rules);
+    errors.extend(mistake);
+    SourcesRead {
+        sources: Sources { sources },
+        errors,
+        remarks,
+    }
+}
+
+/// Returns Stickler's own rules as a source, whose sections are the rules.
+fn rules(root: &files::Root) -> (Source, Option<CaseFileError>) {
+    let path = root.path().join(RULES);
+    let read = match path.exists() {
+        true => files::read(&path),
+        false => Ok(String::new()),
+    };
+    let (text, mistake) = match read {
+        Ok(text) => (text, None),
+        Err(mistake) => (String::new(), Some(mistake.in_file(&root.shown(RULES)))),
+    };
+    let source = Source {
+        key: RULE.to_owned(),
+        title: "Stickler's own rules".to_owned(),
+        publisher: "Stickler".to_owned(),
+        kind: SourceKind::Rule,
+        address: format!("{}#{{section}}", root.shown(RULES)),
+        read: String::new(),
+        engines: Vec::new(),
+        dialects: Vec::new(),
+        sections: Sections {
+            headings: headings(&text),
+            forms: Vec::new(),
+        },
+        line: 1,
+    };
+    (source, mistake)
+}
+
+struct Reader<'a> {
+    root: &'a files::Root,
+    dialects: &'a Dialects,
+    lines: Lines,
+    mistakes: Vec<Mistake>,
+    remarks: Vec<Mistake>,
+}
+
+impl Reader<'_> {
+    /// Returns the source of an entry; `None` where a mistake leaves nothing to cite.
+    fn source(&mut self, key: &Spanned<String>, entry: Entry) -> Option<Source> {
+        let name = key.get_ref().as_str();
+        let at = key.span().start;
+        if name == RULE || name.contains([':', ' ']) {
+            let message = "a source's key has neither a colon nor a space, and is not `rule`";
+            self.wrong(at, name, message.to_owned());
+            return None;
+        }
+        let kind = self.kind(name, &entry.kind)?;
+        let (address, file) = self.address(name, at, kind, entry.address.as_ref())?;
+        if !kind.speaks_for_all() && (entry.engines.is_none() || entry.dialects.is_none()) {
+            let message = format!(
+                "a {} needs `engines` and `dialects`: those for which it speaks",
+                kind.as_str()
+            );
+            self.wrong(at, name, message);
+        }
+        let mut dialects = Vec::new();
+        for name in entry.dialects.iter().flatten() {
+            match self.dialects.resolve(name.get_ref()) {
+                Ok(resolved) => dialects.extend(resolved),
+                Err(message) => self.wrong(name.span().start, key.get_ref(), message),
+            }
+        }
+        dialects.sort_unstable();
+        dialects.dedup();
+        Some(Source {
+            key: name.to_owned(),
+            title: entry.title,
+            publisher: entry.publisher,
+            kind,
+            address,
+            read: entry.read,
+            engines: entry.engines.unwrap_or_default(),
+            dialects,
+            sections: self.sections(name, at, file.as_deref(), entry.sections),
+            line: self.lines.line(at),
+        })
+    }
+
+    fn kind(&mut self, key: &str, kind: &Spanned<String>) -> Option<SourceKind> {
+        let kinds = SourceKind::ALL
+            .into_iter()
+            .filter(|kind| *kind != SourceKind::Rule);
+        let found = kinds.clone().find(|known| known.as_str() == kind.get_ref());
+        if found.is_none() {
+            let message = match kind.get_ref().as_str() == SourceKind::Rule.as_str() {
+                true => format!("rules are not listed here: each is a heading of {RULES}"),
+                false => {
+                    let known = kinds.map(SourceKind::as_str);
+                    format!(
+                        "no kind `{}`; {}",
+                        kind.get_ref(),
+                        suggestion(kind.get_ref(), known)
+                    )
+                }
+            };
+            self.wrong(kind.span().start, key, message);
+        }
+        found
+    }
+
+    /// Returns the address, and the text of the file that it names, if it is a path below the root.
+    fn address(
+        &mut self,
+        key: &str,
+        at: usize,
+        kind: SourceKind,
+        address: Option<&Spanned<String>>,
+    ) -> Option<(String, Option<String>)> {
+        let Some(address) = address else {
+            let message = format!("a {} needs an `address` that opens", kind.as_str());
+            self.wrong(at, key, message);
+            return None;
+        };
+        let start = address.span().start;
+        let address = address.get_ref();
+        let rest = address.replace("{section}", "").replace("{anchor}", "");
+        if rest.contains(['{', '}', ' ']) {
+            let message = "an address has no spaces, and in braces only `{section}` and `{anchor}`";
+            self.wrong(start, key, message.to_owned());
+        }
+        if address.starts_with("https://") || address.starts_with("http://") {
+            return Some((address.clone(), None));
+        }
+        let path = address.split('#').next().unwrap_or_default();
+        // The cases can be run without the text, so this is no error.
+        let text = files::read(&self.root.path().join(path)).unwrap_or_else(|mistake| {
+            let message = format!(
+                "`{path}` is neither an address of the web nor a file beside {SOURCES}: {}",
+                mistake.message
+            );
+            let line = self.lines.line(start);
+            self.remarks.push(Mistake::new(line, message).key(key));
+            String::new()
+        });
+        Some((self.root.shown(address), Some(text)))
+    }
+
+    /// Returns the names of the sections: those listed, or the headings of the file.
+    fn sections(&mut self, key: &str, at: usize, file: Option<&str>, listed: Option<Strings>) -> Sections {
+        let mut sections = Sections::default();
+        let listed = listed.map(|listed| listed.0);
+        if listed.as_ref().is_none_or(Vec::is_empty) {
+            match file {
+                Some(text) => sections.headings = headings(text),
+                None => self.wrong(at, key, "the source has no `sections`".to_owned()),
+            }
+        }
+        for section in listed.into_iter().flatten() {
+            let section = section.into_inner();
+            match Form::from_word(&section) {
+                Some(form) => sections.forms.push(form),
+                None => sections.headings.push(section),
+            }
+        }
+        sections
+    }
+
+    fn wrong(&mut self, at: usize, key: &str, message: String) {
+        self.mistakes
+            .push(Mistake::new(self.lines.line(at), message).key(key));
+    }
+}

@@ -1,0 +1,163 @@
+//! The ways in which the sections of a source are named.
+
+use stickler_types::{Code, ElementaryType};
+
+use super::near::suggestion;
+
+/// The names that the sections of a source have.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Sections {
+    /// Headings, letter by letter, and other names.
+    pub(super) headings: Vec<String>,
+    /// The kinds of names that cannot be listed.
+    pub(super) forms: Vec<Form>,
+}
+
+/// A kind of names of sections.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// A cell of a table of types, `SINT to INT`.
+    Cells,
+    /// A clause, a table or an annex of the standard: `6.3.4`, `Table 3`, `Annex B`.
+    Clauses,
+    /// A diagnostic code of the registry, `P4035`.
+    Codes,
+    /// The path of a file in a repository, `tests/lit/single/conversion/to_num.st`.
+    Paths,
+    /// A section of Stickler's own design, `§8`.
+    Design,
+}
+
+impl Form {
+    const ALL: [Form; 5] = [Form::Cells, Form::Clauses, Form::Codes, Form::Paths, Form::Design];
+
+    /// Returns the form that a word of the key `sections` stands for.
+    pub(super) fn from_word(word: &str) -> Option<Form> {
+        Form::ALL.into_iter().find(|form| form.word() == word)
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Form::Cells => "cells",
+            Form::Clauses => "clauses",
+            Form::Codes => "codes",
+            Form::Paths => "paths",
+            Form::Design => "design",
+        }
+    }
+
+    fn has(self, section: &str) -> bool {
+        match self {
+            Form::Cells => is_cell(section),
+            Form::Clauses => is_clause(section),
+            Form::Codes => section.parse::<Code>().is_ok(),
+            Form::Paths => is_path(section),
+            Form::Design => is_design_section(section),
+        }
+    }
+
+    /// Returns the example that a message gives.
+    fn example(self) -> &'static str {
+        match self {
+            Form::Cells => "a cell like `SINT to INT`",
+            Form::Clauses => "a clause, a table or an annex: `6.3.4`, `Table 3`, `Annex B`",
+            Form::Codes => "a code: `P4035`",
+            Form::Paths => "the path of a file: `tests/example.st`",
+            Form::Design => "`§1` to `§9`",
+        }
+    }
+}
+
+impl Sections {
+    /// Returns what the sections are, as a message says it, if the source has no such section.
+    pub(super) fn unknown(&self, section: &str) -> Option<String> {
+        let is_known = self.headings.iter().any(|known| known == section)
+            || self.forms.iter().any(|form| form.has(section));
+        if is_known {
+            return None;
+        }
+        let forms: Vec<&str> = self.forms.iter().map(|form| form.example()).collect();
+        let headings = self.headings.iter().map(String::as_str);
+        Some(match (forms.is_empty(), self.headings.is_empty()) {
+            (true, _) => suggestion(section, headings),
+            (false, true) => format!("write {}", forms.join(", or ")),
+            (false, false) => format!(
+                "{}, or write {}",
+                suggestion(section, headings),
+                forms.join(", or ")
+            ),
+        })
+    }
+}
+
+/// Returns the part of a heading's address that pages give it: lower-case words with hyphens between them.
+pub(super) fn anchor(heading: &str) -> String {
+    let words = heading.split(|c: char| !c.is_alphanumeric());
+    let words: Vec<String> = words
+        .filter(|word| !word.is_empty())
+        .map(str::to_lowercase)
+        .collect();
+    words.join("-")
+}
+
+/// Returns the headings of the second level of a Markdown text.
+pub(super) fn headings(markdown: &str) -> Vec<String> {
+    let mut in_code = false;
+    let lines = markdown.lines().filter(|line| {
+        let is_fence = line.trim_start().starts_with("```");
+        in_code ^= is_fence;
+        !in_code
+    });
+    lines
+        .filter_map(|line| line.strip_prefix("## "))
+        .map(|heading| heading.trim().to_owned())
+        .collect()
+}
+
+fn is_cell(section: &str) -> bool {
+    let known = |name: &str| ElementaryType::from_name(name).is_some();
+    section
+        .split_once(" to ")
+        .is_some_and(|(from, to)| known(from) && known(to))
+}
+
+fn is_clause(section: &str) -> bool {
+    let number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    let annex = |text: &str| text.starts_with(|c: char| c.is_ascii_uppercase());
+    number(section)
+        || section.strip_prefix("Table ").is_some_and(number)
+        || section.strip_prefix("Annex ").is_some_and(annex)
+}
+
+fn is_path(section: &str) -> bool {
+    let is_name = |part: &str| !part.is_empty() && part != ".." && !part.contains(char::is_whitespace);
+    section.contains(['/', '.']) && section.split('/').all(is_name)
+}
+
+fn is_design_section(section: &str) -> bool {
+    let number = section.strip_prefix('§').and_then(|rest| rest.split('.').next());
+    number.is_some_and(|number| number.parse().is_ok_and(|number: u8| (1..=9).contains(&number)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_anchor_is_the_words_of_a_heading() {
+        assert_eq!(anchor("TRUNC vs. ROUND"), "trunc-vs-round");
+        assert_eq!(anchor("Byte / Word (short)"), "byte-word-short");
+    }
+
+    #[test]
+    fn headings_of_the_second_level_are_read_outside_code() {
+        let text = "# Title\n## one\n```\n## no heading\n```\n### deeper\n##  two \n";
+        assert_eq!(headings(text), ["one", "two"]);
+    }
+
+    #[test]
+    fn a_path_has_no_empty_part_and_leads_nowhere_else() {
+        assert!(is_path("tests/lit/to_num.st") && is_path("README.md"));
+        assert!(!is_path("a heading") && !is_path("tests//x.st") && !is_path("../x.st"));
+    }
+}
