@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use rustc_hash::FxHashSet;
+use rustc_hash::FxHashMap;
 use stickler_types::DialectName;
 use toml::Spanned;
 
 use crate::assembly::{Assembly, TypeNames};
+use crate::bases::OR;
 use crate::dialects::Dialects;
 use crate::error::Mistake;
 use crate::model::{Case, MatrixCell};
@@ -44,6 +45,7 @@ pub(crate) struct Frame {
 pub(crate) struct Group<'a> {
     pub(crate) id: Arc<str>,
     pub(crate) title: Arc<str>,
+    /// The bases, of which each dialect has the first whose source speaks for it.
     pub(crate) basis: Arc<str>,
     /// The line of the case file to which a mistake in the basis belongs.
     pub(crate) basis_line: u32,
@@ -60,8 +62,8 @@ pub(crate) struct Harvest {
     pub(crate) mistakes: Vec<Mistake>,
     /// The warnings of lint about the file, beside its mistakes.
     pub(crate) remarks: Vec<Mistake>,
-    /// The bases that were checked, each in its dialects.
-    pub(crate) checked: FxHashSet<(Arc<str>, DialectName)>,
+    /// The basis that a dialect has of several; each was checked.
+    pub(crate) chosen: FxHashMap<(Arc<str>, DialectName), Arc<str>>,
 }
 
 impl Harvest {
@@ -82,11 +84,12 @@ impl Harvest {
         dialects: &[DialectName],
     ) {
         for &dialect in dialects {
+            let basis = self.basis(context.sources, group, dialect);
             let case = Case {
                 id: Arc::clone(&group.id),
                 dialect,
                 title: Arc::clone(&group.title),
-                basis: Arc::clone(&group.basis),
+                basis,
                 summary: frame.summary.clone(),
                 file: Arc::clone(&context.file),
                 area: Arc::clone(&context.area),
@@ -100,18 +103,32 @@ impl Harvest {
                 observe: Arc::clone(&group.assembly.observe),
                 cell: group.cell.map(Arc::clone),
             };
-            if !case.is_stated() && self.checked.insert((Arc::clone(&case.basis), dialect)) {
-                self.check_basis(context.sources, group);
-            }
             self.cases.push(case);
         }
     }
 
-    /// Adds a warning if no source has the basis of a group.
-    fn check_basis(&mut self, sources: &Sources, group: &Group<'_>) {
-        if let Err(message) = sources.check(&group.basis) {
-            self.remark(Mistake::new(group.basis_line, message).key("basis"));
+    /// Returns the basis that a case of a dialect has, and adds a warning for each that no source has.
+    fn basis(&mut self, sources: &Sources, group: &Group<'_>, dialect: DialectName) -> Arc<str> {
+        let key = (Arc::clone(&group.basis), dialect);
+        if let Some(chosen) = self.chosen.get(&key) {
+            return Arc::clone(chosen);
         }
+        for basis in group.basis.split(OR) {
+            let is_of_definition = dialect.definition().is_some()
+                && basis
+                    .split_once(':')
+                    .is_some_and(|(source, _)| source == dialect.as_str());
+            if let (false, Err(message)) = (is_of_definition, sources.check(basis)) {
+                self.remark(Mistake::new(group.basis_line, message).key("basis"));
+            }
+        }
+        let first = || group.basis.split(OR).next();
+        let chosen = match sources.choose(&group.basis, dialect).or_else(first) {
+            Some(chosen) if chosen.len() < group.basis.len() => chosen.into(),
+            _ => Arc::clone(&group.basis),
+        };
+        self.chosen.insert(key, Arc::clone(&chosen));
+        chosen
     }
 }
 

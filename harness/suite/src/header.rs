@@ -5,12 +5,14 @@ use std::sync::Arc;
 use serde::Deserialize;
 use toml::Spanned;
 
+use crate::bases::Bases;
+
 /// The header of a `.st` file.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Header {
     pub(crate) title: String,
-    pub(crate) basis: Spanned<String>,
+    pub(crate) basis: Spanned<Bases>,
     pub(crate) dialects: Vec<Spanned<String>>,
     pub(crate) scans: Option<Spanned<u32>>,
     #[serde(default)]

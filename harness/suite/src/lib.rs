@@ -18,6 +18,7 @@
 
 mod assemble;
 mod assembly;
+mod bases;
 mod condition;
 mod conversion_call;
 mod defined;
@@ -42,6 +43,7 @@ mod table;
 mod template;
 mod toml_text;
 
+pub use bases::{Bases, OR};
 pub use dialects::{DialectEntry, Dialects};
 pub use error::CaseFileError;
 pub use files::FileKind;

@@ -102,7 +102,7 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
         return;
     }
     note_marks_without_dialect(&program, &dialects, harvest);
-    let basis: Arc<str> = header.basis.get_ref().as_str().into();
+    let basis: Arc<str> = header.basis.get_ref().text().into();
     let title: Arc<str> = header.title.as_str().into();
     let source = program.fill(&mut String::new(), &[]);
     for (active, members) in program.groups(&dialects, &[]) {

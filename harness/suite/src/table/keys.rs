@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
+use crate::bases::Bases;
 use crate::toml_text::{Scalar, Strings, TextOr};
 
 /// The keys of a whole table file.
@@ -12,7 +13,7 @@ use crate::toml_text::{Scalar, Strings, TextOr};
 #[serde(deny_unknown_fields)]
 pub(crate) struct TableFile {
     pub(crate) title: String,
-    pub(crate) basis: Spanned<String>,
+    pub(crate) basis: Spanned<Bases>,
     pub(crate) dialects: Option<Vec<Spanned<String>>>,
     pub(crate) summary: Option<String>,
     #[serde(default)]
@@ -66,7 +67,7 @@ pub(crate) enum MatrixKey {
 pub(crate) struct MatrixTable {
     pub(crate) name: Option<Spanned<String>>,
     pub(crate) dialects: Option<Vec<Spanned<String>>>,
-    pub(crate) basis: Option<Spanned<String>>,
+    pub(crate) basis: Option<Spanned<Bases>>,
     pub(crate) title: Option<Spanned<String>>,
     pub(crate) table: Spanned<String>,
 }
@@ -95,7 +96,7 @@ pub(crate) struct ProbeKey {
     pub(crate) only: Option<Spanned<String>>,
     pub(crate) dialects: Option<Vec<Spanned<String>>>,
     pub(crate) title: Option<Spanned<String>>,
-    pub(crate) basis: Option<Spanned<String>>,
+    pub(crate) basis: Option<Spanned<Bases>>,
     pub(crate) summary: Option<String>,
     pub(crate) scans: Option<Spanned<u32>>,
     #[serde(default)]

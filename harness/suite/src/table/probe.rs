@@ -123,16 +123,16 @@ impl Reader<'_, '_> {
             title: key
                 .title
                 .as_ref()
-                .and_then(|title| self.template(title, "probe.title")),
+                .and_then(|title| self.template(title, title.get_ref(), "probe.title")),
             basis: key
                 .basis
                 .as_ref()
-                .and_then(|basis| self.template(basis, "probe.basis")),
+                .and_then(|basis| self.template(basis, basis.get_ref().text(), "probe.basis")),
             expect: key
                 .expect
                 .as_ref()
                 .or(file.expect.as_ref())
-                .and_then(|expect| self.template(expect, "expect")),
+                .and_then(|expect| self.template(expect, expect.get_ref(), "expect")),
             frame,
         })
     }
@@ -180,10 +180,10 @@ impl Reader<'_, '_> {
             .ok()
     }
 
-    fn template(&mut self, text: &Spanned<String>, key: &str) -> Option<Template> {
-        let template = Template::parse(text.get_ref(), self.placeholders.names);
+    fn template<T>(&mut self, place: &Spanned<T>, text: &str, key: &str) -> Option<Template> {
+        let template = Template::parse(text, self.placeholders.names);
         template
-            .map_err(|mistake| self.wrong(text, key, mistake.message))
+            .map_err(|mistake| self.wrong(place, key, mistake.message))
             .ok()
     }
 
@@ -200,7 +200,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn wrong(&mut self, at: &Spanned<String>, key: &str, message: String) {
+    fn wrong<T>(&mut self, at: &Spanned<T>, key: &str, message: String) {
         self.mistakes
             .push(Mistake::new(self.context.lines.line(at.span().start), message).key(key));
     }

@@ -72,7 +72,7 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
         Template::parse(text, &names).map_err(wrong).ok()
     };
     let title = template(&file.title, "title", 1);
-    let basis = template(file.basis.get_ref(), "basis", basis_line);
+    let basis = template(file.basis.get_ref().text(), "basis", basis_line);
     let (Some(title), Some(basis)) = (title, basis) else {
         return;
     };

@@ -61,7 +61,7 @@ impl Reader<'_, '_> {
             title.and_then(|title| self.template(title.get_ref(), title.span().start, "matrix.title"));
         let basis = key.and_then(|key| key.basis.as_ref());
         let basis =
-            basis.and_then(|basis| self.template(basis.get_ref(), basis.span().start, "matrix.basis"));
+            basis.and_then(|basis| self.template(basis.get_ref().text(), basis.span().start, "matrix.basis"));
         let name = key.and_then(|key| key.name.as_ref());
         if let Some(name) = name
             && let Err(message) = ident::check(name.get_ref())

@@ -1,0 +1,96 @@
+//! The key `basis` of a case file: one basis, or several of which each dialect has its own.
+//!
+//! Where dialects have different documents, a probe cites one for each: a case has the first whose source speaks for its dialect.
+//! In a file they are a list; within the suite, and in a cell of a column `basis`, one text with [`OR`] between them.
+
+use serde::{Deserialize, Deserializer};
+use stickler_types::DialectName;
+
+use crate::sources::Sources;
+use crate::toml_text::TextOr;
+
+/// The text between several bases of a case, of which each dialect has the first whose source speaks for it.
+pub const OR: &str = " | ";
+
+/// The value of a key `basis`: one basis, or a list of them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Bases(String);
+
+impl Bases {
+    /// Returns the bases as one text, with [`OR`] between them.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.0
+    }
+}
+
+impl<'de> Deserialize<'de> for Bases {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Ok(Bases(match TextOr::<String>::deserialize(deserializer)? {
+            TextOr::Text(text) => text,
+            TextOr::List(list) => list.join(OR),
+        }))
+    }
+}
+
+impl Sources {
+    /// Returns the basis that a case of a dialect has of several: the first whose source speaks for it or for the dialect that it
+    /// extends; `None` where none does.
+    #[must_use]
+    pub fn choose<'b>(&self, bases: &'b str, dialect: DialectName) -> Option<&'b str> {
+        let base = dialect.base().name();
+        let speaks = |basis: &&str| {
+            let source = self.of(basis).map(|(source, _)| source);
+            source.is_some_and(|source| source.speaks_for(dialect) || source.speaks_for(base))
+        };
+        bases.split(OR).find(speaks)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Suite;
+
+    #[test]
+    fn a_list_and_a_text_say_the_same() {
+        #[derive(Deserialize)]
+        struct Keys {
+            basis: Bases,
+        }
+        let text = |toml: &str| toml::from_str::<Keys>(toml).map(|keys| keys.basis.0);
+        assert_eq!(text("basis = ['a: b', 'c: d']").unwrap(), "a: b | c: d");
+        assert_eq!(text("basis = 'a: b | c: d'").unwrap(), "a: b | c: d");
+        assert!(
+            text("basis = 5")
+                .unwrap_err()
+                .to_string()
+                .contains("a string or an array")
+        );
+    }
+
+    #[test]
+    fn a_dialect_has_the_first_basis_that_speaks_for_it() {
+        let dir = tempfile::tempdir().unwrap();
+        let documents = ["page", "other"].map(|key| {
+            let dialect = if key == "page" { "matiec" } else { "plcnext" };
+            format!(
+                "[{key}]\ntitle = ''\npublisher = ''\nkind = 'document'\naddress = 'https://example.org'\nread = '1'\n\
+                 engines = []\ndialects = ['{dialect}']\nsections = ['s']\n"
+            )
+        });
+        let standard = "[standard]\ntitle = ''\npublisher = ''\nkind = 'standard'\naddress = 'https://example.org'\nread = '1'\n\
+                        sections = 'clauses'\n";
+        std::fs::write(dir.path().join("sources.toml"), documents.concat() + standard).unwrap();
+        let sources = Suite::load_files(dir.path(), &[], |_, _| false).sources;
+        let bases = "page: s | standard: 5 | other: s";
+        for (dialect, chosen) in [
+            (DialectName::Matiec, Some("page: s")),
+            (DialectName::IronplcEd3, Some("standard: 5")),
+            (DialectName::Plcnext, Some("standard: 5")),
+        ] {
+            assert_eq!(sources.choose(bases, dialect), chosen, "{dialect}");
+        }
+        assert_eq!(sources.choose("page: s | nowhere: s", DialectName::Plcnext), None);
+    }
+}
