@@ -1,7 +1,7 @@
 //! Asks an engine for everything that a case needs, and holds its answers.
 
-use stickler_engines::{EngineError, EngineSession, Outcome, Packed, RunRequest};
-use stickler_suite::Case;
+use stickler_engines::{Ability, EngineError, EngineSession, Outcome, Packed, RunRequest};
+use stickler_suite::{Acceptance, Case};
 
 /// Everything that an engine answered about one case.
 #[derive(Clone, PartialEq, Debug)]
@@ -55,6 +55,21 @@ pub fn ask(session: &mut EngineSession<'_>, case: &Case) -> Result<Answers, Engi
         false => None,
     };
     Ok(Answers { run, rendering })
+}
+
+/// Returns the ability of an engine that shows whether it meets a case, for a reproduction without Stickler: a rejection shows
+/// in a check, a rendered text in rendering, and all else only when the program is executed.
+#[must_use]
+pub fn shown_by(case: &Case) -> Ability {
+    let expectation = &*case.expectation;
+    if expectation.rendered.is_some() {
+        return Ability::Render;
+    }
+    let executed = expectation.fault.is_some() || !case.observe.is_empty();
+    match expectation.accepted {
+        Acceptance::Required if executed => Ability::Execute,
+        Acceptance::Required | Acceptance::Rejected | Acceptance::Observed => Ability::Check,
+    }
 }
 
 /// Asks an engine to run several programs in one request. None of the cases may need more than a run.

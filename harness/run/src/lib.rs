@@ -22,7 +22,7 @@ mod schedule;
 mod select;
 
 pub use answer_store::AnswerStore;
-pub use answers::{Answers, Rendering, ask};
+pub use answers::{Answers, Rendering, ask, shown_by};
 pub use baseline::{
     Baseline, BaselineError, Blessing, Change, ChangeKind, EngineRun, Entry, MatchedBaseline, bless,
 };

@@ -42,6 +42,7 @@ mod suite;
 mod table;
 mod template;
 mod toml_text;
+mod unmarked;
 
 pub use bases::{Bases, OR};
 pub use dialects::{DialectEntry, Dialects};

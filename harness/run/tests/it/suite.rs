@@ -2,8 +2,8 @@
 
 use crate::fixtures::timeless_events;
 use std::path::Path;
-use stickler_engines::Reference;
-use stickler_run::{Event, Plan};
+use stickler_engines::{EngineSession, Reference};
+use stickler_run::{Event, Grade, Plan, Verdict, ask, judge};
 use stickler_suite::Suite;
 use stickler_workers::Shard;
 
@@ -28,4 +28,28 @@ fn two_runs_of_the_suite_give_the_same_events_but_for_durations() {
         assert_eq!(first, second);
     }
     assert_eq!(alone.len(), events(&suite, &reference, 2).len());
+}
+
+/// Whatever stands in a program, its meaning and the lines of what is expected of it stay the same without its marks.
+#[test]
+fn the_reference_meets_cases_without_their_marks() {
+    let suite = Suite::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases"));
+    let reference = Reference::new();
+    let mut session = EngineSession::new(&reference);
+    let mut seen = 0;
+    for case in suite.cases.iter().filter(|case| &*case.area == "language") {
+        let unmarked = case.without_marks();
+        assert!(!unmarked.source.contains("(*!"), "{}", case.id);
+        let answers = ask(&mut session, &unmarked).unwrap();
+        let judgement = judge(&unmarked, &answers, Grade::Code);
+        assert_eq!(
+            judgement.verdict,
+            Verdict::Pass,
+            "{}: {judgement:?}\n{}",
+            case.key(),
+            unmarked.source
+        );
+        seen += 1;
+    }
+    assert!(seen > 1000, "only {seen} cases");
 }
