@@ -1,7 +1,7 @@
 //! The event of a case: an engine's answers judged, and the judgement matched with the baseline.
 
 use crate::event::CaseEvent;
-use crate::judge::{is_open, judge};
+use crate::judge::judge;
 use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict};
 use std::time::Duration;
 use stickler_engines::Identity;
@@ -38,7 +38,7 @@ impl CaseJudge<'_> {
             dialect: case.dialect.as_str().to_owned(),
             engine: self.engine.name.clone(),
             verdict: judgement.verdict,
-            open: is_open(case),
+            open: case.is_open(),
             grade: judgement.grade,
             basis: case.basis.to_string(),
             file: case.file.to_string(),

@@ -5,7 +5,7 @@
 //! results differ, the documents of the base dialect do not apply to the custom one, and no document says what happens
 //! instead. Such a case is dropped and counted.
 
-use crate::{DefinedHeader, Grade, Plan, RunError, ask, is_open, judge, select};
+use crate::{DefinedHeader, Grade, Plan, RunError, ask, judge, select};
 use stickler_engines::{EngineSession, Reference};
 use stickler_suite::Case;
 use stickler_types::DialectName;
@@ -21,7 +21,7 @@ const BATCH_LEN: usize = 64;
 /// [`RunError::Workers`] where the system gives no threads; [`RunError::Engine`] where the reference has no session.
 pub fn drop_changed_cases(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case>, RunError> {
     let taken_over =
-        |case: &&Case| case.dialect.definition().is_some() && !case.is_stated() && !is_open(case);
+        |case: &&Case| case.dialect.definition().is_some() && !case.is_stated() && !case.is_open();
     let selected: Vec<&Case> = select(plan, cases).into_iter().filter(taken_over).collect();
     if selected.is_empty() {
         return Ok(Vec::new());

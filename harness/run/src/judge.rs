@@ -67,28 +67,6 @@ pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
     }
 }
 
-/// Returns whether a case only records: it asserts nothing but that the program is accepted.
-#[must_use]
-pub fn is_open(case: &Case) -> bool {
-    let Expectation {
-        accepted,
-        diagnostics,
-        clean_lines,
-        values,
-        fault,
-        rendered,
-    } = &*case.expectation;
-    let asserts = !(diagnostics.is_empty() && clean_lines.is_empty() && values.is_empty())
-        || fault.is_some()
-        || rendered.is_some();
-    match accepted {
-        _ if asserts => false,
-        Acceptance::Required => !case.observe.is_empty(),
-        Acceptance::Rejected => false,
-        Acceptance::Observed => true,
-    }
-}
-
 /// Returns the verdict and the fact where a request of the case went unanswered: nothing else of the case counts then.
 fn no_answer(answers: &Answers) -> Option<(Verdict, Fact)> {
     if let Outcome::Rendered { .. } = answers.run {

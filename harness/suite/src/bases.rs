@@ -34,14 +34,12 @@ impl<'de> Deserialize<'de> for Bases {
 }
 
 impl Sources {
-    /// Returns the basis that a case of a dialect has of several: the first whose source speaks for it or for the dialect that it
-    /// extends; `None` where none does.
+    /// Returns the basis that a case of a dialect has of several: the first whose source speaks for it; `None` where none does.
     #[must_use]
     pub fn choose<'b>(&self, bases: &'b str, dialect: DialectName) -> Option<&'b str> {
-        let base = dialect.base().name();
         let speaks = |basis: &&str| {
-            let source = self.of(basis).map(|(source, _)| source);
-            source.is_some_and(|source| source.speaks_for(dialect) || source.speaks_for(base))
+            self.of(basis)
+                .is_some_and(|(source, _)| source.speaks_for(dialect))
         };
         bases.split(OR).find(speaks)
     }

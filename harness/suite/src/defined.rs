@@ -3,6 +3,7 @@
 //! Their values come from exact arithmetic with the choices of the definition.
 
 use crate::assembly::TypeNames;
+use crate::citations::NOT_STATED;
 use crate::conversion_call::Call;
 use crate::model::{Acceptance, Case, Expectation, ExpectedValue};
 use std::sync::Arc;
@@ -57,7 +58,10 @@ pub(crate) fn restate(case: &mut Case, names: &TypeNames) {
             case.title = format!("{}({}) in {}", call.function, call.operand, case.dialect).into();
             case.summary = None;
         }
-        None => expectation.accepted = Acceptance::Observed,
+        None => {
+            expectation.accepted = Acceptance::Observed;
+            case.basis = NOT_STATED.into();
+        }
     }
     case.expectation = Arc::new(expectation);
     case.observe = [Observation {

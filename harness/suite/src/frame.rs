@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use rustc_hash::FxHashMap;
 use stickler_types::DialectName;
 use toml::Spanned;
 
 use crate::assembly::{Assembly, TypeNames};
-use crate::bases::OR;
+use crate::citations::{Citations, WrittenBasis};
 use crate::dialects::Dialects;
 use crate::error::Mistake;
 use crate::model::{Case, MatrixCell};
@@ -26,7 +25,8 @@ pub(crate) struct FileContext<'a> {
     pub(crate) text: &'a str,
     pub(crate) lines: Lines,
     pub(crate) dialects: &'a Dialects,
-    pub(crate) sources: &'a Sources,
+    /// The sources that cases may cite; `None` where they are not known.
+    pub(crate) sources: Option<&'a Sources>,
     pub(crate) type_names: &'a TypeNames,
     /// The limits on the expansion of the file.
     pub(crate) budget: Budget,
@@ -45,10 +45,8 @@ pub(crate) struct Frame {
 pub(crate) struct Group<'a> {
     pub(crate) id: Arc<str>,
     pub(crate) title: Arc<str>,
-    /// The bases, of which each dialect has the first whose source speaks for it.
-    pub(crate) basis: Arc<str>,
-    /// The line of the case file to which a mistake in the basis belongs.
-    pub(crate) basis_line: u32,
+    /// The basis that the file writes for the cases, if it writes one.
+    pub(crate) basis: Option<WrittenBasis>,
     pub(crate) line: u32,
     pub(crate) source: Arc<str>,
     pub(crate) assembly: Assembly,
@@ -62,8 +60,8 @@ pub(crate) struct Harvest {
     pub(crate) mistakes: Vec<Mistake>,
     /// The warnings of lint about the file, beside its mistakes.
     pub(crate) remarks: Vec<Mistake>,
-    /// The basis that a dialect has of several; each was checked.
-    pub(crate) chosen: FxHashMap<(Arc<str>, DialectName), Arc<str>>,
+    /// The bases that the cases cite.
+    pub(crate) citations: Citations,
 }
 
 impl Harvest {
@@ -83,8 +81,13 @@ impl Harvest {
         group: &Group<'_>,
         dialects: &[DialectName],
     ) {
+        let open = group.assembly.expectation.is_open(&group.assembly.observe);
+        let written = group.basis.as_ref();
         for &dialect in dialects {
-            let basis = self.basis(context.sources, group, dialect);
+            let basis = match open {
+                true => self.citations.none(written),
+                false => self.citations.cite(written, dialect, context.sources),
+            };
             let case = Case {
                 id: Arc::clone(&group.id),
                 dialect,
@@ -105,30 +108,6 @@ impl Harvest {
             };
             self.cases.push(case);
         }
-    }
-
-    /// Returns the basis that a case of a dialect has, and adds a warning for each that no source has.
-    fn basis(&mut self, sources: &Sources, group: &Group<'_>, dialect: DialectName) -> Arc<str> {
-        let key = (Arc::clone(&group.basis), dialect);
-        if let Some(chosen) = self.chosen.get(&key) {
-            return Arc::clone(chosen);
-        }
-        for basis in group.basis.split(OR) {
-            let is_of_definition = dialect.definition().is_some()
-                && basis
-                    .split_once(':')
-                    .is_some_and(|(source, _)| source == dialect.as_str());
-            if let (false, Err(message)) = (is_of_definition, sources.check(basis)) {
-                self.remark(Mistake::new(group.basis_line, message).key("basis"));
-            }
-        }
-        let first = || group.basis.split(OR).next();
-        let chosen = match sources.choose(&group.basis, dialect).or_else(first) {
-            Some(chosen) if chosen.len() < group.basis.len() => chosen.into(),
-            _ => Arc::clone(&group.basis),
-        };
-        self.chosen.insert(key, Arc::clone(&chosen));
-        chosen
     }
 }
 

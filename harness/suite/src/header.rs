@@ -12,7 +12,7 @@ use crate::bases::Bases;
 #[serde(deny_unknown_fields)]
 pub(crate) struct Header {
     pub(crate) title: String,
-    pub(crate) basis: Spanned<Bases>,
+    pub(crate) basis: Option<Spanned<Bases>>,
     pub(crate) dialects: Vec<Spanned<String>>,
     pub(crate) scans: Option<Spanned<u32>>,
     #[serde(default)]

@@ -19,6 +19,7 @@
 mod assemble;
 mod assembly;
 mod bases;
+mod citations;
 mod condition;
 mod conversion_call;
 mod defined;
@@ -45,6 +46,7 @@ mod toml_text;
 mod unmarked;
 
 pub use bases::{Bases, OR};
+pub use citations::NOT_STATED;
 pub use dialects::{DialectEntry, Dialects};
 pub use error::CaseFileError;
 pub use files::FileKind;

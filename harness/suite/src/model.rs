@@ -4,6 +4,8 @@
 
 use std::sync::Arc;
 
+use crate::citations::is_stated;
+
 use stickler_types::{
     ClockSetting, Code, DialectName, Fault, MatrixWord, Observation, ObservationKey, RunRequest, Setting,
     Value,
@@ -20,7 +22,8 @@ pub struct Case {
     pub dialect: DialectName,
     /// One line for a person.
     pub title: Arc<str>,
-    /// The document and section that the expectation comes from, `source: section`.
+    /// The source and section that the expectation comes from, `source: section`; [`NOT_STATED`](crate::NOT_STATED) for a case
+    /// that asserts nothing.
     pub basis: Arc<str>,
     /// A paragraph for a person, where the file gives one.
     pub summary: Option<Arc<str>>,
@@ -69,8 +72,13 @@ impl Case {
     /// Returns whether the expectation comes from the definition of the case's dialect, and not from a document about the
     /// dialect that it extends.
     pub fn is_stated(&self) -> bool {
-        let source = self.basis.split_once(':').map(|(source, _)| source);
-        self.dialect.definition().is_some() && source == Some(self.dialect.as_str())
+        is_stated(&self.basis, self.dialect)
+    }
+
+    /// Returns whether the case only records: it asserts nothing but that the program is accepted, if that.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        self.expectation.is_open(&self.observe)
     }
 }
 
@@ -91,6 +99,30 @@ pub struct Expectation {
     pub fault: Option<ExpectedFault>,
     /// The text that the renderer must return for the bodies of the program organization units.
     pub rendered: Option<ExpectedText>,
+}
+
+impl Expectation {
+    /// Returns whether a case with this expectation, which observes these variables, only records: it asserts nothing but that
+    /// the program is accepted, if that.
+    pub(crate) fn is_open(&self, observe: &[Observation]) -> bool {
+        let Expectation {
+            accepted,
+            diagnostics,
+            clean_lines,
+            values,
+            fault,
+            rendered,
+        } = self;
+        let asserts = !(diagnostics.is_empty() && clean_lines.is_empty() && values.is_empty())
+            || fault.is_some()
+            || rendered.is_some();
+        match accepted {
+            _ if asserts => false,
+            Acceptance::Required => !observe.is_empty(),
+            Acceptance::Rejected => false,
+            Acceptance::Observed => true,
+        }
+    }
 }
 
 /// Whether a program must be accepted.

@@ -1,6 +1,6 @@
 //! Reads `*.st` files: one annotated program becomes a case in each of its dialects.
 //!
-//! Basis: conformance-cases/README.md (marks).
+//! WrittenBasis: conformance-cases/README.md (marks).
 
 use std::sync::Arc;
 
@@ -9,6 +9,7 @@ use toml::Spanned;
 
 use crate::assemble::Assembler;
 use crate::assembly::Assembly;
+use crate::citations::WrittenBasis;
 use crate::condition::Testable;
 use crate::error::Mistake;
 use crate::frame::{self, FileContext, Frame, Group, Harvest};
@@ -102,7 +103,10 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
         return;
     }
     note_marks_without_dialect(&program, &dialects, harvest);
-    let basis: Arc<str> = header.basis.get_ref().text().into();
+    let basis = header.basis.as_ref().map(|basis| WrittenBasis {
+        text: basis.get_ref().text().into(),
+        line: lines.line(basis.span().start),
+    });
     let title: Arc<str> = header.title.as_str().into();
     let source = program.fill(&mut String::new(), &[]);
     for (active, members) in program.groups(&dialects, &[]) {
@@ -117,17 +121,11 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
                     let message = format!("the case {}", Assembly::NOTHING);
                     harvest.remark(Mistake::new(1, message).hint(Assembly::SAY_OK));
                 }
-                let (id, title, basis, source) = (
-                    Arc::clone(&id),
-                    Arc::clone(&title),
-                    Arc::clone(&basis),
-                    Arc::clone(&source),
-                );
+                let (id, title, source) = (Arc::clone(&id), Arc::clone(&title), Arc::clone(&source));
                 let group = Group {
                     id,
                     title,
-                    basis,
-                    basis_line: lines.line(header.basis.span().start),
+                    basis: basis.clone(),
                     line: 1,
                     source,
                     assembly,

@@ -136,10 +136,12 @@ impl Sources {
 }
 
 impl Source {
-    /// Returns whether the source speaks for a dialect, so that a case of the dialect may cite it.
+    /// Returns whether the source speaks for a dialect, or for the dialect that it extends, so that a case of the dialect may
+    /// cite it.
     #[must_use]
     pub fn speaks_for(&self, dialect: DialectName) -> bool {
-        self.kind.speaks_for_all() || self.dialects.contains(&dialect)
+        let names = |dialect| self.dialects.contains(&dialect);
+        self.kind.speaks_for_all() || names(dialect) || names(dialect.base().name())
     }
 
     /// Returns the address at which a section stands: an address of the web, or a path below the parent of the folder of cases.

@@ -80,7 +80,7 @@ impl Suite {
         suite.remarks.extend(listing.remarks);
         let names = Names {
             dialects: &suite.dialects,
-            sources: &sources,
+            sources: Some(&sources),
             types: &type_names,
         };
         let read = |file: &files::CaseFile| {
@@ -148,7 +148,7 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
     errors.extend(read.errors);
     let names = Names {
         dialects: &dialects,
-        sources: &read.sources,
+        sources: Some(&read.sources),
         types: &TypeNames::default(),
     };
     let harvest = read_file(&file, names);
@@ -158,12 +158,12 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
 }
 
 /// Reads a case file from memory: `text` under the path `name` below a suite's root, whose extension makes it a program
-/// (`.st`) or a table (`.toml`). Returns the cases to run and the mistakes.
+/// (`.st`) or a table (`.toml`). Returns the cases to run and the mistakes, but does not ask whether a basis names a source.
 #[must_use]
 pub fn read_case_file(name: &str, text: &str, dialects: &Dialects) -> (Vec<Case>, Vec<CaseFileError>) {
     let names = Names {
         dialects,
-        sources: &Sources::default(),
+        sources: None,
         types: &TypeNames::default(),
     };
     let harvest = match files::kind(name) {
@@ -184,7 +184,7 @@ fn alone(harvest: Harvest, shown: &str) -> (Vec<Case>, Vec<CaseFileError>) {
 #[derive(Clone, Copy)]
 struct Names<'a> {
     dialects: &'a Dialects,
-    sources: &'a Sources,
+    sources: Option<&'a Sources>,
     types: &'a TypeNames,
 }
 
@@ -232,6 +232,8 @@ fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: N
         FileKind::Program => single::read(&context),
         FileKind::Table => table::read(&context),
     };
+    harvest.mistakes.extend(harvest.citations.mistakes());
+    harvest.remarks.extend(harvest.citations.idle());
     drop_duplicates(&mut harvest);
     harvest
 }

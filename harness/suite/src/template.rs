@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use crate::citations::WrittenBasis;
+
 /// A text with placeholders, cut into the constant pieces and the slots between them.
 #[derive(Clone, Debug)]
 pub(crate) struct Template {
@@ -30,6 +32,23 @@ struct Slot {
 pub(crate) struct TemplateMistake {
     pub(crate) offset: usize,
     pub(crate) message: String,
+}
+
+/// A template with the line of the case file on which it is written.
+#[derive(Clone, Debug)]
+pub(crate) struct BasisTemplate {
+    pub(crate) template: Template,
+    pub(crate) line: u32,
+}
+
+impl BasisTemplate {
+    /// Returns the basis that the template writes for one case.
+    pub(crate) fn basis(&self, scratch: &mut String, texts: &[&str]) -> WrittenBasis {
+        WrittenBasis {
+            text: self.template.fill(scratch, texts),
+            line: self.line,
+        }
+    }
 }
 
 impl Template {

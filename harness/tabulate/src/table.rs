@@ -13,6 +13,7 @@ use toml::Spanned;
 /// The keys of a case file that matter here; the suite checks all of them.
 #[derive(Deserialize)]
 struct Keys {
+    #[serde(default)]
     basis: String,
     #[serde(default)]
     dialects: Vec<String>,

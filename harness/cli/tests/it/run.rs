@@ -172,7 +172,7 @@ fn slow_suite(folder: &Path) {
     }
     let rows: String = (0..2000).map(|number| format!("[\"{number}\"],\n")).collect();
     let table = format!(
-        "title = \"Endless\"\nbasis = \"stickler-design: §4\"\ndialects = [\"matiec\"]\n\
+        "title = \"Endless\"\nbasis = \"rule: two-and-two\"\ndialects = [\"matiec\"]\n\
          columns = [\"number\"]\nrows = [\n{rows}]\n\n[[probe]]\nname = \"loop\"\nsource = \"\"\"\n\
          PROGRAM main\nVAR\n    a : INT := {{number}};\nEND_VAR\n\
          WHILE a = a DO (*! fault step-limit *)\n    a := a;\nEND_WHILE;\nEND_PROGRAM\n\"\"\"\n"

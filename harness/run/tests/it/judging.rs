@@ -3,7 +3,7 @@
 use crate::fixtures::{executed, expecting, fault, named, rejected, rejection, values};
 use std::sync::Arc;
 use stickler_engines::Outcome;
-use stickler_run::{Answers, Fact, Grade, Judgement, Observed, Verdict, is_open, judge};
+use stickler_run::{Answers, Fact, Grade, Judgement, Observed, Verdict, judge};
 use stickler_suite::{Acceptance, Case, Expectation};
 use stickler_types::{Fault, Observation};
 
@@ -294,10 +294,10 @@ fn a_case_is_open_that_records_and_asserts_nothing_but_acceptance() {
         observe: Arc::new([Observation::last("x", "INT")]),
         ..expecting(expectation)
     };
-    assert!(is_open(&observing(Expectation::default())));
-    assert!(is_open(&expecting(open())), "acceptance itself is recorded");
+    assert!(observing(Expectation::default()).is_open());
+    assert!(expecting(open()).is_open(), "acceptance itself is recorded");
     assert!(
-        !is_open(&expecting(Expectation::default())),
+        !expecting(Expectation::default()).is_open(),
         "acceptance is asserted"
     );
     let clean = Expectation {
@@ -310,6 +310,6 @@ fn a_case_is_open_that_records_and_asserts_nothing_but_acceptance() {
         fault("9 division-by-zero"),
         clean,
     ] {
-        assert!(!is_open(&observing(asserting)));
+        assert!(!observing(asserting).is_open());
     }
 }

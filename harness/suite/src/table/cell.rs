@@ -1,6 +1,6 @@
 //! One cell of a matrix in one probe: the values that it takes, and the results that are expected.
 //!
-//! Basis: conformance-cases/README.md (a matrix of types).
+//! WrittenBasis: conformance-cases/README.md (a matrix of types).
 
 use std::sync::Arc;
 
@@ -9,6 +9,7 @@ use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
 use crate::assemble::Assembler;
 use crate::assembly::TypeNames;
+use crate::citations::WrittenBasis;
 use crate::defined::converted;
 use crate::model::MatrixCell;
 use crate::table::probe::{Probe, Target};
@@ -41,7 +42,7 @@ pub(crate) struct Cell<'a> {
     /// The part of the id before the value.
     pub(crate) prefix: String,
     pub(crate) place: Arc<MatrixCell>,
-    pub(crate) basis: Arc<str>,
+    pub(crate) basis: Option<WrittenBasis>,
     /// The dialect whose definition states the word of this cell in place of the matrix, if one does.
     pub(crate) stated_by: Option<DialectName>,
 }

@@ -1,6 +1,6 @@
 //! Expands a matrix into a case for every cell × probe × value × dialect.
 //!
-//! Basis: conformance-cases/README.md (a matrix of types).
+//! WrittenBasis: conformance-cases/README.md (a matrix of types).
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -10,6 +10,7 @@ use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
 use crate::assemble::Assembler;
 use crate::assembly::Assembly;
+use crate::citations::WrittenBasis;
 use crate::error::Mistake;
 use crate::frame::{Group, Harvest};
 use crate::ident;
@@ -54,7 +55,7 @@ pub(crate) fn expand(
         budget: table.context.budget,
         scratch: String::new(),
     };
-    expander.check_keys(&probes);
+    expander.check_keys(&mut probes);
     let mut counts = vec![0; probes.len()];
     for section in &sections {
         let Some(types) = expander.types(&section.matrix, &declared) else {
@@ -128,7 +129,7 @@ struct Expander<'a, 'h> {
 
 impl Expander<'_, '_> {
     /// Reports the keys that have no meaning in a matrix.
-    fn check_keys(&mut self, probes: &[Probe<'_>]) {
+    fn check_keys(&mut self, probes: &mut [Probe<'_>]) {
         if let Some(expect) = &self.table.file.expect {
             let line = self.table.context.lines.line(expect.span().start);
             let message = "`expect` belongs to a table of rows; a matrix says it by its words";
@@ -142,10 +143,11 @@ impl Expander<'_, '_> {
             if probe
                 .basis
                 .as_ref()
-                .is_some_and(|basis| basis.slots().any(|slot| slot >= TYPES))
+                .is_some_and(|basis| basis.template.slots().any(|slot| slot >= TYPES))
             {
                 let message = "a basis may use {row}, {column} and {cell} only";
                 self.wrong(Mistake::new(probe.line, message).key("probe.basis"));
+                probe.basis = None;
             }
         }
     }
@@ -259,7 +261,10 @@ impl Expander<'_, '_> {
                 word,
             }),
             basis: match stated {
-                Some((_, basis)) => basis.into(),
+                Some((_, basis)) => Some(WrittenBasis {
+                    text: basis.into(),
+                    line: row.line,
+                }),
                 None => self.basis(section, probe, &texts),
             },
             stated_by: stated.map(|(dialect, _)| dialect),
@@ -310,13 +315,13 @@ impl Expander<'_, '_> {
         id
     }
 
-    fn basis(&mut self, section: &Section<'_>, probe: &Probe<'_>, texts: &[&str]) -> Arc<str> {
-        let template = probe
+    fn basis(&mut self, section: &Section<'_>, probe: &Probe<'_>, texts: &[&str]) -> Option<WrittenBasis> {
+        let written = probe
             .basis
             .as_ref()
             .or(section.basis.as_ref())
-            .unwrap_or(&self.table.basis);
-        template.fill(&mut self.scratch, texts)
+            .or(self.table.basis.as_ref())?;
+        Some(written.basis(&mut self.scratch, texts))
     }
 
     /// Makes the cases of one value in the dialects of one group.
@@ -386,12 +391,10 @@ impl Expander<'_, '_> {
             }
             None => title.fill(&mut self.scratch, &texts),
         };
-        let basis = Arc::clone(&cell.basis);
         let group = Group {
             id,
             title,
-            basis,
-            basis_line: cell.line,
+            basis: cell.basis.clone(),
             line: cell.line,
             source,
             assembly,

@@ -1,12 +1,13 @@
 //! Expands a table of rows into a case for every row × probe × dialect.
 //!
-//! Basis: conformance-cases/README.md (a table of rows).
+//! WrittenBasis: conformance-cases/README.md (a table of rows).
 
 use stickler_types::{DialectName, Value};
 use toml::Spanned;
 
 use crate::assemble::Assembler;
 use crate::assembly::Assembly;
+use crate::citations::WrittenBasis;
 use crate::error::Mistake;
 use crate::frame::{Group, Harvest};
 use crate::ident;
@@ -294,12 +295,14 @@ impl Expander<'_, '_> {
             .map(|column| texts[column])
             .filter(|basis| !basis.is_empty())
         {
-            Some(basis) => basis.into(),
-            None => probe
-                .basis
-                .as_ref()
-                .unwrap_or(&self.table.basis)
-                .fill(&mut self.scratch, texts),
+            Some(basis) => Some(WrittenBasis {
+                text: basis.into(),
+                line,
+            }),
+            None => {
+                let written = probe.basis.as_ref().or(self.table.basis.as_ref());
+                written.map(|written| written.basis(&mut self.scratch, texts))
+            }
         };
         let title = match self
             .special
@@ -318,7 +321,6 @@ impl Expander<'_, '_> {
             id: self.id(probe, texts).into(),
             title,
             basis,
-            basis_line: line,
             line,
             source,
             assembly,
@@ -391,8 +393,10 @@ impl Expander<'_, '_> {
 fn note_unused_columns(table: &Table<'_>, names: &[Box<str>], probes: &[Probe<'_>], harvest: &mut Harvest) {
     for (slot, column) in table.file.columns.iter().flatten().enumerate() {
         let own_meaning = matches!(&*names[slot], "id" | "title" | "basis" | "dialects");
-        let in_file = [&table.title, &table.basis]
-            .iter()
+        let basis = table.basis.as_ref().map(|basis| &basis.template);
+        let in_file = [Some(&table.title), basis]
+            .into_iter()
+            .flatten()
             .any(|template| template.slots().any(|used| used == slot));
         if !own_meaning && !in_file && !probes.iter().any(|probe| probe.mentions(slot)) {
             let line = table.context.lines.line(column.span().start);

@@ -13,7 +13,7 @@ use crate::toml_text::{Scalar, Strings, TextOr};
 #[serde(deny_unknown_fields)]
 pub(crate) struct TableFile {
     pub(crate) title: String,
-    pub(crate) basis: Spanned<Bases>,
+    pub(crate) basis: Option<Spanned<Bases>>,
     pub(crate) dialects: Option<Vec<Spanned<String>>>,
     pub(crate) summary: Option<String>,
     #[serde(default)]

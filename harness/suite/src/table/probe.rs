@@ -16,7 +16,7 @@ use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::program::{Program, Remarks};
 use crate::table::keys::{ProbeKey, TableFile};
-use crate::template::Template;
+use crate::template::{BasisTemplate, Template};
 
 /// A probe, ready to be expanded.
 #[derive(Debug)]
@@ -31,7 +31,7 @@ pub(crate) struct Probe<'a> {
     /// The dialects to which the probe restricts its cases; all of them for `None`.
     pub(crate) dialects: Option<Vec<DialectName>>,
     pub(crate) title: Option<Template>,
-    pub(crate) basis: Option<Template>,
+    pub(crate) basis: Option<BasisTemplate>,
     pub(crate) expect: Option<Template>,
     pub(crate) frame: Frame,
     /// Whether each mark, by index, applied in some case.
@@ -124,10 +124,11 @@ impl Reader<'_, '_> {
                 .title
                 .as_ref()
                 .and_then(|title| self.template(title, title.get_ref(), "probe.title")),
-            basis: key
-                .basis
-                .as_ref()
-                .and_then(|basis| self.template(basis, basis.get_ref().text(), "probe.basis")),
+            basis: key.basis.as_ref().and_then(|basis| {
+                let template = self.template(basis, basis.get_ref().text(), "probe.basis")?;
+                let line = lines.line(basis.span().start);
+                Some(BasisTemplate { template, line })
+            }),
             expect: key
                 .expect
                 .as_ref()
@@ -272,7 +273,8 @@ impl Probe<'_> {
     /// Returns whether any part of the probe uses a placeholder.
     pub(crate) fn mentions(&self, slot: usize) -> bool {
         let in_template = |template: &Template| template.slots().any(|used| used == slot);
-        let templates = [&self.title, &self.basis, &self.expect];
+        let basis = self.basis.as_ref().map(|basis| &basis.template);
+        let templates = [self.title.as_ref(), basis, self.expect.as_ref()];
         self.program.uses(slot)
             || templates.into_iter().flatten().any(in_template)
             || self

@@ -7,7 +7,7 @@ use crate::frame::{FileContext, Harvest};
 use crate::program::Remarks;
 use crate::table::keys::TableFile;
 use crate::table::{cell, expand_matrix, expand_rows};
-use crate::template::{Template, TemplateMistake};
+use crate::template::{BasisTemplate, Template, TemplateMistake};
 use crate::toml_text;
 
 /// The number of mistakes in one file after which the rest is dropped, because they have one cause.
@@ -23,7 +23,7 @@ pub(crate) struct Table<'a> {
     /// The dialects of the file; `None` if it does not name any.
     pub(crate) dialects: Option<Vec<DialectName>>,
     pub(crate) title: Template,
-    pub(crate) basis: Template,
+    pub(crate) basis: Option<BasisTemplate>,
 }
 
 /// Reads a table file.
@@ -66,14 +66,22 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
     }
     let dialects = file.dialects.as_ref();
     let dialects = dialects.map(|names| context.resolve(names, "dialects", mistakes));
-    let basis_line = context.lines.line(file.basis.span().start);
     let mut template = |text: &str, key: &str, line: u32| {
         let wrong = |mistake: TemplateMistake| mistakes.push(Mistake::new(line, mistake.message).key(key));
         Template::parse(text, &names).map_err(wrong).ok()
     };
     let title = template(&file.title, "title", 1);
-    let basis = template(file.basis.get_ref().text(), "basis", basis_line);
-    let (Some(title), Some(basis)) = (title, basis) else {
+    let basis = match &file.basis {
+        Some(basis) => {
+            let line = context.lines.line(basis.span().start);
+            let Some(template) = template(basis.get_ref().text(), "basis", line) else {
+                return;
+            };
+            Some(BasisTemplate { template, line })
+        }
+        None => None,
+    };
+    let Some(title) = title else {
         return;
     };
     let table = Table {
@@ -97,7 +105,6 @@ mod tests {
     use crate::assembly::TypeNames;
     use crate::dialects::Dialects;
     use crate::place::Lines;
-    use crate::sources::Sources;
     use crate::table::Budget;
 
     fn harvest(text: &str, budget: Budget) -> Harvest {
@@ -108,7 +115,7 @@ mod tests {
             text,
             lines: Lines::new(text),
             dialects: &Dialects::default(),
-            sources: &Sources::default(),
+            sources: None,
             type_names: &TypeNames::default(),
             budget,
         })
@@ -116,12 +123,12 @@ mod tests {
 
     #[test]
     fn a_table_that_would_fill_the_memory_comes_to_an_end() {
-        let matrix = "title='t'\nbasis='b: c'\ndialects=['matiec']\nmatrix='BOOL INT\\nBOOL no no'\n\
+        let matrix = "title='t'\nbasis='rule: not-stated'\ndialects=['matiec']\nmatrix='BOOL INT\\nBOOL no no'\n\
                       [[probe]]\nname='p'\nsource='{row} (*! error P0002 *)'\n";
         let matrix = matrix
             .replace("matrix='", "matrix=\"")
             .replace("no no'", "no no\"");
-        let rows = "title='t'\nbasis='b: c'\ndialects=['matiec']\ncolumns=['a']\nrows=[['1'], ['2']]\n\
+        let rows = "title='t'\nbasis='rule: not-stated'\ndialects=['matiec']\ncolumns=['a']\nrows=[['1'], ['2']]\n\
                     [[probe]]\nname='p'\nsource='{a} (*! error P0002 *)'\n";
         for text in [&*matrix, rows] {
             assert_eq!(harvest(text, Budget::default()).cases.len(), 2);

@@ -9,7 +9,7 @@ use crate::place::TextPlace;
 use crate::table::keys::{MatrixKey, MatrixTable};
 use crate::table::matrix::Matrix;
 use crate::table::read::Table;
-use crate::template::Template;
+use crate::template::{BasisTemplate, Template};
 
 /// One matrix of a file.
 pub(crate) struct Section<'a> {
@@ -18,7 +18,7 @@ pub(crate) struct Section<'a> {
     pub(crate) matrix: Matrix,
     pub(crate) dialects: Vec<DialectName>,
     pub(crate) title: Option<Template>,
-    pub(crate) basis: Option<Template>,
+    pub(crate) basis: Option<BasisTemplate>,
 }
 
 /// Reads the matrices; leaves out those with mistakes.
@@ -60,8 +60,12 @@ impl Reader<'_, '_> {
         let title =
             title.and_then(|title| self.template(title.get_ref(), title.span().start, "matrix.title"));
         let basis = key.and_then(|key| key.basis.as_ref());
-        let basis =
-            basis.and_then(|basis| self.template(basis.get_ref().text(), basis.span().start, "matrix.basis"));
+        let basis = basis.and_then(|basis| {
+            let start = basis.span().start;
+            let template = self.template(basis.get_ref().text(), start, "matrix.basis")?;
+            let line = context.lines.line(start);
+            Some(BasisTemplate { template, line })
+        });
         let name = key.and_then(|key| key.name.as_ref());
         if let Some(name) = name
             && let Err(message) = ident::check(name.get_ref())

@@ -8,9 +8,23 @@ use stickler_suite::{Case, Suite};
 pub const DIALECTS: &str = "[groups]\nironplc = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\"]\n\
     all = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\", \"matiec\", \"plcnext\"]\n";
 
-/// The `sources.toml` of every test suite.
-pub const SOURCES: &str = "[iec-61131-3]\ntitle = \"t\"\npublisher = \"IEC\"\nkind = \"standard\"\n\
-    address = \"https://example.org\"\nread = \"3\"\nsections = \"clauses\"\n";
+/// The `sources.toml` of every test suite: each source speaks for all dialects.
+pub fn sources() -> String {
+    let sources = [
+        ("b", "['c', 'd', 'cells']"),
+        ("iec-61131-3", "'clauses'"),
+        ("forgeiec-conversion-functions", "['Range and precision']"),
+        ("ironplc-type-conversions", "['Integer widening']"),
+        ("implicit-conversion-table", "'cells'"),
+    ];
+    let source = |(key, sections)| {
+        format!(
+            "[{key}]\ntitle = 't'\npublisher = 'p'\nkind = 'standard'\naddress = 'https://example.org'\nread = '1'\n\
+             sections = {sections}\n"
+        )
+    };
+    sources.map(source).concat()
+}
 
 /// Writes `text` to `path` below `root`.
 pub fn write(root: &Path, path: &str, text: impl AsRef<[u8]>) {
@@ -25,7 +39,7 @@ pub fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let root = folder.path().join("cases");
     write(&root, "suite.toml", "version = \"1.2.3\"\n");
     write(&root, "dialects.toml", DIALECTS);
-    write(&root, "sources.toml", SOURCES);
+    write(&root, "sources.toml", sources());
     write(&root, "README.md", "");
     for (path, text) in files {
         write(&root, path, text);

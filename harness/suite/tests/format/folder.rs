@@ -191,8 +191,10 @@ fn lint_says_what_only_a_reader_would_notice() {
         ),
         (
             "a/f.st",
-            PROGRAM.replace("iec-61131-3: 6", "iec: 6"),
-            "cases/a/f.st:3: `basis`: no source `iec`",
+            PROGRAM
+                .replace("x;", "(*! observe x : INT *)")
+                .replace("(*! ok *)", ""),
+            "cases/a/f.st:3: `basis`: `iec-61131-3: 6` stands where nothing is asserted (leave it out)",
         ),
         (
             "a/f.st",
@@ -214,6 +216,48 @@ fn lint_says_what_only_a_reader_would_notice() {
         assert!(found.len() == 1 && found[0].0 == Severity::Warning, "{found:?}");
         assert!(found[0].1.starts_with(said), "{said}: {found:?}");
     }
+}
+
+#[test]
+fn a_case_that_asserts_something_cites_a_source_that_there_is() {
+    let basis = "basis = \"iec-61131-3: 6\"\n";
+    for (basis_then, said) in [
+        (
+            "basis = \"iec-61131: 6\"\n",
+            "3: `basis`: no source `iec-61131`; did you mean `iec-61131-3`?",
+        ),
+        (
+            "basis = \"iec-61131-3: six\"\n",
+            "3: `basis`: `iec-61131-3` has no section `six`; write a clause",
+        ),
+        (
+            "basis = \"rule: mine\"\n",
+            "3: `basis`: no rule `mine`; there is none",
+        ),
+        (
+            "basis = \"rule: not-stated\"\n",
+            "3: `basis`: a case asserts something, so a source must state it",
+        ),
+        (
+            "",
+            "1: `basis`: a case asserts something and has no basis (say where",
+        ),
+    ] {
+        let found = findings(&[("a/f.st", &PROGRAM.replace(basis, basis_then))]);
+        assert!(found.len() == 1 && found[0].0 == Severity::Error, "{found:?}");
+        assert!(found[0].1.contains(said), "{said}: {found:?}");
+    }
+}
+
+#[test]
+fn a_case_that_asserts_nothing_needs_no_basis_and_is_not_stated() {
+    let text = PROGRAM
+        .replace("basis = \"iec-61131-3: 6\"\n", "")
+        .replace("x; (*! ok *)", "(*! observe acceptance *)");
+    let suite = load(&[("a/f.st", &text)]);
+    assert!(suite.findings().is_empty(), "{:?}", suite.findings());
+    assert!(suite.cases[0].is_open());
+    assert_eq!(&*suite.cases[0].basis, stickler_suite::NOT_STATED);
 }
 
 #[test]

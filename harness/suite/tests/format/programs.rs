@@ -27,12 +27,12 @@ fn value(literal: &str) -> Value {
 
 #[test]
 fn a_header_describes_the_case() {
-    let text = "(*!\ntitle = \"One\"\nbasis = \"stickler-design: §8\"\ndialects = [\"matiec\"]\nscans = 3\n\
+    let text = "(*!\ntitle = \"One\"\nbasis = \"b: d\"\ndialects = [\"matiec\"]\nscans = 3\n\
                 tags = [\"a\", \"b\"]\nsummary = \"S\"\n*)\nPROGRAM main END_PROGRAM (*! ok *)\n";
     let case = &cases("area/deep/file.st", text)[0];
     assert_eq!(&*case.id, "area/deep/file");
     assert_eq!(case.key(), "area/deep/file@matiec");
-    assert_eq!((&*case.title, &*case.basis), ("One", "stickler-design: §8"));
+    assert_eq!((&*case.title, &*case.basis), ("One", "b: d"));
     assert_eq!((case.scans, case.summary.as_deref()), (3, Some("S")));
     assert_eq!(case.tags.iter().map(|tag| &**tag).collect::<Vec<_>>(), ["a", "b"]);
     assert_eq!(
@@ -212,7 +212,7 @@ fn a_header_that_is_missing_or_wrong_is_said() {
             3,
             "`basis`: invalid type: integer `3`, expected a string",
         ),
-        ("(*!\ntitle = \"t\"\n*)", 1, "missing field `basis`"),
+        ("(*!\ntitle = \"t\"\n*)", 1, "missing field `dialects`"),
         (
             "(*!\ntitle = \"t\"\nbasis = \"b: c\"\ndialects = []\n*)",
             1,

@@ -1,6 +1,6 @@
 //! Tables of rows: what becomes of rows, probes and expectations.
 
-use crate::common::{SOURCES, cases, load, one_mistake};
+use crate::common::{cases, load, one_mistake, sources};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::{DialectName, Fault};
 
@@ -115,15 +115,13 @@ fn special_columns_name_title_basis_and_dialects() {
 
 #[test]
 fn of_several_bases_a_case_has_the_first_that_speaks_for_its_dialect() {
-    let page = SOURCES.replace("iec-61131-3", "page").replace(
-        "\"standard\"",
-        "\"document\"\nengines = []\ndialects = [\"matiec\"]",
-    );
+    let page = "[page]\ntitle = 't'\npublisher = 'p'\nkind = 'document'\naddress = 'https://example.org'\nread = '1'\n\
+                engines = []\ndialects = ['matiec']\nsections = 'clauses'\n";
     let columns = "\"basis\", \"input\", \"expected\"";
     let rows = "[\"\", \"1\", \"INT#1\"],\n[\"page: 3 | iec-61131-3: 4\", \"2\", \"INT#2\"]";
     let probe = "[[probe]]\nname = \"p\"\nobserve = \"x\"\nbasis = [\"page: 1\", \"iec-61131-3: 2\"]\nsource = 'x := {input};'\n";
     let suite = load(&[
-        ("sources.toml", &(page + SOURCES)),
+        ("sources.toml", &(sources() + page)),
         ("area/file.toml", &file(columns, rows, probe)),
     ]);
     let found: Vec<_> = suite
