@@ -72,7 +72,7 @@ impl LineIndex {
         let bytes = text.as_bytes();
         let mut line_starts = Vec::with_capacity(bytes.len() / BYTES_A_LINE + 1);
         line_starts.push(0);
-        line_starts.extend(text.match_indices('\n').map(|(end, _)| saturating_u32(end + 1)));
+        line_starts.extend(memchr::memchr_iter(b'\n', bytes).map(|end| saturating_u32(end + 1)));
         let checkpoints = if text.is_ascii() {
             Vec::new()
         } else {

@@ -82,8 +82,9 @@ pub fn to_integer(value: f64, rounding: Rounding) -> u64 {
     }
 }
 
-/// A number that 64 bits hold, rounded to an integer.
-#[inline]
+/// A number that 64 bits hold, rounded to an integer. Little is left of it where the rounding is known, as in each loop of
+/// [`super::Conversion::apply_to_slice`]; a call would choose the rounding anew for each number.
+#[inline(always)]
 fn rounded(value: f64, rounding: Rounding) -> i64 {
     let whole = value as i64;
     // Exact: a part of the number's own digits.

@@ -29,13 +29,14 @@ impl Eq for CaseFolded<'_> {}
 impl Hash for CaseFolded<'_> {
     fn hash<H: Hasher>(&self, state: &mut H) {
         // Setting the bit that tells upper from lower case makes a few other characters alike too, which costs
-        // a collision now and then and saves looking at each byte.
+        // a collision now and then and saves looking at each byte. Shifting the last characters into a word is
+        // quicker than copying them into one (benchmark `render`).
         const LOWER: u64 = 0x2020_2020_2020_2020;
-        for chunk in self.0.as_bytes().chunks(8) {
-            let mut bytes = [0_u8; 8];
-            bytes[..chunk.len()].copy_from_slice(chunk);
-            state.write_u64(u64::from_le_bytes(bytes) | LOWER);
+        let (words, rest) = self.0.as_bytes().as_chunks();
+        for word in words {
+            state.write_u64(u64::from_le_bytes(*word) | LOWER);
         }
-        state.write_usize(self.0.len());
+        let rest = rest.iter().fold(0, |word, byte| word << 8 | u64::from(*byte));
+        state.write_u64(rest | LOWER);
     }
 }
