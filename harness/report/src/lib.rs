@@ -12,8 +12,7 @@
 //! | [`comparison`] | (the terminal) | a person who compares a run with an older one |
 //!
 //! A format is a module of its own that takes [`Event`](stickler_run::Event)s by an exhaustive match, or a view of the
-//! [`Overview`] that such a match gathers; a new format is a new module and a line in [`Reports`]. HTML (`html`) and SARIF
-//! (`sarif`) will come here as such modules.
+//! [`Overview`] that such a match gathers; a new format is a new module and a line in [`Reports`].
 //!
 //! *Architecture invariants.* No format has facts of its own: what is not in an event is in no report. [`claims`] is the
 //! one place that counts claims, and [`observations`] the one that compares observations. Nothing here runs, schedules or
