@@ -107,7 +107,7 @@ fn mistake(cases: &Path, path: &Path) -> Option<String> {
     }
     let name = path.file_name()?.to_string_lossy();
     let own = format!("{FOUND}/{name}");
-    let findings = stickler_suite::lint(cases);
+    let findings = stickler_suite::Suite::load(cases).findings();
     let found = findings
         .iter()
         .find(|found| found.what.to_string().contains(&own))?;

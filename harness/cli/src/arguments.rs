@@ -174,6 +174,10 @@ pub struct ListArguments {
     /// List claims instead: each section of each document, how many cases check it, and in which files
     #[arg(long)]
     pub basis: bool,
+    /// List the sources of the claims instead, and Stickler's own rules: what each is, where it opens, for whom it speaks,
+    /// and how many of the cases rest on it
+    #[arg(long, conflicts_with_all = ["basis", "left_out"])]
+    pub sources: bool,
     /// List instead the cases that a dialect of stickler.toml does not take over from the one that it extends, because
     /// what it overrides changes them and no document says how
     #[arg(long, conflicts_with = "basis")]
@@ -359,6 +363,7 @@ const LIST_EXAMPLES: &str = "\
 Examples:
   stickler list --filter bit-access/ --dialect plcnext
   stickler list --basis                             claims, with numbers of cases
+  stickler list --sources                           what the claims come from
   stickler list --json                              for other programs";
 
 const SHOW_EXAMPLES: &str = "\

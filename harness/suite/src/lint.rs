@@ -22,13 +22,16 @@ pub enum Severity {
     Warning,
 }
 
-/// Reads the suite at `dir` and returns its mistakes and warnings, ordered by file and line.
-pub fn lint(dir: &Path) -> Vec<Finding> {
-    Suite::load(dir).findings()
+/// Reads the suite at `dir`, whose sources may speak for these built-in `engines`; returns its mistakes and warnings, ordered by
+/// file and line.
+pub fn lint(dir: &Path, engines: &[&str]) -> Vec<Finding> {
+    let mut suite = Suite::load(dir);
+    suite.errors.extend(suite.sources.unknown_engines(engines));
+    suite.findings()
 }
 
 impl Suite {
-    /// Returns the mistakes and warnings for the files of the suite, ordered by file and line.
+    /// Returns the mistakes and warnings for the files of a suite that was loaded as a whole, ordered by file and line.
     pub fn findings(&self) -> Vec<Finding> {
         let finding = |severity| {
             move |what: &CaseFileError| Finding {
@@ -37,7 +40,12 @@ impl Suite {
             }
         };
         let errors = self.errors.iter().map(finding(Severity::Error));
-        let warnings = self.remarks.iter().map(finding(Severity::Warning));
+        // Where something else is wrong, that may be the reason.
+        let unused = match self.errors.is_empty() && self.remarks.is_empty() {
+            true => self.sources.unused(self.cases.iter().map(|case| &*case.basis)),
+            false => Vec::new(),
+        };
+        let warnings = self.remarks.iter().chain(&unused).map(finding(Severity::Warning));
         let mut findings: Vec<Finding> = errors.chain(warnings).collect();
         findings.sort_by(|a, b| (&a.what, a.severity).cmp(&(&b.what, b.severity)));
         findings.dedup();

@@ -3,6 +3,7 @@
 //! A basis is written `source: section`: a key of `sources.toml`, or `rule` for one of Stickler's own rules in `rules.md`, and a
 //! section by the name that it has there, so that a claim can be traced from a report to the sentence.
 
+mod lint;
 mod near;
 mod read;
 mod sections;
@@ -22,6 +23,9 @@ const RULE: &str = "rule";
 pub struct Sources {
     /// Ordered by key; the rules stand last.
     sources: Vec<Source>,
+    /// The paths of `sources.toml` and `rules.md`, as messages show them.
+    file: String,
+    rules: String,
 }
 
 /// A public text, a recording or a measurement that expectations come from, or Stickler's own rules.

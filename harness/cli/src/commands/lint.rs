@@ -5,6 +5,7 @@ use crate::case_folder::CaseFolder;
 use crate::exit::Exit;
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
+use stickler_engines::Compiler;
 use stickler_suite::{Finding, Severity};
 
 const ERROR: Style = AnsiColor::Red.on_default().bold();
@@ -16,7 +17,8 @@ const WARNING: Style = AnsiColor::Yellow.on_default().bold();
 /// No folder of cases.
 pub fn execute(arguments: &LintArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let findings = stickler_suite::lint(&folder.path);
+    let engines = Compiler::ALL.map(Compiler::name);
+    let findings = stickler_suite::lint(&folder.path, &engines);
     findings.iter().try_for_each(|finding| write(finding, out))?;
     match findings.len() {
         0 => writeln!(out, "{}: nothing to complain about", folder.path.display())?,

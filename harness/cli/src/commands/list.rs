@@ -1,4 +1,6 @@
-//! `stickler list`: lists the cases, or the claims that they check.
+//! `stickler list`: lists the cases, the claims that they check, or the sources of the claims.
+
+mod sources;
 
 use crate::arguments::ListArguments;
 use crate::case_folder::{self, CaseFolder, Loaded};
@@ -14,7 +16,7 @@ use stickler_suite::Case;
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
 
-/// Lists the selected cases or their claims.
+/// Lists the selected cases, their claims, or the sources of these.
 ///
 /// # Errors
 /// No folder of cases; nothing selected.
@@ -29,6 +31,10 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
     };
     if cases.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));
+    }
+    if arguments.sources {
+        sources::write(out, &suite.sources, &cases, arguments.json)?;
+        return Ok(case_folder::exit_of(&suite));
     }
     if arguments.basis {
         write_claims(out, &claims(&cases), arguments.json)?;

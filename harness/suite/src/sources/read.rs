@@ -74,7 +74,11 @@ pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
     sources.push(rules);
     errors.extend(mistake);
     SourcesRead {
-        sources: Sources { sources },
+        sources: Sources {
+            sources,
+            file: shown,
+            rules: root.shown(RULES),
+        },
         errors,
         remarks,
     }
@@ -93,7 +97,7 @@ fn rules(root: &files::Root) -> (Source, Option<CaseFileError>) {
     };
     let source = Source {
         key: RULE.to_owned(),
-        title: "Stickler's own rules".to_owned(),
+        title: "Rules".to_owned(),
         publisher: "Stickler".to_owned(),
         kind: SourceKind::Rule,
         address: format!("{}#{{section}}", root.shown(RULES)),
@@ -229,10 +233,11 @@ impl Reader<'_> {
             }
         }
         for section in listed.into_iter().flatten() {
+            let line = self.lines.line(section.span().start);
             let section = section.into_inner();
             match Form::from_word(&section) {
                 Some(form) => sections.forms.push(form),
-                None => sections.headings.push(section),
+                None => sections.headings.push((section, line)),
             }
         }
         sections

@@ -7,8 +7,8 @@ use super::near::suggestion;
 /// The names that the sections of a source have.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sections {
-    /// Headings, letter by letter, and other names.
-    pub(super) headings: Vec<String>,
+    /// Headings, letter by letter, and other names; each with its line in the file that has it.
+    pub(super) headings: Vec<(String, u32)>,
     /// The kinds of names that cannot be listed.
     pub(super) forms: Vec<Form>,
 }
@@ -71,13 +71,13 @@ impl Form {
 impl Sections {
     /// Returns what the sections are, as a message says it, if the source has no such section.
     pub(super) fn unknown(&self, section: &str) -> Option<String> {
-        let is_known = self.headings.iter().any(|known| known == section)
+        let is_known = self.headings.iter().any(|(known, _)| known == section)
             || self.forms.iter().any(|form| form.has(section));
         if is_known {
             return None;
         }
         let forms: Vec<&str> = self.forms.iter().map(|form| form.example()).collect();
-        let headings = self.headings.iter().map(String::as_str);
+        let headings = self.headings.iter().map(|(heading, _)| heading.as_str());
         Some(match (forms.is_empty(), self.headings.is_empty()) {
             (true, _) => suggestion(section, headings),
             (false, true) => format!("write {}", forms.join(", or ")),
@@ -100,17 +100,16 @@ pub(super) fn anchor(heading: &str) -> String {
     words.join("-")
 }
 
-/// Returns the headings of the second level of a Markdown text.
-pub(super) fn headings(markdown: &str) -> Vec<String> {
+/// Returns the headings of the second level of a Markdown text, each with its line.
+pub(super) fn headings(markdown: &str) -> Vec<(String, u32)> {
     let mut in_code = false;
-    let lines = markdown.lines().filter(|line| {
+    let lines = (1..).zip(markdown.lines()).filter(|(_, line)| {
         let is_fence = line.trim_start().starts_with("```");
         in_code ^= is_fence;
         !in_code
     });
     lines
-        .filter_map(|line| line.strip_prefix("## "))
-        .map(|heading| heading.trim().to_owned())
+        .filter_map(|(number, line)| Some((line.strip_prefix("## ")?.trim().to_owned(), number)))
         .collect()
 }
 
@@ -152,7 +151,7 @@ mod tests {
     #[test]
     fn headings_of_the_second_level_are_read_outside_code() {
         let text = "# Title\n## one\n```\n## no heading\n```\n### deeper\n##  two \n";
-        assert_eq!(headings(text), ["one", "two"]);
+        assert_eq!(headings(text), [("one".to_owned(), 2), ("two".to_owned(), 7)]);
     }
 
     #[test]

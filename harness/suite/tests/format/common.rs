@@ -8,8 +8,8 @@ use stickler_suite::{Case, Suite};
 pub const DIALECTS: &str = "[groups]\nironplc = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\"]\n\
     all = [\"ironplc-ed2\", \"ironplc-ed3\", \"ironplc-rusty\", \"matiec\", \"plcnext\"]\n";
 
-/// The `sources.toml` of every test suite: each source speaks for all dialects.
-pub fn sources() -> String {
+/// The `sources.toml` of a test suite, with those sources that its files cite: each speaks for all dialects.
+pub fn sources(files: &[(&str, &str)]) -> String {
     let sources = [
         ("b", "['c', 'd', 'cells']"),
         ("iec-61131-3", "'clauses'"),
@@ -23,7 +23,12 @@ pub fn sources() -> String {
              sections = {sections}\n"
         )
     };
-    sources.map(source).concat()
+    let is_cited = |(key, _): &(&str, &str)| {
+        let basis = format!("{key}: ");
+        files.iter().any(|(_, text)| text.contains(&basis))
+    };
+    let cited = sources.into_iter().filter(is_cited);
+    cited.map(source).collect()
 }
 
 /// Writes `text` to `path` below `root`.
@@ -39,7 +44,7 @@ pub fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let root = folder.path().join("cases");
     write(&root, "suite.toml", "version = \"1.2.3\"\n");
     write(&root, "dialects.toml", DIALECTS);
-    write(&root, "sources.toml", sources());
+    write(&root, "sources.toml", sources(files));
     write(&root, "README.md", "");
     for (path, text) in files {
         write(&root, path, text);

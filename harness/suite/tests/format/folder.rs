@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::common::{folder, load, write};
+use crate::common::{folder, load, sources, write};
 use stickler_suite::{FileKind, Severity, Suite, lint, load_file};
 
 const PROGRAM: &str =
@@ -169,7 +169,7 @@ fn the_same_mistake_in_a_thousand_cells_is_not_said_a_thousand_times() {
 
 fn findings(files: &[(&str, &str)]) -> Vec<(Severity, String)> {
     let folder = folder(files);
-    let found = lint(&folder.path().join("cases"));
+    let found = lint(&folder.path().join("cases"), &[]);
     found
         .into_iter()
         .map(|finding| (finding.severity, finding.what.to_string()))
@@ -243,7 +243,8 @@ fn a_case_that_asserts_something_cites_a_source_that_there_is() {
             "1: `basis`: a case asserts something and has no basis (say where",
         ),
     ] {
-        let found = findings(&[("a/f.st", &PROGRAM.replace(basis, basis_then))]);
+        let text = PROGRAM.replace(basis, basis_then);
+        let found = findings(&[("a/f.st", &text), ("sources.toml", &sources(&[("", PROGRAM)]))]);
         assert!(found.len() == 1 && found[0].0 == Severity::Error, "{found:?}");
         assert!(found[0].1.contains(said), "{said}: {found:?}");
     }
@@ -286,11 +287,47 @@ fn lint_asks_for_a_readme_in_each_area() {
     let folder = folder(&[("a/one.st", PROGRAM)]);
     let root = folder.path().join("cases");
     std::fs::remove_file(root.join("a/README.md")).unwrap();
-    let found = lint(&root);
+    let found = lint(&root, &[]);
     assert_eq!(found.len(), 1);
     assert_eq!(
         found[0].what.to_string(),
         "cases/a:1: the folder has no README.md that says what is claimed there"
+    );
+}
+
+#[test]
+fn lint_says_which_source_and_which_rule_no_case_needs() {
+    let source = sources(&[("", "iec-61131-3: b: ")]);
+    let found = findings(&[
+        ("a/one.st", PROGRAM),
+        ("sources.toml", &format!("\n{source}")),
+        ("rules.md", "# Rules\n\n## idle\n"),
+    ]);
+    let said: Vec<&str> = found.iter().map(|(_, said)| said.as_str()).collect();
+    assert_eq!(
+        said,
+        [
+            "cases/rules.md:3: no case rests on the rule `idle` (take it out)",
+            "cases/sources.toml:2: `b`: no case cites the source (take it out)",
+        ]
+    );
+}
+
+#[test]
+fn lint_says_which_engine_of_a_source_is_unknown() {
+    let source = sources(&[("", "iec-61131-3: ")]);
+    let folder = folder(&[
+        ("a/one.st", PROGRAM),
+        (
+            "sources.toml",
+            &source.replace("read", "engines = ['matieck']\nread"),
+        ),
+    ]);
+    let found = lint(&folder.path().join("cases"), &["matiec", "rusty"]);
+    assert_eq!(found.len(), 1);
+    assert_eq!(
+        found[0].what.to_string(),
+        "cases/sources.toml:1: `iec-61131-3`: no built-in engine `matieck`; did you mean `matiec`?"
     );
 }
 
@@ -328,7 +365,7 @@ fn the_suites_own_files_are_checked() {
 fn a_program_of_many_broken_marks_is_said_in_a_few_lines() {
     let text = format!("{PROGRAM}{}", "(*!*)\n(* (*! *)\n".repeat(20_000));
     let folder = folder(&[("a/f.st", &text)]);
-    let found = lint(&folder.path().join("cases"));
+    let found = lint(&folder.path().join("cases"), &[]);
     assert!(found.len() < 120, "{}", found.len());
     assert!(
         found

@@ -120,9 +120,10 @@ fn of_several_bases_a_case_has_the_first_that_speaks_for_its_dialect() {
     let columns = "\"basis\", \"input\", \"expected\"";
     let rows = "[\"\", \"1\", \"INT#1\"],\n[\"page: 3 | iec-61131-3: 4\", \"2\", \"INT#2\"]";
     let probe = "[[probe]]\nname = \"p\"\nobserve = \"x\"\nbasis = [\"page: 1\", \"iec-61131-3: 2\"]\nsource = 'x := {input};'\n";
+    let file = file(columns, rows, probe);
     let suite = load(&[
-        ("sources.toml", &(sources() + page)),
-        ("area/file.toml", &file(columns, rows, probe)),
+        ("sources.toml", &(sources(&[("", &file)]) + page)),
+        ("area/file.toml", &file),
     ]);
     let found: Vec<_> = suite
         .cases

@@ -1,0 +1,127 @@
+//! `stickler list --sources`: the sources of the claims, and Stickler's own rules.
+
+use super::{BOLD, DIM, write_json};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use stickler_suite::{Case, Source, SourceKind, Sources};
+
+/// The sections of a source that cases cite, with the number of these cases.
+type Cited<'a> = BTreeMap<&'a str, Count>;
+
+/// The number of cases that cite something.
+#[derive(Clone, Copy, Default, Serialize)]
+struct Count {
+    asserted: usize,
+    open: usize,
+}
+
+/// A source, or one of Stickler's own rules.
+#[derive(Serialize)]
+struct SourceLine<'a> {
+    /// The key of the source; for a rule, `rule: NAME`.
+    source: String,
+    title: &'a str,
+    publisher: &'a str,
+    kind: &'static str,
+    /// Where it opens: at the section that most cases cite.
+    address: String,
+    read: &'a str,
+    engines: &'a [String],
+    dialects: Vec<&'static str>,
+    #[serde(flatten)]
+    count: Count,
+}
+
+/// Writes every source, and every rule that a case rests on, with the number of these cases.
+///
+/// # Errors
+/// Those of writing to `out`.
+pub(super) fn write(out: &mut dyn Write, sources: &Sources, cases: &[&Case], json: bool) -> io::Result<()> {
+    let mut cited: BTreeMap<&str, Cited<'_>> = BTreeMap::new();
+    for case in cases {
+        if let Some((source, section)) = sources.of(&case.basis) {
+            let count = cited.entry(&source.key).or_default().entry(section).or_default();
+            match case.is_open() {
+                true => count.open += 1,
+                false => count.asserted += 1,
+            }
+        }
+    }
+    for source in sources.iter() {
+        let sections = cited.remove(source.key.as_str()).unwrap_or_default();
+        let lines = lines(source, &sections);
+        match json {
+            true => lines.iter().try_for_each(|line| write_json(out, line))?,
+            false => write_source(out, source, &lines)?,
+        }
+    }
+    Ok(())
+}
+
+/// Returns a line for a source, or one for each of the rules.
+fn lines<'a>(source: &'a Source, sections: &Cited<'_>) -> Vec<SourceLine<'a>> {
+    let line = |name: String, section: &str, count: Count| SourceLine {
+        source: name,
+        title: &source.title,
+        publisher: &source.publisher,
+        kind: source.kind.as_str(),
+        address: source.address_of(section),
+        read: &source.read,
+        engines: &source.engines,
+        dialects: source.dialects.iter().map(|dialect| dialect.as_str()).collect(),
+        count,
+    };
+    if source.kind == SourceKind::Rule {
+        let rules = sections.iter();
+        let rule = |(rule, count): (&&str, &Count)| line(format!("{}: {rule}", source.key), rule, *count);
+        return rules.map(rule).collect();
+    }
+    let most = sections.iter().max_by_key(|(_, count)| count.asserted);
+    let count = sections.values().fold(Count::default(), |sum, count| Count {
+        asserted: sum.asserted + count.asserted,
+        open: sum.open + count.open,
+    });
+    let section = most.map_or("", |(section, _)| section);
+    vec![line(source.key.clone(), section, count)]
+}
+
+fn write_source(out: &mut dyn Write, source: &Source, lines: &[SourceLine<'_>]) -> io::Result<()> {
+    if source.kind == SourceKind::Rule {
+        let (publisher, title) = (&source.publisher, &source.title);
+        writeln!(out, "{BOLD}{}{BOLD:#}  {publisher}: {title}", source.key)?;
+        for line in lines {
+            let open = if line.count.open > 0 { " open" } else { "" };
+            let cases = line.count.asserted + line.count.open;
+            writeln!(out, "{cases:>8}{open}  {}", line.address)?;
+        }
+        return Ok(());
+    }
+    for line in lines {
+        writeln!(
+            out,
+            "{BOLD}{}{BOLD:#}  {}: {}",
+            line.source, line.publisher, line.title
+        )?;
+        writeln!(
+            out,
+            "{:>8}  {}, read {}{}",
+            line.count.asserted,
+            line.kind,
+            line.read,
+            speaks_for(line)
+        )?;
+        writeln!(out, "          {DIM}{}{DIM:#}", line.address)?;
+    }
+    writeln!(out)
+}
+
+/// Returns the words that say for whom a source speaks; none for a standard, which speaks for all.
+fn speaks_for(line: &SourceLine<'_>) -> String {
+    let part = |what: &str, names: &[&str]| match names.is_empty() {
+        true => String::new(),
+        false => format!("; {what} {}", names.join(" ")),
+    };
+    let engines: Vec<&str> = line.engines.iter().map(String::as_str).collect();
+    part("speaks for", &line.dialects) + &part("binds", &engines)
+}
