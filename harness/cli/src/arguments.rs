@@ -137,6 +137,9 @@ pub struct RunArguments {
     /// `rejected`; the reference always must meet `code` [default: the best that each engine claims]
     #[arg(long, value_name = "GRADE", value_parser = grades(), hide_possible_values = true)]
     pub strict: Option<Grade>,
+    /// Fail a compiler that misses one of Stickler's own rules (`stickler list --sources`); without it, such a case differs
+    #[arg(long)]
+    pub strict_rules: bool,
     /// Expect what FILE says of its engine; may be repeated, once an engine [default: reports/baselines/ENGINE.toml beside the
     /// folder of the cases, where there is one]
     #[arg(long, value_name = "FILE", conflicts_with = "no_baseline")]

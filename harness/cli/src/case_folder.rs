@@ -85,6 +85,11 @@ impl CaseFolder {
         suite
     }
 
+    /// Reads what the cases may cite, and no case.
+    pub fn load_sources(&self) -> Suite {
+        Suite::load_files(&self.path, &[], |_, _| false)
+    }
+
     /// Reads the files that may contain a case that the filters select, and reports mistakes in them on stderr. Reads all files
     /// where the filters select no case of these.
     pub fn load_selected(&self, plan: &Plan, dialects: impl IntoIterator<Item = DialectName>) -> Suite {

@@ -13,10 +13,10 @@ use crate::{ExportError, ExtraCases, MANIFEST};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use stickler_engines::{Diagnostic, Identity, Outcome};
+use stickler_engines::{Diagnostic, Outcome};
 use stickler_run::{
-    CaseJudge, DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Header,
-    MatchedBaseline, Plan, Summary, dialect_headers,
+    CaseJudge, DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Header, Summary,
+    dialect_headers,
 };
 use stickler_suite::{Acceptance, Case};
 use stickler_types::DialectName;
@@ -100,34 +100,27 @@ impl Export {
         kinds.collect()
     }
 
-    /// Judges the copied texts as the results of `engine`. Emits events to `sink`: a header, the cases that can be judged, in the
-    /// order of the pages, and a footer where these are all cases.
+    /// Judges the copied texts as the results of the engine of `judge`. Emits events to `sink`: a header, the cases that can be
+    /// judged, in the order of the pages, and a footer where these are all cases.
     pub fn import(
         &self,
         sources: &[CopiedText],
-        plan: &Plan,
-        engine: &Identity,
-        baseline: Option<&MatchedBaseline<'_>>,
+        judge: &CaseJudge<'_>,
         sink: &mut dyn FnMut(Event),
     ) -> Imported {
         let mut imported = Imported::default();
         let (arrays, messages) = self.gather(sources, &mut imported.notes);
-        let header = self.header(plan, engine, baseline);
+        let header = self.header(judge);
         imported.summary.outdated = header
             .baselines
             .iter()
             .map(|baseline| baseline.outdated.len() as u64)
             .sum();
         sink(Event::Header(header));
-        let judge = CaseJudge {
-            plan,
-            engine,
-            baseline,
-        };
         let mut without = PagesWithoutResults::default();
         for at in 0..self.manifest.pages.len() {
             let given = self.given(at, &arrays, &messages);
-            self.page(at, given, &judge, (&mut imported, &mut without), sink);
+            self.page(at, given, judge, (&mut imported, &mut without), sink);
         }
         without.tell(&mut imported.notes);
         self.strangers(&mut imported.notes);
@@ -137,7 +130,7 @@ impl Export {
             sink(Event::Footer(Footer {
                 totals,
                 engines: vec![EngineTotals {
-                    name: engine.name.clone(),
+                    name: judge.engine.name.clone(),
                     totals,
                 }],
                 duration_ms: 0,
@@ -305,7 +298,8 @@ impl Export {
         notes.extend(shortened(told.collect()));
     }
 
-    fn header(&self, plan: &Plan, engine: &Identity, baseline: Option<&MatchedBaseline<'_>>) -> Header {
+    fn header(&self, judge: &CaseJudge<'_>) -> Header {
+        let CaseJudge { plan, engine, .. } = *judge;
         Header {
             format: FORMAT,
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
@@ -322,7 +316,8 @@ impl Export {
             }],
             cases: self.cases.iter().map(|cases| cases.len() as u64).sum(),
             dialects: vec![self.dialect.to_string()],
-            baselines: baseline
+            baselines: judge
+                .baseline
                 .map(|baseline| baseline.header().clone())
                 .into_iter()
                 .collect(),

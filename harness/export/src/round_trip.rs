@@ -12,8 +12,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use stickler_engines::{Ability, Engine, Grade, Identity, Observation, Outcome, Reference, RunRequest};
-use stickler_run::{CaseEvent, Event, Fact, Plan, Verdict};
-use stickler_suite::{Case, load_file};
+use stickler_run::{CaseEvent, CaseJudge, Event, Fact, Plan, Verdict};
+use stickler_suite::{Case, Sources, load_file};
 use stickler_types::{DialectName, Value};
 
 /// The case files of the tests, which together have every type, POUs and types of their own, constants, and open values.
@@ -63,6 +63,17 @@ fn plan(dialect: DialectName) -> ExportPlan {
         sample: Some(64),
         panes: false,
     }
+}
+
+/// Imports copied texts as the results of [`engine`].
+fn import(export: &Export, texts: &[CopiedText], sink: &mut dyn FnMut(Event)) -> Imported {
+    let judge = CaseJudge {
+        plan: &Plan::default(),
+        sources: &Sources::default(),
+        engine: &engine(),
+        baseline: None,
+    };
+    export.import(texts, &judge, sink)
 }
 
 fn engine() -> Identity {
@@ -134,17 +145,11 @@ impl Exported {
         };
         let (mut events, mut whole) = (Vec::new(), false);
         let export = Export::read(self.folder.path()).expect("an export");
-        let imported = export.import(
-            &[source],
-            &Plan::default(),
-            &engine(),
-            None,
-            &mut |event| match event {
-                Event::Header(_) => {}
-                Event::Case(case) => events.push(case),
-                Event::Footer(_) => whole = true,
-            },
-        );
+        let imported = import(&export, &[source], &mut |event| match event {
+            Event::Header(_) => {}
+            Event::Case(case) => events.push(case),
+            Event::Footer(_) => whole = true,
+        });
         (imported, events, whole)
     }
 

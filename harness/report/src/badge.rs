@@ -138,6 +138,7 @@ mod tests {
     fn what_documents_leave_open_and_what_an_engine_cannot_run_does_not_count() {
         let mut run = cases(2, 0);
         run.extend([sample::open_case("open"), sample::case("c", Verdict::Unsupported)]);
+        run.push(sample::case("d", Verdict::Differs));
         assert_eq!(
             said(&sample::run_of(run)),
             ("100 % of 2 cases".to_owned(), "brightgreen")

@@ -16,6 +16,8 @@ pub struct Standing {
     pub failed: u64,
     /// The number of cases in `failed` that a baseline expects (verdict xfail).
     pub known: u64,
+    /// The number of cases in which the engine did something else, and the source does not bind it (verdict differs).
+    pub differs: u64,
     /// The number of cases that the document leaves open: the result was recorded, nothing was asserted.
     pub open: u64,
     /// The number of cases that the engine does not support.
@@ -25,7 +27,7 @@ pub struct Standing {
 impl Standing {
     /// Returns the number of all cases of the claim.
     pub const fn cases(self) -> u64 {
-        self.passed + self.failed + self.open + self.unsupported
+        self.passed + self.failed + self.differs + self.open + self.unsupported
     }
 
     /// Returns the number of cases in `failed` that no baseline expects.
@@ -41,6 +43,7 @@ impl Standing {
             Verdict::Pass if event.open => &mut self.open,
             Verdict::Pass | Verdict::Xpass => &mut self.passed,
             Verdict::Unsupported => &mut self.unsupported,
+            Verdict::Differs => &mut self.differs,
             Verdict::Fail | Verdict::Xfail | Verdict::Crash | Verdict::Timeout | Verdict::Error => {
                 &mut self.failed
             }
@@ -52,6 +55,7 @@ impl Standing {
         self.passed += other.passed;
         self.failed += other.failed;
         self.known += other.known;
+        self.differs += other.differs;
         self.open += other.open;
         self.unsupported += other.unsupported;
     }
@@ -178,6 +182,7 @@ mod tests {
         claims.take(&sample::case("a", Verdict::Pass));
         claims.take(&sample::case("b", Verdict::Fail));
         claims.take(&sample::case("c", Verdict::Crash));
+        claims.take(&sample::case("s", Verdict::Differs));
         claims.take(&sample::case("k", Verdict::Xfail));
         claims.take(&sample::case("d", Verdict::Unsupported));
         claims.take(&sample::open_case("e"));
@@ -188,11 +193,12 @@ mod tests {
                 passed: 1,
                 failed: 3,
                 known: 1,
+                differs: 1,
                 open: 1,
                 unsupported: 1
             }]
         );
-        assert_eq!((standings[0].cases(), standings[0].unexpected()), (6, 2));
+        assert_eq!((standings[0].cases(), standings[0].unexpected()), (7, 2));
     }
 
     #[test]

@@ -313,7 +313,7 @@ mod tests {
         let suite = suite(&report);
         assert_eq!(
             (suite.tests, suite.failures, suite.errors, suite.skipped),
-            (8, 2, 3, 2)
+            (9, 2, 3, 3)
         );
         for verdict in Verdict::ALL {
             let mut cases = suite.test_cases.iter();
@@ -323,7 +323,7 @@ mod tests {
                 Verdict::Pass => None,
                 Verdict::Fail | Verdict::Xpass => Some(NonSuccessKind::Failure),
                 Verdict::Crash | Verdict::Timeout | Verdict::Error => Some(NonSuccessKind::Error),
-                Verdict::Xfail | Verdict::Unsupported => continue,
+                Verdict::Differs | Verdict::Xfail | Verdict::Unsupported => continue,
             };
             let kind = match &case.status {
                 TestCaseStatus::NonSuccess { kind, .. } => Some(*kind),

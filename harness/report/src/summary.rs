@@ -286,7 +286,7 @@ mod tests {
         let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part:?} in {text}"));
         assert!(at("# Stickler: 1 of 4 cases not as expected") < at("## Claims"));
         assert!(
-            at("| **✗** | ironplc-type-conversions | Integer widening | 2 | **1** | 1 | 0 |")
+            at("| **✗** | ironplc-type-conversions | Integer widening | 2 | **1** | 0 | 1 | 0 |")
                 < at("## Cases")
         );
         assert!(at("| reference | ironplc-ed2 | **3/4** | **3/4** |") < at("## Not as expected"));

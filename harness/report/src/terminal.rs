@@ -108,6 +108,7 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
         )?;
         write_disagreements(out, overview)?;
     }
+    write_differences(out, sum.of(Verdict::Differs))?;
     if let Some(header) = &overview.header {
         let engines: Vec<String> = header.engines.iter().map(engine).collect();
         let label = if engines.len() == 1 { "Engine" } else { "Engines" };
@@ -171,6 +172,18 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             )
         }
     }
+}
+
+/// Writes the number of cases in which an engine differs from a source that does not bind it.
+fn write_differences(out: &mut dyn Write, differences: u64) -> io::Result<()> {
+    if differences == 0 {
+        return Ok(());
+    }
+    let cases = counted(differences, "case differs", "cases differ");
+    writeln!(
+        out,
+        "{cases} from Stickler's own rules or from sources about other systems, which is no failure."
+    )
 }
 
 /// Writes the path of the pages that can be sent to the authors of a compiler, where there are any.
@@ -312,6 +325,23 @@ reports/latest/discrepancies
         ]));
         assert!(
             text.ends_with("2 cases in 34 ms: all as expected (1 xfail).\n"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn a_difference_is_no_failure_and_is_counted_apart() {
+        let text = shown(&sample::run_of(vec![
+            sample::case("a", Verdict::Pass),
+            sample::case("b", Verdict::Differs),
+        ]));
+        assert!(text.contains("passed  failed  differs  open\n"), "{text}");
+        assert!(
+            text.contains("1 case differs from Stickler's own rules or from sources about other systems"),
+            "{text}"
+        );
+        assert!(
+            text.ends_with("2 cases in 34 ms: all as expected (1 differs).\n"),
             "{text}"
         );
     }

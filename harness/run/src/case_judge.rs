@@ -2,16 +2,18 @@
 
 use crate::event::CaseEvent;
 use crate::judge::judge;
-use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict};
+use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict, binds};
 use std::time::Duration;
 use stickler_engines::Identity;
-use stickler_suite::Case;
+use stickler_suite::{Case, Sources};
 
 /// Judges the cases of one engine.
 #[derive(Clone, Copy, Debug)]
 pub struct CaseJudge<'r> {
     /// The plan of the run, which states how strictly the engine is judged.
     pub plan: &'r Plan,
+    /// The sources of the expectations, which state whom they bind.
+    pub sources: &'r Sources,
     /// The identity of the engine.
     pub engine: &'r Identity,
     /// The engine's baseline, where it has one.
@@ -22,7 +24,7 @@ impl CaseJudge<'_> {
     /// Returns the event of a case, from what the engine answered and how long it took.
     #[must_use]
     pub fn event(&self, case: &Case, answers: &Answers, time: Duration) -> CaseEvent {
-        let judgement = judge(case, answers, self.plan.strict(self.engine));
+        let judgement = self.judgement(case, answers);
         let (judgement, baseline) = match self.baseline {
             Some(baseline) => baseline.apply(&case.id, case.dialect, judgement),
             None => (judgement, None),
@@ -54,6 +56,20 @@ impl CaseJudge<'_> {
             baseline,
         }
     }
+
+    /// Returns the judgement of a case without the baseline. A miss of an expectation that does not bind the engine is no
+    /// failure.
+    fn judgement(&self, case: &Case, answers: &Answers) -> Judgement {
+        let judgement = judge(case, answers, self.plan.strict(self.engine));
+        let binds = || binds(case, self.engine, self.sources, self.plan.strict_rules);
+        match judgement.verdict {
+            Verdict::Fail if !binds() => Judgement {
+                verdict: Verdict::Differs,
+                ..judgement
+            },
+            _ => judgement,
+        }
+    }
 }
 
 /// Returns whether the facts of a passed case can be derived from its expectation and its observations.
@@ -66,7 +82,12 @@ fn tells_nothing(passed: &Judgement) -> bool {
 /// Returns whether a report shows the program: the engine did not do what was expected of it, be that known or not.
 const fn needs_program(verdict: Verdict) -> bool {
     match verdict {
-        Verdict::Fail | Verdict::Xfail | Verdict::Crash | Verdict::Timeout | Verdict::Error => true,
+        Verdict::Fail
+        | Verdict::Differs
+        | Verdict::Xfail
+        | Verdict::Crash
+        | Verdict::Timeout
+        | Verdict::Error => true,
         Verdict::Pass | Verdict::Xpass | Verdict::Unsupported => false,
     }
 }

@@ -10,6 +10,7 @@
 mod answer_store;
 mod answers;
 mod baseline;
+mod binding;
 mod case_judge;
 mod event;
 mod fact;
@@ -26,6 +27,7 @@ pub use answers::{Answers, Rendering, ask, shown_by};
 pub use baseline::{
     Baseline, BaselineError, Blessing, Change, ChangeKind, EngineRun, Entry, MatchedBaseline, bless,
 };
+pub use binding::binds;
 pub use case_judge::CaseJudge;
 pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, PROGRAM};

@@ -26,6 +26,8 @@ pub struct Plan {
     /// The worst grade of a rejection or a fault that still passes; `None` stands for the best grade that each engine
     /// claims.
     pub strict: Option<Grade>,
+    /// Whether an engine that misses one of Stickler's own rules fails the case; otherwise it differs.
+    pub strict_rules: bool,
     /// The baselines of engines; of several for one engine the first counts.
     pub baselines: Vec<Baseline>,
     /// The custom dialects of the run, for the header.
@@ -52,6 +54,7 @@ impl Default for Plan {
             dialects: Vec::new(),
             shard: None,
             strict: None,
+            strict_rules: false,
             baselines: Vec::new(),
             defined: Vec::new(),
             today: Date::default(),

@@ -77,6 +77,7 @@ pub fn run_with(
     let open: Vec<Job<'_>> = known.open.iter().map(|&place| jobs[place]).collect();
     let context = RunContext {
         plan,
+        sources: &suite.sources,
         jobs: &open,
         engines,
         stores,

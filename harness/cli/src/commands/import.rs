@@ -15,7 +15,7 @@ use stickler_export::{CopiedText, Export, Imported, MANIFEST};
 use stickler_report::events;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
-use stickler_run::{MatchedBaseline, Plan};
+use stickler_run::{CaseJudge, Plan};
 use stickler_suite::Suite;
 use stickler_types::DialectName;
 
@@ -26,7 +26,7 @@ use stickler_types::DialectName;
 pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let engine = engine(arguments)?;
     let export = Export::read(&export_folder(arguments))?;
-    let sources: Vec<CopiedText> = arguments
+    let texts: Vec<CopiedText> = arguments
         .files
         .iter()
         .map(|file| source(file))
@@ -39,17 +39,21 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
     // A baseline is compared with all cases that the engine could be asked, not only with the exported ones.
     let suite = match (&cases, plan.baselines.is_empty()) {
         (Some(folder), false) => folder.load_with([export.dialect()]),
+        (Some(folder), true) => folder.load_sources(),
         (None, false) => bail!("a baseline is about cases; say with --cases DIR where they are"),
-        (_, true) => Suite::default(),
+        (None, true) => Suite::default(),
     };
     let baseline = plan.matched_baseline(&suite, &engine);
     let report = report_folder(arguments, &root);
     let (imported, overview) = judged(
         &export,
-        &sources,
-        &plan,
-        &engine,
-        baseline.as_ref(),
+        &texts,
+        &CaseJudge {
+            plan: &plan,
+            sources: &suite.sources,
+            engine: &engine,
+            baseline: baseline.as_ref(),
+        },
         report.as_deref(),
     )?;
     let shown = report.map(|folder| folder.display().to_string());
@@ -167,16 +171,14 @@ fn report_folder(arguments: &ImportArguments, root: &Path) -> Option<PathBuf> {
 
 fn judged(
     export: &Export,
-    sources: &[CopiedText],
-    plan: &Plan,
-    engine: &Identity,
-    baseline: Option<&MatchedBaseline<'_>>,
+    texts: &[CopiedText],
+    judge: &CaseJudge<'_>,
     report: Option<&Path>,
 ) -> Result<(Imported, Overview), ReportError> {
     let mut reports = report.map(Reports::create).transpose()?;
     let mut overview = Overview::default();
     let mut broken = None;
-    let imported = export.import(sources, plan, engine, baseline, &mut |event| {
+    let imported = export.import(texts, judge, &mut |event| {
         overview.take(&event);
         if broken.is_none() {
             broken = reports.as_mut().and_then(|reports| reports.take(&event).err());

@@ -118,6 +118,7 @@ fn plan(arguments: &RunArguments) -> Plan {
         jobs: arguments.jobs.map_or(0, usize::from),
         unpacked: arguments.unpacked,
         strict: arguments.strict,
+        strict_rules: arguments.strict_rules,
         // Rounding a time to seconds fails only at the end of time.
         today: now.to_zoned(TimeZone::UTC).date(),
         started: now.round(Unit::Second).unwrap_or(now).to_string(),
@@ -132,6 +133,9 @@ fn judged_alike(arguments: &RunArguments) -> String {
     if let Some(grade) = arguments.strict {
         options.push_str(" --strict ");
         options.push_str(grade.as_str());
+    }
+    if arguments.strict_rules {
+        options.push_str(" --strict-rules");
     }
     for file in &arguments.baseline {
         options.push_str(" --baseline ");

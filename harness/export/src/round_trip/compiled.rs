@@ -47,7 +47,7 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
                 bytes: list.as_bytes().to_vec(),
             };
             let mut verdicts = Vec::new();
-            let imported = export.import(&[source], &Plan::default(), &engine(), None, &mut |event| {
+            let imported = import(&export, &[source], &mut |event| {
                 if let Event::Case(case) = event {
                     verdicts.push(case.verdict);
                 }

@@ -99,7 +99,7 @@ impl OlderCase {
 fn behavior(verdict: Verdict) -> Behavior {
     match verdict {
         Verdict::Pass | Verdict::Xpass => Behavior::Right,
-        Verdict::Fail | Verdict::Xfail | Verdict::Error => Behavior::Wrong,
+        Verdict::Fail | Verdict::Differs | Verdict::Xfail | Verdict::Error => Behavior::Wrong,
         Verdict::Crash | Verdict::Timeout => Behavior::Dead,
         Verdict::Unsupported => Behavior::Unsupported,
     }

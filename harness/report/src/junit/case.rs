@@ -44,6 +44,10 @@ pub(super) fn kind(verdict: Verdict) -> Option<(Kind, &'static str)> {
     match verdict {
         Verdict::Pass => None,
         Verdict::Fail => Some((Kind::Failure, "not as expected")),
+        Verdict::Differs => Some((
+            Kind::Skipped,
+            "differs from a source that does not bind the engine",
+        )),
         Verdict::Xpass => Some((Kind::Failure, "passes, but its baseline expects it not to")),
         Verdict::Crash => Some((Kind::Error, "the engine crashed")),
         Verdict::Timeout => Some((Kind::Error, "the engine did not answer in time")),

@@ -8,7 +8,11 @@ use crate::overview::Overview;
 pub(super) fn write(overview: &Overview, page: &mut Page) {
     page.add("\n## Claims\n\n");
     page.add("A claim is a section of a document. *Open*: the document does not say what must happen, ");
-    page.add("so what the engine does is recorded and not judged.\n\n");
+    page.add("so what the engine does is recorded and not judged. ");
+    page.add(
+        "*Differs*: the engine does something else, but the source does not speak for it, or is a rule of ",
+    );
+    page.add("Stickler: no failure.\n\n");
     let engines = overview.engines();
     let rows = overview.claims.rows(&engines);
     match &engines[..] {
@@ -54,6 +58,7 @@ fn cell(standing: Standing) -> String {
     let Standing {
         passed,
         failed,
+        differs,
         open,
         unsupported,
         ..
@@ -63,6 +68,9 @@ fn cell(standing: Standing) -> String {
         (0, _) => {}
         (judged, 0) => words.push(format!("{passed}/{judged}")),
         (judged, _) => words.push(format!("**{passed}/{judged}**")),
+    }
+    if differs > 0 {
+        words.push(format!("{differs} differ"));
     }
     if open > 0 {
         words.push(format!("{open} open"));
@@ -77,8 +85,8 @@ fn cell(standing: Standing) -> String {
 }
 
 fn of_one_engine(rows: &[Row<'_>], page: &mut Page) {
-    page.add("| | document | section | passed | failed | open | unsupported |\n");
-    page.add("|---|---|---|--:|--:|--:|--:|\n");
+    page.add("| | document | section | passed | failed | differs | open | unsupported |\n");
+    page.add("|---|---|---|--:|--:|--:|--:|--:|\n");
     for row in rows {
         if let (Some(name), [standing]) = (name(row), &row.standings[..]) {
             page.add(&format!("{name}{}", numbers(*standing)));
@@ -90,6 +98,7 @@ fn numbers(standing: Standing) -> String {
     let Standing {
         passed,
         failed,
+        differs,
         open,
         unsupported,
         ..
@@ -98,5 +107,5 @@ fn numbers(standing: Standing) -> String {
         0 => "0".to_owned(),
         failed => format!("**{failed}**"),
     };
-    format!(" {passed} | {failed} | {open} | {unsupported} |\n")
+    format!(" {passed} | {failed} | {differs} | {open} | {unsupported} |\n")
 }

@@ -54,6 +54,7 @@ fn of_several_engines(out: &mut dyn Write, rows: &[Row<'_>], engines: &[&str]) -
 fn standing_cell(standing: Standing) -> Cell {
     let Standing { passed, failed, .. } = standing;
     match (passed + failed, failed) {
+        (0, _) if standing.differs > 0 => Cell::styled("differs", DIM),
         (0, _) if standing.open > 0 => Cell::styled("open", DIM),
         (0, _) if standing.unsupported > 0 => Cell::styled("unsupported", DIM),
         (0, _) => Cell::styled("-", DIM),
@@ -63,37 +64,41 @@ fn standing_cell(standing: Standing) -> Cell {
 }
 
 fn of_one_engine(out: &mut dyn Write, rows: &[Row<'_>]) -> io::Result<()> {
-    let mut standings = rows.iter().flat_map(|row| &row.standings);
-    let unsupported = standings.any(|standing| standing.unsupported > 0);
+    let any =
+        |count: fn(&Standing) -> u64| rows.iter().flat_map(|row| &row.standings).any(|of| count(of) > 0);
+    let differs = any(|standing| standing.differs);
+    let unsupported = any(|standing| standing.unsupported);
     let mut table = Table::new(vec![
         Cell::left("Claims"),
         Cell::plain("passed"),
         Cell::plain("failed"),
     ]);
+    if differs {
+        table.head(Cell::plain("differs"));
+    }
     table.head(Cell::plain("open"));
     if unsupported {
         table.head(Cell::plain("unsupported"));
     }
     for row in rows {
         if let (Some(name), [standing]) = (name(row), &row.standings[..]) {
-            table.row(claim_cells(name, *standing, unsupported));
+            table.row(claim_cells(name, *standing, differs, unsupported));
         }
     }
     table.write(out)?;
     writeln!(out)
 }
 
-fn claim_cells(name: String, standing: Standing, unsupported: bool) -> Vec<Cell> {
+fn claim_cells(name: String, standing: Standing, differs: bool, unsupported: bool) -> Vec<Cell> {
     let failed = match standing.failed {
         0 => Cell::styled("0", DIM),
         failed => Cell::styled(failed, BAD),
     };
-    let mut cells = vec![
-        Cell::left(name),
-        Cell::plain(standing.passed),
-        failed,
-        Cell::plain(standing.open),
-    ];
+    let mut cells = vec![Cell::left(name), Cell::plain(standing.passed), failed];
+    if differs {
+        cells.push(Cell::plain(standing.differs));
+    }
+    cells.push(Cell::plain(standing.open));
     if unsupported {
         cells.push(Cell::plain(standing.unsupported));
     }

@@ -72,7 +72,8 @@ impl<'a> MatchedBaseline<'a> {
 
     /// Applies the baseline to the judgement of a case, and returns the note on the case: an expected verdict becomes
     /// `xfail`, and a pass that is not expected becomes `xpass`. A pass that is among the expected verdicts stays a pass, a
-    /// case that is expected to be unsupported stays `unsupported`, and every verdict that is not expected stays as it is.
+    /// case that is expected to be unsupported or to differ keeps that verdict, and every verdict that is not expected stays as it
+    /// is.
     #[must_use]
     pub fn apply(
         &self,
@@ -86,7 +87,7 @@ impl<'a> MatchedBaseline<'a> {
         let came = judgement.verdict;
         let (verdict, note) = match (came, note.verdicts().contains(&came)) {
             (Verdict::Pass, false) => (Verdict::Xpass, note.clone()),
-            (Verdict::Pass | Verdict::Unsupported, _) | (_, false) => (came, note.clone()),
+            (Verdict::Pass | Verdict::Unsupported | Verdict::Differs, _) | (_, false) => (came, note.clone()),
             (_, true) => (Verdict::Xfail, note.of_xfail(came)),
         };
         (Judgement { verdict, ..judgement }, Some(note))

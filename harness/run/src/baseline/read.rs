@@ -8,9 +8,10 @@ use serde::Deserialize;
 use toml::{Spanned, Value};
 
 /// The verdicts that an entry may expect; a pass, which comes first, only beside others.
-const EXPECTED: [Verdict; 6] = [
+const EXPECTED: [Verdict; 7] = [
     Verdict::Pass,
     Verdict::Fail,
+    Verdict::Differs,
     Verdict::Crash,
     Verdict::Timeout,
     Verdict::Error,

@@ -11,6 +11,9 @@ pub struct Totals {
     pub pass: u64,
     /// The number of [`Verdict::Fail`].
     pub fail: u64,
+    /// The number of [`Verdict::Differs`].
+    #[serde(default)]
+    pub differs: u64,
     /// The number of [`Verdict::Xfail`].
     pub xfail: u64,
     /// The number of [`Verdict::Xpass`].
@@ -37,6 +40,7 @@ impl Totals {
         match verdict {
             Verdict::Pass => self.pass,
             Verdict::Fail => self.fail,
+            Verdict::Differs => self.differs,
             Verdict::Xfail => self.xfail,
             Verdict::Xpass => self.xpass,
             Verdict::Unsupported => self.unsupported,
@@ -63,6 +67,7 @@ impl Totals {
         match verdict {
             Verdict::Pass => &mut self.pass,
             Verdict::Fail => &mut self.fail,
+            Verdict::Differs => &mut self.differs,
             Verdict::Xfail => &mut self.xfail,
             Verdict::Xpass => &mut self.xpass,
             Verdict::Unsupported => &mut self.unsupported,
@@ -91,11 +96,11 @@ mod tests {
         for (times, verdict) in Verdict::ALL.into_iter().enumerate() {
             (0..=times).for_each(|_| totals.count(verdict));
         }
-        assert_eq!((totals.pass, totals.fail, totals.error), (1, 2, 8));
-        assert_eq!(totals.all(), 36);
-        assert_eq!(totals.unexpected(), 36 - 1 - 3 - 5);
+        assert_eq!((totals.pass, totals.fail, totals.error), (1, 2, 9));
+        assert_eq!(totals.all(), 45);
+        assert_eq!(totals.unexpected(), 45 - 1 - 3 - 4 - 6);
         let mut twice = totals;
         twice += totals;
-        assert_eq!(twice.all(), 72);
+        assert_eq!(twice.all(), 90);
     }
 }

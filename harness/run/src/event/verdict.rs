@@ -10,8 +10,11 @@ pub enum Verdict {
     /// The engine met the expectation.
     #[default]
     Pass,
-    /// The engine did not meet the expectation.
+    /// The engine did not meet an expectation that binds it.
     Fail,
+    /// The engine did not meet an expectation that does not bind it: it comes from a rule of Stickler, or from a source that
+    /// speaks for other engines.
+    Differs,
     /// The case did not pass, as a baseline expects.
     Xfail,
     /// The case passed, although a baseline expects that it does not.
@@ -28,9 +31,10 @@ pub enum Verdict {
 
 impl Verdict {
     /// Every verdict, in the order in which reports count them.
-    pub const ALL: [Verdict; 8] = [
+    pub const ALL: [Verdict; 9] = [
         Verdict::Pass,
         Verdict::Fail,
+        Verdict::Differs,
         Verdict::Xfail,
         Verdict::Xpass,
         Verdict::Unsupported,
@@ -45,6 +49,7 @@ impl Verdict {
         match self {
             Verdict::Pass => "pass",
             Verdict::Fail => "fail",
+            Verdict::Differs => "differs",
             Verdict::Xfail => "xfail",
             Verdict::Xpass => "xpass",
             Verdict::Unsupported => "unsupported",
@@ -64,7 +69,10 @@ impl Verdict {
     /// Returns whether a run with this verdict in it is still as expected. An unexpected pass is not: its baseline is stale.
     #[must_use]
     pub const fn is_as_expected(self) -> bool {
-        matches!(self, Verdict::Pass | Verdict::Xfail | Verdict::Unsupported)
+        matches!(
+            self,
+            Verdict::Pass | Verdict::Differs | Verdict::Xfail | Verdict::Unsupported
+        )
     }
 }
 

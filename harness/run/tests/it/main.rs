@@ -1,6 +1,7 @@
 //! Tests of the crate from outside: cases made by hand, and engines that only pretend.
 
 mod baselines;
+mod binding;
 mod blessing;
 mod caching;
 mod fixtures;

@@ -1,0 +1,26 @@
+//! Whether the source of an expectation binds an engine, so that a miss is a failure and not only a difference.
+
+use stickler_engines::{Compiler, Identity, Reference};
+use stickler_suite::{Case, SourceKind, Sources};
+
+/// Returns whether the source of a case's expectation binds an engine.
+///
+/// The reference is bound by every source, and every engine by a standard. A rule of Stickler binds others only where
+/// `strict_rules` says so. Any other source binds the compilers that it names. An engine for which Stickler has no adapter is
+/// bound by the sources that speak for the dialects it lists, since its author declared that it follows them; so is every engine
+/// by what `stickler.toml` states about a dialect of its own.
+#[must_use]
+pub fn binds(case: &Case, engine: &Identity, sources: &Sources, strict_rules: bool) -> bool {
+    if engine.name == Reference::NAME {
+        return true;
+    }
+    let Some((source, _)) = sources.of(&case.basis) else {
+        return true;
+    };
+    match source.kind {
+        SourceKind::Standard => true,
+        SourceKind::Rule => strict_rules,
+        _ if Compiler::from_name(&engine.name).is_some() => source.engines.contains(&engine.name),
+        _ => source.speaks_for(case.dialect) || source.speaks_for(case.dialect.base().name()),
+    }
+}
