@@ -7,6 +7,7 @@ mod export;
 mod fuzz;
 mod numbers;
 mod reduce;
+mod reproduce;
 
 pub use bless::BlessArguments;
 pub use compare::CompareArguments;
@@ -14,6 +15,7 @@ pub use engines::{EngineArguments, EnginesArguments};
 pub use export::{ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use reduce::ReduceArguments;
+pub use reproduce::ReproduceArguments;
 
 use crate::exit::Listing;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -94,6 +96,9 @@ pub enum Command {
     /// Reduce a program that shows a symptom on an engine
     #[command(after_help = reduce::REDUCE_EXAMPLES)]
     Reduce(ReduceArguments),
+    /// Write what shows a case on a compiler without Stickler: its program, a driver and a script
+    #[command(after_help = reproduce::REPRODUCE_EXAMPLES)]
+    Reproduce(ReproduceArguments),
     /// Turn a finding into a case
     #[command(after_help = fuzz::PROMOTE_EXAMPLES)]
     Promote(PromoteArguments),

@@ -18,6 +18,7 @@ mod merge;
 mod promote;
 mod reduce;
 mod render;
+mod reproduce;
 mod run;
 mod show;
 mod sweep;
@@ -52,6 +53,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Compare(arguments) => compare::execute(&arguments, out),
         Command::Fuzz(arguments) => fuzz::execute(&arguments, out),
         Command::Reduce(arguments) => reduce::execute(&arguments, out),
+        Command::Reproduce(arguments) => reproduce::execute(&arguments, out),
         Command::Promote(arguments) => promote::execute(&arguments, out),
         Command::Merge(arguments) => merge::execute(&arguments, out),
         Command::Export(arguments) => export::execute(&arguments, out),

@@ -15,6 +15,7 @@ mod commands;
 mod engines;
 mod exit;
 mod interrupt;
+mod named_case;
 mod output;
 mod progress;
 mod shell;

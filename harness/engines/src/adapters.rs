@@ -28,6 +28,8 @@ pub use dependencies::{Dependency, DependencyPaths, FoundBy, FoundDependency};
 pub use described::{DescribedEngine, Description};
 use ironplc::Ironplc;
 use matiec::Matiec;
+pub(crate) use plain::without_colours;
+pub(crate) use probe_variable::ProbeVariable;
 pub use rename::declared;
 use rusty::Rusty;
 pub use source::{Token, Tokens, Word, tokens};

@@ -1,7 +1,11 @@
 //! Reproductions: the files and commands by which a person runs a program on a compiler without Stickler.
 
+use crate::adapters::{ProbeVariable, without_colours};
+use crate::process::{Folder, ToolLimits, run_tool_with};
 use crate::{Outcome, shell_quote};
 use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 /// All that a person needs to run one program on a compiler, with the compiler's own tools only: the program and what stands
 /// around it, and the commands. Nothing in it depends on the machine on which it was made.
@@ -87,8 +91,11 @@ impl Reproduction {
         self
     }
 
-    /// Adds a program or folder, by the variable that names it and its usual value.
+    /// Adds a program or folder, by the variable that names it and its usual value, unless it is there.
     pub(crate) fn tool(mut self, variable: &str, default: &str) -> Reproduction {
+        if self.tools.iter().any(|tool| tool.variable == variable) {
+            return self;
+        }
         self.tools.push(ReproductionTool {
             variable: variable.to_owned(),
             default: default.to_owned(),
@@ -105,6 +112,16 @@ impl Reproduction {
     /// Adds the command that says that a program was accepted, for compilers that say nothing then.
     pub(crate) fn accepted(self) -> Reproduction {
         self.command("echo 'The program is accepted.'")
+    }
+
+    /// Adds the command that says what the probe variables of a program stand for, where its values are printed by their names.
+    pub(crate) fn legend(self, probes: &[ProbeVariable]) -> Reproduction {
+        let stands = |probe: &ProbeVariable| format!("{} is {}", probe.name, probe.expression);
+        let stand: Vec<String> = probes.iter().map(stands).collect();
+        match stand.is_empty() {
+            true => self,
+            false => self.command(format!("echo {}", shell_quote(&stand.join(", ")))),
+        }
     }
 
     /// Returns the name and text of a shell script that runs the commands in its own folder.
@@ -127,6 +144,53 @@ impl Reproduction {
             text,
         }
     }
+
+    /// Writes the files and the script into a folder. Returns their names, in the order of [`Reproduction::files`].
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write(&self, folder: &Path) -> io::Result<Vec<String>> {
+        let script = self.script();
+        let mut names = Vec::with_capacity(self.files.len() + 1);
+        for file in self.files.iter().chain([&script]) {
+            fs::write(folder.join(&file.name), &file.text)?;
+            names.push(file.name.clone());
+        }
+        executable(&folder.join(SCRIPT))?;
+        Ok(names)
+    }
+
+    /// Writes everything into a private folder and runs the script there, under the limits that every compiler gets; `variables`
+    /// name the compiler's programs and folders. Returns what the commands printed, without colours and without the path of the
+    /// folder.
+    ///
+    /// # Errors
+    /// A fragment that says why the script did not end.
+    pub fn run(&self, variables: &[(String, PathBuf)]) -> Result<String, String> {
+        let folder = Folder::new()?;
+        self.write(folder.path()).map_err(|error| error.to_string())?;
+        // One stream keeps the output in the order in which it is printed.
+        let arguments = ["-c", "exec sh ./run.sh 2>&1"];
+        let limits = ToolLimits::default();
+        let ended = run_tool_with(Path::new("sh"), &arguments, folder.path(), &limits, |start| {
+            start.envs(variables.iter().map(|(name, path)| (name, path)));
+        });
+        let ended = ended.map_err(|outcome| outcome.to_string())?;
+        let inside = format!("{}/", folder.path().display());
+        Ok(without_colours(&ended.stdout).replace(&inside, ""))
+    }
+}
+
+#[cfg(unix)]
+fn executable(script: &Path) -> io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    fs::set_permissions(script, fs::Permissions::from_mode(0o755))
+}
+
+/// Does nothing: on systems other than Unix the name of a file says whether it can be started.
+#[cfg(not(unix))]
+fn executable(_: &Path) -> io::Result<()> {
+    Ok(())
 }
 
 /// Joins words to a command of a POSIX shell.

@@ -67,6 +67,12 @@ pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
     }
 }
 
+/// Returns the facts that a case expects, in a fixed order: those of its [`Judgement::expected`].
+#[must_use]
+pub fn expected_facts(case: &Case) -> Vec<Fact> {
+    expected(&case.expectation)
+}
+
 /// Returns the verdict and the fact where a request of the case went unanswered: nothing else of the case counts then.
 fn no_answer(answers: &Answers) -> Option<(Verdict, Fact)> {
     if let Outcome::Rendered { .. } = answers.run {

@@ -35,7 +35,7 @@ pub use event::{Totals, Verdict};
 pub use fact::Fact;
 pub use filter::Filter;
 pub use inherited::{dialect_headers, drop_changed_cases};
-pub use judge::{Judgement, judge, rendered_bodies};
+pub use judge::{Judgement, expected_facts, judge, rendered_bodies};
 pub use pack::breaks_reading;
 pub use plan::{Plan, RunError, Summary};
 pub use schedule::{run, run_with};

@@ -1,62 +1,32 @@
 //! `stickler show`: shows one case.
 
-use crate::arguments::{SelectionArguments, ShowArguments};
-use crate::case_folder::{self, CaseFolder};
+use crate::arguments::ShowArguments;
+use crate::case_folder;
 use crate::exit::Exit;
+use crate::named_case::NamedCase;
 use anstyle::Style;
-use anyhow::bail;
 use std::io::{self, Write};
-use stickler_engines::Outcome;
-use stickler_run::{Answers, Fact, Filter, Grade, Plan, judge};
-use stickler_suite::{Case, Suite};
+use stickler_run::{Fact, Plan, expected_facts};
+use stickler_suite::Case;
 use stickler_types::wrap;
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
-
-/// The maximum number of ids that are suggested for an unknown one.
-const MAX_SUGGESTIONS: usize = 5;
-
-/// The maximum length of a name that is compared with ids; a longer one is no misspelt id.
-const MAX_NAME_LEN: usize = 200;
 
 /// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
 ///
 /// # Errors
 /// No folder of cases; no such case, where the error names similar ones.
 pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let selection = SelectionArguments {
-        cases: arguments.cases.clone(),
-        filter: Some(arguments.case.clone()),
-        ..SelectionArguments::default()
-    };
-    let plan = case_folder::plan(&selection, None);
-    let dialect = Filter::new(arguments.case.as_str()).dialect();
-    let suite = CaseFolder::locate(arguments.cases.as_deref())?.load_selected(&plan, dialect);
-    let named: Vec<&Case> = suite
-        .cases
-        .iter()
-        .filter(|case| is_named(case, &arguments.case))
-        .collect();
-    if named.is_empty() {
-        bail!("{}", no_such_case(&suite, &arguments.case));
-    }
-    for (number, group) in groups(&named).iter().enumerate() {
+    let named = NamedCase::load(&arguments.case, arguments.cases.as_deref())?;
+    for (number, group) in groups(&named.cases()).iter().enumerate() {
         if number > 0 {
             writeln!(out, "\n{DIM}{}{DIM:#}\n", "-".repeat(80))?;
         }
         write_group(group, out)?;
-        write_end(group, &plan, out)?;
+        write_end(group, &named.plan, out)?;
     }
-    Ok(case_folder::exit_of(&suite))
-}
-
-fn is_named(case: &Case, name: &str) -> bool {
-    match name.strip_prefix(&*case.id) {
-        Some("") => true,
-        Some(rest) => rest.strip_prefix('@') == Some(case.dialect.as_str()),
-        None => false,
-    }
+    Ok(case_folder::exit_of(&named.suite))
 }
 
 /// Groups the cases that differ in the dialect only.
@@ -114,12 +84,9 @@ fn write_end(group: &[&Case], plan: &Plan, out: &mut dyn Write) -> io::Result<()
         .try_for_each(|case| writeln!(out, "  {}", plan.rerun(case, "reference")))
 }
 
-/// Writes the expectation of a case in the form of reports. The text does not depend on the outcome, so any outcome serves.
+/// Writes the expectation of a case in the form of reports.
 fn write_expectation(case: &Case, out: &mut dyn Write) -> io::Result<()> {
-    let answers = Answers::of_run(Outcome::Unsupported {
-        reason: String::new(),
-    });
-    let expected = judge(case, &answers, Grade::Code).expected;
+    let expected = expected_facts(case);
     for line in Fact::text(&expected).lines() {
         writeln!(out, "  {line}")?;
     }
@@ -132,39 +99,4 @@ fn write_expectation(case: &Case, out: &mut dyn Write) -> io::Result<()> {
         )?;
     }
     Ok(())
-}
-
-fn no_such_case(suite: &Suite, name: &str) -> String {
-    let close = suggestions(suite, name);
-    if close.is_empty() {
-        return format!("there is no case `{name}`; `stickler list` lists all");
-    }
-    format!(
-        "there is no case `{name}`; did you mean one of these?\n  {}",
-        close.join("\n  ")
-    )
-}
-
-/// Returns the ids that contain the name, or else the ids with the most similar spelling.
-fn suggestions<'a>(suite: &'a Suite, name: &str) -> Vec<&'a str> {
-    let name = name.split('@').next().unwrap_or(name);
-    let mut ids: Vec<&str> = suite.cases.iter().map(|case| &*case.id).collect();
-    ids.sort_unstable();
-    ids.dedup();
-    let mut close: Vec<&str> = ids
-        .iter()
-        .copied()
-        .filter(|id| id.contains(name))
-        .take(MAX_SUGGESTIONS)
-        .collect();
-    if close.is_empty() && name.len() <= MAX_NAME_LEN {
-        let mut near: Vec<(usize, &str)> = ids
-            .iter()
-            .map(|id| (strsim::levenshtein(id, name), *id))
-            .filter(|(distance, id)| *distance <= id.len() / 3)
-            .collect();
-        near.sort_unstable();
-        close = near.into_iter().map(|(_, id)| id).take(MAX_SUGGESTIONS).collect();
-    }
-    close
 }

@@ -18,6 +18,7 @@ mod links;
 mod pages;
 #[cfg(unix)]
 mod reduce;
+mod reproduce;
 mod run;
 #[cfg(unix)]
 mod sweep;

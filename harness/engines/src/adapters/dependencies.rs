@@ -20,8 +20,7 @@ pub struct Dependency {
 impl Dependency {
     /// Returns the name of the variable that holds the path of the dependency in the scripts of
     /// [reproductions](crate::Reproduction), which do not know Stickler.
-    #[must_use]
-    pub fn shell_variable(&self) -> &'static str {
+    pub(super) fn shell_variable(&self) -> &'static str {
         self.variable.strip_prefix("STICKLER_").unwrap_or(self.variable)
     }
 }
@@ -66,6 +65,8 @@ impl DependencyPaths {
 pub struct FoundDependency {
     /// The [key](Dependency::key) of the dependency.
     pub key: &'static str,
+    /// The variable that names the dependency in the scripts of [reproductions](crate::Reproduction).
+    pub shell_variable: String,
     /// The absolute path of the dependency.
     pub path: PathBuf,
     /// The way in which the dependency was found.
@@ -204,6 +205,7 @@ impl<'p> DependencySearch<'p> {
     fn keep(&mut self, dependency: Dependency, path: PathBuf, by: FoundBy) -> PathBuf {
         self.located.push(FoundDependency {
             key: dependency.key,
+            shell_variable: dependency.shell_variable().to_owned(),
             path: path.clone(),
             by,
         });
@@ -297,6 +299,7 @@ mod tests {
         let by = FoundBy::Configuration("stickler.toml:4".to_owned());
         let located = FoundDependency {
             key: "compiler",
+            shell_variable: "NO_SUCH_COMPILER".to_owned(),
             path: there,
             by,
         };

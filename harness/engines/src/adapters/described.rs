@@ -133,7 +133,12 @@ fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option
         }
         _ => (program, FoundBy::Configuration("stickler.toml".to_owned())),
     };
-    Ok(Some(FoundDependency { key, path, by }))
+    Ok(Some(FoundDependency {
+        key,
+        shell_variable: reproduction::variable(&path.file_stem().unwrap_or_default().to_string_lossy()),
+        path,
+        by,
+    }))
 }
 
 fn abilities(description: &Description) -> Vec<Ability> {
@@ -186,15 +191,13 @@ impl Engine for DescribedEngine {
     }
 
     fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
-        let word = self.word(request.dialect);
-        let word = word.ok_or_else(|| speaks_not(request.dialect))?;
-        reproduction::reproduce(&self.description, word, request, ability)
+        self.description.reproduce(request, ability)
     }
 
     /// Returns the commands of the table, one after the other.
     fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
         let description = &self.description;
-        let word = self.word(dialect)?;
+        let word = description.word(dialect)?;
         let run = description.run.as_ref();
         let first = match run {
             Some(_) => description.compile.as_ref(),
@@ -218,17 +221,6 @@ impl Engine for DescribedEngine {
         commands
             .collect::<Option<Vec<String>>>()
             .map(|commands| commands.join(" && "))
-    }
-}
-
-impl DescribedEngine {
-    /// Returns the compiler's own word for a dialect; `None` where it does not speak the dialect.
-    fn word(&self, dialect: DialectName) -> Option<&str> {
-        let asked_in = self.identity.asked_in(dialect)?;
-        let mut dialects = self.description.dialects.iter();
-        dialects
-            .find(|(name, _)| name.0 == asked_in)
-            .map(|(_, word)| word.as_str())
     }
 }
 
@@ -345,7 +337,11 @@ impl DescribedSession<'_> {
     }
 
     fn call(&self, dialect: DialectName) -> Result<Call<'_>, Outcome> {
-        let word = self.engine.word(dialect).ok_or_else(|| speaks_not(dialect))?;
+        let word = self
+            .engine
+            .description
+            .word(dialect)
+            .ok_or_else(|| speaks_not(dialect))?;
         Ok(Call {
             engine: self.engine,
             folder: &self.folder,

@@ -1,7 +1,7 @@
 //! Removes the colours of a terminal from a text.
 
 /// Returns the text without terminal control sequences: some compilers colour their output also where no terminal reads it.
-pub(super) fn without_colours(text: &str) -> String {
+pub(crate) fn without_colours(text: &str) -> String {
     anstream::adapter::strip_str(text).to_string()
 }
 

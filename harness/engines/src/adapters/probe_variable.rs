@@ -7,13 +7,13 @@ use stickler_types::ElementaryType;
 
 /// A variable that is added to a program and takes the value of an expression at the end of its main program.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct ProbeVariable {
+pub(crate) struct ProbeVariable {
     /// The name of the variable, which no program has: see [`ProbeVariable::name`].
-    pub(super) name: String,
+    pub(crate) name: String,
     /// The type of the variable, as it is declared.
     pub(super) type_name: String,
     /// The expression whose value the variable takes.
-    pub(super) expression: String,
+    pub(crate) expression: String,
 }
 
 impl ProbeVariable {

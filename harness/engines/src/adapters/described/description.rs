@@ -117,6 +117,13 @@ impl Description {
         Ok(())
     }
 
+    /// Returns the compiler's own word for a dialect, or for the one that it extends; `None` where it speaks neither.
+    pub(super) fn word(&self, dialect: DialectName) -> Option<&str> {
+        let base = dialect.base().name();
+        let words = [dialect, base].map(|dialect| self.dialects.get(&Parsed(dialect)));
+        words.into_iter().flatten().next().map(String::as_str)
+    }
+
     /// Returns the text of the file of a program: the program, and what stands behind it.
     pub(super) fn whole(&self, program: &str) -> String {
         let mut text = program.to_owned();

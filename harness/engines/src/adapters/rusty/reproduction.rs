@@ -60,15 +60,18 @@ fn beside(folder: &str) -> String {
 fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproduction, NoReproduction> {
     let kinds = kinds(request)?;
     let (library, cc) = (LIBRARY.shell_variable(), CC.shell_variable());
+    // Access to the variables of a program is a warning for each, which is one line then.
+    let one_line = ["--error-format=clang"];
+    let options: Vec<&str> = OBJECT.into_iter().chain(one_line).collect();
     let driver = Language::C.driver();
-    let options = command_line(Language::C.options().iter().copied());
-    Ok(compilation(renamed(request.source), &[PROGRAM, FUNCTIONS], &OBJECT)
+    let c_options = command_line(Language::C.options().iter().copied());
+    Ok(compilation(renamed(request.source), &[PROGRAM, FUNCTIONS], &options)
         .tool(library, &beside("lib"))
         .tool(cc, CC.name)
         .file(FUNCTIONS, functions(request, &renamed(&main.name), &kinds))
         .file(driver, text(request, &kinds))
         .command(format!(
-            "\"${cc}\" {options} {driver} {OBJECT_FILE} -o driver -L \"${library}\" -Wl,-rpath,\"${library}\" \
+            "\"${cc}\" {c_options} {driver} {OBJECT_FILE} -o driver -L \"${library}\" -Wl,-rpath,\"${library}\" \
              -liec61131std -lm -lpthread -ldl -no-pie"
         ))
         .command("./driver"))
@@ -90,8 +93,8 @@ fn renamed(source: &str) -> String {
 /// Returns the function that shows the values observed after a scan; `None` stands for the last.
 fn show(after: Option<u32>) -> String {
     match after {
-        Some(scan) => format!("show_after_{scan}"),
-        None => "show".to_owned(),
+        Some(scan) => format!("driver_show_after_{scan}"),
+        None => "driver_show".to_owned(),
     }
 }
 
@@ -105,15 +108,15 @@ fn functions(request: &RunRequest<'_>, program: &str, kinds: &[Kind<'_>]) -> Str
         // Writing into a String does not fail.
         let _ = writeln!(
             shown.entry(asked.after).or_default(),
-            "  show_{number}({program}.{});",
+            "  driver_show_{number}({program}.{});",
             renamed(&asked.name)
         );
         let _ = writeln!(
             external,
-            "{{external}} FUNCTION show_{number} : DINT VAR_INPUT{by} value : {ty}; END_VAR END_FUNCTION"
+            "{{external}} FUNCTION driver_show_{number} : DINT VAR_INPUT{by} value : {ty}; END_VAR END_FUNCTION"
         );
     }
-    let mut text = format!("FUNCTION scan : DINT\n  {program}();\nEND_FUNCTION\n");
+    let mut text = format!("FUNCTION driver_scan : DINT\n  {program}();\nEND_FUNCTION\n");
     for (after, statements) in shown {
         let _ = write!(
             text,
@@ -131,7 +134,7 @@ fn text(request: &RunRequest<'_>, kinds: &[Kind<'_>]) -> String {
     for (number, (asked, kind)) in observed {
         let _ = writeln!(
             printers,
-            "int32_t show_{number}({}value) {{ {} return 0; }}",
+            "int32_t driver_show_{number}({}value) {{ {} return 0; }}",
             parameter(kind),
             print(asked, kind)
         );
@@ -149,14 +152,14 @@ fn text(request: &RunRequest<'_>, kinds: &[Kind<'_>]) -> String {
         scans: request.scans,
         start: vec![format!("if ({initialise}) {initialise}();")],
         before: Vec::new(),
-        scan: "scan();".to_owned(),
+        scan: "driver_scan();".to_owned(),
         after: after
             .iter()
             .map(|after| (*after, format!("{}();", show(*after))))
             .collect(),
     };
     format!(
-        "{HEADER}#include <time.h>\n\n{}{printers}\nint32_t scan(void);\n{declared}\
+        "{HEADER}#include <time.h>\n\n{}{printers}\nint32_t driver_scan(void);\n{declared}\
          __attribute__((weak)) void {initialise}(void);\n\n{}",
         readable::functions(&printers),
         main.text()
@@ -185,4 +188,53 @@ fn print(asked: &Observation, kind: &Kind<'_>) -> String {
         _ => Expression::Number(value()),
     };
     readable::statement(asked, kind, &value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::DialectName;
+
+    #[test]
+    fn a_program_shows_its_values_through_functions_and_keeps_its_lines() {
+        let observe = [
+            Observation::last("n", "INT"),
+            Observation {
+                after: Some(1),
+                ..Observation::last("s", "STRING")
+            },
+        ];
+        let source = "PROGRAM main\nVAR n : INT; s : STRING; END_VAR\n  n := n + 1; // main\nEND_PROGRAM\n";
+        let request = RunRequest {
+            scans: 2,
+            ..RunRequest::once(DialectName::IronplcRusty, source, &observe)
+        };
+        let shown = reproduce(&request, Ability::Execute).unwrap();
+        let [program, functions, driver] = &shown.files[..] else {
+            panic!("{shown:?}")
+        };
+        // Nothing but the name of the program changes, since `main` is where a C program begins.
+        assert_eq!(program.text, source.replacen("main", "main_program", 1));
+        assert_eq!(
+            functions.text,
+            "FUNCTION driver_scan : DINT\n  main_program();\nEND_FUNCTION\n\
+             FUNCTION driver_show : DINT\n  driver_show_0(main_program.n);\nEND_FUNCTION\n\
+             FUNCTION driver_show_after_1 : DINT\n  driver_show_1(main_program.s);\nEND_FUNCTION\n\
+             {external} FUNCTION driver_show_0 : DINT VAR_INPUT value : INT; END_VAR END_FUNCTION\n\
+             {external} FUNCTION driver_show_1 : DINT VAR_INPUT {ref} value : STRING; END_VAR END_FUNCTION\n"
+        );
+        for line in [
+            "int32_t driver_show_0(int16_t value) { printf(\"n = %d\\n\", (int)value); return 0; }",
+            "int32_t driver_show_1(unsigned char *value) { printf(\"s@1 = '\"); for (unsigned at = 0; value[at]; at++)",
+            "        driver_scan();\n        if (scan == 1) { driver_show_after_1(); }\n    }\n    driver_show();\n",
+        ] {
+            assert!(driver.text.contains(line), "{line}\n{}", driver.text);
+        }
+        let checked = reproduce(&request, Ability::Check).unwrap();
+        assert_eq!(checked.files[0].text, source);
+        assert_eq!(
+            checked.commands[0],
+            "\"$PLC\" program.st -i \"$RUSTY_INCLUDE/*.st\" --check"
+        );
+    }
 }

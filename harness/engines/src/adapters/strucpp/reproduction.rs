@@ -105,3 +105,67 @@ fn print(asked: &Observation, kind: &Kind<'_>, variable: String) -> String {
     };
     readable::statement(asked, kind, &value)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::DialectName;
+
+    #[test]
+    fn each_kind_of_value_is_printed_as_a_person_reads_it() {
+        let observe = [
+            "i INT",
+            "u UDINT",
+            "w WORD",
+            "r LREAL",
+            "t TIME",
+            "d DATE",
+            "o TOD",
+            "s STRING",
+            "l[1] BYTE",
+        ]
+        .map(|asked| {
+            let (name, type_name) = asked.split_once(' ').unwrap();
+            Observation::last(name, type_name)
+        });
+        let source = "PROGRAM main\n  ;\nEND_PROGRAM\n";
+        let request = RunRequest {
+            scans: 2,
+            ..RunRequest::once(DialectName::IronplcEd3, source, &observe)
+        };
+        let shown = reproduce(&request, Ability::Execute).unwrap();
+        let [program, driver] = &shown.files[..] else {
+            panic!("{shown:?}")
+        };
+        assert!(
+            program.text.contains("stickler_probe_0 := l[1];"),
+            "{}",
+            program.text
+        );
+        for line in [
+            "static strucpp::Program_MAIN program;",
+            "for (unsigned scan = 1; scan <= 2; scan++) {",
+            "printf(\"i = %d\\n\", (int)program.I.get());",
+            "printf(\"u = %u\\n\", (unsigned)program.U.get());",
+            "printf(\"w = 16#%04X\\n\", (unsigned)program.W.get());",
+            "printf(\"r = %.17g\\n\", (double)program.R.get());",
+            "printf(\"t = %lld ns\\n\", (long long)program.T.get());",
+            "print_date(\"d\", \"%Y-%m-%d\", program.D.get() * 86400LL, 0);",
+            "print_date(\"o\", \"%H:%M:%S\", program.O.get() / 1000000000, program.O.get() % 1000000000);",
+            "at < program.S.get().length(); at++) print_character((unsigned char)program.S.get()[at]);",
+            "printf(\"l[1] = 16#%02X\\n\", (unsigned)program.STICKLER_PROBE_0.get());",
+            "static void print_character(",
+            "static void print_date(",
+        ] {
+            assert!(driver.text.contains(line), "{line}\n{}", driver.text);
+        }
+        assert_eq!(
+            shown.commands,
+            [
+                "\"$NODE\" \"$STRUCPP\" --no-default-libs program.st -o program.cpp",
+                "\"$CXX\" -std=c++17 -O0 -w -I \"$STRUCPP_INCLUDE\" -I . driver.cpp -o driver",
+                "./driver"
+            ]
+        );
+    }
+}

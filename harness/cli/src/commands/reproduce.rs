@@ -1,0 +1,176 @@
+//! `stickler reproduce`: writes all that shows a case on a compiler without Stickler.
+
+mod page;
+mod subject;
+
+use crate::arguments::ReproduceArguments;
+use crate::exit::Exit;
+use crate::{engines, interrupt, output};
+use anyhow::{Context, bail};
+use page::{Page, README};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use stickler_configuration::{Configuration, Kind};
+use stickler_engines::{
+    Ability, Compiler, Description, NoReproduction, Reproduction, RunRequest, shell_quote,
+};
+use subject::Subject;
+
+/// The variable of a script for the folder of `stickler.toml`.
+const HERE: &str = "HERE";
+
+/// Writes the program, the files around it, the script and a README; runs the script where the compiler is here.
+///
+/// # Errors
+/// No such case or file; an engine that nobody knows, that has no command line of its own, or that would not run the program; a
+/// folder that is not empty or cannot be written.
+pub fn execute(arguments: &ReproduceArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    interrupt::at_once()?;
+    let configuration = engines::configuration()?;
+    let compiler = KnownCompiler::named(&arguments.engine, &configuration)?;
+    let subjects = Subject::all(arguments)?;
+    let (subject, reproduction) = first_shown(&subjects, &compiler, &arguments.engine)?;
+    if let [_, _, ..] = subjects[..] {
+        output::note(format!("this is the case in {}", subject.dialect()));
+    }
+    let folder = &arguments.folder;
+    make_empty(folder)?;
+    let unwritten = || format!("cannot write to {}", folder.display());
+    let names = reproduction.write(folder).with_context(unwritten)?;
+    let printed = printed(arguments, &configuration, &reproduction);
+    let page = Page {
+        subject,
+        engine: &arguments.engine,
+        program: &names[0],
+        printed: printed.as_ref().map(Printed::borrowed),
+    };
+    fs::write(folder.join(README), page.text()).with_context(unwritten)?;
+    writeln!(
+        out,
+        "{} has {} and {README}.\n",
+        folder.display(),
+        names.join(", ")
+    )?;
+    page.write(out)?;
+    let script = folder.join("run.sh");
+    writeln!(
+        out,
+        "To see it again: sh {}",
+        shell_quote(&script.to_string_lossy())
+    )?;
+    Ok(Exit::AsExpected)
+}
+
+/// A compiler whose command line Stickler knows, whether it is here or not.
+enum KnownCompiler<'c> {
+    Adapter(Compiler),
+    Described(&'c Description),
+}
+
+impl KnownCompiler<'_> {
+    /// Returns the compiler of a name.
+    ///
+    /// # Errors
+    /// No engine has the name, or it has no command line of its own.
+    fn named<'c>(name: &str, configuration: &'c Configuration) -> anyhow::Result<KnownCompiler<'c>> {
+        let entry = configuration.engine(name).map(|entry| &entry.kind);
+        match (entry, Compiler::from_name(name)) {
+            (Some(Kind::Compiler { compiler, .. }), _) => Ok(KnownCompiler::Adapter(*compiler)),
+            (None, Some(compiler)) => Ok(KnownCompiler::Adapter(compiler)),
+            (Some(Kind::Described(description)), _) => Ok(KnownCompiler::Described(description)),
+            (Some(Kind::Command { .. }), _) => Err(NoReproduction::NoTools(name.to_owned()).into()),
+            (None, None) if name == engines::REFERENCE || name.starts_with(engines::COMMAND) => {
+                Err(NoReproduction::NoTools(name.to_owned()).into())
+            }
+            (None, None) => Err(engines::no_such(name, configuration).into()),
+        }
+    }
+
+    fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
+        match self {
+            KnownCompiler::Adapter(compiler) => compiler.reproduce(request, ability),
+            KnownCompiler::Described(description) => description.reproduce(request, ability),
+        }
+    }
+}
+
+/// Returns the first subject that the compiler shows, and its reproduction.
+///
+/// # Errors
+/// The reason why it shows none.
+fn first_shown<'s>(
+    subjects: &'s [Subject],
+    compiler: &KnownCompiler<'_>,
+    engine: &str,
+) -> anyhow::Result<(&'s Subject, Reproduction)> {
+    let mut reason = None;
+    for subject in subjects {
+        match compiler.reproduce(&subject.request(), subject.ability()) {
+            Ok(reproduction) => return Ok((subject, reproduction)),
+            Err(error) => reason = reason.or(Some(error)),
+        }
+    }
+    let reason = reason.map_or_else(String::new, |reason| format!(": {reason}"));
+    bail!("{engine} does not show this program{reason}")
+}
+
+/// Makes a folder, which must be empty where it is there.
+fn make_empty(folder: &Path) -> anyhow::Result<()> {
+    let shown = folder.display();
+    fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {shown}"))?;
+    let mut entries = fs::read_dir(folder).with_context(|| format!("cannot read {shown}"))?;
+    match entries.next() {
+        None => Ok(()),
+        Some(_) => bail!("{shown} is not empty; name a folder that is, or none that is there"),
+    }
+}
+
+/// The output of a script.
+struct Printed {
+    version: String,
+    text: String,
+}
+
+impl Printed {
+    fn borrowed(&self) -> (&str, &str) {
+        (&self.version, &self.text)
+    }
+}
+
+/// Runs the script of a reproduction; says why not on stderr where the compiler is not here.
+fn printed(
+    arguments: &ReproduceArguments,
+    configuration: &Configuration,
+    reproduction: &Reproduction,
+) -> Option<Printed> {
+    let name = &arguments.engine;
+    let search = engines::seek(name, name, configuration)?;
+    let engine = match search.engine {
+        Ok(engine) => engine,
+        Err(error) => {
+            output::note(format!("the files are not tried: {error}"));
+            return None;
+        }
+    };
+    let mut variables: Vec<(String, PathBuf)> = search
+        .located
+        .into_iter()
+        .map(|found| (found.shell_variable, found.path))
+        .collect();
+    variables.extend(
+        configuration
+            .folder()
+            .map(|here| (HERE.to_owned(), here.to_owned())),
+    );
+    match reproduction.run(&variables) {
+        Ok(text) => Some(Printed {
+            version: engine.identity().version.clone(),
+            text,
+        }),
+        Err(reason) => {
+            output::note(format!("run.sh: {reason}"));
+            None
+        }
+    }
+}

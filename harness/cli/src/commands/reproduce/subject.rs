@@ -1,0 +1,131 @@
+//! The programs that a reproduction may show: a case in each of its dialects, or a file.
+
+use crate::arguments::ReproduceArguments;
+use crate::named_case::NamedCase;
+use crate::source_file;
+use anyhow::{Context, bail};
+use std::path::Path;
+use stickler_engines::{Ability, Observation, RunRequest};
+use stickler_reference::decoding::decode;
+use stickler_run::{Fact, expected_facts, shown_by};
+use stickler_suite::{Case, Sources};
+use stickler_types::DialectName;
+
+/// A program, and what is known of it.
+pub(super) enum Subject {
+    /// A case.
+    Case {
+        case: Box<Case>,
+        /// The address of its basis, where that has one.
+        address: Option<String>,
+    },
+    /// A file.
+    File {
+        name: String,
+        source: String,
+        dialect: DialectName,
+        observe: Vec<Observation>,
+        scans: u32,
+    },
+}
+
+impl Subject {
+    /// Returns the subjects that the command line names, of which one is shown.
+    ///
+    /// # Errors
+    /// No such case or file; a file without a dialect.
+    pub(super) fn all(arguments: &ReproduceArguments) -> anyhow::Result<Vec<Subject>> {
+        let path = Path::new(&arguments.case);
+        if path.extension().is_some_and(|extension| extension == "st") {
+            return Ok(vec![Subject::file(arguments, path)?]);
+        }
+        if let Some(dialect) = arguments.dialect {
+            bail!(
+                "--dialect is for a file; name the dialect of a case as in `{}@{dialect}`",
+                arguments.case
+            );
+        }
+        let named = NamedCase::load(&arguments.case, arguments.cases.as_deref())?;
+        let cases = named.cases().into_iter();
+        Ok(cases
+            .map(|case| Subject::Case {
+                address: address(&named.suite.sources, &case.basis),
+                case: Box::new(if arguments.with_marks {
+                    case.clone()
+                } else {
+                    case.without_marks()
+                }),
+            })
+            .collect())
+    }
+
+    fn file(arguments: &ReproduceArguments, path: &Path) -> anyhow::Result<Subject> {
+        let (bytes, name) = source_file::read(path)?;
+        let dialect = arguments.dialect;
+        Ok(Subject::File {
+            name,
+            source: decode(&bytes).0.into_owned(),
+            dialect: dialect.context("name the dialect of the file with --dialect")?,
+            observe: arguments.observe.clone(),
+            scans: arguments.scans,
+        })
+    }
+
+    pub(super) fn dialect(&self) -> DialectName {
+        match self {
+            Subject::Case { case, .. } => case.dialect,
+            Subject::File { dialect, .. } => *dialect,
+        }
+    }
+
+    pub(super) fn request(&self) -> RunRequest<'_> {
+        match self {
+            Subject::Case { case, .. } => case.request(),
+            Subject::File {
+                source,
+                dialect,
+                observe,
+                scans,
+                ..
+            } => RunRequest {
+                scans: *scans,
+                ..RunRequest::once(*dialect, source, observe)
+            },
+        }
+    }
+
+    /// Returns the ability that shows what matters of the program.
+    pub(super) fn ability(&self) -> Ability {
+        match self {
+            Subject::Case { case, .. } => shown_by(case),
+            Subject::File { observe, .. } if observe.is_empty() => Ability::Check,
+            Subject::File { .. } => Ability::Execute,
+        }
+    }
+
+    /// Returns the heading of a page, and what stands below it.
+    pub(super) fn heading(&self) -> (String, &str) {
+        match self {
+            Subject::Case { case, .. } => (case.key(), &case.title),
+            Subject::File { name, .. } => (name.clone(), ""),
+        }
+    }
+
+    /// Returns the expectation in the words of reports, and where it comes from.
+    pub(super) fn expected(&self) -> Option<(String, String)> {
+        let Subject::Case { case, address } = self else {
+            return None;
+        };
+        let from = address
+            .as_ref()
+            .map(|address| format!(", {address}"))
+            .unwrap_or_default();
+        Some((Fact::text(&expected_facts(case)), format!("{}{from}", case.basis)))
+    }
+}
+
+/// Returns the address of a basis; for a file of the suite its path.
+fn address(sources: &Sources, basis: &str) -> Option<String> {
+    let (source, section) = sources.of(basis)?;
+    Some(source.address_of(section))
+}

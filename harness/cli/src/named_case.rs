@@ -1,0 +1,94 @@
+//! Finds the case that a command names.
+
+use crate::arguments::SelectionArguments;
+use crate::case_folder::{self, CaseFolder};
+use anyhow::bail;
+use std::path::Path;
+use stickler_run::{Filter, Plan};
+use stickler_suite::{Case, Suite};
+
+/// The maximum number of ids that are suggested for an unknown one.
+const MAX_SUGGESTIONS: usize = 5;
+
+/// The maximum length of a name that is compared with ids; a longer one is no misspelt id.
+const MAX_NAME_LEN: usize = 200;
+
+/// A suite that was loaded for one case, which may be there in several dialects.
+pub struct NamedCase<'n> {
+    /// The suite; of its files only those were read that may have the case.
+    pub suite: Suite,
+    /// The plan that selects the case.
+    pub plan: Plan,
+    name: &'n str,
+}
+
+impl<'n> NamedCase<'n> {
+    /// Loads the case of an id, with or without `@dialect`; `cases` is the folder of cases, where one was named.
+    ///
+    /// # Errors
+    /// No folder of cases; no such case, where the error names similar ones.
+    pub fn load(name: &'n str, cases: Option<&Path>) -> anyhow::Result<NamedCase<'n>> {
+        let selection = SelectionArguments {
+            cases: cases.map(Path::to_owned),
+            filter: Some(name.to_owned()),
+            ..SelectionArguments::default()
+        };
+        let plan = case_folder::plan(&selection, None);
+        let dialect = Filter::new(name).dialect();
+        let suite = CaseFolder::locate(cases)?.load_selected(&plan, dialect);
+        let named = NamedCase { suite, plan, name };
+        if named.cases().is_empty() {
+            bail!("{}", no_such_case(&named.suite, name));
+        }
+        Ok(named)
+    }
+
+    /// Returns the case in each of its dialects, or in the one that was named.
+    pub fn cases(&self) -> Vec<&Case> {
+        let cases = self.suite.cases.iter();
+        cases.filter(|case| is_named(case, self.name)).collect()
+    }
+}
+
+fn is_named(case: &Case, name: &str) -> bool {
+    match name.strip_prefix(&*case.id) {
+        Some("") => true,
+        Some(rest) => rest.strip_prefix('@') == Some(case.dialect.as_str()),
+        None => false,
+    }
+}
+
+fn no_such_case(suite: &Suite, name: &str) -> String {
+    let close = suggestions(suite, name);
+    if close.is_empty() {
+        return format!("there is no case `{name}`; `stickler list` lists all");
+    }
+    format!(
+        "there is no case `{name}`; did you mean one of these?\n  {}",
+        close.join("\n  ")
+    )
+}
+
+/// Returns the ids that contain the name, or else the ids with the most similar spelling.
+fn suggestions<'a>(suite: &'a Suite, name: &str) -> Vec<&'a str> {
+    let name = name.split('@').next().unwrap_or(name);
+    let mut ids: Vec<&str> = suite.cases.iter().map(|case| &*case.id).collect();
+    ids.sort_unstable();
+    ids.dedup();
+    let mut close: Vec<&str> = ids
+        .iter()
+        .copied()
+        .filter(|id| id.contains(name))
+        .take(MAX_SUGGESTIONS)
+        .collect();
+    if close.is_empty() && name.len() <= MAX_NAME_LEN {
+        let mut near: Vec<(usize, &str)> = ids
+            .iter()
+            .map(|id| (strsim::levenshtein(id, name), *id))
+            .filter(|(distance, id)| *distance <= id.len() / 3)
+            .collect();
+        near.sort_unstable();
+        close = near.into_iter().map(|(_, id)| id).take(MAX_SUGGESTIONS).collect();
+    }
+    close
+}
