@@ -2,12 +2,12 @@
 
 use stickler_exact::{Signature, expected};
 use stickler_generate::model::{Expression, ExpressionKind, Program, Type};
-use stickler_types::{BuiltIn, DialectName, ElementaryType, Value};
+use stickler_types::{BuiltIn, Code, DialectName, ElementaryType, Value};
 
 use crate::expressions::each_expression;
 
-/// The document and section of the arithmetic rules of every dialect.
-const DESIGN: &str = "stickler-design: §8";
+/// The clause of the standard on the language of every dialect.
+const LANGUAGE: &str = "iec-61131-3: 7.3";
 
 /// The document and section, as a case writes them: of the conversion functions in the program, else of its implicit
 /// conversions, else of its bit access, else of what all dialects share. The first of a kind decides.
@@ -27,7 +27,7 @@ pub fn basis(program: &Program) -> String {
     conversion
         .or(widening)
         .or(bit)
-        .unwrap_or_else(|| DESIGN.to_owned())
+        .unwrap_or_else(|| LANGUAGE.to_owned())
 }
 
 #[derive(Default)]
@@ -88,6 +88,16 @@ fn of_widening(from: ElementaryType, to: ElementaryType, dialect: DialectName) -
         "Implicit Type Widening"
     };
     Some(format!("ironplc-type-conversions: {section}"))
+}
+
+/// Returns the source that says which code belongs to an error: the registry of the dialect, or else Stickler's own rule.
+#[must_use]
+pub(crate) fn of_code(code: Code, dialect: DialectName) -> String {
+    let code = code.as_str();
+    match is_ironplc(dialect) && code.starts_with('P') {
+        true => format!("ironplc-problem-codes: {code}"),
+        false => "rule: code-of-the-context".to_owned(),
+    }
 }
 
 const fn is_ironplc(dialect: DialectName) -> bool {

@@ -292,7 +292,7 @@ mod tests {
         let [case] = &read[..] else { panic!("one case") };
         assert_eq!(&*case.id, "found/mod-of-things");
         assert_eq!(case.expectation.values[0].value.to_string(), "INT#5");
-        assert_eq!(&*case.basis.to_string(), "stickler-design: §8");
+        assert_eq!(&*case.basis.to_string(), "iec-61131-3: 7.3");
         assert_eq!(&*case.title, "MOD gives (* what is *) left");
         let again = promote(&finding, cases.path(), &words).unwrap_err();
         assert!(matches!(again, PromoteError::Exists(_)), "{again}");
@@ -314,7 +314,7 @@ mod tests {
             .to_string();
         assert!(error.contains("name it with --basis"), "{error}");
         let words = CaseHead {
-            basis: Some("stickler-design: §7"),
+            basis: Some("rule: code-of-the-context"),
             ..CaseHead::default()
         };
         let promoted = promote(&finding, cases.path(), &words).unwrap();

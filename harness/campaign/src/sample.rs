@@ -33,7 +33,7 @@ pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) ->
                 name: "x".to_owned(),
                 value: "INT#5".to_owned(),
             }],
-            basis: Some("stickler-design: §8".to_owned()),
+            basis: Some("iec-61131-3: 7.3".to_owned()),
             opened: Vec::new(),
         },
         outcomes: Vec::new(),

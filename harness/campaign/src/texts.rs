@@ -58,7 +58,7 @@ fn program(inputs: Inputs, place: u64) -> String {
 
 fn case_file(inputs: Inputs, place: u64) -> String {
     const HEADER: &str =
-        "(*!\ntitle = \"Something holds\"\nbasis = \"stickler-design: §8\"\ndialects = [\"all\"]\n*)\n";
+        "(*!\ntitle = \"Something holds\"\nbasis = \"iec-61131-3: 7.3\"\ndialects = [\"all\"]\n*)\n";
     const VALUES: &str = "(*! values\nchecksum = LINT#0\n*)\n";
     format!("{HEADER}{}{VALUES}", program(inputs, place))
 }

@@ -265,7 +265,7 @@ const REALS: [ElementaryType; 2] = [ElementaryType::Real, ElementaryType::Lreal]
 
 /// Returns whether a dialect has the types that the third edition added.
 ///
-/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); rule: types-by-edition.
+/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects).
 pub(crate) fn has_third_edition(dialect: DialectName) -> bool {
     stated(dialect, Flag::ThirdEditionTypes)
         .unwrap_or(!matches!(dialect.base(), BuiltIn::IronplcEd2 | BuiltIn::Matiec))

@@ -10,7 +10,7 @@ pub(crate) const fn number(raw: u64, ty: ElementaryType) -> i128 {
 
 /// Returns the raw form of a number modulo 2^n of its type.
 ///
-/// Basis: rule: integers-wrap; forgeiec-conversion-functions: Range and precision ("wraps").
+/// Basis: rule: integer-overflow-wraps; forgeiec-conversion-functions: Range and precision ("wraps").
 pub(crate) fn wrapped(number: i128, to: ElementaryType) -> u64 {
     let modulus = 1_i128 << to.bits();
     let rest = number.rem_euclid(modulus);

@@ -11,7 +11,7 @@ use stickler_types::{ConversionChoices, ElementaryType, Family, OutOfRange, Roun
 /// of its result type. For operands of other types, or another number of them, there is no such call: the result is then the
 /// default of the result type, 0 or the empty text.
 ///
-/// Basis: rule: integers-wrap; forgeiec-conversion-functions: The naming pattern, Range and precision.
+/// Basis: rule: integer-overflow-wraps; forgeiec-conversion-functions: The naming pattern, Range and precision.
 #[must_use]
 pub fn value(signature: &Signature, operands: &[Value], choices: &ConversionChoices) -> Value {
     let result = match operands {

@@ -5,7 +5,7 @@ use stickler_types::{BuiltIn, DialectName};
 /// Returns whether a dialect has the elementary types of the third edition.
 ///
 /// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); ironplc-problem-codes: P0010;
-/// rule: types-by-edition.
+/// matiec follows the second edition.
 pub(crate) const fn has_third_edition(dialect: DialectName) -> bool {
     !matches!(dialect.base(), BuiltIn::IronplcEd2 | BuiltIn::Matiec)
 }

@@ -1,7 +1,7 @@
 //! Programs with one planted error, and the code and the line that documents give it.
 //!
 //! Each kind of error is one function in one table. The expectation comes from documents, never from the output of the
-//! reference, and each function names them: the registry of codes and the rule code-by-place, the cases, the
+//! reference, and each function names them: the registry of codes and the rule code-of-the-context, the cases, the
 //! standard. Architecture Invariant: nothing here knows the reference.
 
 mod fault_site;

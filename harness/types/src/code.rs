@@ -73,7 +73,7 @@ impl Code {
     /// Returns whether the code reports a construct that is not enabled, which suppresses every other diagnostic about that
     /// construct.
     ///
-    /// Basis: rule: every-mistake-once.
+    /// Basis: rule: not-enabled-hides-the-rest.
     pub const fn not_enabled(self) -> bool {
         matches!(
             self,

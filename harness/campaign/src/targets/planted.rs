@@ -1,5 +1,6 @@
 //! A program with a planted error made small: what is around the error goes, and the same kind of error is planted anew.
 
+use crate::basis::of_code;
 use crate::finding::Expected;
 use arbitrary::Unstructured;
 use stickler_generate::model::Program;
@@ -8,9 +9,6 @@ use stickler_generate::plant::{Planted, plant, plant_kind, without_unused};
 use stickler_generate::random;
 use stickler_generate::reduce::{self, Interestingness, Reduction, ReductionBudget, StopReason};
 use stickler_generate::writer::{Style, write};
-
-/// The document that says which code belongs to which error.
-const BASIS: &str = "stickler-design: §7";
 
 /// The number of other places that are tried for an error, besides the one where it was found.
 const OTHER_PLACES: u64 = 32;
@@ -163,7 +161,7 @@ impl Found {
         Expected::Rejected {
             code: self.planted.code.as_str().to_owned(),
             line: self.line,
-            basis: Some(BASIS.to_owned()),
+            basis: Some(of_code(self.planted.code, self.planted.program.dialect)),
         }
     }
 }

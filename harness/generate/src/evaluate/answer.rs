@@ -107,7 +107,7 @@ impl OpenQuestion {
             OpenQuestion::Conversion => "the dialect's page on conversion functions",
             OpenQuestion::ImplicitConversion => "the dialect's tables of implicit conversions",
             OpenQuestion::RealDivisionByZero | OpenQuestion::NotANumber => "IEC 60559 and real-arithmetic",
-            OpenQuestion::LeastByMinusOne => "rule: integers-wrap",
+            OpenQuestion::LeastByMinusOne => "rule: integer-overflow-wraps",
             OpenQuestion::ShiftCount | OpenQuestion::NegativeShiftCount => "iec-61131-3: Table 30",
             OpenQuestion::ZerosOfTwoSigns | OpenQuestion::MuxSelector | OpenQuestion::LimitsCrossed => {
                 "iec-61131-3: Table 32"

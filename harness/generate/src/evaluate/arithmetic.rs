@@ -1,6 +1,6 @@
 //! Results of operators: integers in 128 bits, wrapped to their type; reals rounded once; durations in nanoseconds.
 //!
-//! Basis: rule: integers-wrap (two's complement of the declared width); iec-61131-3: Table 10 (IEC 60559 in 32 and 64 bits;
+//! Basis: rule: integer-overflow-wraps (two's complement of the declared width); iec-61131-3: Table 10 (IEC 60559 in 32 and 64 bits;
 //! each operation is rounded once).
 
 use super::OpenQuestion;
@@ -73,7 +73,7 @@ pub(super) fn binary(operator: BinaryOperator, ty: ElementaryType, a: u64, b: u6
 
 /// Computes an integer operation; division truncates toward zero, and MOD has the sign of the dividend.
 ///
-/// Basis: rule: integers-wrap; iec-61131-3: Table 29; the table integer-arithmetic of the cases states it for every type.
+/// Basis: rule: integer-overflow-wraps; iec-61131-3: Table 29; the table integer-arithmetic of the cases states it for every type.
 fn integers(operator: BinaryOperator, ty: ElementaryType, a: i128, b: i128) -> Binary {
     let exact = match operator {
         BinaryOperator::Add => a + b,

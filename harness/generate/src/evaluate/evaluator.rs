@@ -20,7 +20,7 @@ const MAX_DEPTH: u32 = 400;
 /// # Errors
 /// An [`EvaluationError`]: the program stops with a fault, takes too long, or is ill-formed.
 ///
-/// Basis: rule: integers-wrap; iec-61131-3: 6.6 and 7.3 (calls and statements); `stickler_exact` for
+/// Basis: rule: integer-overflow-wraps; iec-61131-3: 6.6 and 7.3 (calls and statements); `stickler_exact` for
 /// conversions.
 pub fn evaluate(program: &Program, scans: u32) -> Result<Evaluation, EvaluationError> {
     let layout = Layout::new(program)?;

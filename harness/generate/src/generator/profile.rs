@@ -91,7 +91,7 @@ impl DialectProfile {
     /// Returns whether a literal without its prefix stands for a value of a type in a context. Literals whose form
     /// determines the type (`TRUE`, `T#5ms`, `'text'`) do so everywhere.
     ///
-    /// Basis: ironplc-type-conversions: Cross-family widening; rule: untyped-literals.
+    /// Basis: ironplc-type-conversions: Cross-family widening; rule: literal-as-operand.
     pub fn takes_untyped(&self, ty: ElementaryType, context: TypeContext) -> bool {
         match ty.family() {
             Family::Boolean | Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {

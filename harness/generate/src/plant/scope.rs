@@ -89,7 +89,7 @@ pub(super) const fn compares(operator: BinaryOperator) -> bool {
 
 /// Returns every elementary type of a dialect.
 ///
-/// Basis: ironplc-problem-codes: P0010 (the types of the third edition need it); rule: types-by-edition.
+/// Basis: ironplc-problem-codes: P0010 (the types of the third edition need it).
 pub(super) fn types(dialect: DialectName) -> impl Iterator<Item = ElementaryType> {
     let third = has_third_edition(dialect);
     ElementaryType::ALL

@@ -1,6 +1,6 @@
 //! Diagnostics as a person reads them: sorted, each said once, with lines and columns.
 //!
-//! Basis: harness/engines/README.md (order, positions); rule: every-mistake-once (a code that says a construct is not
+//! Basis: harness/engines/README.md (order, positions); rule: not-enabled-hides-the-rest (a code that says a construct is not
 //! enabled suppresses every other diagnostic about that construct).
 
 use crate::diagnostic::SpannedDiagnostic;

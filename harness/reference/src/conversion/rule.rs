@@ -25,7 +25,7 @@ pub enum ConversionRule {
     Keep,
     /// Integers, bit strings, BOOL and characters: the value modulo 2^n of the target; a bit string and a
     /// character count as unsigned.
-    /// Basis: rule: integers-wrap; forgeiec-conversion-functions: Range and precision.
+    /// Basis: rule: integer-overflow-wraps; forgeiec-conversion-functions: Range and precision.
     Wrap,
     /// Zero is FALSE, all else TRUE; -0.0 is zero, and a NaN is not.
     /// Basis: forgeiec-conversion-functions: The naming pattern ("0 → FALSE, anything else → TRUE").

@@ -1,6 +1,6 @@
 //! Arithmetic on two values of one type.
 //!
-//! Basis: rule: integers-wrap; iec-61131-3: Table 10 (IEC 60559) for REAL
+//! Basis: rule: integer-overflow-wraps; iec-61131-3: Table 10 (IEC 60559) for REAL
 //! and LREAL, every operation rounded once to the width of its type; durations and dates, of which no source
 //! says it, wrap in 64-bit nanoseconds, and times of day within the day.
 

@@ -1,7 +1,7 @@
 //! The types that values of different types have in common.
 //!
 //! Basis: rule: mixed-operands (if one converts implicitly to the other, it does; no third type is sought);
-//! rule: untyped-literals (one takes the other's type).
+//! rule: literal-as-operand (one takes the other's type).
 
 use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;

@@ -34,7 +34,7 @@ pub(super) enum ValueContext {
 impl ValueContext {
     /// The code of a value that does not fit here.
     ///
-    /// Basis: rule: code-by-place.
+    /// Basis: rule: code-of-the-context.
     pub(super) const fn code(self) -> Code {
         match self {
             ValueContext::Assignment
@@ -51,7 +51,7 @@ impl ValueContext {
 
     /// Whether an untyped integer literal is a bit string here.
     ///
-    /// Basis: rule: untyped-literals (an initializer always takes one; a parameter and the target of an assignment
+    /// Basis: rule: literal-as-operand (an initializer always takes one; a parameter and the target of an assignment
     /// by dialect). An operand takes the other's type in every dialect.
     fn takes_integer_as_bits(self, dialect: &Dialect) -> bool {
         dialect.integer_literal_as_bit_string

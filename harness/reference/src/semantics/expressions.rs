@@ -49,7 +49,7 @@ impl<'m> Lowering<'m> {
     /// Says that a value which has been lowered does not fit. A type that is known is wrong here whatever is wrong inside; a
     /// literal that could not be read in its default type is not said to be of the wrong type as well.
     ///
-    /// Basis: rule: every-mistake-once.
+    /// Basis: rule: every-mistake-is-told.
     pub(super) fn report_lowered_misfit(
         &mut self,
         id: ExpressionId,

@@ -1,6 +1,6 @@
 //! Literals: the type that one has, and the value that it is read to in the type it takes.
 //!
-//! Basis: iec-61131-3: Tables 5 to 9; rule: untyped-literals (a sign directly before one belongs to
+//! Basis: iec-61131-3: Tables 5 to 9; rule: literal-as-operand (a sign directly before one belongs to
 //! it); ironplc-problem-codes: P2026, P2038, P2039, P2040.
 
 use super::common::settle;

@@ -4,7 +4,7 @@
 //! a loop up to the greatest value of its control variable ends. After the loop the control variable has the
 //! value that ended it, wrapped to its type; one with limits keeps its last value instead.
 //!
-//! Basis: rule: any-integer (FOR bounds); iec-61131-3: FOR statement (the control variable's
+//! Basis: iec-61131-3: 7.3.3.4.2 (FOR bounds); iec-61131-3: FOR statement (the control variable's
 //! value after the loop is left to the implementer).
 
 use super::contexts::ValueContext;

@@ -113,7 +113,7 @@ impl<'m> Lowering<'m> {
     /// The element. What is wrong with a subscript is said, and changes nothing of the element's type, nor of whether it can
     /// be written: what is wrong with those is said too.
     ///
-    /// Basis: rule: every-mistake-once.
+    /// Basis: rule: every-mistake-is-told.
     fn subscripts(
         &mut self,
         place: VariablePlace,
@@ -175,7 +175,7 @@ impl<'m> Lowering<'m> {
 
     /// Puts an integer of any type on the stack, an untyped one in the type that is wanted.
     ///
-    /// Basis: rule: any-integer (subscripts, CASE selectors and FOR bounds).
+    /// Basis: iec-61131-3: 6.4.4.5, 7.3.3 (subscripts, CASE selectors and FOR bounds).
     pub(super) fn integer(
         &mut self,
         id: ExpressionId,
@@ -200,7 +200,7 @@ impl<'m> Lowering<'m> {
     /// A bit. One that the type does not have is a BOOL all the same, of a variable that can be written or not: what is wrong
     /// with it as such is said too, as with an element. Of what has no bits there is none that could be anything.
     ///
-    /// Basis: ironplc-bit-access: Bit Access ("reads and writes as a BOOL"); rule: every-mistake-once.
+    /// Basis: ironplc-bit-access: Bit Access ("reads and writes as a BOOL"); rule: every-mistake-is-told.
     fn bit(&mut self, base: ExpressionId, index: u64, span: Span) -> Option<VariablePlace> {
         if !self.names_a_place(base) {
             let value = self.value(base, None);

@@ -59,7 +59,7 @@ fn parameters(function: StandardFunction) -> ParameterList {
 /// Returns the type that arguments are held to: the one that [`TypeRules::common_of_all`] finds. Where that does not go with all, it is
 /// rather the one that is wanted of the result, if one of them has it and no more of them would be wrong.
 ///
-/// Basis: rule: code-by-place (a suggestion makes the program acceptable; what the call gives has to fit, too).
+/// Basis: harness/engines/README.md (a suggestion makes the program acceptable; what the call gives has to fit, too).
 fn held_to(rules: TypeRules<'_>, arguments: &[Inferred], common: TypeId, wanted: Option<TypeId>) -> TypeId {
     let wrong = |ty| arguments.iter().filter(|&&one| !rules.goes_with(one, ty)).count();
     let agreed = wrong(common);
@@ -233,7 +233,7 @@ impl Lowering<'_> {
     /// Reports an argument of a type for which the function is not defined, with the conversion to the type that is wanted of the
     /// result. Where none is wanted nothing is suggested, for what the call would then give might not fit where it stands.
     ///
-    /// Basis: rule: code-by-place (a suggestion makes the program acceptable).
+    /// Basis: harness/engines/README.md (a suggestion makes the program acceptable).
     fn refuse_argument(&mut self, function: StandardFunction, id: ExpressionId, wanted: Option<TypeId>) {
         let value = self.value(id, None);
         let inferred = self.infer(id);

@@ -19,7 +19,7 @@ const MAX_CANDIDATES: usize = 2000;
 impl<'m> Lowering<'m> {
     /// Reports a value that does not fit where it stands, with the conversion call that would make it fit.
     ///
-    /// Basis: rule: code-by-place (the suggestion replaces the value and makes the program acceptable).
+    /// Basis: harness/engines/README.md (the suggestion replaces the value and makes the program acceptable).
     pub(super) fn report_misfit(
         &mut self,
         id: ExpressionId,

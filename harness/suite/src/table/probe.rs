@@ -226,7 +226,7 @@ impl Probe<'_> {
     /// expectation: a rejection means that the value does not convert to the type of its context, and otherwise the probe
     /// shows the converted value. The probe's own `values` apply only to the pairs of its matrix.
     ///
-    /// Basis: rule: code-by-place.
+    /// Basis: rule: code-of-the-context.
     pub(crate) fn is_implicit_conversion(&self) -> bool {
         let is_code = |code: &Known<Code>| {
             let codes = ["P4022", "P4026", "P4027", "P4035"];

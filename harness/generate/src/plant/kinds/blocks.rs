@@ -103,7 +103,7 @@ pub(super) fn unknown_output(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 
 /// Plants a place that takes an output of a type that does not convert to its own.
 ///
-/// Basis: rule: code-by-place (`=>` capture: P4035).
+/// Basis: rule: code-of-the-context (`=>` capture: P4035).
 pub(super) fn output_taken(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let dialect = original.dialect;

@@ -9,7 +9,7 @@ use stickler_types::{DialectName, ElementaryType};
 
 /// Plants an untyped integer literal beyond the type of its target, or below it.
 ///
-/// Basis: ironplc-problem-codes: P2026; rule: untyped-literals (the sign belongs to the literal).
+/// Basis: ironplc-problem-codes: P2026; rule: literal-as-operand (the sign belongs to the literal).
 pub(super) fn integer_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     too_large(fault, |site, expression| {

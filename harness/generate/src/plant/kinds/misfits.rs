@@ -1,6 +1,6 @@
 //! Values whose types do not fit their places.
 //!
-//! Basis of all codes here: rule: code-by-place; widening/contexts.toml.
+//! Basis of all codes here: rule: code-of-the-context; widening/contexts.toml.
 
 use super::super::fault_site::{FaultSite, literal};
 use super::super::scope::{elementary, types};

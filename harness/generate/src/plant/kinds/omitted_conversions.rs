@@ -1,6 +1,6 @@
 //! Conversion functions omitted where no implicit conversion replaces them.
 //!
-//! Basis: rule: code-by-place; the documents on implicit conversion, as `stickler_exact::implicit`
+//! Basis: rule: code-of-the-context; the documents on implicit conversion, as `stickler_exact::implicit`
 //! has them.
 
 use super::super::fault_site::FaultSite;

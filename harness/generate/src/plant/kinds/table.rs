@@ -27,7 +27,7 @@ macro_rules! kinds {
 
 /// Every kind, in the order of what is wrong: types, operators, literals, names, calls, bits, statements, texts, declarations.
 ///
-/// Basis: ironplc-problem-codes, rule: code-by-place; each function names the rest.
+/// Basis: ironplc-problem-codes, rule: code-of-the-context; each function names the rest.
 pub(in super::super) const KINDS: &[FaultKind] = kinds! {
     AssignmentTypeMismatch "a value of another type assigned" misfits::assigned;
     AssignmentTypeMismatch "a value of another type for a result" misfits::result;

@@ -4,7 +4,7 @@
 //! constants: so a well-typed model can be spelled as a text that means something else, or is rejected. The generator makes
 //! no such programs; the passes may, and then the search refuses the candidate.
 //!
-//! Basis: rule: untyped-literals (a literal takes the type of the other operand); rule: mixed-operands (no third type is sought);
+//! Basis: rule: literal-as-operand (a literal takes the type of the other operand); rule: mixed-operands (no third type is sought);
 //! ironplc-problem-codes: P4039, P4040, P2027.
 
 use super::usage::{variable_of, variable_type};
