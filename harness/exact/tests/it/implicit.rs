@@ -65,7 +65,8 @@ fn add(
     for line in lines {
         let mut words = line.split_whitespace();
         let row = ty(words.next().expect("a row has a name"));
-        for (&column, word) in columns.iter().zip(words) {
+        // `-`: the cell stands in another matrix.
+        for (&column, word) in columns.iter().zip(words).filter(|(_, word)| *word != "-") {
             let word =
                 MatrixWord::from_word(word).unwrap_or_else(|| panic!("{file}: {row} {column}: {word}"));
             for dialect in dialects(names.expect("a matrix has dialects")) {
@@ -97,6 +98,10 @@ fn every_cell_of_the_widening_tables_says_the_same() {
     let cells = cells();
     assert!(cells.len() > 2000, "only {} cells were found", cells.len());
     for ((from, to, dialect), (file, word)) in cells {
+        // A WSTRING in IronPLC, whose page says "Not yet supported".
+        if from == to && word == MatrixWord::Open {
+            continue;
+        }
         assert_eq!(
             implicit(from, to, dialect),
             word,
@@ -109,11 +114,13 @@ fn every_cell_of_the_widening_tables_says_the_same() {
 fn every_pair_of_types_that_a_dialect_has_is_in_a_table() {
     let cells = cells();
     for dialect in DialectName::ALL {
-        let third_edition = !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec);
-        // matiec has twenty types, and WSTRING is none of them.
-        let has = |ty: ElementaryType| {
-            (third_edition || !ty.is_third_edition())
-                && !(dialect == DialectName::Matiec && ty == ElementaryType::Wstring)
+        // matiec has twenty types, and WSTRING is none of them. IronPLC documents four types of the third edition, and none for its
+        // Rusty dialect.
+        let has = |ty: ElementaryType| match dialect {
+            DialectName::Matiec => !ty.is_third_edition() && ty != ElementaryType::Wstring,
+            DialectName::IronplcEd2 | DialectName::IronplcRusty => !ty.is_third_edition(),
+            DialectName::IronplcEd3 => !matches!(ty, ElementaryType::Char | ElementaryType::Wchar),
+            _ => true,
         };
         let types: Vec<ElementaryType> = ElementaryType::ALL.into_iter().filter(|&ty| has(ty)).collect();
         for &from in &types {
