@@ -26,9 +26,9 @@ pub struct Expected {
 /// Returns the expected result of a call of a conversion function in a dialect, and the document that states it.
 ///
 /// Takes a signature of [`crate::signatures`] and one operand for each of its types. Where no document states the result,
-/// the basis is `None` and the value is that of stickler-design: §8. In a user-defined dialect, a statement of its
-/// definition takes precedence over the documents of its base, and the basis is that of the definition. See [`value`] for
-/// operands that do not fit.
+/// the basis is `None` and the value is that of IEC 60559 and of two's complement. In a user-defined dialect, a statement of
+/// its definition takes precedence over the documents of its base, and the basis is that of the definition. See [`value`]
+/// for operands that do not fit.
 #[must_use]
 pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
     let choices = choices_of(dialect);
@@ -72,14 +72,31 @@ pub fn is_overridden(signature: &Signature, operands: &[Value], dialect: Dialect
     }
 }
 
+// The ForgeIEC page, which speaks for matiec.
 const NAMING: &str = "forgeiec-conversion-functions: The naming pattern";
 const RANGE: &str = "forgeiec-conversion-functions: Range and precision";
 const MATIEC_TEXTS: &str = "forgeiec-conversion-functions: matiec conformance";
 const BCD: &str = "forgeiec-conversion-functions: BCD encoding";
-const TRUNC: &str = "forgeiec-conversion-functions: TRUNC vs. ROUND";
-const IRONPLC_EXPLICIT: &str = "ironplc-type-conversions: Explicit Conversion Functions";
-const IRONPLC_NARROWING: &str = "ironplc-type-conversions: Narrowing Conversions";
-const DESIGN: &str = "stickler-design: §8";
+const MATIEC_TRUNC: &str = "forgeiec-conversion-functions: TRUNC vs. ROUND";
+
+// IronPLC's own pages, and the design of its conversion functions.
+const IRONPLC_INTEGERS: &str = "ironplc-conversion-design: Conversion Categories at the VM Level";
+const IRONPLC_ROUTING: &str = "ironplc-conversion-design: Codegen Routing";
+const IRONPLC_BOOLEAN: &str = "ironplc-conversion-functions: Boolean Conversions";
+const IRONPLC_REAL_TO_INTEGER: &str = "ironplc-conversion-functions: Real to Integer";
+const IRONPLC_TIME: &str = "ironplc-conversion-functions: Time/Duration Conversions";
+const IRONPLC_TRUNC: &str = "ironplc-trunc: Description";
+
+// The standards, which speak for every dialect.
+const BITS_TO_BITS: &str = "iec-61131-3: Table 24";
+const BITS_AND_NUMBERS: &str = "iec-61131-3: Table 25";
+const ROUNDED: &str = "iec-60559: Operations";
+const SPECIAL: &str = "iec-60559: Special Quantities";
+
+// Rules of our own.
+const BOOL_RULE: &str = "rule: bool-is-zero-or-one";
+const MILLISECONDS_RULE: &str = "rule: time-in-milliseconds";
+const NOT_FINITE_RULE: &str = "rule: not-finite-to-zero";
 
 /// The system whose documents apply.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -98,10 +115,14 @@ impl Rules {
         }
     }
 
-    /// Returns the basis of a result that the documents of IronPLC and the ForgeIEC page state; `None` for PLCnext, whose
-    /// documents do not state it.
-    fn documented(self, basis: &'static str) -> Option<&'static str> {
-        (self != Rules::Plcnext).then_some(basis)
+    /// Returns the basis of a result that IronPLC and the ForgeIEC page state, each in its own document; `None` for PLCnext,
+    /// whose documents do not state it.
+    fn documented(self, ironplc: &'static str, matiec: &'static str) -> Option<&'static str> {
+        match self {
+            Rules::Ironplc => Some(ironplc),
+            Rules::Matiec => Some(matiec),
+            Rules::Plcnext => None,
+        }
     }
 
     /// Returns the basis of a result that only the ForgeIEC page states; `None` for the other systems.
@@ -136,19 +157,19 @@ impl Call<'_> {
     fn of_conversion(self, raw: u64) -> Option<&'static str> {
         use Family::{BitString, Boolean, Date, DateAndTime, Real, Signed, Text, Unsigned};
         match (self.from.family(), self.to.family()) {
-            (Signed | Unsigned | BitString, Signed | Unsigned) | (Signed | Unsigned, BitString) => {
-                self.of_integers(raw)
+            (Signed | Unsigned, Signed | Unsigned) => self.rules.documented(IRONPLC_INTEGERS, RANGE),
+            (BitString, Signed | Unsigned) => self.rules.documented(BITS_AND_NUMBERS, RANGE),
+            (Signed | Unsigned, BitString) => self.of_integer_to_bits(raw),
+            (BitString, BitString) => self.rules.documented(BITS_TO_BITS, BITS_TO_BITS),
+            (Boolean, Signed | Unsigned) | (Signed | Unsigned, Boolean) => {
+                self.rules.documented(IRONPLC_BOOLEAN, NAMING)
             }
-            (BitString, BitString) => self.rules.documented(DESIGN),
-            (Boolean, Signed | Unsigned | BitString | Real) | (Signed | Unsigned | BitString, Boolean) => {
-                self.rules.documented(NAMING)
-            }
+            (Boolean, BitString | Real) | (BitString, Boolean) => self.rules.documented(BOOL_RULE, NAMING),
             // "0 → FALSE, anything else → TRUE" speaks of numbers, and a NaN is none.
             (Real, Boolean) if real::decode(raw, self.from) == real::Real::NotANumber => None,
-            (Real, Boolean) => self.rules.documented(NAMING),
-            (Signed | Unsigned, Real) => Some(DESIGN),
-            (Real, Real) if self.to == ElementaryType::Real => Some(RANGE),
-            (Real, Real) => Some(DESIGN),
+            (Real, Boolean) => self.rules.documented(BOOL_RULE, NAMING),
+            (Signed | Unsigned, Real) => Some(ROUNDED),
+            (Real, Real) => Some(self.of_real_to_real(raw)),
             (Real, Signed | Unsigned) => self.of_real_to_integer(raw),
             (Signed | Unsigned, Text) if self.to == ElementaryType::String => self.rules.only_matiec(NAMING),
             (Date | DateAndTime, _) => self.of_date(raw),
@@ -157,31 +178,33 @@ impl Call<'_> {
         }
     }
 
-    /// Returns the basis of conversions among integers, from integers to bit strings, and from bit strings to integers.
-    fn of_integers(self, raw: u64) -> Option<&'static str> {
-        match self.rules {
-            Rules::Plcnext => None,
-            Rules::Matiec if self.from.is_bit_string() => Some(NAMING),
-            Rules::Matiec => Some(RANGE),
-            Rules::Ironplc if self.from.bits() > self.to.bits() => Some(IRONPLC_NARROWING),
-            Rules::Ironplc if integer::holds(self.to, integer::number(raw, self.from)) => {
-                Some(IRONPLC_EXPLICIT)
-            }
-            // IronPLC's page does not say what a change of sign gives; the design does.
-            Rules::Ironplc => Some(DESIGN),
+    /// Returns the basis of a conversion from an integer to a bit string. The standard's Table 25 does not say what the other
+    /// bits of a wider bit string are where the integer is negative; IronPLC's design does.
+    fn of_integer_to_bits(self, raw: u64) -> Option<&'static str> {
+        let extends_sign = integer::number(raw, self.from) < 0 && self.to.bits() > self.from.bits();
+        let ironplc = if extends_sign {
+            IRONPLC_ROUTING
+        } else {
+            BITS_AND_NUMBERS
+        };
+        self.rules.documented(ironplc, RANGE)
+    }
+
+    /// Returns the basis of a conversion from one real type to the other.
+    fn of_real_to_real(self, raw: u64) -> &'static str {
+        match real::decode(raw, self.from) {
+            Real::Finite { .. } if self.rules == Rules::Matiec && self.to == ElementaryType::Real => RANGE,
+            Real::Finite { .. } => ROUNDED,
+            _ => SPECIAL,
         }
     }
 
     /// Returns the basis of `<SRC>_TO_<DST>` from a real number to an integer.
     fn of_real_to_integer(self, raw: u64) -> Option<&'static str> {
         match self.truncated(raw) {
-            Truncated::Inside => match self.rules {
-                Rules::Ironplc => Some(IRONPLC_EXPLICIT),
-                Rules::Matiec => Some(RANGE),
-                Rules::Plcnext => None,
-            },
+            Truncated::Inside => self.rules.documented(IRONPLC_REAL_TO_INTEGER, RANGE),
             Truncated::Outside => self.rules.only_matiec(RANGE),
-            Truncated::NoNumber => self.rules.only_matiec(DESIGN),
+            Truncated::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
         }
     }
 
@@ -200,7 +223,11 @@ impl Call<'_> {
             (Family::Real, Family::Duration) => moment::is_whole_moment(raw, self.from, self.to),
             _ => false,
         };
-        says.then_some(NAMING)
+        says.then_some(match self.rules {
+            Rules::Ironplc => IRONPLC_TIME,
+            Rules::Matiec => NAMING,
+            Rules::Plcnext => MILLISECONDS_RULE,
+        })
     }
 
     /// Returns the basis of `DATE_TO_DT`, `DT_TO_DATE` and `DT_TO_TOD`; the page does not list other conversions of dates.
@@ -239,11 +266,11 @@ impl Call<'_> {
     fn of_truncation(self, name: &str, raw: u64) -> Option<&'static str> {
         let truncated = self.truncated(raw);
         match name {
-            "TRUNC" if truncated == Truncated::Inside => self.rules.documented(TRUNC),
+            "TRUNC" if truncated == Truncated::Inside => self.rules.documented(IRONPLC_TRUNC, MATIEC_TRUNC),
             "TRUNC_INT" | "TRUNC_DINT" | "TRUNC_LINT" => match truncated {
                 Truncated::Inside => self.rules.only_matiec(NAMING),
                 Truncated::Outside => self.rules.only_matiec(RANGE),
-                Truncated::NoNumber => self.rules.only_matiec(DESIGN),
+                Truncated::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
             },
             _ => None,
         }

@@ -1,10 +1,11 @@
 //! The columns of a table of calls.
 
 use crate::call::Call;
+use crate::claim::Agreed;
 use stickler_types::{ElementaryType, WrittenValue};
 
-/// Writes the cell of a call; the text is the result, where the table's probes assert one.
-pub type Cell = fn(&Call, &str) -> String;
+/// Writes the cell of a call, of which the table's probes say this.
+pub type Cell = fn(&Call, &Agreed) -> String;
 
 /// Returns how the cells of a column are written, or nothing where the column is none of a table of calls.
 ///
@@ -17,6 +18,7 @@ pub type Cell = fn(&Call, &str) -> String;
 /// | `id` | the function and the operand, where the other cells are too long for an id |
 /// | `huge`, `made` | a number whose square is infinite, and an expression with `huge` for an operand without a literal |
 /// | `expected` | the result as a typed literal |
+/// | `basis` | the sources that say so; an empty cell where the head or the probe names them |
 #[must_use]
 pub fn of_column(name: &str) -> Option<Cell> {
     Some(match name {
@@ -30,7 +32,8 @@ pub fn of_column(name: &str) -> Option<Cell> {
         "id" => |call, _| format!("{}/{}", call.signature.function, typed(&call.operands[0])),
         "huge" => |call, _| huge(call.from()).to_owned(),
         "made" => |call, _| made(literal(call, 0)).to_owned(),
-        "expected" => |_, expected| expected.to_owned(),
+        "expected" => |_, agreed| agreed.value.clone(),
+        "basis" => |_, agreed| agreed.basis.clone(),
         _ => return None,
     })
 }

@@ -18,38 +18,81 @@ const RECORD_MORE: [&str; 5] = [
 /// The dialects that differ in their documents; the three of IronPLC have one page on conversion functions.
 const DOCUMENTED: [DialectName; 3] = [DialectName::Matiec, DialectName::IronplcEd3, DialectName::Plcnext];
 
+/// What the asserting probes of a table say of a call.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Agreed {
+    /// The result as a typed literal; an empty text where no probe asserts one.
+    pub value: String,
+    /// The bases of the call, as the column `basis` has them: an empty text where those of the probes are right.
+    pub basis: String,
+}
+
 impl Table {
-    /// Returns the typed literal on which the asserting probes agree, or an empty text where none asserts.
+    /// Returns what the asserting probes agree on.
     ///
     /// # Errors
     /// A sentence that names the dialect, where a probe asserts what is open there, leaves open what a document says, or names
-    /// the wrong document; where two dialects give different results; and where the file leaves out a dialect that has the
-    /// function.
-    pub fn expected(&self, call: &Call) -> Result<String, String> {
+    /// another document than the one that says so, and the table has no column `basis`; where two dialects give different
+    /// results; and where the file leaves out a dialect that has the function.
+    pub fn expected(&self, call: &Call) -> Result<Agreed, String> {
         self.check_dialects(call)?;
         let mut agreed: Option<String> = None;
+        let mut bases: Vec<(DialectName, &'static str)> = Vec::new();
+        let mut misnamed = None;
         for probe in &self.probes {
-            let mut is_named = false;
             for &dialect in &probe.dialects {
                 let expected = call.expected(dialect);
                 let expected = expected.ok_or_else(|| format!("{dialect} has no such function"))?;
                 self.check(probe, call, dialect, &expected)?;
-                if probe.claim == Some(Claim::Value) {
-                    is_named |= expected.basis == Some(&probe.basis);
-                    let value = expected.value.to_string();
-                    if agreed.get_or_insert_with(|| value.clone()) != &value {
-                        return Err(format!("another value in {dialect}"));
-                    }
+                let (Some(Claim::Value), Some(basis)) = (probe.claim, expected.basis) else {
+                    continue;
+                };
+                let value = expected.value.to_string();
+                if agreed.get_or_insert_with(|| value.clone()) != &value {
+                    return Err(format!("another value in {dialect}"));
                 }
+                if self.chosen(&probe.basis, dialect) != Some(basis) {
+                    misnamed.get_or_insert((probe, dialect, basis));
+                }
+                bases.push((dialect, basis));
             }
-            if probe.claim == Some(Claim::Value) && !is_named {
+        }
+        let basis = match misnamed {
+            None => String::new(),
+            Some(_) if self.has_basis_column() => self.bases(&bases)?,
+            Some((probe, dialect, basis)) => {
                 return Err(format!(
-                    "`{}` does not name the document that says so",
+                    "`{}` does not name {basis}, which says so in {dialect}",
                     probe.name
                 ));
             }
+        };
+        Ok(Agreed {
+            value: agreed.unwrap_or_default(),
+            basis,
+        })
+    }
+
+    /// Returns the bases of a call as a cell has them: sources that speak for some dialects stand before those that speak for
+    /// all.
+    fn bases(&self, said: &[(DialectName, &'static str)]) -> Result<String, String> {
+        let mut bases: Vec<&str> = said.iter().map(|(_, basis)| *basis).collect();
+        bases.sort_unstable();
+        bases.dedup();
+        let speaks_for = |basis: &str| {
+            let all = DialectName::ALL.into_iter();
+            all.filter(|dialect| self.chosen(basis, *dialect).is_some())
+                .count()
+        };
+        bases.sort_by_key(|basis| speaks_for(basis));
+        let cell = bases.join(stickler_suite::OR);
+        match said
+            .iter()
+            .find(|(dialect, basis)| self.chosen(&cell, *dialect) != Some(*basis))
+        {
+            None => Ok(cell),
+            Some((dialect, basis)) => Err(format!("`{cell}` is not {basis} in {dialect}")),
         }
-        Ok(agreed.unwrap_or_default())
     }
 
     /// Checks what a probe claims in one dialect.
@@ -128,7 +171,6 @@ fn is_named(call: &Call, dialect: DialectName) -> bool {
 #[cfg(test)]
 mod tests {
     use crate::table::Table;
-    use stickler_suite::Dialects;
 
     /// Returns what is wrong with a table of one call in matiec and plcnext that has these probes.
     fn wrong(function: (&str, &str, &str), probes: &[(&str, &str, &str)]) -> Result<String, String> {
@@ -145,8 +187,9 @@ mod tests {
                 text += &format!("basis = '{basis}'\n");
             }
         }
-        let table = Table::read("example", &text, &Dialects::default()).unwrap();
-        table.expected(&table.calls().unwrap()[0])
+        let table = Table::read("example", &text, &crate::table::tests::names()).unwrap();
+        let agreed = table.expected(&table.calls().unwrap()[0])?;
+        Ok(agreed.value)
     }
 
     const NARROWED: (&str, &str, &str) = ("DINT", "INT", "100000");
@@ -154,7 +197,7 @@ mod tests {
         ("matiec", "", "{expected}"),
         (
             "ironplc-ed3",
-            "ironplc-type-conversions: Narrowing Conversions",
+            "ironplc-conversion-design: Conversion Categories at the VM Level",
             "{expected}",
         ),
     ];
@@ -183,7 +226,7 @@ mod tests {
             ),
             (
                 ("ironplc-ed2", "", "{expected}"),
-                "`p` does not name the document",
+                "`p` does not name ironplc-conversion-design",
             ),
             (("matiec", "", "no"), "`p` neither asserts"),
         ] {

@@ -1,10 +1,10 @@
 //! The folder that holds the tables, and the rows that it must have.
 
 use crate::call::Call;
-use crate::table::Table;
+use crate::table::{Names, Table};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
-use stickler_suite::Dialects;
+use stickler_suite::Suite;
 
 /// The folder of the case files, seen from the root of the repository.
 const SUITE: &str = "conformance-cases";
@@ -44,24 +44,35 @@ impl CallTable {
 /// # Errors
 /// A message, where a file cannot be read or is no table.
 pub fn tables(root: &Path) -> Result<Vec<(PathBuf, Table)>, String> {
-    let suite = root.join(SUITE);
-    let dialects = read(&suite.join("dialects.toml"))?;
-    let (dialects, mistakes) = Dialects::of_file("dialects.toml", &dialects);
-    if let Some(mistake) = mistakes.first() {
-        return Err(mistake.to_string());
-    }
-    let folder = suite.join(TABLES);
+    let names = names(root)?;
+    let folder = root.join(SUITE).join(TABLES);
     let entries = std::fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
     let tables = paths.into_iter().map(|path| {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
-        let table = Table::read(&name, &read(&path)?, &dialects);
+        let table = Table::read(&name, &read(&path)?, &names);
         let table = table.map_err(|what| format!("{}: {what}", path.display()))?;
         Ok((path, table))
     });
     tables.collect()
+}
+
+/// Returns the dialects and the sources that the tables may name.
+///
+/// # Errors
+/// A message, where one of the two files cannot be read or has a mistake.
+pub fn names(root: &Path) -> Result<Names, String> {
+    let suite = root.join(SUITE);
+    let suite = Suite::load_files(&suite, &[], |_, _| false);
+    match suite.errors.first() {
+        Some(mistake) => Err(mistake.to_string()),
+        None => Ok(Names {
+            dialects: suite.dialects,
+            sources: suite.sources.into(),
+        }),
+    }
 }
 
 /// Reads every table of calls, and computes its calls and rows.

@@ -3,14 +3,14 @@
 use crate::call::Call;
 use crate::inputs;
 use stickler_suite::Generate;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, Value};
 
 /// Returns the calls that a `[generate]` table stands for: each function for each pair of types with each input.
 ///
 /// Functions that no dialect has are left out, so that the lists of types may be longer than those that belong together.
 ///
 /// # Errors
-/// A sentence, where an entry is no type or no input.
+/// A sentence, where an entry is no type, no input, or none of the words of `only`.
 pub fn calls(generate: &Generate) -> Result<Vec<Call>, String> {
     let (sources, targets) = (types(&generate.from)?, types(&generate.to)?);
     let mut calls = Vec::new();
@@ -26,7 +26,34 @@ pub fn calls(generate: &Generate) -> Result<Vec<Call>, String> {
             }
         }
     }
+    if let Some(word) = &generate.only {
+        if !["narrowed", "kept", "with-a-sign"].contains(&word.as_str()) {
+            return Err(format!(
+                "`only` is `narrowed`, `kept` or `with-a-sign`, not `{word}`"
+            ));
+        }
+        calls.retain(|call| what_becomes(call) == Some(word));
+    }
     Ok(calls)
+}
+
+/// Returns what becomes of the number of a call between integers and bit strings: `narrowed` where the target has fewer bits,
+/// otherwise `kept` where the target holds the number, and `with-a-sign` where it does not.
+fn what_becomes(call: &Call) -> Option<&'static str> {
+    let (from, to) = (call.from(), call.to());
+    let has_bits = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
+    let Value::Plain { raw, .. } = call.operands[0].value else {
+        return None;
+    };
+    if !has_bits(from) || !has_bits(to) {
+        return None;
+    }
+    let number = from.integer_value(raw);
+    Some(match to.integer_value(to.wrap(number)) == number {
+        _ if from.bits() > to.bits() => "narrowed",
+        true => "kept",
+        false => "with-a-sign",
+    })
 }
 
 fn functions(generate: &Generate) -> Vec<&str> {
@@ -82,6 +109,34 @@ mod tests {
             texts(generate).unwrap(),
             ["ROUND(REAL#0.5)", "TRUNC_DINT(REAL#0.5)", "TRUNC_INT(REAL#0.5)"]
         );
+    }
+
+    #[test]
+    fn calls_are_told_apart_by_what_becomes_of_the_number() {
+        let calls = |only| {
+            texts(&format!(
+                "from = ['INT']\nto = ['SINT', 'UINT', 'DINT', 'DWORD']\ninputs = ['-1', '5']\nonly = '{only}'"
+            ))
+        };
+        assert_eq!(
+            calls("narrowed").unwrap(),
+            ["INT_TO_SINT(INT#-1)", "INT_TO_SINT(INT#5)"]
+        );
+        assert_eq!(
+            calls("kept").unwrap(),
+            [
+                "INT_TO_UINT(INT#5)",
+                "INT_TO_DINT(INT#-1)",
+                "INT_TO_DINT(INT#5)",
+                "INT_TO_DWORD(INT#5)"
+            ]
+        );
+        assert_eq!(
+            calls("with-a-sign").unwrap(),
+            ["INT_TO_UINT(INT#-1)", "INT_TO_DWORD(INT#-1)"]
+        );
+        let error = calls("widened").unwrap_err();
+        assert!(error.ends_with("not `widened`"), "{error}");
     }
 
     #[test]

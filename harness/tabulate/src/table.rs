@@ -6,15 +6,15 @@ use crate::generate;
 use serde::Deserialize;
 use std::fmt::Write;
 use std::ops::Range;
-use stickler_suite::{Dialects, Generate};
+use std::sync::Arc;
+use stickler_suite::{Bases, Dialects, Generate, Sources};
 use stickler_types::{DialectName, ElementaryType, WrittenValue};
 use toml::Spanned;
 
 /// The keys of a case file that matter here; the suite checks all of them.
 #[derive(Deserialize)]
 struct Keys {
-    #[serde(default)]
-    basis: String,
+    basis: Option<Bases>,
     #[serde(default)]
     dialects: Vec<String>,
     #[serde(default)]
@@ -28,10 +28,19 @@ struct Keys {
 #[derive(Deserialize)]
 struct ProbeKeys {
     name: String,
-    basis: Option<String>,
+    basis: Option<Bases>,
     dialects: Option<Vec<String>>,
     expect: Option<String>,
     source: String,
+}
+
+/// The names that the tables of a folder may use.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    /// The dialects and groups.
+    pub dialects: Dialects,
+    /// The sources.
+    pub sources: Arc<Sources>,
 }
 
 /// A table file.
@@ -53,6 +62,8 @@ pub struct Table {
     pub probes: Vec<Probe>,
     /// Where the value of `rows` stands in the text.
     span: Range<usize>,
+    /// The sources that a basis may name.
+    sources: Arc<Sources>,
 }
 
 /// A probe of a table.
@@ -64,7 +75,7 @@ pub struct Probe {
     pub claim: Option<Claim>,
     /// The dialects in which it claims that.
     pub dialects: Vec<DialectName>,
-    /// The document that says so.
+    /// The sources that say so, as one text: a dialect's is the first that speaks for it.
     pub basis: String,
     /// The template of the program.
     pub source: String,
@@ -86,9 +97,11 @@ impl Table {
     ///
     /// # Errors
     /// A sentence, where the text is no table file or names an unknown dialect.
-    pub fn read(name: &str, text: &str, dialects: &Dialects) -> Result<Table, String> {
+    pub fn read(name: &str, text: &str, names: &Names) -> Result<Table, String> {
         let keys: Keys = toml::from_str(text).map_err(|error| error.to_string())?;
+        let dialects = &names.dialects;
         let all = resolve(&keys.dialects, dialects)?;
+        let own = keys.basis.unwrap_or_default();
         let probes = keys.probe.into_iter().map(|probe| {
             Ok(Probe {
                 claim: Claim::of(&probe),
@@ -97,7 +110,7 @@ impl Table {
                     None => all.clone(),
                 },
                 name: probe.name,
-                basis: probe.basis.unwrap_or_else(|| keys.basis.clone()),
+                basis: probe.basis.as_ref().unwrap_or(&own).text().to_owned(),
                 source: probe.source,
             })
         });
@@ -115,6 +128,7 @@ impl Table {
             generate: keys.generate,
             probes,
             span,
+            sources: Arc::clone(&names.sources),
         })
     }
 
@@ -132,6 +146,16 @@ impl Table {
     #[must_use]
     pub fn is_of_calls(&self) -> bool {
         self.cells().is_some()
+    }
+
+    /// Whether the bases of the rows stand in the rows.
+    pub(crate) fn has_basis_column(&self) -> bool {
+        self.column("basis").is_some()
+    }
+
+    /// Returns the one of several bases that a case of a dialect has.
+    pub(crate) fn chosen<'b>(&self, bases: &'b str, dialect: DialectName) -> Option<&'b str> {
+        self.sources.choose(bases, dialect)
     }
 
     fn column(&self, name: &str) -> Option<usize> {
@@ -251,11 +275,17 @@ fn quoted(text: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
+    /// Returns the names that the tables of the suite may use.
+    pub(crate) fn names() -> Names {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        crate::folder::names(&root).unwrap()
+    }
+
     fn table(text: &str) -> Table {
-        Table::read("example", text, &Dialects::default()).unwrap()
+        Table::read("example", text, &names()).unwrap()
     }
 
     const HEAD: &str = "\
@@ -296,6 +326,35 @@ rows = [
         let calls = table.calls().unwrap();
         let calls: Vec<String> = calls.iter().map(Call::to_string).collect();
         assert_eq!(calls, ["LINT_TO_STRING(LINT#9223372036854775807)"]);
+    }
+
+    #[test]
+    fn the_column_basis_names_what_the_head_does_not() {
+        let head = HEAD.replace("'expected']", "'expected', 'basis']");
+        let head = head.replace(
+            "'forgeiec-conversion-functions: The naming pattern'",
+            "['ironplc-conversion-functions: Boolean Conversions', 'forgeiec-conversion-functions: The naming pattern']",
+        );
+        let rows = "rows = [['INT', 'BOOL', '1', '', ''], ['WORD', 'BOOL', '16#0001', '', 'wrong']]\n";
+        let probe = PROBE.replace("['matiec']", "['matiec', 'ironplc-ed3']");
+        let with_column = table(&format!("{head}{rows}{probe}"));
+        let written = with_column.rows_of(&with_column.calls().unwrap()).unwrap();
+        assert_eq!(written[0][4], "");
+        assert_eq!(
+            written[1][4],
+            "forgeiec-conversion-functions: The naming pattern | rule: bool-is-zero-or-one"
+        );
+        let without = table(
+            &format!("{head}{rows}{probe}")
+                .replace(", 'basis']", "]")
+                .replace(", '']", "]")
+                .replace(", 'wrong']", "]"),
+        );
+        let error = without.rows_of(&without.calls().unwrap()).unwrap_err();
+        assert_eq!(
+            error,
+            "WORD_TO_BOOL(WORD#16#0001): `variable` does not name rule: bool-is-zero-or-one, which says so in ironplc-ed3"
+        );
     }
 
     #[test]

@@ -8,9 +8,19 @@ const RANGE: Option<&str> = Some("forgeiec-conversion-functions: Range and preci
 const TRUNC: Option<&str> = Some("forgeiec-conversion-functions: TRUNC vs. ROUND");
 const BCD: Option<&str> = Some("forgeiec-conversion-functions: BCD encoding");
 const TEXTS: Option<&str> = Some("forgeiec-conversion-functions: matiec conformance");
-const EXPLICIT: Option<&str> = Some("ironplc-type-conversions: Explicit Conversion Functions");
-const NARROWING: Option<&str> = Some("ironplc-type-conversions: Narrowing Conversions");
-const DESIGN: Option<&str> = Some("stickler-design: §8");
+const INTEGERS: Option<&str> = Some("ironplc-conversion-design: Conversion Categories at the VM Level");
+const ROUTING: Option<&str> = Some("ironplc-conversion-design: Codegen Routing");
+const BOOLEAN: Option<&str> = Some("ironplc-conversion-functions: Boolean Conversions");
+const TO_INTEGER: Option<&str> = Some("ironplc-conversion-functions: Real to Integer");
+const TIME: Option<&str> = Some("ironplc-conversion-functions: Time/Duration Conversions");
+const IRONPLC_TRUNC: Option<&str> = Some("ironplc-trunc: Description");
+const BITS_TO_BITS: Option<&str> = Some("iec-61131-3: Table 24");
+const BITS_AND_NUMBERS: Option<&str> = Some("iec-61131-3: Table 25");
+const ROUNDED: Option<&str> = Some("iec-60559: Operations");
+const SPECIAL: Option<&str> = Some("iec-60559: Special Quantities");
+const BOOL_RULE: Option<&str> = Some("rule: bool-is-zero-or-one");
+const MILLISECONDS: Option<&str> = Some("rule: time-in-milliseconds");
+const NOT_FINITE: Option<&str> = Some("rule: not-finite-to-zero");
 const OPEN: Option<&str> = None;
 
 /// The bases of a call in `ironplc-ed3`, `matiec` and `plcnext`.
@@ -19,6 +29,8 @@ type Bases = [Option<&'static str>; 3];
 /// The bases of a call that is open in all three dialects, for a type that matiec does not have.
 const EVERYWHERE_OPEN: Bases = [OPEN; 3];
 const ONLY_MATIEC_NAMING: Bases = [OPEN, NAMING, OPEN];
+/// The bases of whole milliseconds.
+const IN_MILLISECONDS: Bases = [TIME, NAMING, MILLISECONDS];
 
 fn basis(
     function: &str,
@@ -51,21 +63,24 @@ fn check(rows: &[(&str, &str, Bases)]) {
 #[test]
 fn integers_and_bit_strings() {
     check(&[
-        ("DINT_TO_INT", "DINT#100000", [NARROWING, RANGE, OPEN]),
-        ("DINT_TO_INT", "DINT#1", [NARROWING, RANGE, OPEN]),
-        ("INT_TO_DINT", "INT#-1", [EXPLICIT, RANGE, OPEN]),
-        ("INT_TO_UINT", "INT#1", [EXPLICIT, RANGE, OPEN]),
-        ("INT_TO_UINT", "INT#-1", [DESIGN, RANGE, OPEN]),
-        ("SINT_TO_WORD", "SINT#-1", [DESIGN, RANGE, OPEN]),
-        ("INT_TO_BYTE", "INT#256", [NARROWING, RANGE, OPEN]),
-        ("BYTE_TO_INT", "BYTE#16#FF", [EXPLICIT, NAMING, OPEN]),
-        ("BYTE_TO_SINT", "BYTE#16#FF", [DESIGN, NAMING, OPEN]),
-        ("WORD_TO_SINT", "WORD#16#FF", [NARROWING, NAMING, OPEN]),
-        ("BYTE_TO_WORD", "BYTE#16#FF", [DESIGN, DESIGN, OPEN]),
-        ("BOOL_TO_INT", "BOOL#TRUE", [NAMING, NAMING, OPEN]),
-        ("BOOL_TO_BYTE", "BOOL#TRUE", [NAMING, NAMING, OPEN]),
-        ("BOOL_TO_REAL", "BOOL#TRUE", [NAMING, NAMING, OPEN]),
-        ("LWORD_TO_BOOL", "LWORD#16#100", [NAMING, NAMING, OPEN]),
+        ("DINT_TO_INT", "DINT#100000", [INTEGERS, RANGE, OPEN]),
+        ("DINT_TO_INT", "DINT#1", [INTEGERS, RANGE, OPEN]),
+        ("INT_TO_DINT", "INT#-1", [INTEGERS, RANGE, OPEN]),
+        ("INT_TO_UINT", "INT#-1", [INTEGERS, RANGE, OPEN]),
+        ("SINT_TO_WORD", "SINT#-1", [ROUTING, RANGE, OPEN]),
+        ("SINT_TO_WORD", "SINT#1", [BITS_AND_NUMBERS, RANGE, OPEN]),
+        ("INT_TO_WORD", "INT#-1", [BITS_AND_NUMBERS, RANGE, OPEN]),
+        ("INT_TO_BYTE", "INT#256", [BITS_AND_NUMBERS, RANGE, OPEN]),
+        ("INT_TO_BYTE", "INT#-256", [BITS_AND_NUMBERS, RANGE, OPEN]),
+        ("BYTE_TO_INT", "BYTE#16#FF", [BITS_AND_NUMBERS, RANGE, OPEN]),
+        ("BYTE_TO_SINT", "BYTE#16#FF", [BITS_AND_NUMBERS, RANGE, OPEN]),
+        ("WORD_TO_SINT", "WORD#16#FF", [BITS_AND_NUMBERS, RANGE, OPEN]),
+        ("BYTE_TO_WORD", "BYTE#16#FF", [BITS_TO_BITS, BITS_TO_BITS, OPEN]),
+        ("BOOL_TO_INT", "BOOL#TRUE", [BOOLEAN, NAMING, OPEN]),
+        ("BOOL_TO_BYTE", "BOOL#TRUE", [BOOL_RULE, NAMING, OPEN]),
+        ("BOOL_TO_REAL", "BOOL#TRUE", [BOOL_RULE, NAMING, OPEN]),
+        ("INT_TO_BOOL", "INT#256", [BOOLEAN, NAMING, OPEN]),
+        ("LWORD_TO_BOOL", "LWORD#16#100", [BOOL_RULE, NAMING, OPEN]),
         ("TO_INT", "DINT#1", EVERYWHERE_OPEN),
     ]);
 }
@@ -73,28 +88,30 @@ fn integers_and_bit_strings() {
 #[test]
 fn reals() {
     check(&[
-        ("DINT_TO_REAL", "DINT#16777217", [DESIGN; 3]),
-        ("LREAL_TO_REAL", "LREAL#0.1", [RANGE; 3]),
-        ("REAL_TO_LREAL", "REAL#0.1", [DESIGN; 3]),
+        ("DINT_TO_REAL", "DINT#16777217", [ROUNDED; 3]),
+        ("LREAL_TO_REAL", "LREAL#0.1", [ROUNDED, RANGE, ROUNDED]),
+        ("LREAL_TO_REAL", "LREAL#-0.0", [ROUNDED, RANGE, ROUNDED]),
+        ("LREAL_TO_REAL", "LREAL#NaN", [SPECIAL; 3]),
+        ("REAL_TO_LREAL", "REAL#0.1", [ROUNDED; 3]),
         ("WORD_TO_REAL", "WORD#16#1", EVERYWHERE_OPEN),
         ("REAL_TO_WORD", "REAL#1.0", EVERYWHERE_OPEN),
-        ("REAL_TO_BOOL", "REAL#0.5", [NAMING, NAMING, OPEN]),
-        ("REAL_TO_BOOL", "REAL#Infinity", [NAMING, NAMING, OPEN]),
+        ("REAL_TO_BOOL", "REAL#0.5", [BOOL_RULE, NAMING, OPEN]),
+        ("REAL_TO_BOOL", "REAL#Infinity", [BOOL_RULE, NAMING, OPEN]),
         ("REAL_TO_BOOL", "REAL#NaN", EVERYWHERE_OPEN),
-        ("REAL_TO_INT", "REAL#2.5", [EXPLICIT, RANGE, OPEN]),
-        ("REAL_TO_INT", "REAL#32767.9", [EXPLICIT, RANGE, OPEN]),
-        ("REAL_TO_INT", "REAL#-32768.9", [EXPLICIT, RANGE, OPEN]),
-        ("REAL_TO_USINT", "REAL#-0.9", [EXPLICIT, RANGE, OPEN]),
+        ("REAL_TO_INT", "REAL#2.5", [TO_INTEGER, RANGE, OPEN]),
+        ("REAL_TO_INT", "REAL#32767.9", [TO_INTEGER, RANGE, OPEN]),
+        ("REAL_TO_INT", "REAL#-32768.9", [TO_INTEGER, RANGE, OPEN]),
+        ("REAL_TO_USINT", "REAL#-0.9", [TO_INTEGER, RANGE, OPEN]),
         ("REAL_TO_INT", "REAL#32768.0", [OPEN, RANGE, OPEN]),
-        ("REAL_TO_INT", "REAL#NaN", [OPEN, DESIGN, OPEN]),
-        ("REAL_TO_INT", "REAL#-Infinity", [OPEN, DESIGN, OPEN]),
+        ("REAL_TO_INT", "REAL#NaN", [OPEN, NOT_FINITE, OPEN]),
+        ("REAL_TO_INT", "REAL#-Infinity", [OPEN, NOT_FINITE, OPEN]),
         ("LREAL_TO_LINT", "LREAL#1.0E300", [OPEN, RANGE, OPEN]),
-        ("TRUNC", "LREAL#-2.9", [TRUNC, TRUNC, OPEN]),
+        ("TRUNC", "LREAL#-2.9", [IRONPLC_TRUNC, TRUNC, OPEN]),
         ("TRUNC", "REAL#1.0E10", EVERYWHERE_OPEN),
         ("TRUNC", "REAL#NaN", EVERYWHERE_OPEN),
         ("TRUNC_INT", "REAL#-2.9", ONLY_MATIEC_NAMING),
         ("TRUNC_DINT", "REAL#1.0E10", [OPEN, RANGE, OPEN]),
-        ("TRUNC_LINT", "LREAL#NaN", [OPEN, DESIGN, OPEN]),
+        ("TRUNC_LINT", "LREAL#NaN", [OPEN, NOT_FINITE, OPEN]),
         ("TRUNC_SINT", "REAL#1.5", EVERYWHERE_OPEN),
         ("REAL_TRUNC_INT", "REAL#1.5", EVERYWHERE_OPEN),
         ("ROUND", "REAL#1.5", EVERYWHERE_OPEN),
@@ -105,11 +122,11 @@ fn reals() {
 #[test]
 fn durations_and_dates() {
     check(&[
-        ("TIME_TO_DINT", "TIME#1500ms", [NAMING; 3]),
+        ("TIME_TO_DINT", "TIME#1500ms", IN_MILLISECONDS),
         ("TIME_TO_DINT", "TIME#1.5ms", EVERYWHERE_OPEN),
         ("TIME_TO_INT", "TIME#32768ms", EVERYWHERE_OPEN),
         ("TIME_TO_UDINT", "TIME#-1ms", EVERYWHERE_OPEN),
-        ("TIME_TO_REAL", "TIME#16777217ms", [NAMING; 3]),
+        ("TIME_TO_REAL", "TIME#16777217ms", IN_MILLISECONDS),
         ("TIME_TO_REAL", "TIME#0.5ms", EVERYWHERE_OPEN),
         ("TIME_TO_WORD", "TIME#1ms", EVERYWHERE_OPEN),
         ("TIME_TO_BOOL", "TIME#1ms", EVERYWHERE_OPEN),
@@ -117,13 +134,13 @@ fn durations_and_dates() {
         ("TIME_TO_TOD", "TIME#1ms", EVERYWHERE_OPEN),
         ("TIME_TO_LTIME", "TIME#1ms", EVERYWHERE_OPEN),
         ("LTIME_TO_DINT", "LTIME#1ms", EVERYWHERE_OPEN),
-        ("DINT_TO_TIME", "DINT#-5", [NAMING; 3]),
-        ("LINT_TO_TIME", "LINT#9223372036854", [NAMING; 3]),
+        ("DINT_TO_TIME", "DINT#-5", IN_MILLISECONDS),
+        ("LINT_TO_TIME", "LINT#9223372036854", IN_MILLISECONDS),
         ("LINT_TO_TIME", "LINT#9223372036855", EVERYWHERE_OPEN),
         ("DINT_TO_LTIME", "DINT#5", EVERYWHERE_OPEN),
         ("BOOL_TO_TIME", "BOOL#TRUE", EVERYWHERE_OPEN),
         ("BYTE_TO_TIME", "BYTE#16#1", EVERYWHERE_OPEN),
-        ("REAL_TO_TIME", "REAL#-1500.0", [NAMING; 3]),
+        ("REAL_TO_TIME", "REAL#-1500.0", IN_MILLISECONDS),
         ("REAL_TO_TIME", "REAL#1.5", EVERYWHERE_OPEN),
         ("LREAL_TO_TIME", "LREAL#1.0E13", EVERYWHERE_OPEN),
         ("LREAL_TO_TIME", "LREAL#1.0E300", EVERYWHERE_OPEN),

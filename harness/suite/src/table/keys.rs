@@ -46,6 +46,8 @@ pub struct Generate {
     pub to: Vec<String>,
     /// The operands: literals, numbers beside a limit of a type, and names of lists.
     pub inputs: Vec<String>,
+    /// The calls that are taken, by what becomes of the number: `narrowed`, `kept` or `with-a-sign`. `None` for all.
+    pub only: Option<String>,
     /// The tables whose calls are left out.
     #[serde(default)]
     pub besides: Vec<String>,

@@ -124,6 +124,27 @@ fn conversions_of_conversions_are_done_step_by_step() {
 }
 
 #[test]
+fn a_chain_cites_what_its_first_step_rests_on() {
+    let sources = folder::names(&crate::root()).unwrap().sources;
+    let table = &tables()["chains"];
+    for probe in &table.probes {
+        for (row, dialect) in
+            rows(table).flat_map(|row| probe.dialects.iter().map(move |dialect| (row.clone(), *dialect)))
+        {
+            let operand = literal(row["from"], row["input"]);
+            let signature = signature(row["inner"], &operand, dialect);
+            let step = expected(&signature, &[operand], dialect);
+            let bases = if row["basis"].is_empty() {
+                &probe.basis[..]
+            } else {
+                row["basis"]
+            };
+            assert_eq!(sources.choose(bases, dialect), step.basis, "{dialect}: {row:?}");
+        }
+    }
+}
+
+#[test]
 fn the_idioms_give_what_32_bit_arithmetic_gives() {
     let tables = tables();
     for (name, prepare, function) in IDIOMS {
