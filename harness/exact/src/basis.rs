@@ -85,7 +85,7 @@ const IRONPLC_ROUTING: &str = "ironplc-conversion-design: Codegen Routing";
 const IRONPLC_BOOLEAN: &str = "ironplc-conversion-functions: Boolean Conversions";
 const IRONPLC_REAL_TO_INTEGER: &str = "ironplc-conversion-functions: Real to Integer";
 const IRONPLC_TIME: &str = "ironplc-conversion-functions: Time/Duration Conversions";
-const IRONPLC_TRUNC: &str = "ironplc-trunc: Description";
+const IRONPLC_TRUNC: &str = "ironplc-standard-functions: trunc";
 
 // The standards, which speak for every dialect.
 const BITS_TO_BITS: &str = "iec-61131-3: Table 24";
