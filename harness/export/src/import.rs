@@ -15,8 +15,8 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use stickler_engines::{Diagnostic, Outcome};
 use stickler_run::{
-    CaseJudge, DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Header, Summary,
-    dialect_headers,
+    CaseJudge, DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Header, SourceHeader,
+    Summary, dialect_headers,
 };
 use stickler_suite::{Acceptance, Case};
 use stickler_types::DialectName;
@@ -322,6 +322,7 @@ impl Export {
                 .into_iter()
                 .collect(),
             defined: self.manifest.defined.clone().into_iter().collect(),
+            sources: SourceHeader::all(judge.sources),
             ..Header::default()
         }
     }

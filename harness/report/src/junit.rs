@@ -148,10 +148,14 @@ fn claims(overview: &Overview) -> Suite {
     let mut suite = Suite::new("claims");
     for claim in overview.claims.iter() {
         let standing = claim.standing;
-        let output = format!(
+        let mut output = format!(
             "passed {}, failed {}, open {}, unsupported {}",
             standing.passed, standing.failed, standing.open, standing.unsupported
         );
+        if let Some(source) = overview.source(claim.source) {
+            // Writing to a String cannot fail.
+            let _ = write!(output, "\n{}: {}", source.kind, source.address_of(claim.section));
+        }
         let fail = format!("{} of {} cases fail", standing.failed, standing.cases());
         let problem = match (standing.failed, standing.unexpected()) {
             (0, _) => None,
@@ -334,7 +338,7 @@ mod tests {
         // One suite more for the claims, in which the one claim fails.
         assert_eq!(
             (report.tests, report.failures, report.errors, report.skipped),
-            (9, 3, 3, 2)
+            (10, 3, 3, 3)
         );
     }
 

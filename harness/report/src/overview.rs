@@ -5,7 +5,7 @@ use crate::engine;
 use crate::observations::Observations;
 use crate::text::clip_facts;
 use std::collections::BTreeMap;
-use stickler_run::{CaseEvent, EngineHeader, Event, Footer, Header, OutdatedEntry, Totals};
+use stickler_run::{CaseEvent, EngineHeader, Event, Footer, Header, OutdatedEntry, SourceHeader, Totals};
 
 /// The maximum number of failing cases that are kept whole. The rest is counted; the event log has them all.
 pub const MAX_KEPT_FAILURES: usize = 500;
@@ -67,6 +67,16 @@ impl Overview {
     pub fn engines(&self) -> Vec<&str> {
         let engines = self.header.iter().flat_map(|header| &header.engines);
         engines.map(|engine| engine.name.as_str()).collect()
+    }
+
+    /// Returns the sources that the header names.
+    pub(crate) fn sources(&self) -> &[SourceHeader] {
+        self.header.as_ref().map_or(&[], |header| &header.sources)
+    }
+
+    /// Returns a source by its key, where the header names it.
+    pub(crate) fn source(&self, key: &str) -> Option<&SourceHeader> {
+        self.sources().iter().find(|source| source.key == key)
     }
 
     /// Returns the engine of a case, where the header names it.

@@ -94,6 +94,7 @@ impl Results {
         key(out, "broken_files", &header.broken_files)?;
         key(out, "baselines", &header.baselines)?;
         key(out, "defined", &header.defined)?;
+        key(out, "sources", &header.sources)?;
         let mut list = List::default();
         for claim in claims.iter() {
             list.push(&ClaimResult {

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use stickler_run::{
     BaselineHeader, BaselineNote, CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Grade,
-    Header, Observed, OutdatedEntry, Totals, Verdict,
+    Header, Observed, OutdatedEntry, SourceHeader, Totals, Verdict,
 };
 use stickler_types::{Diagnostic, Value};
 
@@ -163,6 +163,21 @@ pub(crate) fn run_on(engines: &[&str], cases: Vec<CaseEvent>) -> Vec<Event> {
     events
 }
 
+/// Returns a run whose header names the source of its cases.
+pub(crate) fn with_sources(mut events: Vec<Event>) -> Vec<Event> {
+    if let Some(Event::Header(header)) = events.first_mut() {
+        header.sources = vec![SourceHeader {
+            key: "ironplc-type-conversions".to_owned(),
+            title: "Type Conversions".to_owned(),
+            publisher: "IronPLC".to_owned(),
+            kind: "document".to_owned(),
+            address: "https://example.org/{section}#{anchor}".to_owned(),
+            read: "0.239".to_owned(),
+        }];
+    }
+    events
+}
+
 /// Returns a whole run of these cases.
 pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
     let mut totals = Totals::default();
@@ -188,6 +203,7 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
         broken_files: Vec::new(),
         baselines: Vec::new(),
         defined: Vec::new(),
+        sources: Vec::new(),
     };
     let engines = vec![EngineTotals {
         name: "reference".to_owned(),

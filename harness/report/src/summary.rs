@@ -3,6 +3,7 @@
 mod claims;
 mod observed;
 
+use crate::basis::Basis;
 use crate::discrepancies::NAME;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
@@ -11,7 +12,7 @@ use crate::{ReportError, compared, diff, engine};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, DefinedHeader, EngineHeader, Totals};
+use stickler_run::{CaseEvent, DefinedHeader, Totals};
 use stickler_types::{counted, grouped};
 
 /// The maximum length of the document, in bytes. A step summary may have 1 MiB; the rest is left to other steps.
@@ -181,7 +182,7 @@ fn failures(overview: &Overview, page: &mut Page) {
     let shown = overview.failures.iter().take(MAX_SHOWN_FAILURES);
     let tried = shown.len() as u64;
     page.left_out = 0;
-    shown.for_each(|case| page.add(&failure(case, overview.engine(case))));
+    shown.for_each(|case| page.add(&failure(case, overview)));
     let rest = overview.failed - tried + page.left_out;
     if rest > 0 {
         // The note is short, and the limit leaves room for it.
@@ -192,7 +193,8 @@ fn failures(overview: &Overview, page: &mut Page) {
     }
 }
 
-fn failure(case: &CaseEvent, engine: Option<&EngineHeader>) -> String {
+fn failure(case: &CaseEvent, overview: &Overview) -> String {
+    let engine = overview.engine(case);
     let (expected, got) = compared::texts(case, engine::strictness(engine));
     let expected = clip(&visible(&expected), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
     let got = clip(&visible(&got), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
@@ -213,10 +215,30 @@ fn failure(case: &CaseEvent, engine: Option<&EngineHeader>) -> String {
         dialect = inline(&case.dialect),
         engine = inline(&case.engine),
         title = inline(&case.title),
-        basis = inline(&case.basis),
+        basis = basis(case, overview),
         place = inline(&case.place()),
         rerun = code(&engine::rerun(engine, case)),
     )
+}
+
+/// Returns the basis of a case, which leads to the address of its section.
+fn basis(case: &CaseEvent, overview: &Overview) -> String {
+    let Basis { source, section } = Basis::of(&case.basis);
+    match overview.source(source) {
+        Some(source) => linked(&case.basis, &source.address_of(section)),
+        None => inline(&case.basis),
+    }
+}
+
+/// Formats a text that leads to an address of the web; the text alone where the address is another one.
+pub(crate) fn linked(text: &str, address: &str) -> String {
+    match address.starts_with("https://") || address.starts_with("http://") {
+        true => {
+            let address = address.replace(['<', '>', '\n'], "").replace('|', "%7C");
+            format!("[{}](<{address}>)", inline(text))
+        }
+        false => inline(text),
+    }
 }
 
 /// Returns a code fence: three backticks, or more than any line of the text has.
@@ -286,13 +308,31 @@ mod tests {
         let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part:?} in {text}"));
         assert!(at("# Stickler: 1 of 4 cases not as expected") < at("## Claims"));
         assert!(
-            at("| **✗** | ironplc-type-conversions | Integer widening | 2 | **1** | 0 | 1 | 0 |")
+            at("| **✗** | ironplc-type-conversions |  | Integer widening | 2 | **1** | 0 | 1 | 0 |")
                 < at("## Cases")
         );
         assert!(at("| reference | ironplc-ed2 | **3/4** | **3/4** |") < at("## Not as expected"));
         assert!(
             at("### fail: widening/broken@ironplc-ed2 on reference")
                 < at("- into = INT#-128\n+ into = INT#128\n")
+        );
+    }
+
+    #[test]
+    fn a_source_has_its_kind_and_leads_to_its_address() {
+        let text = page(&sample::with_sources(sample::run()));
+        let address = "<https://example.org/Integer widening#integer-widening>";
+        assert!(
+            text.contains(&format!(
+                "| ironplc-type-conversions | document | [Integer widening]({address}) |"
+            )),
+            "{text}"
+        );
+        assert!(
+            text.contains(&format!(
+                "- basis: [ironplc-type-conversions: Integer widening]({address})\n"
+            )),
+            "{text}"
         );
     }
 
@@ -323,8 +363,8 @@ mod tests {
         ];
         let text = page(&sample::run_on(&["reference", "matiec"], cases));
         for part in [
-            "\n| | document | section | reference | matiec |\n|---|---|---|--:|--:|\n",
-            "\n| **✗** | ironplc-type-conversions | Integer widening | 2/2, 1 open | **0/1**, 1 open, 1 unsupported |\n",
+            "\n| | source | kind | section | reference | matiec |\n|---|---|---|---|--:|--:|\n",
+            "\n| **✗** | ironplc-type-conversions |  | Integer widening | 2/2, 1 open | **0/1**, 1 open, 1 unsupported |\n",
             "\n- `` widening/open(2.5) ``, `` r ``: `` INT#3 `` by reference, `` INT#2 `` by matiec\n",
         ] {
             assert!(text.contains(part), "{part}\n{text}");
@@ -388,6 +428,6 @@ mod tests {
             ..sample::case("x", Verdict::Pass)
         };
         let text = page(&sample::run_of(vec![case]));
-        assert!(text.contains(r"| doc | a \| b \<i\> |"), "{text}");
+        assert!(text.contains(r"| doc |  | a \| b \<i\> |"), "{text}");
     }
 }

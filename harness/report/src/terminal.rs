@@ -380,7 +380,7 @@ reports/latest/discrepancies
 Claims                      reference  matiec
   ironplc-type-conversions        1/1     0/1
     Integer widening              1/1     0/1
-  n/m: n of m cases came out as the document says
+  n/m: n of m cases came out as the source says
 ";
         assert!(text.contains(table), "{text}");
         assert!(
@@ -389,6 +389,17 @@ Claims                      reference  matiec
             ),
             "{text}"
         );
+    }
+
+    #[test]
+    fn a_claim_shows_the_kind_of_its_source() {
+        let text = shown(&sample::with_sources(sample::run()));
+        let table = "
+Claims                      kind      passed  failed  open
+  ironplc-type-conversions  document       2       1     1
+    Integer widening                       2       1     1
+";
+        assert!(text.contains(table), "{text}");
     }
 
     #[test]

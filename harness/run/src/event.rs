@@ -2,10 +2,12 @@
 //! adds no facts; a stream without its footer is a truncated run. Basis: reports/README.md.
 
 mod baseline;
+mod source;
 mod totals;
 mod verdict;
 
 pub use baseline::{BaselineHeader, BaselineNote, OutdatedEntry};
+pub use source::SourceHeader;
 pub use totals::Totals;
 pub use verdict::Verdict;
 
@@ -66,6 +68,9 @@ pub struct Header {
     /// The dialects of the run that stickler.toml defines.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub defined: Vec<DefinedHeader>,
+    /// The sources that the cases of the suite may cite, Stickler's own rules among them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sources: Vec<SourceHeader>,
 }
 
 /// A custom dialect: another dialect with some of its rules overridden.

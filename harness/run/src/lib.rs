@@ -31,7 +31,7 @@ pub use binding::binds;
 pub use case_judge::CaseJudge;
 pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, PROGRAM};
-pub use event::{Totals, Verdict};
+pub use event::{SourceHeader, Totals, Verdict};
 pub use fact::Fact;
 pub use filter::Filter;
 pub use inherited::{dialect_headers, drop_changed_cases};

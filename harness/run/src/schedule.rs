@@ -5,7 +5,9 @@ mod context;
 mod known;
 
 use crate::answer_store::AnswerStore;
-use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM};
+use crate::event::{
+    CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM, SourceHeader,
+};
 use crate::{MatchedBaseline, Plan, RunError, Summary, Totals, select};
 use batches::Batches;
 use context::RunContext;
@@ -255,6 +257,7 @@ fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> 
         broken_files: suite.errors.iter().map(ToString::to_string).collect(),
         baselines: Vec::new(),
         defined: plan.defined.clone(),
+        sources: SourceHeader::all(&suite.sources),
     }
 }
 

@@ -54,6 +54,6 @@ pub use lint::{Finding, Severity, lint};
 pub use model::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
 };
-pub use sources::{Source, SourceKind, Sources};
+pub use sources::{Source, SourceKind, Sources, address_of};
 pub use suite::{Suite, load_file, read_case_file};
 pub use table::Generate;

@@ -151,10 +151,17 @@ impl Source {
     /// Returns the address at which a section stands: an address of the web, or a path below the parent of the folder of cases.
     #[must_use]
     pub fn address_of(&self, section: &str) -> String {
-        self.address
-            .replace("{section}", section)
-            .replace("{anchor}", &sections::anchor(section))
+        address_of(&self.address, section)
     }
+}
+
+/// Fills in the address of a source for a section: `{section}` stands for its name, `{anchor}` for its words in lower case with
+/// hyphens between them.
+#[must_use]
+pub fn address_of(address: &str, section: &str) -> String {
+    address
+        .replace("{section}", section)
+        .replace("{anchor}", &sections::anchor(section))
 }
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
 //! Writes the claims as Markdown: each section of each document, and the results of the engines.
 
-use super::{Page, inline};
+use super::{Page, inline, linked};
 use crate::claims::{Row, Standing};
 use crate::overview::Overview;
 
 /// Writes one table: for a single engine with its numbers, for several with one column per engine.
 pub(super) fn write(overview: &Overview, page: &mut Page) {
     page.add("\n## Claims\n\n");
-    page.add("A claim is a section of a document. *Open*: the document does not say what must happen, ");
+    page.add("A claim is a section of a source. *Open*: no source says what must happen, ");
     page.add("so what the engine does is recorded and not judged. ");
     page.add(
         "*Differs*: the engine does something else, but the source does not speak for it, or is a rule of ",
@@ -16,41 +16,53 @@ pub(super) fn write(overview: &Overview, page: &mut Page) {
     let engines = overview.engines();
     let rows = overview.claims.rows(&engines);
     match &engines[..] {
-        [_] => of_one_engine(&rows, page),
-        _ => of_several_engines(&rows, &engines, page),
+        [_] => of_one_engine(overview, &rows, page),
+        _ => of_several_engines(overview, &rows, &engines, page),
     }
 }
 
-/// Returns the first cells of a row: a mark where an engine does not meet the claim, the document and the section. `None`
-/// where the row is not shown: a section without a name is the whole document, which has a row already.
-fn name(row: &Row<'_>) -> Option<String> {
+/// Returns the first cells of a row: a mark where an engine does not meet the claim, the source with its kind, and the section,
+/// which leads to its address. `None` where the row is not shown: a section without a name is the whole source, which has a
+/// row already.
+fn name(overview: &Overview, row: &Row<'_>) -> Option<String> {
+    let source = overview.source(row.source);
     let section = match (row.sum, row.section) {
         (true, _) => "*all*".to_owned(),
         (false, "") => return None,
-        (false, section) => inline(section),
+        (false, section) => match source {
+            Some(source) => linked(section, &source.address_of(section)),
+            None => inline(section),
+        },
     };
     let mark = if row.failed() { "**✗**" } else { "" };
-    Some(format!("| {mark} | {} | {section} |", inline(row.source)))
+    let kind = source.map_or("", |source| &source.kind);
+    Some(format!(
+        "| {mark} | {} | {} | {section} |",
+        inline(row.source),
+        inline(kind)
+    ))
 }
 
 /// Writes a table with engines as columns and claims as rows.
-fn of_several_engines(rows: &[Row<'_>], engines: &[&str], page: &mut Page) {
-    page.add("| | document | section |");
+fn of_several_engines(overview: &Overview, rows: &[Row<'_>], engines: &[&str], page: &mut Page) {
+    page.add("| | source | kind | section |");
     engines
         .iter()
         .for_each(|engine| page.add(&format!(" {} |", inline(engine))));
-    page.add("\n|---|---|---|");
+    page.add("\n|---|---|---|---|");
     engines.iter().for_each(|_| page.add("--:|"));
     page.add("\n");
     for row in rows {
-        let Some(mut line) = name(row) else { continue };
+        let Some(mut line) = name(overview, row) else {
+            continue;
+        };
         row.standings
             .iter()
             .for_each(|standing| line.push_str(&format!(" {} |", cell(*standing))));
         line.push('\n');
         page.add(&line);
     }
-    page.add("\nn/m: n of m cases came out as the document says. -: the engine has no case of this claim.\n");
+    page.add("\nn/m: n of m cases came out as the source says. -: the engine has no case of this claim.\n");
 }
 
 /// Formats an engine's results for a claim in a few words.
@@ -84,11 +96,11 @@ fn cell(standing: Standing) -> String {
     }
 }
 
-fn of_one_engine(rows: &[Row<'_>], page: &mut Page) {
-    page.add("| | document | section | passed | failed | differs | open | unsupported |\n");
-    page.add("|---|---|---|--:|--:|--:|--:|--:|\n");
+fn of_one_engine(overview: &Overview, rows: &[Row<'_>], page: &mut Page) {
+    page.add("| | source | kind | section | passed | failed | differs | open | unsupported |\n");
+    page.add("|---|---|---|---|--:|--:|--:|--:|--:|\n");
     for row in rows {
-        if let (Some(name), [standing]) = (name(row), &row.standings[..]) {
+        if let (Some(name), [standing]) = (name(overview, row), &row.standings[..]) {
             page.add(&format!("{name}{}", numbers(*standing)));
         }
     }
