@@ -24,12 +24,10 @@ pub(super) enum Form {
     Codes,
     /// The path of a file in a repository, `tests/lit/single/conversion/to_num.st`.
     Paths,
-    /// A section of Stickler's own design, `§8`.
-    Design,
 }
 
 impl Form {
-    const ALL: [Form; 5] = [Form::Cells, Form::Clauses, Form::Codes, Form::Paths, Form::Design];
+    const ALL: [Form; 4] = [Form::Cells, Form::Clauses, Form::Codes, Form::Paths];
 
     /// Returns the form that a word of the key `sections` stands for.
     pub(super) fn from_word(word: &str) -> Option<Form> {
@@ -42,7 +40,6 @@ impl Form {
             Form::Clauses => "clauses",
             Form::Codes => "codes",
             Form::Paths => "paths",
-            Form::Design => "design",
         }
     }
 
@@ -52,7 +49,6 @@ impl Form {
             Form::Clauses => is_clause(section),
             Form::Codes => section.parse::<Code>().is_ok(),
             Form::Paths => is_path(section),
-            Form::Design => is_design_section(section),
         }
     }
 
@@ -63,7 +59,6 @@ impl Form {
             Form::Clauses => "a clause, a table or an annex: `6.3.4`, `Table 3`, `Annex B`",
             Form::Codes => "a code: `P4035`",
             Form::Paths => "the path of a file: `tests/example.st`",
-            Form::Design => "`§1` to `§9`",
         }
     }
 }
@@ -131,11 +126,6 @@ fn is_clause(section: &str) -> bool {
 fn is_path(section: &str) -> bool {
     let is_name = |part: &str| !part.is_empty() && part != ".." && !part.contains(char::is_whitespace);
     section.contains(['/', '.']) && section.split('/').all(is_name)
-}
-
-fn is_design_section(section: &str) -> bool {
-    let number = section.strip_prefix('§').and_then(|rest| rest.split('.').next());
-    number.is_some_and(|number| number.parse().is_ok_and(|number: u8| (1..=9).contains(&number)))
 }
 
 #[cfg(test)]
