@@ -68,8 +68,16 @@ impl Citations {
         let all = || written.text.split(OR);
         let mistakes = all().filter_map(|basis| wrong(basis, dialect, sources?));
         let mistakes = mistakes.map(|message| Mistake::new(written.line, message).key("basis"));
+        let told = self.mistakes.len();
         self.mistakes.extend(mistakes);
         let chosen = sources.and_then(|sources| sources.choose(&written.text, dialect));
+        let stated = all().any(|basis| is_stated(basis, dialect));
+        if sources.is_some() && chosen.is_none() && !stated && self.mistakes.len() == told {
+            let message = format!("`{}` does not speak for {dialect}", written.text);
+            let hint = "cite what says it of this dialect; where nothing does, leave it open";
+            let mistake = Mistake::new(written.line, message).key("basis").hint(hint);
+            self.mistakes.insert(mistake);
+        }
         let chosen = match chosen.or_else(|| all().next()) {
             Some(chosen) if chosen.len() < written.text.len() => chosen.into(),
             _ => Arc::clone(&written.text),

@@ -211,7 +211,12 @@ mod tests {
             // No definition speaks of functions that no document has, nor of the bits of a real.
             ("TO_INT", "REAL#3.5", "INT#4", None),
             ("REAL_TO_WORD", "REAL#3.5", "WORD#16#0004", None),
-            ("TRUNC", "REAL#3.5", "DINT#3", Some("ironplc-standard-functions: trunc")),
+            (
+                "TRUNC",
+                "REAL#3.5",
+                "DINT#3",
+                Some("ironplc-standard-functions: trunc"),
+            ),
         ] {
             let (got, said) = gives(function, operand, dialect);
             assert_eq!((got.as_str(), said), (value, basis), "{function}({operand})");

@@ -251,6 +251,20 @@ fn a_case_that_asserts_something_cites_a_source_that_there_is() {
 }
 
 #[test]
+fn a_case_cites_a_source_that_speaks_for_its_dialect() {
+    let page = "[page]\ntitle = 't'\npublisher = 'p'\nkind = 'document'\naddress = 'https://example.org'\nread = '1'\n\
+                engines = []\ndialects = ['plcnext']\nsections = ['s']\n";
+    let text = PROGRAM.replace("iec-61131-3: 6", "page: s");
+    let found = findings(&[("a/f.st", &text), ("sources.toml", page)]);
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].0, Severity::Error);
+    assert_eq!(
+        found[0].1,
+        "cases/a/f.st:3: `basis`: `page: s` does not speak for matiec (cite what says it of this dialect; where nothing does, leave it open)"
+    );
+}
+
+#[test]
 fn a_case_that_asserts_nothing_needs_no_basis_and_is_not_stated() {
     let text = PROGRAM
         .replace("basis = \"iec-61131-3: 6\"\n", "")
