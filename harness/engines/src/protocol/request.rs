@@ -79,7 +79,7 @@ pub struct ObserveMessage {
     pub after: Option<u32>,
 }
 
-/// Where the clock stands before a scan.
+/// The simulated time before a scan.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClockMessage {
@@ -99,7 +99,7 @@ pub struct SetMessage {
     pub before: u32,
     /// The variable or path.
     pub name: String,
-    /// What it becomes, as a typed literal.
+    /// The value that is written, as a typed literal.
     pub value: String,
 }
 
